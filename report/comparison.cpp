@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <set>
 
 #include "report/report.h"
 #include "report/statistics/comparability.h"
 #include "report/statistics/measurements.h"
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
+#include "report/tables/tables.h"
 #include "report/text/texts.h"
 
 namespace desmo::report {
@@ -66,17 +68,50 @@ std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& 
   return measured_speed_up(reference->second.time, timing.time).speed_up;
 }
 
-Table speed_ups_of_both(const TimedGroup& a, const TimedGroup& b) {
-  Table table = headed_table(
-      "machines",
-      {{"name", a.name.substr(std::string_view("comparison").size())}, {"what", a.what}});
-  add_rows(table, a.timings, b.timings,
-           [&](const CandidateKey& key, const Timing& one, const Timing& other) {
-             const auto first = speed_up_of(a, key, one), second = speed_up_of(b, key, other);
-             return first && second ? std::vector{ratio_entry(*first), ratio_entry(*second)}
-                                    : std::vector<Entry>();
-           });
-  return table;
+/// Keys of the points of accuracy that stand beside another machine's: of thousands those in front
+/// of a figure, and those with the paper's settings.
+std::set<CandidateKey> points_in_front(const Record& record) {
+  std::set<CandidateKey> keys;
+  for (const std::string& name : drawn_cases(record)) {
+    const Table drawn = work_precision(record, name);
+    const auto column = std::ranges::find(drawn.columns, "Pareto", &Column::name);
+    for (const auto& row : drawn.rows)
+      if (const std::string& id = row.front().shown;
+          !has_settings(id) || !row[column - drawn.columns.begin()].shown.empty())
+        keys.insert(timing_key({*main_series(record, name), id}));
+  }
+  return keys;
+}
+
+/// Returns a table for every group in which both have speed-ups.
+std::vector<Table> speed_ups_of_both(const Record& first, const Record& second) {
+  std::vector<Table> tables;
+  const std::set<CandidateKey> in_front = points_in_front(first);
+  const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    Table table =
+        headed_table("machines", {{"name", a[i].name.substr(std::string_view("comparison").size())},
+                                  {"what", a[i].what},
+                                  {"first", first.machine.cpu},
+                                  {"first_date", first.date.substr(0, 10)},
+                                  {"second", second.machine.cpu},
+                                  {"second_date", second.date.substr(0, 10)}});
+    add_rows(table, a[i].timings, b[i].timings,
+             [&](const CandidateKey& key, const Timing& one, const Timing& other) {
+               if (key.id.find("/step:") != key.id.npos && !in_front.contains(key))
+                 return std::vector<Entry>();
+               const auto x = speed_up_of(a[i], key, one), y = speed_up_of(b[i], key, other);
+               return x && y ? std::vector{ratio_entry(*x), ratio_entry(*y)} : std::vector<Entry>();
+             });
+    if (!table.rows.empty()) tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
+std::size_t rows_in(const std::vector<Table>& tables) {
+  std::size_t rows = 0;
+  for (const Table& table : tables) rows += table.rows.size();
+  return rows;
 }
 
 Table counts_of_both(const Record& first, const Record& second) {
@@ -94,17 +129,38 @@ Table counts_of_both(const Record& first, const Record& second) {
 
 }  // namespace
 
+Section machines(const Record& record, const std::vector<const Record*>& others) {
+  std::map<std::string, std::vector<Table>> best;  // by machine: what has most in common
+  for (const Record* other : others) {
+    if (!are_of_two_machines(record, *other) || !different_work_reason(record, *other).empty())
+      continue;
+    std::vector<Table> tables = speed_ups_of_both(record, *other);
+    std::vector<Table>& kept = best[other->machine.cpu];
+    if (rows_in(tables) > rows_in(kept)) kept = std::move(tables);
+  }
+  Section section = headed_section("machines_section");
+  std::size_t number = 0;
+  for (auto& [cpu, tables] : best) {
+    number += !tables.empty();
+    for (Table& table : tables) {
+      if (number > 1) table.name += "_" + std::to_string(number);
+      section.tables.push_back(std::move(table));
+    }
+  }
+  return section;
+}
+
 Document make_comparison(const Record& first, const Record& second) {
-  const bool machines = are_of_two_machines(first, second);
-  const std::string words = machines ? "machines." : "comparison.";
-  Section section{sentence(words + "section"), origins(first, second), {}};
+  const bool two = are_of_two_machines(first, second);
+  Section section = two ? machines(first, {&second})
+                        : Section{sentence("comparison.section"), origins(first, second), {}};
   const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    section.tables.push_back(machines ? speed_ups_of_both(a[i], b[i])
-                                      : seconds_of_both(a[i], b[i], first));
+  for (std::size_t i = 0; i < a.size() && !two; ++i)
+    section.tables.push_back(seconds_of_both(a[i], b[i], first));
   section.tables.push_back(counts_of_both(first, second));
   std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
-  return {.title = sentence(words + "document"), .sections = {std::move(section)}};
+  return {.title = sentence(two ? "machines_section.document" : "comparison.document"),
+          .sections = {std::move(section)}};
 }
 
 }  // namespace desmo::report

@@ -32,17 +32,12 @@ enum ExitCode {
 };
 
 struct TablesCommand {
-  std::vector<std::string> records;
+  std::vector<std::string> records, beside;
   std::string folder;  // empty: standard output only
   std::vector<std::string> formats;
   std::vector<std::string> tables;  // empty: all
   std::string history;              // file; empty: none
   bool all = false;
-};
-
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 /// Keeps only the tables of these names, without the sections' paragraphs.
@@ -56,7 +51,8 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
     });
     for (Table& table : section.tables) table.detail = false;
   }
-  if (!missing.empty()) throw UsageError("no table " + missing.front() + " in this report");
+  if (!missing.empty())
+    throw std::invalid_argument("no table " + missing.front() + " in this report");
   std::erase_if(document.sections, [](const Section& section) { return section.tables.empty(); });
   return document;
 }
@@ -71,6 +67,12 @@ bool complain(const std::string& first, const std::string& second,
   return true;
 }
 
+std::vector<const Record*> pointers(const std::vector<Record>& records) {
+  std::vector<const Record*> all;
+  for (const Record& record : records) all.push_back(&record);
+  return all;
+}
+
 ExitCode tables(const TablesCommand& command) {
   std::vector<Record> records;
   for (const std::string& file : command.records) {
@@ -79,7 +81,9 @@ ExitCode tables(const TablesCommand& command) {
       if (complain(command.records[i], file, why_apart(records[i], record))) return incomparable;
     records.push_back(std::move(record));
   }
-  Document document = make_report(records);
+  std::vector<Record> beside;
+  for (const std::string& file : command.beside) beside.push_back(read_record(file));
+  Document document = make_report(pointers(records), pointers(beside));
   if (!command.history.empty()) {
     document.sections.push_back(history_section(read_history(command.history)));
     document.sections.back().chapter = document.sections.back().title;
@@ -118,7 +122,7 @@ ExitCode compare(const CompareCommand& command) {
   write_standard_output(printed(make_comparison(first, second), {command.format}));
   if (!two_machines) return success;
   std::cerr << "desmo_report: "
-            << sentence("machines.no_verdict",
+            << sentence("machines_section.no_verdict",
                         {{"first", first.machine.cpu}, {"second", second.machine.cpu}})
             << "\n";
   return no_verdict;
@@ -155,6 +159,8 @@ int main(int argc, char** argv) {
                          "Write the files of every format, and the figures, into this folder");
   add_format(tables_app, command.formats);
   tables_app->add_option("--table", command.tables, "Only the table of this name; repeatable");
+  tables_app->add_option("--beside", command.beside,
+                         "Also the speed-ups of these records that other machines made");
   tables_app->add_option("--history", command.history, "Also this file of bench/check --history");
   tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
   CompareCommand comparison;
@@ -197,7 +203,7 @@ int main(int argc, char** argv) {
     if (certificate_app->parsed()) return run(certificate);
     if (site_app->parsed()) return site(filed);
     return compare_app->parsed() ? compare(comparison) : tables(command);
-  } catch (const UsageError& error) {
+  } catch (const std::invalid_argument& error) {
     return failed(error, usage_error);
   } catch (const MixedRecord& error) {
     return failed(error, incomparable);

@@ -1,9 +1,10 @@
 #include "report/report.h"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
+#include <map>
 
+#include "report/statistics/paper.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
 
@@ -48,10 +49,10 @@ constexpr std::pair<std::string_view, std::vector<Section> (*)(const Record&)> s
     {"extremes", extremes_sections}};
 
 /// A table of each; the names of the later ones are numbered.
-Section measured_how(const std::vector<Record>& records) {
+Section measured_how(const std::vector<const Record*>& records) {
   Section section = headed_section("measured");
-  for (const Record& record : records) {
-    section.tables.push_back(provenance(record));
+  for (const Record* record : records) {
+    section.tables.push_back(provenance(*record));
     if (const std::size_t count = section.tables.size(); count > 1) {
       section.tables.back().name += "_" + std::to_string(count);
       section.tables.back().title += ", record " + std::to_string(count);
@@ -60,11 +61,24 @@ Section measured_how(const std::vector<Record>& records) {
   return section;
 }
 
+/// Leaves of a long table of speed-ups the paper's largest size of each case, or the largest.
+Table on_page(Table table) {
+  constexpr std::size_t max_rows = 200;
+  table.detail = true;
+  if (table.rows.size() <= max_rows) return table;
+  const std::string published = std::to_string(published_sizes().back());
+  std::map<std::string, std::string> kept;  // by case; rows are in the order of sizes
+  for (const auto& row : table.rows)
+    if (std::string& size = kept[row[0].shown]; size != published) size = row[1].shown;
+  std::erase_if(table.rows, [&](const auto& row) { return kept[row[0].shown] != row[1].shown; });
+  return table;
+}
+
 /// What several records say alike is said once.
-Section joint_limitations(const std::vector<Record>& records) {
-  Section section = limitations(records.front());
-  for (const Record& record : records)
-    for (const std::string& line : limitations(record).paragraphs)
+Section joint_limitations(const std::vector<const Record*>& records) {
+  Section section = limitations(*records.front());
+  for (const Record* record : records)
+    for (const std::string& line : limitations(*record).paragraphs)
       if (std::ranges::find(section.paragraphs, line) == section.paragraphs.end())
         section.paragraphs.push_back(line);
   return section;
@@ -72,34 +86,39 @@ Section joint_limitations(const std::vector<Record>& records) {
 
 }  // namespace
 
-Document make_report(const std::vector<Record>& records) {
+Document make_report(const std::vector<const Record*>& records,
+                     const std::vector<const Record*>& beside) {
   Document document{.title = {}, .sections = {}};
+  const auto add = [&document](Section section, const std::string& chapter) {
+    section.chapter = chapter;
+    document.sections.push_back(std::move(section));
+  };
   for (const auto& [name, sections_of_record] : sections_of) {
-    const auto experiment = std::ranges::find(experiments, name, &Experiment::name);
-    const auto record = std::ranges::find_if(records, experiment->is_in);
+    const auto is_in = std::ranges::find(experiments, name, &Experiment::name)->is_in;
+    const auto record = std::ranges::find_if(records, [&](const Record* r) { return is_in(*r); });
     if (record == records.end()) continue;
     const std::string title = sentence("experiments." + std::string(name));
     if (document.title.empty()) document.title = "desmo: " + title;
-    std::vector<Section> sections = sections_of_record(*record);
+    std::vector<Section> sections = sections_of_record(**record);
     move_figure_to_front(sections);
     sections.front().front = true;
-    for (Section& section : sections) {
-      section.chapter = title;
-      document.sections.push_back(std::move(section));
-    }
+    for (Section& section : sections) add(std::move(section), title);
   }
-  const auto add = [&document](Section section) {
-    section.chapter = sentence("about.chapter");
-    document.sections.push_back(std::move(section));
-  };
-  add(measured_how(records));
-  add(joint_limitations(records));
-  if (const auto with_paper = std::ranges::find_if(records, has_paper); with_paper != records.end())
-    if (const auto lines = failures(*with_paper); !lines.empty())
-      add({headed_section("failures").title, lines, {}});
+  Section others = headed_section("machines_section");
+  for (const Record* record : records)
+    for (Section found = machines(*record, beside); Table & table : found.tables)
+      others.tables.push_back(on_page(std::move(table)));
+  if (others.tables.empty()) others.paragraphs = {sentence("machines_section.none")};
+  if (!beside.empty()) add(std::move(others), sentence("machines_section.chapter"));
+  const std::string about = sentence("about.chapter");
+  add(measured_how(records), about);
+  add(joint_limitations(records), about);
+  for (const Record* record : records)
+    if (const auto lines = failures(*record); !lines.empty())
+      add({headed_section("failures").title, lines, {}}, about);
   return document;
 }
 
-Document make_report(const Record& record) { return make_report(std::vector<Record>{record}); }
+Document make_report(const Record& record) { return make_report({&record}); }
 
 }  // namespace desmo::report

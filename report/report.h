@@ -9,17 +9,22 @@
 
 namespace desmo::report {
 
-/// The paper's tables for every sparse family, what follows from them, everything else that was
-/// recorded, and how it was measured. The same record gives the same document.
+/// Returns a page of several records, at least one, each section from the first that has what it
+/// needs, and how they were measured. Their times may stand on one page
+/// (statistics/comparability.h). beside: records of which speed-ups stand next to these, where they
+/// are of another machine and of the same work; a section says where there is none. The same
+/// records give the same document.
+Document make_report(const std::vector<const Record*>& records,
+                     const std::vector<const Record*>& beside = {});
 Document make_report(const Record& record);
 
-/// Returns a page of several records, at least one, each section from the first that has what it
-/// needs. Their times may stand on one page (statistics/comparability.h).
-Document make_report(const std::vector<Record>& records);
+/// Returns the speed-ups of a record next to those of others that measured the same on another
+/// machine, each over the usual reference in its own record: of each machine the record that has
+/// most in common. Without tables where there is none.
+Section machines(const Record& record, const std::vector<const Record*>& others);
 
 /// Says how many times as fast the second record is, for all that both have timed. Of two machines
-/// no seconds are shown: their speed-ups stand side by side, each over the usual reference in its
-/// own record. The records are comparable, or agree in what was solved
+/// no seconds are shown: see machines(). The records are comparable, or agree in what was solved
 /// (statistics/comparability.h).
 Document make_comparison(const Record& first, const Record& second);
 

@@ -1,96 +1,45 @@
 #include "report/site.h"
 
-#include <algorithm>
 #include <map>
 
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
-#include "report/statistics/comparability.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
 
 namespace desmo::report {
-namespace {
 
-namespace fs = std::filesystem;
-
-struct NamedRecord {
-  std::string name;  ///< of its file, without endings
-  Record record;
-};
-
-std::vector<NamedRecord> read_records(const fs::path& folder) {
-  if (!fs::is_directory(folder)) throw UnreadableRecord(folder.string() + ": there is no folder");
-  std::vector<NamedRecord> all;
-  for (const auto& file : fs::directory_iterator(folder)) {
+std::vector<SitePage> make_site(const std::filesystem::path& results) {
+  const std::filesystem::path folder = results / "records", history_file = results / "history.json";
+  if (!is_directory(folder)) throw UnreadableRecord(folder.string() + ": there is no folder");
+  std::map<std::string, Record> records;  // by name of the file, without endings
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
     const std::string name = file.path().filename().string();
     if (const std::size_t end = name.find(".json"); end != name.npos)
-      all.push_back({name.substr(0, end), read_record(file.path())});
+      records.emplace(name.substr(0, end), read_record(file.path()));
   }
-  std::ranges::sort(all, {}, &NamedRecord::name);
-  return all;
-}
-
-/// The pages so far, and the rows of the index.
-struct Site {
-  void add(const IndexRow& row, Document document) {
+  std::vector<SitePage> pages;
+  std::vector<IndexRow> rows;
+  const auto add = [&](const IndexRow& row, Document document) {
     document.home = "../index.html";
     std::vector<NewFile> files = figures(document);
     files.push_back({"report.html", to_html(document)});
     rows.push_back(row);
     pages.push_back({row.name, std::move(files)});
-  }
-
-  std::vector<SitePage> pages;
-  std::vector<IndexRow> rows;
-};
-
-std::size_t rows_in(const Document& document) {
-  std::size_t rows = 0;
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables) rows += table.rows.size();
-  return rows;
-}
-
-/// Adds for every experiment of two machines the comparison that has most in common.
-void add_machines(Site& site, const std::vector<NamedRecord>& records) {
-  std::map<std::string, std::pair<IndexRow, Document>> best;  // by machines and experiment
-  for (const auto& [first, a] : records)
-    for (const auto& [second, b] : records) {
-      if (a.machine.cpu >= b.machine.cpu || !different_work_reason(a, b).empty()) continue;
-      const Document document = make_comparison(a, b);
-      for (const Experiment& experiment : experiments) {
-        if (!experiment.is_in(a) || !experiment.is_in(b)) continue;
-        auto& page = best[a.machine.cpu + b.machine.cpu + experiment.name];
-        if (rows_in(document) > rows_in(page.second))
-          page = {{first + "-and-" + second, a.machine.cpu + "; " + b.machine.cpu,
-                   std::max(a.date, b.date).substr(0, 10)},
-                  document};
-      }
-    }
-  for (const auto& [key, page] : best)
-    if (!std::ranges::count(site.pages, page.first.name, &SitePage::folder))
-      site.add(page.first, page.second);
-}
-
-}  // namespace
-
-std::vector<SitePage> make_site(const fs::path& results) {
-  Site site;
-  const std::vector<NamedRecord> records = read_records(results / "records");
+  };
+  std::vector<const Record*> all;
+  for (const auto& [name, record] : records) all.push_back(&record);
   for (const auto& [name, record] : records)
-    site.add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report(record));
-  add_machines(site, records);
-  if (const fs::path file = results / "history.json"; fs::exists(file)) {
-    const History history = read_history(file);
-    site.add(
-        {"history", "", history.points.empty() ? "" : history.points.back().date.substr(0, 10)},
+    add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report({&record}, all));
+  if (exists(history_file)) {
+    const History history = read_history(history_file);
+    add({"history", "", history.points.empty() ? "" : history.points.back().date.substr(0, 10)},
         {sentence("history_section.document"), {history_section(history)}});
   }
-  site.pages.push_back({"", {{"index.html", to_index(site.rows)}}});
-  return std::move(site.pages);
+  pages.push_back({"", {{"index.html", to_index(rows)}}});
+  return pages;
 }
 
 }  // namespace desmo::report

@@ -15,9 +15,9 @@ struct SitePage {
   std::vector<NewFile> files;
 };
 
-/// Returns a page for every record in results/records, one for every two machines that have
-/// measured the same (speed-ups only), one for results/history.json where it is, and an index.html
-/// that selects by machine and date. Throws InputError, or MixedRecord.
+/// Returns a page for every record in results/records, the others beside it (report.h), one for
+/// results/history.json where it is, and an index.html that selects by machine and date. Throws
+/// InputError, or MixedRecord.
 std::vector<SitePage> make_site(const std::filesystem::path& results);
 
 }  // namespace desmo::report

@@ -1,6 +1,12 @@
 #include "report/check/check_outcome.h"
 
 #include <algorithm>
+#include <cctype>
+
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -81,6 +87,130 @@ std::vector<Pending> pending(const CheckOutcome& found) {
       all.push_back({all.back().pass, f.reference});
   }
   return all;
+}
+
+namespace {
+
+/// To the tenth; rounded to nothing, it has no sign.
+std::string signed_percent(double percent) {
+  const std::string digits = write_fixed(percent, 1);
+  return (percent > 0 && digits != "0.0" ? "+" : "") + digits;
+}
+
+std::string percent_of(double ratio) { return signed_percent(100 * (ratio - 1)); }
+
+Entry change_entry(const std::optional<Change>& c) {
+  if (!c) return {missing_mark, {"", "", ""}, missing_mark};
+  const std::string middle = percent_of(c->ratio), low = percent_of(c->low),
+                    high = percent_of(c->high);
+  return {middle + " % [" + low + ", " + high + "]", {middle, low, high}, {}};
+}
+
+std::string outcome_word(Finding outcome) {
+  constexpr std::array names{"outcomes.same",        "outcomes.gain",    "outcomes.regression",
+                             "outcomes.unconfirmed", "outcomes.refuted", "outcomes.noisy"};
+  return sentence(names[static_cast<std::size_t>(outcome)]);
+}
+
+Entry milliseconds(double seconds) {
+  return number_entry(seconds > 0 ? std::optional(1e3 * seconds) : std::nullopt, 4);
+}
+
+Table time_table(const TimeFindings& time) {
+  std::size_t rounds = 0;
+  for (const TimeFinding& f : time.candidates) rounds = std::max(rounds, f.first.rounds);
+  Table table = headed_table("time", {{"rounds", rounds}});
+  if (time.control)
+    table.notes.push_back(sentence("time.control", {{"change", change_entry(time.control).shown}}));
+  else
+    table.title = sentence("time.over_baseline");
+  for (const TimeFinding& f : time.candidates)
+    table.rows.push_back({f.candidate, milliseconds(f.base_seconds), milliseconds(f.head_seconds),
+                          change_entry(f.first), change_entry(f.second), outcome_word(f.outcome)});
+  return table;
+}
+
+Table work_table(const WorkFindings& work, const Work& counted) {
+  Table table = headed_table(
+      "work",
+      {{"steps", counted.steps}, {"iterations", counted.iterations}, {"tool", counted.tool}});
+  for (const WorkFinding& f : work.candidates) {
+    const std::string percent = signed_percent(f.percent);
+    table.rows.push_back({f.candidate,
+                          digits_entry(std::to_string(f.base)),
+                          digits_entry(std::to_string(f.head)),
+                          {percent + " %", {percent}, {}},
+                          outcome_word(f.outcome)});
+  }
+  return table;
+}
+
+std::vector<std::string> summary(const CheckOutcome& j) {
+  std::vector<std::string> lines;
+  const auto say = [&](const char* name, const TextValues& values = {}) {
+    lines.push_back(sentence(std::string("verdict.") + name, values));
+  };
+  const auto say_candidates = [&](const char* name, const auto& findings, Finding outcome) {
+    std::string list;
+    for (const auto& f : findings)
+      if (f.outcome == outcome) list += (list.empty() ? "" : ", ") + f.candidate;
+    if (!list.empty()) say(name, {{"candidates", list}});
+  };
+  const auto say_differences = [&](const char* name, const std::vector<Difference>& differences) {
+    for (const Difference& d : differences)
+      say(name, {{"what", d.what}, {"first", d.first}, {"second", d.second}});
+  };
+  const auto& times = j.time.candidates;
+  const auto& works = j.work.candidates;
+  for (const Excluded& e : j.invalid)
+    say("wrong", {{"candidate", e.candidate}, {"reason", e.reason}});
+  for (const std::string& name : j.missing) say("missing", {{"candidate", name}});
+  say_candidates("slower", times, Finding::regression);
+  say_candidates("more_work", works, Finding::regression);
+  say_candidates("faster", times, Finding::improvement);
+  say_candidates("less_work", works, Finding::improvement);
+  say_candidates("unconfirmed", times, Finding::unconfirmed);
+  say_candidates("noisy", times, Finding::noisy);
+  say_differences("times_differ", j.differences);
+  say_differences("counts_differ", j.work.differences);
+  if (j.verdict == CheckVerdict::incomparable && j.differences.empty() &&
+      j.work.differences.empty())
+    say("nothing");
+  for (const Excluded& e : j.excluded)
+    say("not_compared", {{"candidate", e.candidate}, {"reason", e.reason}});
+  if (lines.empty()) say("unchanged");
+  return lines;
+}
+
+std::string provenance_line(const CheckRecord& check) {
+  const Record& head = check.head;
+  const auto short_commit = [](Record record) {
+    record.commit.resize(std::min<std::size_t>(12, record.commit.size()));
+    return commit_of(record);
+  };
+  std::string text =
+      check.base ? sentence("verdict.base", {{"commit", short_commit(*check.base)}}) + " " : "";
+  text += sentence("verdict.measured", {{"commit", short_commit(head)},
+                                        {"date", head.date},
+                                        {"cpu", head.machine.cpu},
+                                        {"cores", head.machine.cores},
+                                        {"compiler", head.build.compiler},
+                                        {"blas", head.blas.core}});
+  if (!check.slowed.empty()) text += " " + sentence("verdict.slowed", {{"slowed", check.slowed}});
+  return text;
+}
+
+}  // namespace
+
+Document verdict_document(const CheckRecord& check, const CheckOutcome& j) {
+  std::string verdict = verdict_names[static_cast<std::size_t>(j.verdict)];
+  for (char& c : verdict) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  Section section = headed_section("verdict", {{"verdict", verdict}});
+  section.paragraphs = summary(j);
+  if (!j.time.candidates.empty()) section.tables.push_back(time_table(j.time));
+  if (!j.work.candidates.empty()) section.tables.push_back(work_table(j.work, *check.work));
+  section.paragraphs.push_back(provenance_line(check));
+  return {sentence("verdict.document"), {std::move(section)}};
 }
 
 }  // namespace desmo::report

@@ -4,6 +4,96 @@
 #include <stdexcept>
 
 namespace desmo::report {
+namespace {
+
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+std::string line(const std::vector<std::string>& fields) {
+  std::string text;
+  for (std::size_t i = 0; i < fields.size(); ++i) text += (i == 0 ? "" : ",") + field(fields[i]);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string to_csv(const Table& table) {
+  std::vector<std::string> names;
+  bool numbers = false;
+  for (const Column& column : table.columns) {
+    if (column.quantities.empty()) names.push_back(column.name);
+    for (const std::string& quantity : column.quantities)
+      names.push_back(column.name + " " + quantity);
+    numbers = numbers || !column.quantities.empty();
+  }
+  if (numbers) names.push_back("notes");
+  std::string text = line(names);
+
+  for (const auto& row : table.rows) {
+    std::vector<std::string> fields;
+    std::string notes;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Column& column = table.columns[i];
+      const Entry& entry = row[i];
+      if (column.quantities.empty()) {
+        fields.push_back(entry.shown);
+        continue;
+      }
+      std::vector<std::string> digits = entry.digits;
+      digits.resize(column.quantities.size());
+      if (!entry.has_number())
+        digits.front() = entry.note;
+      else if (!entry.note.empty())
+        notes += (notes.empty() ? "" : "; ") + column.name + ": " + entry.note;
+      fields.insert(fields.end(), digits.begin(), digits.end());
+    }
+    if (numbers) fields.push_back(notes);
+    text += line(fields);
+  }
+  return text;
+}
+
+namespace {
+
+std::string markdown_text(const std::string& text) {
+  std::map<char, std::string> escapes{{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}};
+  for (const char c : std::string_view("\\`*_|[]~$#")) escapes[c] = {'\\', c};
+  return escaped(text, escapes);
+}
+
+std::string markdown_table(const Table& table) {
+  std::string header = "|", rule = "|", rows;
+  for (const Column& column : table.columns) {
+    header += " " + markdown_text(column.name) + " |";
+    rule += column.quantities.empty() ? " --- |" : " ---: |";
+  }
+  for (const auto& row : table.rows) {
+    rows += "|";
+    for (const Entry& entry : row) rows += " " + markdown_text(entry.shown) + " |";
+    rows += "\n";
+  }
+  std::string text =
+      "**" + markdown_text(table.title) + "**\n\n" + header + "\n" + rule + "\n" + rows;
+  for (const std::string& note : table.notes) text += "\n" + markdown_text(note) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string to_markdown(const Document& document) {
+  std::string text = "# " + markdown_text(document.title) + "\n";
+  for (const Section& section : document.sections) {
+    text += "\n## " + markdown_text(section.title) + "\n";
+    for (const std::string& paragraph : section.paragraphs)
+      text += "\n" + markdown_text(paragraph) + "\n";
+    for (const Table& table : section.tables) text += "\n" + markdown_table(table);
+  }
+  return text;
+}
 
 const std::vector<std::string>& format_names() {
   static const std::vector<std::string> names{"terminal", "csv", "markdown", "html"};

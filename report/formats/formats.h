@@ -32,7 +32,7 @@ std::string to_markdown(const Document& document);
 /// "scripts", belongs to report/figures/render, which puts the figures there.
 std::string to_html(const Document& document);
 
-/// A page of a site, NAME/report.html. Several machines are apart by "; ".
+/// A page of a site, NAME/report.html.
 struct IndexRow {
   std::string name, machine, date;
 };

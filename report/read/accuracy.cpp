@@ -14,9 +14,7 @@ SeriesKey read_series(const RecordValue& node) {
 
 Floor read_floor(const RecordValue& node) {
   Floor floor{.reference = read_levels(node["reference"], &RecordValue::not_negative),
-              .condition = node.maybe("condition", &RecordValue::positive),
-              .in_double = std::nullopt,
-              .in_float = std::nullopt};
+              .condition = node.maybe("condition", &RecordValue::positive)};
   if (!floor.condition) return floor;
   floor.in_double = read_levels(node["limit"]["double"], &RecordValue::not_negative);
   floor.in_float = read_levels(node["limit"]["float"], &RecordValue::not_negative);
@@ -39,11 +37,7 @@ Point read_point(const RecordValue& node) {
   Point point{.configuration = read_configuration(node["id"]),
               .status = static_cast<Point::Status>(
                   node["status"].one_of({"ok", "failed", "not_applicable"})),
-              .message = node.maybe("message", &RecordValue::text).value_or(""),
-              .error = {},
-              .violation = {},
-              .iterations_per_step = 0,
-              .seconds_per_step = {}};
+              .message = node.maybe("message", &RecordValue::text).value_or("")};
   if (point.status != Point::Status::ok) return point;
   point.error = read_errors(node["error"]);
   point.violation = read_errors(node["violation"]);

@@ -28,7 +28,8 @@ struct SeriesKey {
 struct Floor {
   PerLevel reference;               ///< how far its two solutions differ
   std::optional<double> condition;  ///< κ, the largest; nothing where a position is singular
-  std::optional<PerLevel> in_double, in_float;  ///< errors that κ lets be expected; with κ
+  std::optional<PerLevel> in_double = {},
+                          in_float = {};  ///< errors that κ lets be expected; with κ
 };
 
 /// The largest errors of a motion. Empty for a level whose error is beyond all measure.
@@ -48,11 +49,12 @@ struct Point {
 
   Configuration configuration;
   Status status = Status::failed;
-  std::string message;  ///< why it failed or is not applicable
-  Errors error;         ///< relative; of position always when ok
-  Errors violation;     ///< of the equations
+  std::string message;    ///< why it failed or is not applicable
+  Errors error = {};      ///< relative; of position always when ok
+  Errors violation = {};  ///< of the equations
   double iterations_per_step = 0;
-  std::vector<double> seconds_per_step;  ///< samples of CPU time; never empty when ok, else always
+  std::vector<double> seconds_per_step =
+      {};  ///< samples of CPU time; never empty when ok, else always
 };
 
 /// A configuration of desmo tune, measured apart from any search.
@@ -79,12 +81,12 @@ struct TimedSize {
   std::string message;             ///< why it failed
   std::int64_t unknowns = 0;
   double tolerance = 0;
-  std::string checked_against;  ///< "quadruple", "double": the reference's precision; when ok
-  std::optional<PerLevel> verification;  ///< always when ok
+  std::string checked_against = {};  ///< "quadruple", "double": the reference's precision; when ok
+  std::optional<PerLevel> verification = {};  ///< always when ok
   double iterations_per_step = 0;
-  double state_bytes = 0;                ///< q, q', q''
-  std::optional<double> bytes;           ///< that the formulation keeps in memory
-  std::vector<double> seconds_per_step;  ///< as of a Point
+  double state_bytes = 0;                     ///< q, q', q''
+  std::optional<double> bytes = {};           ///< that the formulation keeps in memory
+  std::vector<double> seconds_per_step = {};  ///< as of a Point
 };
 
 // ---- instructions ----
@@ -121,8 +123,8 @@ struct ExtremeResult {
   std::string case_name;
   std::string id;  ///< a formulation, with settings
   Verdict verdict = Verdict::as_expected;
-  std::string reason;                                ///< when not as expected
-  std::optional<std::array<ExtremeError, 3>> worst;  ///< position, velocity, acceleration
+  std::string reason;                                     ///< when not as expected
+  std::optional<std::array<ExtremeError, 3>> worst = {};  ///< position, velocity, acceleration
 };
 
 }  // namespace desmo::report

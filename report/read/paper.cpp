@@ -39,11 +39,7 @@ Candidate read_solved(const RecordValue& node, const Settings& settings, std::st
       .origin = {node.maybe("machine", &RecordValue::text),
                  node.maybe("model", &RecordValue::digest),
                  node.maybe("results", &RecordValue::digest)},
-      .time = {},
-      .verification = std::nullopt,
-      .setup_seconds = std::nullopt,
-      .iterations_per_step = node.maybe("iterations_per_step", &RecordValue::not_negative),
-      .solvers = {}};
+      .iterations_per_step = node.maybe("iterations_per_step", &RecordValue::not_negative)};
   if (candidate.status == Status::ok) candidate.time = read_time(node["time"], settings, id);
   return candidate;
 }

@@ -74,12 +74,12 @@ struct Candidate {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
-  Time time;  ///< of the whole analysis; has samples when ok only
+  Time time = {};  ///< of the whole analysis; has samples when ok only
   /// Largest absolute differences from the reference; always when ok.
-  std::optional<PerLevel> verification;
-  std::optional<double> setup_seconds;
+  std::optional<PerLevel> verification = {};
+  std::optional<double> setup_seconds = {};
   std::optional<double> iterations_per_step;
-  std::vector<Solver> solvers;  ///< where they were chosen by measurement
+  std::vector<Solver> solvers = {};  ///< where they were chosen by measurement
 };
 
 /// Phases of a step, in the order of a Profile.

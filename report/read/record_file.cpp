@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <utility>
 
 #include "cases/io/text_file.h"
 

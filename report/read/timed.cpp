@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <string>
 
 #include "report/read/readers.h"
 #include "report/text/digits.h"

@@ -1,7 +1,6 @@
 // A timed item of a record: whether its answer is right, and its times. Plain data.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

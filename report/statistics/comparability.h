@@ -38,6 +38,9 @@ struct TimedGroup {
   std::map<CandidateKey, Timing> timings;
 };
 
+/// Returns the key of a point of accuracy among times: the motion is a part of its id.
+CandidateKey timing_key(const PointKey& point);
+
 /// Returns every group that a record may have, in the order of tables; empty ones too.
 std::vector<TimedGroup> timed_groups(const Record& record);
 

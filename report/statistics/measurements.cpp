@@ -1,7 +1,6 @@
 #include "report/statistics/measurements.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 
 #include "report/statistics/variants.h"

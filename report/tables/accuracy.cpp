@@ -1,8 +1,11 @@
-// Time against error: which sections it makes.
+// Time against error: what accuracy costs, what guesses and Jacobian reuse gain, and whether desmo
+// tune keeps its promises.
 #include <algorithm>
 
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -39,6 +42,148 @@ std::vector<Section> accuracy_sections(const Record& record) {
   reuse.tables = {guesses(record)};
   varied.tables = {sensitivity(record)};
   return {accuracy_front(record), figures, costs, reuse, varied};
+}
+
+namespace {
+
+/// The cheapest within an error, and what it is held against.
+struct Choice {
+  Choice(const Points& points, double accuracy)
+      : best(cheapest(points, accuracy)),
+        same(best ? cheapest_of_paper(
+                        of_formulation(points, best->second.configuration.formulation), accuracy)
+                  : nullptr),
+        global(cheapest_of_paper(of_formulation(points, usual_reference), accuracy)) {}
+
+  const NamedPoint *best,
+      *same,    ///< its formulation with the paper's settings
+      *global;  ///< the usual reference with them
+};
+
+}  // namespace
+
+/// Fills in each case: the cheapest that solves every instant, and, where that costs less, the
+/// cheapest of all.
+Table accuracy_costs(const Record& record) {
+  Table table = headed_table("accuracy_costs");
+  for (const std::string& name : drawn_cases(record)) {
+    const SeriesKey series = *main_series(record, name);
+    const Points points = points_of(record, series), solving = solving_every_instant(points);
+    const auto add = [&](double accuracy, const Choice& choice) {
+      table.rows.push_back({name, series.coordinates, write_shortest(accuracy),
+                            choice.best ? choice.best->first.id : sentence("costs.none"),
+                            step_time_entry(choice.best),
+                            step_ratio_entry(choice.same, choice.best),
+                            step_ratio_entry(choice.global, choice.best)});
+    };
+    for (const double accuracy : accuracies) {
+      add(accuracy, Choice(solving, accuracy));
+      const Choice among_all(points, accuracy);
+      if (among_all.best && !among_all.best->second.configuration.solves_every_instant())
+        add(accuracy, among_all);
+    }
+  }
+  return table;
+}
+
+namespace {
+
+constexpr double accuracy = 1e-9;
+constexpr std::array updates{"newton", "step", "chord"};
+
+/// The usual formulation, and what its points are held against.
+struct Usual {
+  explicit Usual(const Points& all)
+      : points(solving_every_instant(of_formulation(all, usual_reference))),
+        stopped(cheapest_of_paper(points, accuracy)) {
+    for (const NamedPoint* point : points)
+      if (point->first.id == usual_reference && is_solved(*point)) paper = point;
+  }
+
+  const NamedPoint* best(std::string_view guess, std::string_view update,
+                         std::string_view factorisation = "shared") const {
+    return cheapest(points, accuracy, [&](const Configuration& c) {
+      return c.guess == guess && c.jacobian == update && c.scalar == "double" &&
+             c.factorisation == factorisation && c.others.empty();
+    });
+  }
+
+  Points points;
+  const NamedPoint* paper = nullptr;  ///< with the paper's settings
+  const NamedPoint* stopped;          ///< with them, no further than the accuracy asks
+};
+
+void add_case(Table& table, const SeriesKey& series, const Points& points) {
+  const Usual usual(points);
+  const auto add = [&](const std::string& guess, const std::string& update,
+                       const NamedPoint* best) {
+    table.rows.push_back({series.case_name, series.coordinates, guess, update, stop_entry(best),
+                          error_entry(best), iterations_entry(best), step_time_entry(best),
+                          step_ratio_entry(usual.paper, best),
+                          step_ratio_entry(usual.stopped, best)});
+  };
+  for (const std::string& guess : guesses_of(points))
+    for (const char* update : updates) add(guess, update, usual.best(guess, update));
+  if (const NamedPoint* per_level = usual.best("previous", "newton", "per_level"))
+    add("previous", sentence("guesses_and_updates.per_level"), per_level);
+}
+
+}  // namespace
+
+Table guesses(const Record& record) {
+  Table table = headed_table("guesses_and_updates",
+                             {{"tolerance", write_shortest(record.settings.tolerance)}});
+  for (const std::string& name : drawn_cases(record)) {
+    const SeriesKey series = *main_series(record, name);
+    add_case(table, series, points_of(record, series));
+  }
+  return table;
+}
+
+namespace {
+
+constexpr double as_good = 1.1;  // times the best's time
+
+bool is_kept(const Promise& promise) { return promise.choice.error <= promise.allowed; }
+
+/// How many times as long as the best.
+SpeedUp times_the_best(const Promise& promise) {
+  return step_ratio(promise.choice.seconds_per_step, promise.best.seconds_per_step);
+}
+
+Table tuning_table(const Record& record) {
+  Table table = headed_table("tuning");
+  for (const Promise& p : record.tuning) {
+    const bool itself = p.best.id == p.choice.id;
+    table.rows.push_back(
+        {p.mechanism, p.coordinates, write_shortest(p.allowed), error_entry(p.promised),
+         error_entry(p.choice.error), is_kept(p) ? "kept" : "BROKEN", p.choice.id,
+         step_time_entry(p.choice.seconds_per_step),
+         itself ? Entry{"1.00 itself", {"1.00"}, "itself"} : ratio_entry(times_the_best(p)),
+         itself ? "" : p.best.id});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Section> tuning_sections(const Record& record) {
+  const std::vector<Promise>& all = record.tuning;
+  const auto excess = [](const Promise& p) { return times_the_best(p).value; };
+  const Promise& worst = *std::ranges::max_element(all, {}, excess);
+  Section front = headed_section("tuning_front"),
+          section = headed_section(
+              "tuning_section",
+              {{"all", all.size()},
+               {"kept", std::ranges::count_if(all, is_kept)},
+               {"good",
+                std::ranges::count_if(all, [&](const Promise&p) { return excess(p) <= as_good; })},
+               {"most", write(excess(worst), ratio_digits(excess(worst)))},
+               {"mechanism", worst.mechanism},
+               {"error", write_shortest(worst.allowed)}});
+  section.tables = {tuning_table(record)};
+  front.tables = {excerpt(section.tables.front(), headed_table("tuning_in_short"))};
+  return {front, section};
 }
 
 }  // namespace desmo::report

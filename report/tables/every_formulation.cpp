@@ -1,8 +1,13 @@
-// All that was recorded, not only what the paper compares.
+// All that was recorded, not only what the paper compares: each formulation, several threads by the
+// wall clock, and where the time of a step goes.
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <tuple>
 
+#include "report/statistics/comparability.h"
 #include "report/statistics/paper.h"
+#include "report/statistics/variants.h"
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
 #include "report/tables/tables.h"
@@ -96,6 +101,73 @@ Section every_formulation(const Record& record) {
     }
   }
   return section;
+}
+
+namespace {
+
+/// What stands in a row, in the order of rows: the analysis is the id without threads and clock.
+using Place = std::tuple<std::int64_t, std::string, std::string, std::int64_t>;
+
+/// Where a failure recorded no number of threads, the id names it.
+Place place_of(const CandidateKey& key) {
+  const std::string_view threads = setting(key.id, "threads"), request = setting(key.id, "request");
+  std::string analysis = key.id;
+  for (const char* name : {"threads", "clock", "request"})
+    analysis = without_setting(analysis, name);
+  return {key.coordinates, std::string(request.empty() ? "everything" : request), analysis,
+          threads.empty() ? 1 : std::stoll(std::string(threads))};
+}
+
+}  // namespace
+
+Section threads(const Record& record) {
+  Section section = headed_section("threads_section");
+  const std::map<CandidateKey, Timing> all = timings(record, Clock::wall);
+  std::map<std::string, std::map<Place, CandidateKey>> cases;
+  for (const auto& [key, timing] : all) cases[key.case_name][place_of(key)] = key;
+  for (const auto& [name, places] : cases) {
+    Table table = headed_table("threads", {{"case", name}});
+    for (const auto& [place, key] : places) {
+      const auto& [coordinates, delivered, analysis, threads] = place;
+      const Timing& timing = all.at(key);
+      const auto one = all.find(reference_of(key));
+      table.rows.push_back({coordinates, delivered, analysis, digits_entry(std::to_string(threads)),
+                            seconds_entry(timing.time), instant_entry(record, timing.time),
+                            one == all.end() ? note_entry(sentence("threads.alone"))
+                            : one->first == key
+                                ? reference_entry()
+                                : ratio_entry(measured_speed_up(one->second.time, timing.time)),
+                            timing.remark});
+    }
+    section.tables.push_back(std::move(table));
+  }
+  return section;
+}
+
+namespace {
+
+Entry phase_entry(double seconds, double total) {
+  const std::string microseconds = write_significant(seconds * 1e6, 3),
+                    percent = write_fixed(total > 0 ? 100 * seconds / total : 0, 0);
+  return {microseconds + " (" + percent + " %)", {microseconds, percent}, {}};
+}
+
+}  // namespace
+
+Table time_split(const Record& record) {
+  Table table = headed_table("time_split");
+  for (const char* phase : phases) table.columns.push_back({phase, {"microseconds", "percent"}});
+  for (const auto& [key, profile] : record.profiles) {
+    const bool failed = measured(record, key).mark == failed_mark;
+    double total = 0;
+    for (const double seconds : profile) total += seconds;
+    std::vector<Entry> row{key.case_name, key.coordinates, key.id,
+                           failed ? note_entry(failed_mark) : number_entry(1e6 * total, 4)};
+    for (const double seconds : profile)
+      row.push_back(failed ? note_entry(failed_mark) : phase_entry(seconds, total));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 }  // namespace desmo::report

@@ -1,6 +1,5 @@
 // What a user would pick instead: peers next to the formulations that start from the same guess.
 #include <map>
-#include <set>
 
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"

@@ -1,6 +1,5 @@
 // The paper's dimensions, motion and step are not published. Which of its speed-ups depend on what
 // was put in their place?
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>

@@ -316,6 +316,65 @@ class ViewInBrowser : public View {
   }
 };
 
+/// A four-bar with a crank of 2, a coupler of 4, a rocker of 3.5 and a ground of 5, that turns
+/// once. side: 1 open, −1 crossed.
+std::string four_bar(int side) {
+  const double theta = 1, bx = 2 * std::cos(theta), by = 2 * std::sin(theta),
+               across = std::hypot(5 - bx, by), ux = (5 - bx) / across, uy = -by / across,
+               along = (16 + across * across - 3.5 * 3.5) / (2 * across),
+               off = side * std::sqrt(16 - along * along);
+  const auto joint = [](const char* a, const char* b, const char* point) {
+    return Json{{"type", "revolute"}, {"bodies", {a, b}}, {"points", {point}}};
+  };
+  const Json mechanism{{"format", "desmo-mechanism"},
+                       {"version", 1},
+                       {"name", "four_bar"},
+                       {"dimension", 2},
+                       {"points",
+                        {{"A", {0, 0}},
+                         {"B", {bx, by}},
+                         {"C", {bx + along * ux - off * uy, by + along * uy + off * ux}},
+                         {"D", {5, 0}}}},
+                       {"ground", {{"points", {"A", "D"}}}},
+                       {"bodies",
+                        {{"crank", {{"points", {"A", "B"}}}},
+                         {"coupler", {{"points", {"B", "C"}}}},
+                         {"rocker", {{"points", {"C", "D"}}}}}},
+                       {"joints",
+                        {joint("ground", "crank", "A"), joint("crank", "coupler", "B"),
+                         joint("coupler", "rocker", "C"), joint("rocker", "ground", "D")}},
+                       {"coordinates", {{"theta", {{"angle", {"A", "B"}}}}}},
+                       {"drivers", {"theta"}}};
+  const Json motion{{"type", "polynomial"}, {"coefficients", {theta, 2 * std::numbers::pi}}};
+  return Json{{"format", "desmo-scene"},
+              {"version", 2},
+              {"mechanism", mechanism},
+              {"motion", {{"theta", motion}}},
+              {"time", {{"end", 1}, {"step", 0.01}}}}
+      .dump();
+}
+
+/// By the law of cosines: the diagonal from the crank's pin to the rocker's pivot is in both
+/// triangles. An obtuse angle counts as its supplement.
+TEST_F(ViewInBrowser, TransmissionAnglesAreThoseOfTheLawOfCosines) {
+  if (!has_browser()) GTEST_SKIP() << out_;
+  write("open.json", four_bar(1));
+  write("crossed.json", four_bar(-1));
+  const Json seen = opened({"open.json", "crossed.json"});
+  for (const Json& page : seen) {
+    ASSERT_EQ(page["numbers"].size(), 10u);
+    for (const Json& instant : page["numbers"]) {
+      const double theta = 1 + 2 * std::numbers::pi * 0.01 * instant["index"].get<double>(),
+                   diagonal_squared = 29 - 20 * std::cos(theta),
+                   cosine = (16 + 3.5 * 3.5 - diagonal_squared) / (2 * 4 * 3.5),
+                   right = std::acos(std::abs(cosine)) * 180 / std::numbers::pi;
+      EXPECT_NEAR(instant["values"].at("crank → rocker").get<double>(), right, 1e-5) << theta;
+    }
+  }
+  // The same angles on both branches, but not the same positions.
+  EXPECT_NE(seen[0]["numbers"][3]["positions"]["C"], seen[1]["numbers"][3]["positions"]["C"]);
+}
+
 TEST_F(ViewInBrowser, ShowsWhatIsSolved) {
   expect_all_well({"slider_crank", "locks.json", "truck_suspension:1"});
 }

@@ -85,29 +85,86 @@ TEST_F(Program, WritesOnlyTheChosenFormats) {
   EXPECT_EQ(files_in(folder_ / "out").count("tables.txt"), 0u);
 }
 
+/// The newest record as another machine would have made it; its CPU is in quotation marks.
+std::string of_other_machine(const std::string& other) {
+  std::string text = read_text(data_file("origins.json"));
+  const std::string cpu = Json::parse(text)["record"]["machine"]["cpu"];
+  for (std::size_t at = 0; (at = text.find(cpu, at)) != std::string::npos; at += other.size())
+    text.replace(at, cpu.size(), other);
+  return text;
+}
+
+TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
+  const fs::path other = folder_ / "other.json", third = folder_ / "third.json";
+  const std::string alone = (folder_ / "alone").string(), both = (folder_ / "both").string(),
+                    title = "Speed-ups here and on other machines";
+  Json changed = Json::parse(of_other_machine("Other CPU"));
+  std::ofstream(other) << changed.dump();
+  erase_candidate(changed, truck, 114, "group_symbolic_klu");
+  std::ofstream(folder_ / "less.json") << changed.dump();
+  std::ofstream(third) << of_other_machine("Third CPU");
+  const std::string own = data_file("origins.json").string();
+  ASSERT_EQ(tables("origins.json", "--out " + alone), 0) << err_;
+  const auto without = files_in(alone);
+  EXPECT_EQ(without.count("machines.csv"), 0u);
+  EXPECT_EQ(without.at("report.html").find(title), std::string::npos);
+  ASSERT_EQ(tables("origins.json", "--out " + both + " --beside " + own + " " +
+                                       (folder_ / "less.json").string() + " " + other.string() +
+                                       " " + third.string()),
+            0)
+      << err_;
+  auto with = files_in(both);
+  const std::string table = with.at("machines.csv");
+  EXPECT_TRUE(table.starts_with("case,coordinates,id,A ratio,A low,A high,B ratio,")) << table;
+  EXPECT_NE(table.find("group_symbolic_klu,"), std::string::npos) << table;  // has most in common
+  EXPECT_EQ(with.count("machines_2.csv"), 1u);
+  EXPECT_EQ(with.count("machines_3.csv"), 0u);
+  const std::string page = with.at("report.html");
+  EXPECT_NE(page.find("B: Third CPU"), std::string::npos);
+  const std::size_t section = page.find(title), end = page.find("</details>\n<h2>", section);
+  ASSERT_LT(section, end);
+  EXPECT_EQ(page.substr(section, end - section).find(" seconds</th>"), std::string::npos);
+  // All else is as without them, the first screen before all.
+  for (const char* name : {"report.html", "tables.txt", "tables.md"}) with.erase(name);
+  for (const auto& [name, content] : without)
+    if (with.count(name)) EXPECT_EQ(with.at(name), content) << name;
+  const std::string first_screen = without.at("report.html");
+  EXPECT_TRUE(page.starts_with(first_screen.substr(0, first_screen.find("<h2>About"))));
+}
+
+TEST_F(Program, WhatStandsBesideMeasuredTheSameOnAnotherMachine) {
+  const std::string none = "No other machine's record here has speed-ups of the same work";
+  ASSERT_EQ(tables("origins.json", "--all --beside " + data_file("origins.json").string()), 0);
+  EXPECT_NE(out_.find(none), std::string::npos);
+  Json other = Json::parse(of_other_machine("Other CPU"));
+  set_motion(other, 3);
+  std::ofstream(folder_ / "other.json") << other.dump();
+  const std::string beside = " --beside " + (folder_ / "other.json").string();
+  ASSERT_EQ(tables("origins.json", "--all" + beside), 0) << err_;
+  EXPECT_NE(out_.find(none), std::string::npos);
+  EXPECT_EQ(tables("origins.json", "--table machines" + beside), 64);
+  EXPECT_EQ(tables("origins.json", "--beside no_such.json"), 65);
+  EXPECT_NE(err_.find("no_such.json: there is no such file"), std::string::npos) << err_;
+}
+
 TEST_F(Program, WritesASiteOfAllRecords) {
   const fs::path results = folder_ / "results", out = folder_ / "site";
   fs::create_directories(results / "records");
   fs::copy_file(data_file("origins.json"), results / "records/one-paper.json");
-  std::string text = read_text(data_file("origins.json"));
-  const std::string cpu = Json::parse(text)["record"]["machine"]["cpu"], other = "Other CPU";
-  for (std::size_t at = 0; (at = text.find(cpu, at)) != std::string::npos; at += other.size())
-    text.replace(at, cpu.size(), other);
-  std::ofstream(results / "records/two-paper.json") << text;
+  std::ofstream(results / "records/two-paper.json") << of_other_machine("Other CPU");
   std::ofstream(results / "history.json")
       << R"({"schema": 1, "cells": ["a"], "points": [{"commit": "1", "date": "2026-01-01T00:00:00Z",
              "subject": "s", "compiler": "c", "instructions": [null]}]})";
   const std::string command = "site " + results.string() + " --out " + out.string();
   ASSERT_EQ(report(command), 0) << err_;
   const std::string index = files_in(out).at("index.html");
-  const std::string machines = cpu < other ? "one-paper-and-two-paper" : "two-paper-and-one-paper";
-  for (const std::string& name :
-       {std::string("one-paper"), std::string("two-paper"), machines, std::string("history")}) {
+  for (const std::string name : {"one-paper", "two-paper", "history"}) {
     EXPECT_NE(index.find("href=\"" + name + "/report.html\""), std::string::npos) << name;
+    EXPECT_EQ(files_in(out / name).count("machines.vl.json"), name != "history") << name;
     EXPECT_NE(files_in(out / name).at("report.html").find("../index.html"), std::string::npos);
   }
   EXPECT_NE(index.find("<td>Other CPU</td>"), std::string::npos);
-  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 5);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 4);
   std::ofstream(results / "history.json") << R"({"schema": 2})";
   fs::remove_all(out);
   EXPECT_EQ(report(command), 65);

@@ -107,12 +107,13 @@ std::string to_text(const Ranges& ranges) {
       text += end_text(r.ends[i], r, m);
     }
     for (const ChangePoint& c : r.range.change_points)
-      text +=
-          "  " +
-          wrap("passes the singular position " + number(c.value, r.unit) + ", where branches meet" +
-                   (c.group < 0 ? "" : ": " + group_and_bodies(c.group, m)),
-               4) +
-          "\n";
+      text += "  " +
+              wrap("passes the singular position " + number(c.value, r.unit) +
+                       (c.is_double ? ", where no determinant changes its sign"
+                                    : ", where branches meet") +
+                       (c.group < 0 ? "" : ": " + group_and_bodies(c.group, m)),
+                   4) +
+              "\n";
   }
   return text;
 }
@@ -125,8 +126,9 @@ std::string to_json(const Ranges& ranges) {
     if (!r.range.is_idle)
       for (const NamedEnd& e : r.ends) ends.push_back(end_json(e, m));
     for (const ChangePoint& c : r.range.change_points)
-      changes.push_back(
-          {{"value", c.value}, {"group", c.group < 0 ? Json() : Json(m.groups[c.group].name)}});
+      changes.push_back({{"value", c.value},
+                         {"double", c.is_double},
+                         {"group", c.group < 0 ? Json() : Json(m.groups[c.group].name)}});
     drivers.push_back({{"name", r.driver},
                        {"unit", r.unit},
                        {"start", r.range.start},

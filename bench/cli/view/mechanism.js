@@ -79,7 +79,8 @@ function four_bar_loops(data) {
   return loops;
 }
 
-// Adds a column for the transmission angle of each loop: between coupler and follower, at most 90°.
+// Adds a column for the transmission angle of each planar loop of four revolute joints, and of no
+// other loop: between coupler and follower, at most 90°.
 export function add_transmission(data, at) {
   data.transmission = four_bar_loops(data).map(({input, follower, b, c, d}) => {
     const values = Float64Array.from(data.times, (_, i) => {

@@ -2,10 +2,10 @@
 // middle. Equal shapes are instances of one mesh, so that a frame is a few calls.
 import {
   AmbientLight, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, Group, Line,
-  LineBasicMaterial, Matrix4, MeshBasicMaterial, PerspectiveCamera, Scene, SphereGeometry, Vector3, WebGLRenderer,
+  LineBasicMaterial, Matrix4, MeshBasicMaterial, Scene, SphereGeometry, Vector3, WebGLRenderer,
 } from 'three';
-import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {at} from './data.js';
+import {Eye} from './eye.js';
 import {shapes} from './geometry.js';
 import {Instances, round, thin} from './instances.js';
 import {start} from './main.js';
@@ -22,22 +22,17 @@ class SpatialPicture {
     this.renderer = new WebGLRenderer({antialias: true, alpha: true, preserveDrawingBuffer: true});
     this.renderer.debug.checkShaderErrors = false;  // to ask would wait
     stage.append(this.renderer.domElement);
-    this.camera = new PerspectiveCamera(30, 1, 0.01, 50);
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, stage);
-    this.controls.addEventListener('change', () => this.render());
-    this.controls.addEventListener('start', () => { this.steered = true; });
+    const reach = [this.low, this.high].map(end => end.map((x, axis) => (x - this.middle[axis]) / data.size));
+    this.eye = new Eye(stage, this.renderer, reach, () => this.render());
     this.scene.add(new AmbientLight(0xffffff, 1.6));
     const light = new DirectionalLight(0xffffff, 2);
     light.position.set(1, -2, 4);
     this.scene.add(light);
     this.#build();
     this.fit();
-    this.#steer();
     this.#colours();
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#colours());
     for (const type of ['beforeprint', 'afterprint']) window.addEventListener(type, () => this.#colours());
-    new ResizeObserver(() => this.#resize()).observe(stage);
   }
 
   // ---- what is where ----
@@ -72,7 +67,7 @@ class SpatialPicture {
   direction(v, i, to) { return to.fromArray(at(this.data, this.data.vectors[v], i)); }
 
   screen(p) {
-    const x = this.placed[p].clone().project(this.camera);
+    const x = this.placed[p].clone().project(this.eye.camera);
     return [(x.x + 1) / 2 * this.stage.clientWidth, (1 - x.y) / 2 * this.stage.clientHeight];
   }
   // Returns the position of a point as the picture has it.
@@ -113,7 +108,7 @@ class SpatialPicture {
         this.dots.mesh.setMatrixAt(p, matrix);
       });
     });
-    addAxes(this, cylinder);
+    addAxes(this, cylinder.clone());  // a shape of two meshes would be bound anew in every frame
     addPlates(this);
     addGround(this);
     addDrivers(this);
@@ -206,61 +201,8 @@ class SpatialPicture {
 
   // ---- how it is seen ----
 
-  // Shows everything, and goes on doing so until the reader turns or zooms.
-  fit() {
-    this.steered = false;
-    this.#resize();
-  }
-
-  #aim() {
-    const view = new Vector3(0.62, -1, 0.5).normalize();
-    const right = new Vector3(1, 0.62, 0).normalize(), above = right.clone().cross(view).negate();
-    const tall = Math.tan(Math.PI / 12), wide = tall * this.stage.clientWidth / this.stage.clientHeight;
-    let distance = 0.1;
-    for (let corner = 0; corner < 8; ++corner) {
-      const x = a.fromArray([0, 1, 2].map(
-          axis => ((corner >> axis & 1 ? this.high : this.low)[axis] - this.middle[axis]) / this.data.size));
-      const far = Math.max(Math.abs(x.dot(right)) / wide, Math.abs(x.dot(above)) / tall);
-      distance = Math.max(distance, 1.08 * far + x.dot(view) + 0.03);
-    }
-    this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(view).multiplyScalar(distance);
-    this.controls.update();
-  }
-
-  zoom(by) {
-    this.steered = true;
-    this.camera.position.sub(this.controls.target).divideScalar(by).add(this.controls.target);
-    this.controls.update();
-  }
-
-  #resize() {
-    const {clientWidth: width, clientHeight: height} = this.stage;
-    if (!this.steered) this.#aim();
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-    this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    this.render();
-  }
-
-  // Arrow keys turn the camera while the picture has the focus.
-  #steer() {
-    this.stage.dataset.turns = 'true';
-    const angles = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]};
-    this.stage.addEventListener('keydown', event => {
-      const angle = angles[event.key];
-      if (!angle || event.shiftKey) return;
-      event.preventDefault();
-      this.steered = true;
-      const x = this.camera.position.clone().sub(this.controls.target), r = x.length();
-      const turned = Math.atan2(x.y, x.x) + angle[0];
-      const raised = Math.min(3.1, Math.max(0.04, Math.acos(x.z / r) + angle[1]));
-      this.camera.position.set(Math.cos(turned) * Math.sin(raised), Math.sin(turned) * Math.sin(raised), Math.cos(raised))
-          .multiplyScalar(r).add(this.controls.target);
-      this.controls.update();
-    });
-  }
+  fit() { this.eye.fit(); }
+  zoom(by) { this.eye.zoom(by); }
 
   // Renders before the next frame is shown, once.
   render() {
@@ -270,7 +212,7 @@ class SpatialPicture {
   #renderNow() {
     cancelAnimationFrame(this.due);
     this.due = undefined;
-    this.renderer.render(this.scene, this.camera);
+    this.renderer.render(this.scene, this.eye.camera);
   }
 
   show(i) {

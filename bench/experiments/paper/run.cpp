@@ -122,11 +122,11 @@ std::vector<std::unique_ptr<Candidate>> all_candidates(const Options& options) {
 
 /// Measures one series after the other, each in a process of its own. Returns what measure()
 /// returns of all of them.
-Json measure_all(const std::vector<Series>& all, std::size_t candidates,
+Json measure_all(const std::vector<ComparedCandidates>& all, std::size_t candidates,
                  std::optional<int> asked_repetitions) {
   Json result = {{"failed", false}, {"lists", Json::object()}};
   Progress progress("benchmarks", work_of_candidate * static_cast<double>(candidates));
-  for (const Series& series : all) {
+  for (const ComparedCandidates& series : all) {
     const bool first = &series == &all.front();
     const Json measured = in_own_process(series.name, [&] {
       return measure(series.candidates, asked_repetitions, first, progress);

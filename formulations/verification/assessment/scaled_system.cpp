@@ -57,6 +57,15 @@ GroupId ScaledSystem::group_of_block(int block) const {
   return row_groups_[factors_->block_rows()[factors_->block_start()[block]]];
 }
 
+double ScaledSystem::log_determinant(int block) const {
+  const auto start = factors_->block_start(), rows = factors_->block_rows();
+  const auto pivots = factors_->pivots();
+  double log = 0;
+  for (int i = start[block]; i < start[block + 1]; ++i)
+    log += std::log(std::abs(pivots[i]) * row_sums_[rows[i]]);
+  return log;
+}
+
 void ScaledSystem::lay_out() {
   struct Entry {
     int column, row, emitted;

@@ -63,6 +63,8 @@ class ScaledSystem {
   /// Returns the sign of det A of each irreducible block, up to a constant sign of the block. A
   /// continuous motion changes it only by passing det A = 0.
   std::span<const signed char> orientation() const { return orientation_; }
+  /// Returns log |det Φ_φ S| of an irreducible block: smooth along a motion, unlike det A.
+  double log_determinant(int block) const;
   GroupId group_of_block(int block) const;
 
  private:

@@ -31,10 +31,12 @@ struct RangeEnd {
   std::vector<int> constraints{};  ///< dead_point: those that hold the driver, by force
 };
 
-/// Singular position that the mechanism passes, where two branches cross.
+/// Singular position that the mechanism passes: branches cross there, or they touch.
 struct ChangePoint {
   double value;
   GroupId group;
+  bool is_double = false;  ///< a determinant is zero without a change of its sign: branches touch,
+                           ///< or the driver rests for an instant
 };
 
 /// How far a driver can go from a position while the others rest.
@@ -53,7 +55,8 @@ struct DriverRange {
 /// determinants change, so as to stay on the branch. A dead point is bracketed by two solved
 /// positions of the curve, between which the driver turns back: `value` and `beyond` differ by less
 /// than 1e-9 rad or characteristic lengths. Change points are found to the same accuracy where they
-/// are simple. A position that is singular without a change of sign is not noticed.
+/// are simple, and where a determinant has a double root (DoubleRootSearch); roots of a higher
+/// order without a change of sign are not noticed.
 ///
 /// q: the position (coordinates), solved or, at a dead point, nearly so. driver: position in
 /// Model::drivers. Throws std::runtime_error where there is no position near q.

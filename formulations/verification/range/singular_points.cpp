@@ -72,27 +72,31 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
   return DeadPoint{std::move(e), *std::move(high)};
 }
 
+double interpolated(std::span<const double> xs, std::span<const double> ys, double x) {
+  double y = 0;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    double weight = 1;
+    for (std::size_t j = 0; j < xs.size(); ++j)
+      if (j != i) weight *= (x - xs[j]) / (xs[i] - xs[j]);
+    y += weight * ys[i];
+  }
+  return y;
+}
+
 double find_crossing(SolutionCurve& curve, const Point& from, const Point& to, std::size_t blocks) {
   constexpr double wide = 1e-4;
-  struct Sample {
-    double determinant, value;
-  };
-  std::vector<Sample> samples;
+  std::vector<double> determinants, values;
   for (const auto& [base, side] : {std::pair(&from, -1.0), std::pair(&to, 1.0)})
     for (const double distance : {wide, 2 * wide})
-      if (const std::optional<Point> p = curve.step(*base, side * distance))
-        samples.push_back({side * std::exp((p->log_determinant - from.log_determinant) /
-                                           static_cast<double>(std::max<std::size_t>(1, blocks))),
-                           curve.value(*p)});
-  if (samples.size() < 4) return (curve.value(from) + curve.value(to)) / 2;
-  double value = 0;  // Lagrange's polynomial at 0
-  for (const Sample& s : samples) {
-    double weight = 1;
-    for (const Sample& o : samples)
-      if (&o != &s) weight *= o.determinant / (o.determinant - s.determinant);
-    value += weight * s.value;
-  }
-  return std::isfinite(value) ? value : (curve.value(from) + curve.value(to)) / 2;
+      if (const std::optional<Point> p = curve.step(*base, side * distance)) {
+        determinants.push_back(side *
+                               std::exp((p->log_determinant - from.log_determinant) /
+                                        static_cast<double>(std::max<std::size_t>(1, blocks))));
+        values.push_back(curve.value(*p));
+      }
+  const double value = interpolated(determinants, values, 0);
+  const bool is_known = values.size() == 4 && std::isfinite(value);
+  return is_known ? value : (curve.value(from) + curve.value(to)) / 2;
 }
 
 }  // namespace desmo

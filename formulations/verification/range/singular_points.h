@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "formulations/model/model.h"
 #include "formulations/verification/range/driver_range.h"
@@ -21,6 +22,9 @@ struct DeadPoint {
 std::optional<DeadPoint> find_dead_point(const Model& model, SolutionCurve& curve,
                                          const SolutionCurve::Point& from, double length,
                                          double direction, double accuracy);
+
+/// Returns at x Lagrange's polynomial through points (xs, ys).
+double interpolated(std::span<const double> xs, std::span<const double> ys, double x);
 
 /// Returns the driver's value at a crossing in a step that is all but too short: where det B
 /// vanishes, interpolated from wider around, since positions next to a crossing are not well known.

@@ -20,6 +20,9 @@ struct SolutionCurve::Factors {
 
 namespace {
 
+/// Makes the border, a dense row, the last choice of a pivot: chosen early it fills the factors.
+constexpr double border_scale = 1e-3;
+
 /// A border that hardly any curve is at right angles to. shift: gives another one.
 Eigen::VectorXd any_direction(int n, double shift) {
   Eigen::VectorXd v(n);
@@ -83,7 +86,7 @@ bool SolutionCurve::factor(std::span<const double> state, const Eigen::VectorXd&
   });
   row_sums_ = (row_sums_.array() > 0).select(row_sums_, 1.0);
   for (Eigen::Triplet<double>& e : entries) e = {e.row(), e.col(), e.value() / row_sums_[e.row()]};
-  for (int j = 0; j <= size(); ++j) entries.emplace_back(size(), j, border[j]);
+  for (int j = 0; j <= size(); ++j) entries.emplace_back(size(), j, border_scale * border[j]);
   matrix.resize(size() + 1, size() + 1);
   matrix.setFromTriplets(entries.begin(), entries.end());
   if (!analysed) lu.analyzePattern(matrix);

@@ -150,6 +150,7 @@ class PageInBrowser : public Program {
 // What the hover of each mark says: the entries that a figure draws, as the tables print them.
 std::vector<std::string> drawn(const Table& table) {
   const std::map<std::string, std::string> columns{{"ladder", "µs/step"},
+                                                   {"machines", "B"},
                                                    {"peers", "µs/step"},
                                                    {"requests", "times cheaper"},
                                                    {"work_precision", "µs/step"}};
@@ -206,7 +207,8 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   const fs::path recorded = folder_ / "record.json";
   std::ofstream(recorded) << json;
   const fs::path out = folder_ / "out", page = out / "report.html";
-  ASSERT_EQ(tables(recorded, "--out " + out.string()), 0);
+  const fs::path beside = DESMO_SOURCE_DIR "/results/records/amd-epyc-paper.json.gz";
+  ASSERT_EQ(tables(recorded, "--out " + out.string() + " --beside " + beside.string()), 0);
   ASSERT_NO_FATAL_FAILURE(render(out));
   EXPECT_LE(fs::file_size(page), size_limit);
   expect_no_reference_outwards(read_text(page));
@@ -217,7 +219,9 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   const Json seen = opened(page);
   EXPECT_EQ(seen["requests"], Json::array());
   EXPECT_EQ(seen["errors"], Json::array());
-  expect_nothing_lost(seen, make_report(record_from(json)));
+  const Record record = record_from(json), other = read_record(beside);
+  const Document document = make_report({&record}, {&other});
+  expect_nothing_lost(seen, document);
   const Json& first = seen["first_screen"];  // sentences, figure and table, and all else folded
   for (const char* part : {"words", "figure", "table"}) {
     EXPECT_GT(first[part], 0) << part;
@@ -225,7 +229,7 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   }
   EXPECT_GT(first["folded"], 5);
   std::size_t at = 0;
-  for (const Section& section : make_report(record_from(json)).sections)
+  for (const Section& section : document.sections)
     for (const Table& table : section.tables)
       if (!table.figure.empty()) expect_answers(seen["figures"].at(at++), table, drawn(table));
   EXPECT_EQ(at, seen["figures"].size());

@@ -146,7 +146,8 @@ TEST(PrecisionReport, StandsAloneOrBesideTheExperiment) {
   EXPECT_EQ(alone.sections.at(1).title, "Speed for accuracy");
   Json candidates = structured_record();
   candidates["schema_version"] = "2.0.0";
-  const Document both = make_report(std::vector{record_from(candidates), points});
+  const Record paper = record_from(candidates);
+  const Document both = make_report({&paper, &points});
   EXPECT_EQ(both.title, "desmo: The paper's experiment");
   for (const Section& section : alone.sections)
     for (const Table& table : section.tables)

@@ -87,7 +87,7 @@ TEST(Extremes, HaveAPageOfTheirOwnOrWithPoints) {
   const Record points = record_from(measured), record = record_from(stable);
   EXPECT_EQ(make_report(record).title, "desmo: Extremes");
   EXPECT_EQ(make_report(record).sections.at(1).title, "Stability at the extremes");
-  EXPECT_EQ(table_named(make_report(std::vector{points, record}), "extremes").rows.size(), 2u);
+  EXPECT_EQ(table_named(make_report({&points, &record}), "extremes").rows.size(), 2u);
   EXPECT_TRUE(why_apart(points, record).empty());
   ASSERT_EQ(why_apart(record, record).size(), 1u);
   EXPECT_EQ(why_apart(record, record).front().what, "one record with extremes");

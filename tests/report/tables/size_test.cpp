@@ -142,7 +142,7 @@ TEST(Sizes, StandOnOnePageWithPoints) {
   EXPECT_TRUE(why_apart(a, b).empty());
   EXPECT_EQ(why_apart(a, a).front().what, "one record with size");
   EXPECT_EQ(why_apart(b, b).front().what, "one record with instructions");
-  const Document page = make_report(std::vector{a, b});
+  const Document page = make_report({&a, &b});
   EXPECT_EQ(page.title, "desmo: Size");
   EXPECT_EQ(page.sections.at(1).title, "Growth, and where caches end it");
   EXPECT_EQ(page.sections.at(2).title, "Dense or sparse");

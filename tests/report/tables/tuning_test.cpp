@@ -57,7 +57,7 @@ TEST(Promises, HaveAPageOfTheirOwnOrWithPoints) {
     (*json)["record"] = Json::parse(read_text(data_file("origins.json")))["record"];
   const Record points = record_from(measured), record = record_from(tuned);
   EXPECT_EQ(make_report(record).sections.at(1).title, "What desmo tune promises");
-  EXPECT_EQ(table_named(make_report(std::vector{points, record}), "tuning").rows.size(), 2u);
+  EXPECT_EQ(table_named(make_report({&points, &record}), "tuning").rows.size(), 2u);
   EXPECT_TRUE(why_apart(points, record).empty());
   const auto apart = why_apart(record, record);
   ASSERT_EQ(apart.size(), 1u);

@@ -1,0 +1,102 @@
+#include "formulations/verification/range/double_roots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "formulations/verification/range/singular_points.h"
+
+namespace desmo {
+
+namespace {
+
+using Point = SolutionCurve::Point;
+
+constexpr double touching = 1e-5;  // a distance in which a determinant counts as zero, scaled
+
+}  // namespace
+
+std::optional<DoubleRoot> DoubleRootSearch::add(const Point& point, double length) {
+  since_ += length;
+  // The middle of three points tells nothing where it lies next to one of them.
+  if (last_.size() > 1 && since_ < last_.back().length / 2) return {};
+  Sample sample{point, std::exchange(since_, 0), {}};
+  for (std::size_t b = 0; b < system_.orientation().size(); ++b)
+    sample.roots.push_back(std::exp(system_.log_determinant(static_cast<int>(b)) / 2));
+  last_.push_back(std::move(sample));
+  if (last_.size() < 3) return {};
+  std::optional<DoubleRoot> found;
+  for (std::size_t b = 0; b < last_[1].roots.size() && !found; ++b) {
+    const int block = static_cast<int>(b);
+    if (!may_have_root(block)) continue;
+    if (const auto value = value_of_root(block, least(block)))
+      found = DoubleRoot{*value, system_.group_of_block(block)};
+  }
+  last_.erase(last_.begin());
+  return found;
+}
+
+/// Returns whether the middle of three points lies near a line through the outer ones, one of them
+/// with its sign changed.
+bool DoubleRootSearch::may_have_root(int block) const {
+  constexpr double bent = 0.3;
+  const double a = last_[0].roots[block], b = last_[1].roots[block], c = last_[2].roots[block],
+               share = last_[1].length / (last_[1].length + last_[2].length),
+               line = share * c - (1 - share) * a;
+  return b <= a && b <= c && std::min(std::abs(b - line), std::abs(b + line)) < bent * (a + c);
+}
+
+/// Returns √|det| a distance from the middle point; 0 where no position is found.
+double DoubleRootSearch::root_at(int block, double distance) {
+  const std::optional<Point> p = curve_.step(last_[1].point, distance);
+  return p && system_.factor(p->state) ? std::exp(system_.log_determinant(block) / 2) : 0;
+}
+
+/// Returns the distance from the middle point at which a determinant is least, by golden section.
+double DoubleRootSearch::least(int block) {
+  constexpr double golden = 0.6180339887498949, width = 1e-4;
+  double low = -last_[1].length, high = last_[2].length;
+  double left = high - golden * (high - low), right = low + golden * (high - low);
+  double at_left = root_at(block, left), at_right = root_at(block, right);
+  while (high - low > width) {
+    if (at_left < at_right) {
+      high = std::exchange(right, left);
+      at_right = std::exchange(at_left, 0);
+      at_left = root_at(block, left = high - golden * (high - low));
+    } else {
+      low = std::exchange(left, right);
+      at_left = std::exchange(at_right, 0);
+      at_right = root_at(block, right = low + golden * (high - low));
+    }
+  }
+  return (low + high) / 2;
+}
+
+/// Returns the driver's value where √|det| with a sign on either side vanishes, if det does: both
+/// interpolated from around, as positions next to a singular one are not well known.
+std::optional<double> DoubleRootSearch::value_of_root(int block, double about) {
+  for (const double wide : {1e-2, 2e-3}) {
+    std::vector<double> distances, roots, determinants, values;
+    for (const int i : {-3, -2, -1, 1, 2, 3}) {
+      const double distance = about + i * wide;
+      const std::optional<Point> p = curve_.step(last_[1].point, distance);
+      if (!p || !system_.factor(p->state)) break;
+      determinants.push_back(system_.orientation()[block] *
+                             std::exp(system_.log_determinant(block)));
+      roots.push_back(std::copysign(std::sqrt(std::abs(determinants.back())), i));
+      distances.push_back(distance);
+      values.push_back(curve_.value(*p));
+    }
+    if (values.size() < 6) continue;
+    const double there = interpolated(roots, distances, 0),
+                 determinant = interpolated(distances, determinants, there);
+    const double edge = std::abs(determinants[2]) + std::abs(determinants[3]);
+    if (std::abs(there - about) < wide &&
+        std::abs(determinant) < edge * (touching / wide) * (touching / wide))
+      return interpolated(roots, values, 0);
+  }
+  return {};
+}
+
+}  // namespace desmo

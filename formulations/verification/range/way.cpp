@@ -1,0 +1,168 @@
+#include "formulations/verification/range/way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/range/singular_points.h"
+
+namespace desmo {
+
+namespace {
+
+constexpr double max_step = 0.1, min_step = 1e-10;  // largest change, scaled
+/// A sign that changes in such a step has done so at a crossing, not by a jump across a gap.
+constexpr double crossing_step = 1e-6;
+constexpr int max_steps = 100'000;  // tried
+
+/// Returns whether a driver is a distance between two points, whose equation holds for its
+/// negative, too.
+bool is_positive(const Model& m, EntityId driver) {
+  const auto is_square = [&](const Constraint& c) {
+    return (c.kind == kind_index<Distance<2>>() || c.kind == kind_index<Distance<3>>()) &&
+           c.operands.back() == driver;
+  };
+  return std::ranges::any_of(m.constraints, is_square);
+}
+
+}  // namespace
+
+/// Returns the signs of the determinants of all blocks; none where one is singular.
+Way::Signs Way::signs(const Point& point) {
+  if (!system_.factor(point.state)) return {};
+  return {system_.orientation().begin(), system_.orientation().end()};
+}
+
+std::vector<int> Way::changed_blocks(const Signs& before, const Signs& after) const {
+  std::vector<int> changed;
+  for (std::size_t b = 0; b < std::min(before.size(), after.size()); ++b)
+    if (before[b] != after[b]) changed.push_back(static_cast<int>(b));
+  return changed;
+}
+
+bool Way::is_violated(const Point& point) {
+  const std::span<const double> state = point.state;
+  return monitor_.violated({0, 0, state.first(m_.coordinates()), {}, {}}) >= 0;
+}
+
+bool Way::is_start(const Point& point) const {
+  const std::vector<EntityId> owner = entity_of_coordinate(m_);
+  for (std::size_t j = 0; j < curve_.unknowns().size(); ++j) {
+    const int i = curve_.unknowns()[j];
+    double change = point.state[i] - start_.state[i];
+    if (m_.entities[owner[i]].kind == EntityKind::angle)
+      change = std::remainder(change, 2 * std::numbers::pi);
+    if (!(std::abs(change) <= same * curve_.scale(static_cast<int>(j)))) return false;
+  }
+  return true;
+}
+
+/// Returns whether the driver may have turned back and forth within a step: its speed in the
+/// middle, by Simpson's rule, is not forward.
+bool Way::turns_twice(const Point& from, const Point& to, double length) const {
+  const double mean =
+      direction_ * (curve_.value(to) - curve_.value(from)) / curve_.scale() / length;
+  return forward(from) > 0 && forward(to) > 0 &&
+         1.5 * mean - (forward(from) + forward(to)) / 4 <= 0;
+}
+
+RangeEnd Way::end(RangeStop stop, const Point& point) const {
+  const double value = curve_.value(point);
+  return {.stop = stop, .value = value, .beyond = value};
+}
+
+/// Looks whether a step passes a whole turn, and whether that is the start again.
+std::optional<RangeEnd> Way::after_turns(const Point& from, const Point& to) {
+  const Entity& driver = m_.entities[driver_];
+  const bool turns = driver.kind == EntityKind::angle;
+  const double far =
+      turns ? 2 * std::numbers::pi * turns_ : 10 * natural_magnitudes(m_)[driver.first];
+  const double target = curve_.value(start_) + direction_ * far;
+  if (direction_ * (curve_.value(to) - target) < 0) return {};
+  if (!turns) return end(RangeStop::none, to);
+  std::optional<Point> there = curve_.at(to, target);
+  if (!there) there = curve_.at(from, target);
+  if (there && is_start(*there)) {
+    RangeEnd e = end(RangeStop::full_turn, *there);
+    e.turns = turns_;
+    return e;
+  }
+  if (turns_ == 2) return end(RangeStop::none, to);
+  turns_ = 2;
+  return {};
+}
+
+/// Looks for a double root around the last point. What lies before the start is of the way in the
+/// other direction.
+void Way::look_for_double_root(const Point& next, double length) {
+  if (const std::optional<DoubleRoot> root = double_roots_.add(next, length))
+    if (direction_ * (root->value - curve_.value(start_)) > -same * curve_.scale() &&
+        (change_points_.empty() ||
+         std::abs(change_points_.back().value - root->value) > same * curve_.scale()))
+      change_points_.push_back({root->value, root->group, true});
+}
+
+RangeEnd Way::go_from(Point point) {
+  is_violated(start_);  // the declared position; angles are followed from it
+  double length = max_step / 8;
+  double_roots_.restart();
+  Signs before = signs(point);
+  const std::optional<Point> behind = curve_.step(point, -length);
+  if (!before.empty() && behind && behind->sign == point.sign && signs(*behind) == before)
+    look_for_double_root(*behind, length);
+  if (before = signs(point); !before.empty()) look_for_double_root(point, length);
+  double since = 0;  // the last point that was looked at
+  for (int step = 0; step < max_steps; ++step) {
+    const auto again = [&] { return (length /= 2) > min_step; };
+    std::optional<Point> next = curve_.step(point, length);
+    if (!next) {
+      if (again()) continue;
+      return end(RangeStop::not_reached, point);
+    }
+    if (forward(*next) <= 0) {
+      // Signs of B do not change at a dead point: a step across a gap is not one.
+      if (next->sign == point.sign)
+        if (auto dead = find_dead_point(m_, curve_, point, length, direction_, accuracy)) {
+          turned_ = std::move(dead->after);
+          return std::move(dead->end);
+        }
+      if (again()) continue;
+      return end(RangeStop::not_reached, point);
+    }
+    if (turns_twice(point, *next, length) && again()) continue;
+    const Signs after = signs(*next);
+    const std::vector<int> changed = changed_blocks(before, after);
+    const bool crosses = next->sign != point.sign || !changed.empty();
+    if (crosses) {
+      if (length > crossing_step) {
+        length /= 2;
+        continue;
+      }
+      const double value = find_crossing(curve_, point, *next, changed.size());
+      if (is_positive(m_, driver_) && std::abs(value) < same * curve_.scale())
+        return {.stop = RangeStop::zero_length};
+      change_points_.push_back(
+          {value, changed.empty() ? -1 : system_.group_of_block(changed.front())});
+    }
+    if (is_violated(*next)) {
+      if (again()) continue;
+      return end(RangeStop::other_branch, point);
+    }
+    since += length;
+    if (crosses) double_roots_.restart();
+    if (!after.empty() && !crosses) look_for_double_root(*next, std::exchange(since, 0));
+    if (std::optional<RangeEnd> turned = after_turns(point, *next)) {
+      if (const std::optional<Point> p = curve_.step(*next, length); p && signs(*p) == after)
+        look_for_double_root(*p, length);
+      return *std::move(turned);
+    }
+    if (!after.empty()) before = after;
+    point = *std::move(next);
+    length = crosses ? max_step / 64 : std::min(max_step, 1.5 * length);
+  }
+  return end(RangeStop::not_reached, point);
+}
+
+}  // namespace desmo

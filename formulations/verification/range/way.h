@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "formulations/verification/assessment/scaled_system.h"
+#include "formulations/verification/monitor/branch_monitor.h"
+#include "formulations/verification/range/double_roots.h"
+#include "formulations/verification/range/driver_range.h"
+#include "formulations/verification/range/solution_curve.h"
+
+namespace desmo {
+
+/// The way from a start in one direction.
+class Way {
+ public:
+  using Point = SolutionCurve::Point;
+  static constexpr double accuracy = 1e-9;  ///< of values, scaled
+  static constexpr double same = 1e-7;      ///< of two positions, scaled
+
+  Way(const Model& m, SolutionCurve& curve, int driver, const Point& start, double direction)
+      : m_(m),
+        curve_(curve),
+        system_(m),
+        monitor_(m, {}, 1e-12),
+        double_roots_(curve, system_),
+        driver_(m.drivers[driver].coordinate),
+        start_(start),
+        direction_(direction) {}
+
+  RangeEnd go() { return go_from(direction_ > 0 ? start_ : SolutionCurve::reversed(start_)); }
+  /// Goes on after a dead point on the branch that meets this one there.
+  RangeEnd go_back() {
+    direction_ = -direction_;
+    return go_from(*std::move(turned_));
+  }
+  const std::vector<ChangePoint>& change_points() const { return change_points_; }
+
+ private:
+  using Signs = std::vector<signed char>;
+
+  RangeEnd go_from(Point point);
+  Signs signs(const Point& point);
+  void look_for_double_root(const Point& next, double length);
+  std::vector<int> changed_blocks(const Signs& before, const Signs& after) const;
+  double forward(const Point& p) const { return direction_ * p.speed(); }
+  bool is_violated(const Point& point);
+  bool is_start(const Point& point) const;
+  bool turns_twice(const Point& from, const Point& to, double length) const;
+  std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
+  RangeEnd end(RangeStop stop, const Point& point) const;
+
+  const Model& m_;
+  SolutionCurve& curve_;
+  ScaledSystem system_;
+  BranchMonitor monitor_;
+  DoubleRootSearch double_roots_;
+  EntityId driver_;
+  const Point& start_;
+  double direction_;
+  int turns_ = 1;  // after which it is looked for the start
+  std::vector<ChangePoint> change_points_;
+  std::optional<Point> turned_;  // after the dead point
+};
+
+}  // namespace desmo
