@@ -81,8 +81,8 @@ struct AccuracyMonitor::State {
     const Expectation::Signals signals = signals_of(instant);
     const Assessment expected = expectation(signals);
     const Statement statement = state(instant, expected);
-    const bool in_doubt = is_in_doubt(instant);
-    std::optional<SingularityCrossing> jump;
+    const bool in_doubt = is_in_doubt(instant, signals);
+    std::optional<Continuity::Jump> jump;
     if (in_doubt && !instant.interpolated) jump = find_jump(j);
     const bool known_before = rates_are_known();
     // A doubt remains one even where shorter steps agree: next to where solutions meet, they too
@@ -97,7 +97,7 @@ struct AccuracyMonitor::State {
       if (j.solved_anew) assess(j, signals, j.assessment);
     }
     // From rates that are noise nothing can be told; from signs of determinants it can.
-    if (jump && known_before && rates_are_known()) j.crossing = jump;
+    if (jump && (jump->at_turn || (known_before && rates_are_known()))) j.crossing = jump->crossing;
     if (j.assessment.singular) return j;  // which is not delivered
     if (++since % look_every == 0 && !is_assessed) look_at_scales(j.instant);
     deliver(j, is_assessed);
@@ -132,7 +132,8 @@ struct AccuracyMonitor::State {
   }
 
   std::optional<MonitoredInstant> solve(const Instant& instant) {
-    const auto solved = continuity.solve_anew(instant, weights, assessor);
+    continuity.expect(instant);
+    const auto solved = continuity.solve_anew(instant, means());
     if (!solved) return {};
     MonitoredInstant j{*solved};
     j.solved_anew = true;
@@ -144,7 +145,7 @@ struct AccuracyMonitor::State {
   }
 
   std::optional<MonitoredInstant> pass(const Instant& singular) {
-    const auto p = continuity.pass(singular, scales.now(), weights, assessor);
+    const auto p = continuity.pass(singular, means());
     if (!p) return {};
     MonitoredInstant j{p->instant};
     j.degraded = j.solved_anew = true;
@@ -233,18 +234,27 @@ struct AccuracyMonitor::State {
   /// Of the last assessment, well enough for Continuity.
   bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
 
-  bool is_in_doubt(const Instant& instant) {
-    return has(Monitor::continuity) &&
-           (std::exchange(is_doubted, false) ? continuity.is_known()
-                                             : continuity.in_doubt(instant, weights));
+  bool is_in_doubt(const Instant& instant, const Expectation::Signals& signals) {
+    if (!has(Monitor::continuity)) return false;
+    const bool in_doubt = continuity.in_doubt(instant, weights, min_excursion(signals.growth));
+    return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
   }
+
+  /// How far drivers may go, in magnitudes, before a position may be singular. Near a dead point
+  /// z = z₀ − c x², so the way is 1/(4 c) over the square of the sensitivity; c is hardly above 4.
+  double min_excursion(double growth) const {
+    const double now = std::max(growth * sensitivity.largest(), 1e-300);
+    return std::min(1 / (16 * now * now), conditioning.way_left() / now);
+  }
+
+  Continuity::Means means() { return {assessor, scales.now(), weights, signs}; }
 
   /// Goes the step again in shorter ones. Where they lead elsewhere it takes what they lead to, if
   /// that is a solution. Returns the jump otherwise.
-  std::optional<SingularityCrossing> find_jump(MonitoredInstant& j) {
-    const auto jump = continuity.find_jump(j.instant, weights, assessor);
-    if (!jump) return {};
-    if (const auto solved = continuity.solve_anew(j.instant, weights, assessor)) {
+  std::optional<Continuity::Jump> find_jump(MonitoredInstant& j) {
+    const auto jump = continuity.find_jump(j.instant, means());
+    if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
+    if (const auto solved = continuity.solve_anew(j.instant, means())) {
       const Assessment a = assessor(*solved, scales.with(*solved));
       if (!a.singular && !exceeds(a.bound, {noise, noise, noise})) {
         j.instant = *solved;
@@ -253,9 +263,7 @@ struct AccuracyMonitor::State {
         return {};
       }
     }
-    return SingularityCrossing{jump->after, jump->before,
-                               model.entities[entity[jump->coordinate]].group,
-                               SingularityCrossing::Kind::jumped};
+    return jump;
   }
 
   void look_at_scales(const Instant& instant) {
@@ -312,7 +320,7 @@ struct AccuracyMonitor::State {
   /// solved.
   bool improve(MonitoredInstant& j) {
     if (j.instant.interpolated && exceeds(last.bound, limits.degraded)) {
-      if (const auto solved = continuity.solve_anew(j.instant, weights, assessor))
+      if (const auto solved = continuity.solve_anew(j.instant, means()))
         return j.solved_anew = take_if_better(j.instant, *solved);
       assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
     }

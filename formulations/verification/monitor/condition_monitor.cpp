@@ -11,6 +11,8 @@ namespace {
 constexpr double min_part = 0.5;
 /// By what part a distance, or the share of a group, may fall from one look to the next.
 constexpr double allowed = 0.5;
+/// By then a distance may be zero: the way on which it halves counts as 1.
+constexpr double singular = 1.5;
 /// Slope of a distance over the way in magnitudes before it is known, and largest curvature.
 constexpr double steepest = 2, curvature = 2;
 /// Instead of infinity, which is not to be multiplied by 0.
@@ -79,6 +81,10 @@ void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   growth_ = INFINITY;
   distance_.setZero();
   per_way_.setConstant(at_once);
+}
+
+double ConditionMonitor::way_left() const {
+  return (singular - std::min(1.0, used_)) / std::max(1e-300, per_way_.maxCoeff());
 }
 
 void ConditionMonitor::reset(ScaledSystem& system) {

@@ -32,6 +32,8 @@ class ConditionMonitor {
   /// Returns whether the instant should be looked at.
   bool is_due() const { return used_ >= 1; }
   void look(const Instant& instant, ScaledSystem& system);
+  /// Returns the way of any coordinate, in magnitudes, after which a block may be singular.
+  double way_left() const;
   /// Returns the growth, at least 1, of the last look and what it may have become since; infinity
   /// where it was singular.
   double growth() const;
