@@ -7,6 +7,7 @@
 
 #include "formulations/verification/assessment/assessor.h"
 #include "formulations/verification/assessment/backward_error.h"
+#include "formulations/verification/assessment/certified_bounds.h"
 #include "formulations/verification/assessment/expectation.h"
 #include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/condition.h"
@@ -39,6 +40,8 @@ struct AccuracyMonitor::State {
   const AccuracyMonitorOptions options;
   const Limits limits;
   Assessor assessor;
+  std::vector<Level> asked;  // of each coordinate
+  CertifiedBounds certified;
   RunningScales scales;
   SensitivityMonitor sensitivity;
   ConditionMonitor conditioning;
@@ -65,6 +68,9 @@ struct AccuracyMonitor::State {
         options(o),
         limits(o.tolerance),
         assessor(m, o.levels, o.asked),
+        asked(o.asked.empty() ? assessor.levels().begin() : o.asked.begin(),
+              o.asked.empty() ? assessor.levels().end() : o.asked.end()),
+        certified(m, assessor.levels(), asked),
         scales(m, grid, o.scales),
         sensitivity(m, assessor.levels(), assessor.system().magnitudes()),
         conditioning(m, assessor.system()),
@@ -121,10 +127,11 @@ struct AccuracyMonitor::State {
     RecentInstants& recent = continuity.recent();
     for (int back = 0; back < recent.count() && !recent[back].is_assessed; ++back) {
       RecentInstants::Node& node = recent[back];
-      const Assessment a = assessor(view_of(node, like), scales.now());
+      Assessment a = assessor(view_of(node, like), scales.now());
       ++assessed;
       node.is_assessed = true;
       if (!exceeds(a.bound, node.stated)) return;
+      prove(a, view_of(node, like));
       node.stated = a.bound;
       condition = std::max(condition, a.condition);
       add({node.index, node.time, a}, exceeds(a.bound, limits.degraded));
@@ -132,8 +139,7 @@ struct AccuracyMonitor::State {
   }
 
   std::optional<MonitoredInstant> solve(const Instant& instant) {
-    continuity.expect(instant);
-    const auto solved = continuity.solve_anew(instant, means());
+    const auto solved = continuity.is_known() ? solve_from_last(instant) : solve_alone(instant);
     if (!solved) return {};
     MonitoredInstant j{*solved};
     j.solved_anew = true;
@@ -142,6 +148,19 @@ struct AccuracyMonitor::State {
     deliver(j, true);
     ++corrected;
     return j;
+  }
+
+  std::optional<Instant> solve_from_last(const Instant& instant) {
+    continuity.expect(instant);
+    return continuity.solve_anew(instant, means());
+  }
+
+  /// Corrects positions that have hardly missed their tolerance, as in single precision.
+  std::optional<Instant> solve_alone(const Instant& instant) {
+    const Instant solved = assessor.corrected(continuity.driven(instant));
+    const Assessment a = assessor(solved, scales.with(solved));
+    if (a.singular || exceeds(a.bound, limits.degraded)) return {};
+    return solved;
   }
 
   std::optional<MonitoredInstant> pass(const Instant& singular) {
@@ -166,7 +185,7 @@ struct AccuracyMonitor::State {
     const auto add = [&](Level level, std::span<const double> x, std::span<const double> y) {
       for (std::size_t i = 0; i < x.size(); ++i) {
         const double scale = scales.now().of(model.entities[entity[i]].kind, level);
-        if (asked(static_cast<int>(i)) >= level && scale > 0)
+        if (asked[i] >= level && scale > 0)
           result[level] = std::max(result[level], std::abs(x[i] - y[i]) / scale);
       }
     };
@@ -174,10 +193,6 @@ struct AccuracyMonitor::State {
     add(Level::velocity, a.qd, b.qd);
     add(Level::acceleration, a.qdd, b.qdd);
     return result;
-  }
-
-  Level asked(int i) const {
-    return options.asked.empty() ? assessor.levels()[i] : options.asked[i];
   }
 
   /// What is said of an instant that is not assessed, and whether it may be said.
@@ -289,6 +304,8 @@ struct AccuracyMonitor::State {
     const bool tries =
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
+    const Assessment wide = last;
+    if (tries) prove(last, j.instant);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
     if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
       rescale(last.bound, scales.with(j.instant), scales.now());
@@ -298,7 +315,7 @@ struct AccuracyMonitor::State {
       expectation.learn(last, {.growth = INFINITY});
     else
       expectation.learn(given, signals);
-    if (is_better) expectation.learn(last, {});
+    if (is_better) expectation.learn(wide, {});
     if (degraded && last.condition < INFINITY)
       last.limit = assessor.limit(j.instant, scales.now(), last);
     if (!has(Monitor::bounds)) last.singular = false;
@@ -314,6 +331,16 @@ struct AccuracyMonitor::State {
     }
     after_gap = false;
     last_time = j.instant.time;
+  }
+
+  /// Replaces bounds that would flag an instant by proven ones. Where these are within the limits,
+  /// the position is not singular.
+  void prove(Assessment& a, const Instant& instant) {
+    if (!options.proves || !exceeds(a.bound, limits.degraded)) return;
+    const PerLevel<double> proven = certified(instant, scales.with(instant));
+    if (a.singular && exceeds(proven, limits.degraded)) return;
+    a.singular = false;
+    for (const Level l : levels) a.bound[l] = std::min(a.bound[l], proven[l]);
   }
 
   /// Whether it has become better. What was interpolated, and is not even near a solution, is

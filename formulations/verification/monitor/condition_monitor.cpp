@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace desmo {
 
@@ -37,14 +38,14 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
       before_(now_) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   const std::vector<EntityId> entity = entity_of_coordinate(m);
-  unsigned bits = 0;  // of no pattern, so that next to nothing is at right angles to them
+  std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to both
   for (int j = 0; j < system.size(); ++j) {
     group_.push_back(m.entities[entity[system.unknowns()[j]]].group);
     block_.push_back(system.block(j));
     for (Eigen::ArrayXd& right : right_) {
-      bits += 2654435769u;
-      const double size = 0.5 + (bits & 0x7fffffffu) * 0x1p-32;
-      right[j] = bits >> 31 ? -size : size;
+      const std::uint_fast32_t drawn = bits();
+      const double size = 0.5 + (drawn & 0x7fffffffu) * 0x1p-32;
+      right[j] = drawn >> 31 ? -size : size;
     }
   }
   const int blocks = system.size() > 0 ? std::ranges::max(block_) + 1 : 0;
@@ -81,10 +82,11 @@ void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   growth_ = INFINITY;
   distance_.setZero();
   per_way_.setConstant(at_once);
+  max_per_way_ = at_once;
 }
 
 double ConditionMonitor::way_left() const {
-  return (singular - std::min(1.0, used_)) / std::max(1e-300, per_way_.maxCoeff());
+  return (singular - std::min(1.0, used_)) / std::max(1e-300, max_per_way_);
 }
 
 void ConditionMonitor::reset(ScaledSystem& system) {
@@ -110,12 +112,14 @@ void ConditionMonitor::take(ScaledSystem& system) {
   }
   way_.setZero();
   used_ = 0;
-  x_ = right_[0];
-  system.solve(x_.data());
   now_.setZero();
-  for (int j = 0; j < system.size(); ++j)
-    now_[group_[j]] = std::max(now_[group_[j]], std::abs(x_[j]));
-  now_ = now_.max(min_part * x_.abs().maxCoeff());
+  for (const Eigen::ArrayXd& right : right_) {
+    x_ = right;
+    system.solve(x_.data());
+    for (int j = 0; j < system.size(); ++j)
+      now_[group_[j]] = std::max(now_[group_[j]], std::abs(x_[j]));
+  }
+  now_ = now_.max(min_part * now_.maxCoeff());
   growth_ = std::max(1.0, (now_ / then_).maxCoeff());
   measure_distances(system);
   schedule();
@@ -141,6 +145,7 @@ void ConditionMonitor::schedule() {
   }
   for (std::size_t g = 0; g < reads_.size(); ++g)
     for (const int i : reads_[g]) per_way_[i] = std::max(per_way_[i], per_way_of_group_[g]);
+  max_per_way_ = per_way_.maxCoeff();
 }
 
 /// Returns the way on which the distance of a block cannot halve.

@@ -120,7 +120,8 @@ double Continuity::moved(const Instant& from, const Instant& to,
 bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) {
   const double allowed = smooth * moved(from, to, weights);
   const Eigen::ArrayXd& turned = position_mismatch(from, to, weights);
-  return mismatch(from, to, weights) <= allowed && turned.maxCoeff() <= allowed;
+  return mismatch(from, to, weights) <= allowed && turned.maxCoeff() <= allowed &&
+         !turns_further(from, to, weights);
 }
 
 bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
@@ -129,16 +130,17 @@ bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
   if (!is_known() || weights.size() == 0) return false;
   return turns_.find(recent_[0], instant, least) ||
          mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
-         turns_further(instant, weights);
+         turns_further(view_of(recent_[0], instant), instant, weights);
 }
 
-bool Continuity::turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const {
-  if (instant.qd.empty() || weights.size() == 0) return false;
-  const auto& [q, qd, qdd] = recent_[0].state;
-  const double h = instant.time - recent_[0].time;
+/// Whether an angle turns by more than its rates say, as by a whole turn.
+bool Continuity::turns_further(const Instant& from, const Instant& to,
+                               const Eigen::ArrayXd& weights) const {
+  if (to.qd.empty() || weights.size() == 0) return false;
+  const double h = to.time - from.time;
   return std::ranges::any_of(angles_, [&](int i) {
     return weights[i] > 0 &&
-           !(std::abs(instant.q[i] - q[i] - h / 2 * (qd[i] + instant.qd[i])) <= turned);
+           !(std::abs(to.q[i] - from.q[i] - h / 2 * (from.qd[i] + to.qd[i])) <= turned);
   });
 }
 

@@ -101,7 +101,7 @@ class Continuity {
   void predict(double t, const Instant& like, Assessor& assessor);
   enum class End { given, solved };
   std::optional<Jump> go(const Instant& instant, End end, const Means& means);
-  bool turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const;
+  bool turns_further(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   double moved(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   bool leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights);
   void interpolate(const Node& from, const Node& to, const Instant& like, Node& result) const;
