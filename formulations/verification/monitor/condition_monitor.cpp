@@ -148,11 +148,12 @@ void ConditionMonitor::schedule() {
   max_per_way_ = per_way_.maxCoeff();
 }
 
-/// Returns the way on which the distance of a block cannot halve.
+/// Returns the way on which the distance of a block cannot halve. A motion may turn back, so its
+/// slope counts either way.
 double ConditionMonitor::until_halved(int b) const {
   double slope = steepest;  // of the fall, at most
   if (const double way = way_before_[of_block_[b]]; way > 0)
-    slope = (distance_before_[b] - distance_[b]) / way + curvature / 2 * way;
+    slope = std::abs(distance_before_[b] - distance_[b]) / way + curvature / 2 * way;
   // slope w + curvature w² / 2 = allowed d
   const double root = std::sqrt(slope * slope + 2 * curvature * allowed * distance_[b]);
   return (root - slope) / curvature;
@@ -161,7 +162,7 @@ double ConditionMonitor::until_halved(int b) const {
 /// Returns the way on which no group's share doubles at its last pace.
 double ConditionMonitor::until_grown() const {
   if (!(all_way_before_ > 0)) return INFINITY;
-  const double pace = (now_ / before_ - 1).maxCoeff() / all_way_before_;
+  const double pace = (now_ / before_ - 1).abs().maxCoeff() / all_way_before_;
   return pace > 0 ? allowed / pace : INFINITY;
 }
 
