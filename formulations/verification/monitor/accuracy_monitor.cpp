@@ -33,7 +33,7 @@ constexpr double shrunk = 20;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
 constexpr double shown_by = 10;
 /// What is stated of a measured error, and what is left of a bound in longer numbers.
-constexpr double measured_margin = 2, longer = 0x1p-9;
+constexpr double measured_margin = 1.25, longer = 0x1p-9;
 
 }  // namespace
 
