@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/verification/assessment/backward_error.h"
@@ -66,6 +67,11 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<cons
     for (int r = 0; r < rows(m.constraints[c]); ++r)
       if (!(m.constraints[c].left_out >> r & 1)) row_magnitudes_[row++] = magnitudes.of({c, r});
   for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
+  std::mt19937 bits;
+  for (Eigen::ArrayXd& signs : signs_) {
+    signs.resize(system_.size());
+    for (double& sign : signs) sign = bits() >> 31 ? -1 : 1;
+  }
 }
 
 Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
@@ -191,14 +197,9 @@ double Assessor::of_residuals() {
 /// error_ ≥ |off_| + |A⁻¹| unknown_, the same for all unknowns of a group: of the second, what
 /// signs without a pattern show of each, and as many times that as it takes.
 void Assessor::enclose(Level level) {
-  constexpr int probes = 2;
   std::ranges::fill(max_, 0.0);
-  unsigned bits = 0;
-  for (int probe = 0; probe < probes && system_.size() > 0; ++probe) {
-    for (int r = 0; r < system_.size(); ++r) {
-      bits += 2654435769u;
-      change_[r] = bits >> 31 ? -unknown_[r] : unknown_[r];
-    }
+  for (std::size_t probe = 0; probe < signs_.size() && system_.size() > 0; ++probe) {
+    change_ = signs_[probe] * unknown_;
     system_.solve(change_.data());
     at_least(change_);
   }
@@ -238,47 +239,6 @@ void Assessor::widen(Level level, double times) {
   for (int j = 0; j < system_.size(); ++j)
     change_[j] = times * error_[j] * system_.magnitude(system_.unknowns()[j]);
   motion_.widen(level, system_.unknowns(), change_);
-}
-
-/// values −= Φ_φ⁻¹ of that order of the equations; the largest correction in their magnitudes.
-double Assessor::correct(Level level, std::vector<double>& values) {
-  if (system_.size() == 0) return 0;
-  equations_of(level);
-  system_.solve(off_.data());
-  for (int j = 0; j < system_.size(); ++j) {
-    const int i = system_.unknowns()[j];
-    if (motion_.is_solved(i, level)) values[i] -= system_.magnitude(i) * off_[j];
-  }
-  return off_.abs().maxCoeff<Eigen::PropagateNaN>();
-}
-
-Instant Assessor::corrected(const Instant& instant) {
-  constexpr int max_corrections = 10;
-  auto& [q, qd, qdd] = corrected_;
-  Instant result = instant;
-  const auto put = [](std::span<const double> from, std::vector<double>& to) {
-    std::ranges::copy(from, to.begin());
-    return from.empty() ? from : std::span<const double>(to);
-  };
-  result.q = put(instant.q, q);
-  result.qd = put(instant.qd, qd);
-  result.qdd = put(instant.qdd, qdd);
-  double before = INFINITY;
-  for (int i = 0; i < max_corrections; ++i) {
-    std::ranges::copy(q, state_.begin());
-    if (!system_.factor(state_)) return instant;
-    motion_.take(result);
-    const double correction = correct(Level::position, q);
-    if (!(correction < before / 2)) break;
-    before = correction;
-  }
-  for (int pass = 0; pass < 2; ++pass)  // the second refines what the first has solved
-    for (const Level level : {Level::velocity, Level::acceleration})
-      if (!(level == Level::velocity ? result.qd : result.qdd).empty()) {
-        motion_.take(result);
-        correct(level, corrected_[level]);
-      }
-  return result;
 }
 
 }  // namespace desmo

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace desmo {
 
@@ -11,6 +12,8 @@ namespace {
 constexpr double min_part = 0.5;
 /// By what part a distance, or the share of a group, may fall from one look to the next.
 constexpr double allowed = 0.5;
+/// By then a distance may be zero: the way on which it halves counts as 1.
+constexpr double singular = 1.5;
 /// Slope of a distance over the way in magnitudes before it is known, and largest curvature.
 constexpr double steepest = 2, curvature = 2;
 /// Instead of infinity, which is not to be multiplied by 0.
@@ -35,14 +38,14 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
       before_(now_) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   const std::vector<EntityId> entity = entity_of_coordinate(m);
-  unsigned bits = 0;  // of no pattern, so that next to nothing is at right angles to them
+  std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to both
   for (int j = 0; j < system.size(); ++j) {
     group_.push_back(m.entities[entity[system.unknowns()[j]]].group);
     block_.push_back(system.block(j));
     for (Eigen::ArrayXd& right : right_) {
-      bits += 2654435769u;
-      const double size = 0.5 + (bits & 0x7fffffffu) * 0x1p-32;
-      right[j] = bits >> 31 ? -size : size;
+      const std::uint_fast32_t drawn = bits();
+      const double size = 0.5 + (drawn & 0x7fffffffu) * 0x1p-32;
+      right[j] = drawn >> 31 ? -size : size;
     }
   }
   const int blocks = system.size() > 0 ? std::ranges::max(block_) + 1 : 0;
@@ -79,6 +82,11 @@ void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   growth_ = INFINITY;
   distance_.setZero();
   per_way_.setConstant(at_once);
+  max_per_way_ = at_once;
+}
+
+double ConditionMonitor::way_left() const {
+  return (singular - std::min(1.0, used_)) / std::max(1e-300, max_per_way_);
 }
 
 void ConditionMonitor::reset(ScaledSystem& system) {
@@ -104,12 +112,14 @@ void ConditionMonitor::take(ScaledSystem& system) {
   }
   way_.setZero();
   used_ = 0;
-  x_ = right_[0];
-  system.solve(x_.data());
   now_.setZero();
-  for (int j = 0; j < system.size(); ++j)
-    now_[group_[j]] = std::max(now_[group_[j]], std::abs(x_[j]));
-  now_ = now_.max(min_part * x_.abs().maxCoeff());
+  for (const Eigen::ArrayXd& right : right_) {
+    x_ = right;
+    system.solve(x_.data());
+    for (int j = 0; j < system.size(); ++j)
+      now_[group_[j]] = std::max(now_[group_[j]], std::abs(x_[j]));
+  }
+  now_ = now_.max(min_part * now_.maxCoeff());
   growth_ = std::max(1.0, (now_ / then_).maxCoeff());
   measure_distances(system);
   schedule();
@@ -135,13 +145,15 @@ void ConditionMonitor::schedule() {
   }
   for (std::size_t g = 0; g < reads_.size(); ++g)
     for (const int i : reads_[g]) per_way_[i] = std::max(per_way_[i], per_way_of_group_[g]);
+  max_per_way_ = per_way_.maxCoeff();
 }
 
-/// Returns the way on which the distance of a block cannot halve.
+/// Returns the way on which the distance of a block cannot halve. A motion may turn back, so its
+/// slope counts either way.
 double ConditionMonitor::until_halved(int b) const {
   double slope = steepest;  // of the fall, at most
   if (const double way = way_before_[of_block_[b]]; way > 0)
-    slope = (distance_before_[b] - distance_[b]) / way + curvature / 2 * way;
+    slope = std::abs(distance_before_[b] - distance_[b]) / way + curvature / 2 * way;
   // slope w + curvature w² / 2 = allowed d
   const double root = std::sqrt(slope * slope + 2 * curvature * allowed * distance_[b]);
   return (root - slope) / curvature;
@@ -150,7 +162,7 @@ double ConditionMonitor::until_halved(int b) const {
 /// Returns the way on which no group's share doubles at its last pace.
 double ConditionMonitor::until_grown() const {
   if (!(all_way_before_ > 0)) return INFINITY;
-  const double pace = (now_ / before_ - 1).maxCoeff() / all_way_before_;
+  const double pace = (now_ / before_ - 1).abs().maxCoeff() / all_way_before_;
   return pace > 0 ? allowed / pace : INFINITY;
 }
 

@@ -12,8 +12,8 @@
 namespace desmo {
 
 /// Monitors the growth of the condition number since the last assessment where rates do not show
-/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for fixed b without
-/// pattern, now and then (a *look*), with factors of its own. What it finds:
+/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for two fixed b
+/// without pattern, now and then (a *look*), with factors of its own. What it finds:
 ///
 ///   growth     of ‖x‖∞ of each group since the assessment
 ///   distance   of each irreducible block D to a singular one, d = 1/‖D⁻¹ b‖∞; it falls to zero
@@ -32,6 +32,8 @@ class ConditionMonitor {
   /// Returns whether the instant should be looked at.
   bool is_due() const { return used_ >= 1; }
   void look(const Instant& instant, ScaledSystem& system);
+  /// Returns the way of any coordinate, in magnitudes, after which a block may be singular.
+  double way_left() const;
   /// Returns the growth, at least 1, of the last look and what it may have become since; infinity
   /// where it was singular.
   double growth() const;
@@ -61,6 +63,7 @@ class ConditionMonitor {
   std::vector<signed char> signs_;             // of the assessment
   Eigen::ArrayXd way_before_;                  // of what each group reads, between the last looks
   std::vector<double> per_way_of_group_;       // 1 / way until the next look
+  double max_per_way_ = 0;                     // largest of per_way_
   double growth_ = 1;
   double used_ = 0;            // part of the way until the next look
   double all_way_before_ = 0;  // of any coordinate, between the last two looks

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "formulations/prediction/driver_source.h"
 #include "formulations/verification/monitor/running_scales.h"
@@ -34,7 +35,11 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const double> magnitude,
                        int max_steps)
-    : model_(m), recent_(m.coordinates()), turned_(m.coordinates()), max_steps_(max_steps) {
+    : model_(m),
+      turns_(m, grid, magnitude),
+      recent_(m.coordinates()),
+      turned_(m.coordinates()),
+      max_steps_(max_steps) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     driven_.push_back({i, 1 / magnitude[i]});
@@ -42,6 +47,7 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
       if (const double v = std::abs(sample(d.motion, t).velocity / magnitude[i]); std::isfinite(v))
         fastest_ = std::max(fastest_, v);
   }
+  for (const EntityId e : entity_of_coordinate(m)) group_.push_back(m.entities[e].group);
   const std::vector<bool> driven = independent_coordinates(m);
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle && !driven[e.first]) angles_.push_back(e.first);
@@ -54,6 +60,7 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
 
 void Continuity::take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated) {
   recent_.take(instant, is_assessed, stated);
+  turns_.forget();
   if (!instant.qd.empty()) fastest_ = std::max(fastest_, fastest_driver(instant));
 }
 
@@ -61,6 +68,10 @@ double Continuity::fastest_driver(const Instant& instant) const {
   double fastest = 0;
   for (const auto& [i, unit] : driven_) fastest = std::max(fastest, std::abs(instant.qd[i]) * unit);
   return fastest;
+}
+
+void Continuity::expect(const Instant& instant) {
+  if (is_known()) turns_.find(recent_[0], instant, 0);
 }
 
 /// found(what the trapezoid rule is off by, relative to what groups move).
@@ -109,21 +120,27 @@ double Continuity::moved(const Instant& from, const Instant& to,
 bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) {
   const double allowed = smooth * moved(from, to, weights);
   const Eigen::ArrayXd& turned = position_mismatch(from, to, weights);
-  return mismatch(from, to, weights) <= allowed && turned.maxCoeff() <= allowed;
+  return mismatch(from, to, weights) <= allowed && turned.maxCoeff() <= allowed &&
+         !turns_further(from, to, weights);
 }
 
-bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) const {
-  return is_known() && (mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
-                        turns_further(instant, weights));
+bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
+                          double min_excursion) {
+  const double least = std::min(min_excursion, std::exchange(min_excursion_, min_excursion));
+  if (!is_known() || weights.size() == 0) return false;
+  return turns_.find(recent_[0], instant, least) ||
+         mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
+         turns_further(view_of(recent_[0], instant), instant, weights);
 }
 
-bool Continuity::turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const {
-  if (instant.qd.empty() || weights.size() == 0) return false;
-  const auto& [q, qd, qdd] = recent_[0].state;
-  const double h = instant.time - recent_[0].time;
+/// Whether an angle turns by more than its rates say, as by a whole turn.
+bool Continuity::turns_further(const Instant& from, const Instant& to,
+                               const Eigen::ArrayXd& weights) const {
+  if (to.qd.empty() || weights.size() == 0) return false;
+  const double h = to.time - from.time;
   return std::ranges::any_of(angles_, [&](int i) {
     return weights[i] > 0 &&
-           !(std::abs(instant.q[i] - q[i] - h / 2 * (qd[i] + instant.qd[i])) <= turned);
+           !(std::abs(to.q[i] - from.q[i] - h / 2 * (from.qd[i] + to.qd[i])) <= turned);
   });
 }
 
@@ -145,130 +162,58 @@ void Continuity::predict(double t, const Instant& like, Assessor& assessor) {
   std::ranges::copy(solved.qdd, next_.state.qdd.begin());
 }
 
-std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant,
-                                                      const Eigen::ArrayXd& weights,
-                                                      Assessor& assessor) {
-  return go(instant, End::given, weights, assessor);
+std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant, const Means& means) {
+  return go(instant, End::given, means);
 }
 
-std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Eigen::ArrayXd& weights,
-                                              Assessor& assessor) {
-  if (!is_known() || instant.qd.empty() || weights.size() == 0) return {};
-  if (go(instant, End::solved, weights, assessor)) return {};
-  return view_of(next_, instant);
-}
-
-/// result = the polynomial through what is solved at two nodes, at result.time.
-void Continuity::interpolate(const Node& from, const Node& to, const Instant& like,
-                             Node& result) const {
-  const double h = to.time - from.time, x = (result.time - from.time) / h;
-  for (int i = 0; i < model_.coordinates(); ++i) {
-    // p(x) = q₀ + x (v₀ + x (a₀/2 + x (c₃ + x (c₄ + x c₅)))), x from 0 to 1
-    const auto& [q0, v0, a0] = from.state;
-    const auto& [q1, v1, a1] = to.state;
-    const double v = h * v0[i], w = h * v1[i];
-    std::array<double, 6> c{q0[i], v};
-    if (like.qdd.empty()) {
-      const double rest = q1[i] - q0[i] - v;
-      c[2] = 3 * rest - (w - v), c[3] = (w - v) - 2 * rest;
-    } else {
-      const double a = h * h * a0[i], b = h * h * a1[i];
-      const double rest = q1[i] - q0[i] - v - a / 2, rate = w - v - a, second = b - a;
-      c[2] = a / 2, c[3] = 10 * rest - 4 * rate + second / 2;
-      c[4] = -15 * rest + 7 * rate - second, c[5] = 6 * rest - 3 * rate + second / 2;
-    }
-    double p = 0, dp = 0, ddp = 0;
-    for (int k = 5; k >= 0; --k) {
-      ddp = ddp * x + 2 * dp;
-      dp = dp * x + p;
-      p = p * x + c[k];
-    }
-    result.state.q[i] = p;
-    result.state.qd[i] = dp / h;
-    result.state.qdd[i] = ddp / (h * h);
-  }
-  write_drivers(model_, result.time, result.state);
-}
-
-std::optional<Continuity::Passage> Continuity::pass(const Instant& singular, const Scales& scales,
-                                                    const Eigen::ArrayXd& weights,
-                                                    Assessor& assessor) {
-  if (!is_known() || singular.qd.empty() || weights.size() == 0) return {};
-  constexpr int max_tries = 8;
-  auto& [before2, before, beyond, beyond2, between, wide] = passage_;
-  const double whole = singular.time - recent_[0].time;
-  double distance = whole / 2;
-  for (int i = 0; i < max_tries; ++i, distance /= 2) {
-    const auto reach = [&](double from_singular, Node& node) {
-      Instant target = singular;
-      target.time = singular.time - from_singular;
-      if (from_singular >= whole) {
-        node = recent_[0];
-        return true;
-      }
-      if (go(target, End::solved, weights, assessor)) return false;
-      node = next_;
-      return true;
-    };
-    const auto lead = [&](const Node& from, double to, Node& node) {
-      reached_ = from;
-      predict(to, singular, assessor);
-      node = next_;
-      return leads_on(view_of(from, singular), view_of(node, singular), weights);
-    };
-    if (!reach(2 * distance, before2) || !reach(distance, before)) return {};
-    if (!lead(before, singular.time + distance, beyond) ||
-        !lead(beyond, singular.time + 2 * distance, beyond2))
-      continue;
-    const Assessment assessment = assessor(view_of(beyond, singular), scales);
-    if (assessment.singular) continue;
-    between.time = wide.time = singular.time;
-    interpolate(before, beyond, singular, between);
-    interpolate(before2, beyond2, singular, wide);
-    return Passage{view_of(between, singular),
-                   view_of(wide, singular),
-                   before.time,
-                   beyond.time,
-                   beyond.state.q,
-                   assessment};
-  }
-  return {};
-}
-
-Instant Continuity::driven(const Instant& instant) {
-  next_.time = instant.time;
-  std::ranges::copy(instant.q, next_.state.q.begin());
-  std::ranges::copy(instant.qd, next_.state.qd.begin());
-  std::ranges::copy(instant.qdd, next_.state.qdd.begin());
-  write_drivers(model_, instant.time, next_.state);
+std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Means& means) {
+  if (!is_known() || instant.qd.empty() || means.weights.size() == 0) return {};
+  if (go(instant, End::solved, means)) return {};
   return view_of(next_, instant);
 }
 
 std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
-                                               const Eigen::ArrayXd& weights, Assessor& assessor) {
+                                               const Means& means) {
+  const auto& [assessor, scales, weights, signs] = means;
   const double whole = instant.time - recent_[0].time;
+  std::span<const double> turns = turns_.times();  // that are ahead
   reached_ = recent_[0];
   double step = whole / 2;
+  bool to_turn = false;
+  const auto jump = [&](const Instant& from, const Instant& to, int coordinate) {
+    return Jump{{from.time, to.time, group_[coordinate], SingularityCrossing::Kind::jumped},
+                to_turn};
+  };
   for (int i = 0; i < max_steps_; ++i) {
-    const bool to_end = std::abs(step) >= std::abs(instant.time - reached_.time);
-    const bool is_given = to_end && end == End::given;
-    if (!is_given) predict(to_end ? instant.time : reached_.time + step, instant, assessor);
+    to_turn = !turns.empty() && turns[0] < instant.time;
+    const double target = to_turn ? turns[0] : instant.time, left = target - reached_.time;
+    const bool to_end = std::abs(step) >= std::abs(left);
+    const bool is_given = to_end && !to_turn && end == End::given;
+    if (!is_given) predict(to_end ? target : reached_.time + step, instant, assessor);
     const Instant next = is_given ? instant : view_of(next_, instant);
     const Instant from = view_of(reached_, instant);
     if (leads_on(from, next, weights)) {
-      if (to_end) return {};
+      if (to_end && !to_turn) return {};
+      if (to_end) {
+        if (const Assessment a = assessor(next, scales); a.singular)
+          return Jump{{from.time, target, a.group, SingularityCrossing::Kind::jumped}, true};
+        if (const int block = signs.changed_block(); block >= 0)
+          return Jump{{recent_[0].time, target, assessor.system().group_of_block(block),
+                       SingularityCrossing::Kind::passed},
+                      true};
+        turns = turns.subspan(1);
+      }
       std::swap(reached_, next_);
       step *= 2;
     } else if (std::abs(step) > shortest * std::abs(whole)) {
-      step = (to_end ? instant.time - reached_.time : step) / 2;
+      step = (to_end ? left : step) / 2;
     } else {
       const bool rates_agree = mismatch(from, next, weights) <= smooth * moved(from, next, weights);
-      return Jump{from.time, next.time,
-                  rates_agree ? worst(turned_) : mismatch(from, next, weights, worst)};
+      return jump(from, next, rates_agree ? worst(turned_) : mismatch(from, next, weights, worst));
     }
   }
-  return Jump{reached_.time, instant.time,
-              mismatch(view_of(reached_, instant), instant, weights, worst)};
+  const Instant from = view_of(reached_, instant);
+  return jump(from, instant, mismatch(from, instant, weights, worst));
 }
 
 }  // namespace desmo

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "formulations/algebra/linear_solver.h"
@@ -66,18 +66,22 @@ class Run final : Observer {
         levels_(with_velocities(asked_)),
         request_(with_velocities(request)),
         options_(options),
-        accuracy_(formulation.model(), grid,
-                  monitor_options(options, levels_, asked_, formulation)),
         branch_(formulation.model(), levels_, formulation.settings().tolerance),
         output_(request, formulation.model().coordinates()),
         next_(observer) {
     if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
+    begin_monitoring();
   }
 
   MonitoredSummary operator()() {
     const Summary ran = formulation_.run(grid_, request_, *this);
     if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
     tried_ = static_cast<int>(summary_.instants);             // all before it were handed on
+    if (tried_ == 0 && summary_.violated >= 0) {              // assembled in one go, but elsewhere
+      summary_ = {};
+      begin_monitoring();
+      is_astray_ = true;
+    }
     // A stride was too long, or the formulation could not go on, or has gone elsewhere.
     if (is_astray_ || !summary_.ok()) {
       summary_.status = Status::solved;
@@ -90,21 +94,26 @@ class Run final : Observer {
       go_on(again, From::estimate);
       measure_assembly_error();
     }
-    summary_.condition = accuracy_.condition();
-    summary_.bound = accuracy_.bound();
-    summary_.assessed = accuracy_.assessed();
-    summary_.corrected = accuracy_.corrected();
-    summary_.degraded = accuracy_.degraded();
-    summary_.first_degraded = accuracy_.first_degraded();
+    summary_.condition = accuracy_->condition();
+    summary_.bound = accuracy_->bound();
+    summary_.assessed = accuracy_->assessed();
+    summary_.corrected = accuracy_->corrected();
+    summary_.degraded = accuracy_->degraded();
+    summary_.first_degraded = accuracy_->first_degraded();
     return summary_;
   }
 
  private:
+  void begin_monitoring() {
+    accuracy_.emplace(formulation_.model(), grid_,
+                      monitor_options(options_, levels_, asked_, formulation_));
+  }
+
   Flow observe(const Instant& instant) noexcept override {
-    MonitoredInstant m = accuracy_.examine(instant);
+    MonitoredInstant m = accuracy_->examine(instant);
     summary_.time = instant.time;
     if (m.assessment.singular && !instant.interpolated)
-      if (const auto passed = accuracy_.pass(instant)) m = *passed;
+      if (const auto passed = accuracy_->pass(instant)) m = *passed;
     is_astray_ = m.solved_anew && !instant.interpolated;
     return m.assessment.singular ? stop_at(m) : hand_on(m);
   }
@@ -136,7 +145,7 @@ class Run final : Observer {
   /// that it lies in. Before the first instant it goes there from the nominal position.
   void return_to_last() {
     const Model& m = formulation_.model();
-    const auto [q, time] = accuracy_.last();
+    const auto [q, time] = accuracy_->last();
     std::vector<double> state(m.estimate);
     if (!q.empty()) state.assign(q.begin(), q.end());
     state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
@@ -178,7 +187,7 @@ class Run final : Observer {
     summary_.group = summary_.constraint = -1;
     summary_.residual = max_residual_;
     summary_.assembly_error.reset();
-    accuracy_.resume();
+    accuracy_->resume();
     return again;
   }
 
@@ -212,7 +221,7 @@ class Run final : Observer {
                             s.updates,
                             s.residual};
       if (!s.ok() && !solved_by_monitor(instant)) {
-        accuracy_.look_back(instant);
+        accuracy_->look_back(instant);
         summary_.status = s.status;
         summary_.group = s.group;
         summary_.constraint = s.constraint;
@@ -227,7 +236,7 @@ class Run final : Observer {
 
   /// Solves an instant where the formulation could not, from the one before it.
   bool solved_by_monitor(const Instant& instant) {
-    const auto m = accuracy_.solve(instant);
+    const auto m = accuracy_->solve(instant);
     if (!m) return false;
     is_astray_ = true;
     hand_on(*m);
@@ -241,7 +250,7 @@ class Run final : Observer {
   const Request request_;
   const MonitoredRunOptions options_;
   MonitoredSummary summary_{};
-  AccuracyMonitor accuracy_;
+  std::optional<AccuracyMonitor> accuracy_;
   BranchMonitor branch_;
   const OutputWriter output_;
   Observer& next_;
@@ -258,44 +267,6 @@ MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
   if (!request.coordinates.empty())
     throw std::invalid_argument("a monitored run is asked for some coordinates; it needs all");
   return Run(formulation, grid, request, observer, options)();
-}
-
-std::string describe(const MonitoredSummary& s, const Model& m) {
-  const auto at = [](double time) {
-    char text[40];
-    std::snprintf(text, sizeof text, " at t = %.9g s", time);
-    return std::string(text);
-  };
-  if (s.violated >= 0)
-    return "another branch" + at(s.time) + ", constraint '" + m.constraints[s.violated].name + "'";
-  if (!s.ok()) return describe(static_cast<const Summary&>(s), m);
-  std::string flags;
-  if (s.first_degraded)
-    flags += "instants " + std::to_string(s.degraded) + ", the first" + at(s.first_degraded->time) +
-             "; ";
-  if (s.crossing) flags += "a singular position or a jump" + at(s.crossing->before) + "; ";
-  if (!s.gaps.empty())
-    flags += "intervals that cannot be assembled " + std::to_string(s.gaps.size()) + ", the first" +
-             at(s.gaps.front().from) + "; ";
-  const char* const outcome = s.outcome() == Outcome::failed     ? "refused: "
-                              : s.outcome() == Outcome::degraded ? "degraded: "
-                                                                 : "converged: ";
-  return outcome + flags + std::to_string(s.instants) + " instants in all, " +
-         describe_accuracy(s.condition, s.bound, Level::acceleration);
-}
-
-std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level) {
-  const auto number = [](double x) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.1e", x);
-    return std::string(text);
-  };
-  std::string result =
-      "condition " + number(condition) + ", errors up to " + number(bound.position);
-  if (level >= Level::velocity) result += ", " + number(bound.velocity) + " in velocity";
-  if (level >= Level::acceleration)
-    result += ", " + number(bound.acceleration) + " in acceleration";
-  return result;
 }
 
 }  // namespace desmo
