@@ -13,6 +13,7 @@
 
 #include "cases/mechanism/motion.h"
 #include "formulations/base/per_level.h"
+#include "formulations/verification/certificate/compensated.h"
 
 namespace desmo::interval_test {
 namespace {
@@ -123,7 +124,7 @@ TEST(Interval, HoldsSinesAndCosines) {
     }
 }
 
-TEST(Interval, HoldsWhatMotionsAreInExactArithmetic) {
+TEST(Compensated, HoldsWhatMotionsAreInExactArithmetic) {
   const std::vector<Motion> motions{
       Polynomial{{0.3, -1.7, 0.25, 1e-3}},
       HarmonicSum{0.1, {{0.7, 6.28318530717958, 0.2}, {-1e-3, 100, -3}}},
@@ -132,10 +133,10 @@ TEST(Interval, HoldsWhatMotionsAreInExactArithmetic) {
   for (const Motion& motion : motions)
     for (int i = 0; i < 1000; ++i) {
       const double t = i * 0.0021;
-      const MotionSample<Interval> z = sample(motion, Interval(t));
+      const MotionSample<Compensated<double>> z = sample(motion, Compensated<double>(t));
       const MotionSample<Wide> exact = sample(motion, Wide(t));
-      const auto compare = [&](const Interval& found, const Wide& expected, double& w) {
-        const Wide off = abs(expected - Wide(found.mid));
+      const auto compare = [&](const Compensated<double>& found, const Wide& expected, double& w) {
+        const Wide off = abs(expected - Wide(found.value) - Wide(found.correction));
         EXPECT_LE(off, Wide(found.radius)) << "at " << t;
         w = std::max(w, static_cast<double>(off / found.radius));
       };
