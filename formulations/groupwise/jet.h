@@ -29,12 +29,14 @@ struct Jet {
   friend Jet sin(const Jet& a) {
     using std::cos;
     using std::sin;
-    return chain(a, sin(a.value), cos(a.value), -sin(a.value));
+    const S sine = sin(a.value), cosine = cos(a.value);
+    return chain(a, sine, cosine, -sine);
   }
   friend Jet cos(const Jet& a) {
     using std::cos;
     using std::sin;
-    return chain(a, cos(a.value), -sin(a.value), -cos(a.value));
+    const S sine = sin(a.value), cosine = cos(a.value);
+    return chain(a, cosine, -sine, -cosine);
   }
 
  private:

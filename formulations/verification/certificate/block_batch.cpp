@@ -36,11 +36,11 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
     for (int i = 0; i < n; ++i)
       magnitudes[i].set(static_cast<int>(lane), all_magnitudes[m.block.coordinates[i]]);
   }
-  jacobian.resize(n * w);
+  jacobian.resize(static_cast<int>(shape.entries.size()));
   equations.constant_jacobian(jacobian);
   if (equations.is_linear()) {
     constant.resize(n, shape.inputs);
-    constant.find(jacobian.mid.data(), n, shape.inputs, LaneMask::all());
+    constant.find(shape, jacobian.mid.data(), LaneMask::all());
   }
 }
 

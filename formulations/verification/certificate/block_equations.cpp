@@ -30,13 +30,7 @@ struct Degree {
   friend Degree cos(const Degree&) { return {0, 99}; }
 };
 
-LaneInterval interval(const Compensated<Lanes>& x) {
-  return LaneInterval(x.value, x.radius) + LaneInterval(x.correction, 0);
-}
-
 }  // namespace
-
-using Constants = const Lanes*;
 
 struct BlockEquations::Functions {
   void (*motion)(const Object&, const States&, Level, const PerLevel<LaneInterval*>& phi);
@@ -81,7 +75,7 @@ struct BlockEquations::FunctionsOf {
 
   static void write(const Object& o, const Compensated<Lanes>* all, LaneInterval* phi) {
     for (int r = 0; r < Kind::rows; ++r)
-      if (o.shape->rows[r] >= 0) phi[o.shape->rows[r]] = interval(all[r]);
+      if (o.shape->rows[r] >= 0) phi[o.shape->rows[r]] = all[r].enclosure();
   }
   static void motion(const Object& o, const States& x, Level level,
                      const PerLevel<LaneInterval*>& phi) {
@@ -103,9 +97,9 @@ struct BlockEquations::FunctionsOf {
     for (int r = 0; r < Kind::rows; ++r) {
       const int row = o.shape->rows[r];
       if (row < 0) continue;
-      phi.position[row] = interval(all[r].value);
-      phi.velocity[row] = interval(all[r].first);
-      if (level == Level::acceleration) phi.acceleration[row] = interval(all[r].second);
+      phi.position[row] = all[r].value.enclosure();
+      phi.velocity[row] = all[r].first.enclosure();
+      if (level == Level::acceleration) phi.acceleration[row] = all[r].second.enclosure();
     }
   }
   static void write(const LaneInterval& value, int slot, LaneMatrix& to) {
@@ -198,7 +192,7 @@ void BlockEquations::motion(const States& x, Level level,
       Compensated<Lanes> sum;
       for (std::size_t k = first; k < end; ++k)
         sum = sum + terms_[k].factor * Compensated<Lanes>(x[l][terms_[k].state].mid, 0, 0);
-      phi[l][row] = interval(sum);
+      phi[l][row] = sum.enclosure();
       if (l == level) break;
     }
   }
@@ -212,7 +206,7 @@ void BlockEquations::constant_jacobian(LaneMatrix& to) const {
   for (std::vector<Lanes>* part : {&to.mid, &to.radius}) std::ranges::fill(*part, Lanes(0));
   for (const Term& t : terms_) {
     if (t.slot < 0) continue;
-    const LaneInterval factor = interval(t.factor);
+    const LaneInterval factor = t.factor.enclosure();
     to.mid[t.slot] = factor.mid;
     to.radius[t.slot] = factor.radius;
   }

@@ -12,7 +12,7 @@ namespace desmo {
 
 using LaneInterval = BasicInterval<Lanes>;
 
-/// An interval matrix of each lane by rows, midpoints and radii apart.
+/// An interval matrix of each lane, midpoints and radii apart: BlockShape::entries.
 struct LaneMatrix {
   std::vector<Lanes> mid, radius;
 
@@ -34,7 +34,7 @@ class BlockEquations {
 
   /// Evaluates Φ and its time derivatives up to a level, nearly without rounding. Overwrites phi.
   void motion(const States& x, Level level, const PerLevel<LaneInterval*>& phi) const;
-  /// Evaluates Φ_q (n × (n + m)). Overwrites the entries that are not constant.
+  /// Evaluates Φ_q. Overwrites the entries that are not constant.
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
   /// Writes the constant entries of Φ_q, and zeros elsewhere.
   void constant_jacobian(LaneMatrix& to) const;

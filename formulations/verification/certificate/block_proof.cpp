@@ -58,27 +58,33 @@ LaneMask BlockProof::known_inputs(Level level) const {
 template <int N>
 void BlockProof::find_image(Level level) {
   const BlockBatch& b = *batch_;
-  const int n = N > 0 ? N : this->n(), w = width(), m = w - n;
+  const BlockShape& shape = b.equations.shape();
+  const int n = N > 0 ? N : shape.unknowns, m = shape.inputs;
   const Lanes rounding = b.rounding;
   Errors& e = errors_[level];
   for (int r = 0; r < n; ++r) {
     const LaneInterval& f = phi_[level][r];
-    Lanes center = f.mid, uncertain = f.radius + rounding * abs(f.mid);
-    const Lanes *mid = &b.jacobian.mid[r * w], *radius = &b.jacobian.radius[r * w];
-    for (int j = n; j < w; ++j) {
-      center += mid[j] * e.center[j];
-      uncertain += (radius[j] + rounding * abs(mid[j])) * e.sum[j];
+    Lanes center = f.mid, uncertain = fma(rounding, abs(f.mid), f.radius);
+    const int row_end = shape.row_begins[r + 1];
+    for (int k = shape.input_begins[r]; k < row_end; ++k) {
+      const int j = shape.entries[k];
+      const Lanes &mid = b.jacobian.mid[k], &radius = b.jacobian.radius[k];
+      center = fma(mid, e.center[j], center);
+      uncertain = fma(fma(rounding, abs(mid), radius), e.sum[j], uncertain);
     }
     for (const LowerTerm& term : lower_) {
       const Errors& lower = errors_[term.errors];
-      mid = &rates_[term.derivative].mid[r * w], radius = &rates_[term.derivative].radius[r * w];
+      const LaneMatrix& derivative = rates_[term.derivative];
       Lanes of_center(0), of_own(0);
-      for (int j = 0; j < w; ++j) {
-        of_center += mid[j] * lower.center[j];
-        of_own += (radius[j] + rounding * abs(mid[j])) * lower.sum[j] + abs(mid[j]) * lower.own[j];
+      for (int k = shape.row_begins[r]; k < row_end; ++k) {
+        const int j = shape.entries[k];
+        const Lanes &mid = derivative.mid[k], &radius = derivative.radius[k];
+        of_center = fma(mid, lower.center[j], of_center);
+        of_own = fma(fma(rounding, abs(mid), radius), lower.sum[j], of_own);
+        of_own = fma(abs(mid), lower.own[j], of_own);
       }
-      center += of_center * term.factor;
-      uncertain += of_own * term.factor;
+      center = fma(of_center, term.factor, center);
+      uncertain = fma(of_own, term.factor, uncertain);
     }
     center_[r] = center;
     uncertainty_[r] = uncertain;
@@ -86,10 +92,10 @@ void BlockProof::find_image(Level level) {
   for (int i = 0; i < n; ++i) {
     Lanes center(0), own(Interval::tiny);
     for (int r = 0; r < n; ++r) {
-      center -= y_->inverse[i * n + r] * center_[r];
-      own += abs(y_->inverse[i * n + r]) * uncertainty_[r];
+      center = fma(-y_->inverse[i * n + r], center_[r], center);
+      own = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], own);
     }
-    for (int j = 0; j < m; ++j) own += y_->slopes[i * m + j] * e.own[n + j];
+    for (int j = 0; j < m; ++j) own = fma(y_->slopes[i * m + j], e.own[n + j], own);
     e.center[i] = center;
     e.own[i] = own * (Lanes(1) + rounding);
     e.sum[i] = (abs(center) + e.own[i]) * (Lanes(1) + rounding);
@@ -100,24 +106,23 @@ void BlockProof::find_image(Level level) {
 void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
   const BlockBatch& b = *batch_;
   ErrorTable& to = errors[level];
-  const int n = this->n(), w = width(), columns = to.columns;
+  const BlockShape& s = b.equations.shape();
+  const int n = s.unknowns, columns = to.columns;
   std::fill_n(generators_.begin(), n * columns, 0);
-  const auto add = [&](const LaneMatrix& derivative, double factor, int first, Level from) {
-    for (int j = first; j < w; ++j) {
-      const int row = b.rows[Lanes::count * j];
-      if (!errors[from].has_generators(row)) continue;
-      const double* image = errors[from].of_row(row);
-      for (int r = 0; r < n; ++r) {
-        const double t = factor * derivative.mid[r * w + j][0];
+  const auto add = [&](const LaneMatrix& derivative, double factor, bool inputs, Level from) {
+    for (int r = 0; r < n; ++r)
+      for (int e = inputs ? s.input_begins[r] : s.row_begins[r]; e < s.row_begins[r + 1]; ++e) {
+        const int row = b.rows[Lanes::count * s.entries[e]];
+        const double t = factor * derivative.mid[e][0];
+        if (t == 0 || !errors[from].has_generators(row)) continue;
+        const double* image = errors[from].of_row(row);
         double* generators = &generators_[r * columns];
-        if (t == 0) continue;
 #pragma omp simd
         for (int k = 0; k < columns; ++k) generators[k] += t * image[k];
       }
-    }
   };
-  add(b.jacobian, 1, n, level);
-  for (const LowerTerm& term : lower_) add(rates_[term.derivative], term.factor, 0, term.errors);
+  add(b.jacobian, 1, true, level);
+  for (const LowerTerm& t : lower_) add(rates_[t.derivative], t.factor, false, t.errors);
   for (int i = 0; i < n; ++i) {
     double* generators = to.of_row(b.rows[Lanes::count * i]);
     std::fill_n(generators, columns, 0);
@@ -138,18 +143,22 @@ void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
 template <int N>
 void BlockProof::contract() {
   const BlockBatch& b = *batch_;
-  const int n = N > 0 ? N : this->n(), w = width();
+  const BlockShape& s = b.equations.shape();
+  const int n = N > 0 ? N : s.unknowns;
   const Lanes rounding = b.rounding;
   for (int r = 0; r < n; ++r) {
-    const Lanes *mid = &b.jacobian.mid[r * w], *radius = &b.jacobian.radius[r * w];
     Lanes sum(0);
-    for (int j = 0; j < n; ++j) sum += (radius[j] + rounding * abs(mid[j])) * trial_[j];
+    for (int e = s.row_begins[r]; e < s.input_begins[r]; ++e)
+      sum = fma(fma(rounding, abs(b.jacobian.mid[e]), b.jacobian.radius[e]), trial_[s.entries[e]],
+                sum);
     uncertainty_[r] = sum;
   }
   for (int i = 0; i < n; ++i) {
-    Lanes sum = rounding * trial_[i] + Interval::tiny;  // what is left of 1 was rounded
-    for (int r = 0; r < n; ++r)
-      sum += y_->remainder[i * n + r] * trial_[r] + abs(y_->inverse[i * n + r]) * uncertainty_[r];
+    Lanes sum = fma(rounding, trial_[i], Interval::tiny);  // what is left of 1 was rounded
+    for (int r = 0; r < n; ++r) {
+      sum = fma(y_->remainder[i * n + r], trial_[r], sum);
+      sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);
+    }
     contracted_[i] = sum * (Lanes(1) + rounding);
   }
 }
@@ -198,7 +207,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
     }
     if (!b.equations.is_linear()) {
       b.equations.jacobian(state_.position.data(), b.jacobian);  // with the same midpoints
-      if (attempt == 0) preconditioner_.find(b.jacobian.mid.data(), n(), m(), lanes);
+      if (attempt == 0) preconditioner_.find(b.equations.shape(), b.jacobian.mid.data(), lanes);
       image();
     }
     n() == 1 ? contract<1>() : n() == 3 ? contract<3>() : contract<0>();
@@ -220,12 +229,13 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   lower_.clear();
   if (!b.equations.is_linear()) {
     // Φ̇_q and Φ̈_q within the errors of all lower levels, at the delivered rates of this one.
+    const std::size_t entries = b.equations.shape().entries.size();
     PerLevel<const LaneInterval*> x;
     for (const Level l : levels) x[l] = state_[l].data();
     for (const Level l : levels)
       if (l != Level::position && l <= level) {
-        std::fill_n(rates_[l].mid.begin(), n() * width(), Lanes(0));
-        std::fill_n(rates_[l].radius.begin(), n() * width(), Lanes(0));
+        std::fill_n(rates_[l].mid.begin(), entries, Lanes(0));
+        std::fill_n(rates_[l].radius.begin(), entries, Lanes(0));
       }
     b.equations.jacobian_rates(x, level, rates_);
     lower_.push_back({level, 1, Level::position});

@@ -33,7 +33,6 @@ class BlockProof {
     Level errors;
   };
   int n() const { return batch_->equations.shape().unknowns; }
-  int m() const { return batch_->equations.shape().inputs; }
   int width() const { return batch_->equations.shape().width(); }
 
   void gather(Level level, const std::vector<double>& delivered, const ErrorTable& errors);

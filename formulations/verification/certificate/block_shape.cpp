@@ -1,6 +1,7 @@
 #include "formulations/verification/certificate/block_shape.h"
 
 #include <algorithm>
+#include <set>
 
 #include "formulations/constraints/constraints.h"
 
@@ -34,7 +35,7 @@ class Builder {
       if (row == 0 || part_.equations[row].constraint != part_.equations[row - 1].constraint)
         add(part_.equations[row].constraint);
     find_columns();
-    for (std::size_t k = 0; k < constraints_.size(); ++k) find_slots(k);
+    find_entries();
     return std::move(block_);
   }
 
@@ -82,12 +83,34 @@ class Builder {
       }
   }
 
-  void find_slots(std::size_t k) {
+  void find_entries() {
     BlockShape& s = block_.shape;
-    BlockShape::Object& o = s.objects[k];
-    for_each_entry(*constraints_[k], o.operands, [&](int row, int state) {
-      const int column = s.columns[state];
-      o.slots.push_back(o.rows[row] < 0 || column < 0 ? -1 : o.rows[row] * s.width() + column);
+    std::vector<std::set<int>> rows(s.unknowns);
+    const auto for_each = [&](auto&& visit) {
+      for (std::size_t k = 0; k < constraints_.size(); ++k)
+        for_each_entry(*constraints_[k], s.objects[k].operands, [&](int row, int state) {
+          visit(s.objects[k], s.objects[k].rows[row], s.columns[state]);
+        });
+    };
+    for_each([&](const BlockShape::Object&, int row, int column) {
+      if (row >= 0 && column >= 0) rows[row].insert(column);
+    });
+    s.row_begins.push_back(0);
+    for (const std::set<int>& row : rows) {
+      const int begin = s.row_begins.back();
+      s.entries.insert(s.entries.end(), row.begin(), row.end());
+      s.input_begins.push_back(
+          begin + static_cast<int>(std::distance(row.begin(), row.lower_bound(s.unknowns))));
+      s.row_begins.push_back(static_cast<int>(s.entries.size()));
+    }
+    for_each([&](BlockShape::Object& o, int row, int column) {
+      if (row < 0 || column < 0) {
+        o.slots.push_back(-1);
+        return;
+      }
+      const auto begin = s.entries.begin() + s.row_begins[row];
+      const auto end = s.entries.begin() + s.row_begins[row + 1];
+      o.slots.push_back(static_cast<int>(std::lower_bound(begin, end, column) - s.entries.begin()));
     });
   }
 

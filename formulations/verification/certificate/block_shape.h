@@ -21,7 +21,7 @@ struct BlockShape {
     std::array<int, max_operands> operands;  ///< first local state of each
     std::array<int, max_rows> rows;          ///< row in the block; -1: of another block
     int first_constant;
-    /// Position in an n × (n + m) matrix of each entry that Kind::jacobian emits. -1: none.
+    /// Position in `entries` of each entry that Kind::jacobian emits. -1: none.
     std::vector<int> slots;
     bool operator==(const Object&) const = default;
   };
@@ -29,7 +29,11 @@ struct BlockShape {
   int unknowns = 0, inputs = 0;  ///< n, m
   std::vector<Object> objects;
   std::vector<int> columns;  ///< of each local state; -1: fixed, or read by other rows only
-  bool linear = true;        ///< Φ_q is constant
+  /// Columns of the entries of Φ_q that are not always zero, row by row, each in ascending order.
+  std::vector<int> entries;
+  std::vector<int> row_begins;    ///< position of each row's first entry, and the end (n + 1)
+  std::vector<int> input_begins;  ///< position of each row's first entry of an input (n)
+  bool linear = true;             ///< Φ_q is constant
   bool operator==(const BlockShape&) const = default;
 
   int width() const { return unknowns + inputs; }

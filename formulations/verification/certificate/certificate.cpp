@@ -74,10 +74,9 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
       exact = {z.position, z.velocity, z.acceleration};
     }
     for (const Level level : solved_) {
-      const Number error = exact[level] - Number(delivered_[level][i]);
-      const Interval all = Interval(error.value, error.radius) + Interval(error.correction);
-      const double sum = all.magnitude();
-      errors_[level].set(i, all.mid, all.radius, std::isfinite(sum) ? sum : INFINITY);
+      const Interval error = (exact[level] - Number(delivered_[level][i])).enclosure();
+      const double sum = error.magnitude();
+      errors_[level].set(i, error.mid, error.radius, std::isfinite(sum) ? sum : INFINITY);
     }
   }
 }

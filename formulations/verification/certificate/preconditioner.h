@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "formulations/verification/certificate/block_shape.h"
 #include "formulations/verification/certificate/lanes.h"
 
 namespace desmo {
@@ -12,16 +13,19 @@ struct Preconditioner {
   std::vector<Lanes> inverse;  ///< Y (n × n)
   std::vector<Lanes> remainder;  ///< |I − Y Φ_φ|, rounded, without what rounding Y Φ_φ adds (n × n)
   std::vector<Lanes> slopes;  ///< |Y Φ_h|, rounded, h: the m inputs (n × m)
-  std::vector<Lanes> work;    ///< (n × n)
-  std::vector<Lanes> scales;  ///< of rows (n)
-  std::vector<int> rows;      ///< row of each pivot (n)
 
   void resize(int n, int m);
-  /// Finds all from the midpoints of Φ_q (n × (n + m)). Lanes share pivots where these suit all.
-  void find(const Lanes* jacobian, int n, int m, LaneMask lanes);
+  /// Finds all from the midpoints of Φ_q. Lanes share pivots where these suit all.
+  void find(const BlockShape& shape, const Lanes* jacobian, LaneMask lanes);
 
  private:
-  void invert(const Lanes* jacobian, int n, int stride, LaneMask lanes);
+  void invert(const BlockShape& shape, const Lanes* jacobian, LaneMask lanes);
+  void find_remainder(const BlockShape& shape, const Lanes* jacobian);
+  void find_slopes(const BlockShape& shape, const Lanes* jacobian);
+
+  std::vector<Lanes> work_;    // (n × n)
+  std::vector<Lanes> scales_;  // of rows (n)
+  std::vector<int> rows_;      // of the pivots (n)
 };
 
 }  // namespace desmo
