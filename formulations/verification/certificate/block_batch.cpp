@@ -20,6 +20,8 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
   const BlockShape& shape = equations.shape();
   const int n = shape.unknowns, w = shape.width();
   rounding = (16 * w + 4 * columns + 64) * Interval::unit;
+  for (int i = 0; i < shape.states(); ++i)
+    if (shape.columns[i] < n && shape.columns[i] != BlockShape::unread) plain.push_back(i);
   locals.resize(w);
   for (int i = 0; i < shape.states(); ++i)
     if (shape.columns[i] >= 0) locals[shape.columns[i]] = i;
@@ -30,7 +32,9 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
       to.resize(Lanes::count * from.size());
       for (std::size_t k = 0; k < from.size(); ++k) to[Lanes::count * k + lane] = from[k];
     };
-    place(states, m.block.states);
+    std::vector<int> plain_states;
+    for (const int i : plain) plain_states.push_back(m.block.states[i]);
+    place(states, plain_states);
     place(coordinates, m.block.coordinates);
     place(rows, m.rows);
     for (int i = 0; i < n; ++i)

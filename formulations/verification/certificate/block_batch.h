@@ -30,7 +30,8 @@ struct BlockBatch {
 
   std::vector<Member> members;
   BlockEquations equations;
-  std::vector<int> states;        ///< of each local state, in the state of the model
+  std::vector<int> plain;         ///< local states of unknowns and of what is fixed
+  std::vector<int> states;        ///< of each plain one, in the state of the model
   std::vector<int> coordinates;   ///< of each column
   std::vector<int> rows;          ///< of each column, in ErrorTable
   std::vector<int> locals;        ///< local state of each column, the same in all lanes

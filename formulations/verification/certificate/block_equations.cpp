@@ -30,6 +30,23 @@ struct Degree {
   friend Degree cos(const Degree&) { return {0, 99}; }
 };
 
+/// Sets a scalar to exact numbers.
+template <class S>
+void assign(S& to, const Lanes& exact) {
+  to = {exact, 0};
+}
+void assign(Compensated<Lanes>& to, const Lanes& exact) { to = {exact, 0, 0}; }
+template <class S>
+void assign(Jet<S>& to, const Lanes& exact) {
+  assign(to.value, exact);
+}
+
+void write(const LaneInterval& value, int entry, LaneMatrix& to) {
+  if (entry < 0) return;
+  to.mid[entry] = value.mid;
+  to.radius[entry] = value.radius;
+}
+
 }  // namespace
 
 struct BlockEquations::Functions {
@@ -59,21 +76,12 @@ struct BlockEquations::FunctionsOf {
           components[k][i] = make(o.shape->operands[k] + i);
         x[k] = components[k].data();
       }
-      for (int i = 0; i < Kind::constants; ++i) c[i] = S(constant<S>(o.constants[i]));
-    }
-    template <class T>
-    static auto constant(const Lanes& c) {
-      if constexpr (std::is_same_v<T, LaneInterval>)
-        return LaneInterval(c, 0);
-      else if constexpr (std::is_same_v<T, Jet<LaneInterval>>)
-        return LaneInterval(c, 0);
-      else
-        return exact(c);
+      for (int i = 0; i < Kind::constants; ++i) assign(c[i], o.constants[i]);
     }
   };
   static Compensated<Lanes> exact(const Lanes& x) { return {x, 0, 0}; }
 
-  static void write(const Object& o, const Compensated<Lanes>* all, LaneInterval* phi) {
+  static void write_rows(const Object& o, const Compensated<Lanes>* all, LaneInterval* phi) {
     for (int r = 0; r < Kind::rows; ++r)
       if (o.shape->rows[r] >= 0) phi[o.shape->rows[r]] = all[r].enclosure();
   }
@@ -84,7 +92,7 @@ struct BlockEquations::FunctionsOf {
       const Operands<S> at(o, [&](int i) { return exact(x.position[i].mid); });
       std::array<S, Kind::rows> all;
       Kind::residual(at.x.data(), at.c.data(), all.data());
-      write(o, all.data(), phi.position);
+      write_rows(o, all.data(), phi.position);
       return;
     }
     using S = Jet<Compensated<Lanes>>;
@@ -102,17 +110,12 @@ struct BlockEquations::FunctionsOf {
       if (level == Level::acceleration) phi.acceleration[row] = all[r].second.enclosure();
     }
   }
-  static void write(const LaneInterval& value, int slot, LaneMatrix& to) {
-    if (slot < 0) return;
-    to.mid[slot] = value.mid;
-    to.radius[slot] = value.radius;
-  }
   static void jacobian(const Object& o, const std::vector<int>& slots, const LaneInterval* q,
                        LaneMatrix& to) {
     std::array<const LaneInterval*, operands> x;
     for (std::size_t k = 0; k < operands; ++k) x[k] = q + o.shape->operands[k];
     Constants<LaneInterval> c;
-    for (int i = 0; i < Kind::constants; ++i) c[i] = LaneInterval(o.constants[i], 0);
+    for (int i = 0; i < Kind::constants; ++i) assign(c[i], o.constants[i]);
     const int* slot = slots.data();
     Kind::jacobian(x.data(), c.data(),
                    [&](int, int, int, const LaneInterval& value) { write(value, *slot++, to); });
@@ -154,6 +157,12 @@ BlockEquations::BlockEquations(const BlockShape& shape,
     for (int lane = 0; lane < Lanes::count; ++lane) constants_[k].set(lane, constants[lane][k]);
   for (const BlockShape::Object& o : shape_.objects) add(o);
   std::ranges::stable_sort(terms_, {}, &Term::row);
+  std::vector<bool> varies(shape_.entries.size());
+  for (const Object& o : objects_)
+    for (const int slot : o.quadratic ? o.rate_slots : o.shape->slots)
+      if (slot >= 0) varies[slot] = true;
+  for (std::size_t e = 0; e < varies.size(); ++e)
+    if (!varies[e]) constant_entries_.push_back(static_cast<int>(e));
 }
 
 void BlockEquations::add(const BlockShape::Object& o) {
@@ -163,7 +172,7 @@ void BlockEquations::add(const BlockShape::Object& o) {
       // Such kinds are homogeneous, too: Φ = Φ_q q.
       using S = Compensated<Lanes>;
       std::array<S, Kind::constants + 1> c;
-      for (int i = 0; i < Kind::constants; ++i) c[i] = S(constants[i], 0, 0);
+      for (int i = 0; i < Kind::constants; ++i) assign(c[i], constants[i]);
       const int* slot = o.slots.data();
       const std::array<const S*, Kind::operand_sizes.size()> none{};
       Kind::jacobian(none.data(), c.data(), [&](int r, int operand, int i, const S& factor) {
@@ -191,7 +200,7 @@ void BlockEquations::motion(const States& x, Level level,
     for (const Level l : levels) {
       Compensated<Lanes> sum;
       for (std::size_t k = first; k < end; ++k)
-        sum = sum + terms_[k].factor * Compensated<Lanes>(x[l][terms_[k].state].mid, 0, 0);
+        sum.add_product(terms_[k].factor, x[l][terms_[k].state].mid);
       phi[l][row] = sum.enclosure();
       if (l == level) break;
     }
@@ -213,6 +222,7 @@ void BlockEquations::constant_jacobian(LaneMatrix& to) const {
 }
 
 void BlockEquations::jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const {
+  for (const int e : constant_entries_) write({}, e, to[level]);
   for (const Object& o : objects_) {
     if (!o.quadratic) {
       o.functions->jacobian_rates(o, x, level, to);

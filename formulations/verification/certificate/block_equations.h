@@ -66,7 +66,8 @@ class BlockEquations {
   BlockShape shape_;
   std::vector<Lanes> constants_;
   std::vector<Object> objects_;
-  std::vector<Term> terms_;  // by rows
+  std::vector<Term> terms_;            // by rows
+  std::vector<int> constant_entries_;  // of Φ_q
 };
 
 }  // namespace desmo

@@ -71,7 +71,8 @@ class Builder {
       for_each_entry(*constraints_[k], s.objects[k].operands, [&](int row, int state) {
         if (s.objects[k].rows[row] >= 0) is_read[state] = true;
       });
-    s.columns.assign(block_.states.size(), -1);
+    for (std::size_t i = 0; i < block_.states.size(); ++i)
+      s.columns.push_back(is_read[i] ? BlockShape::fixed : BlockShape::unread);
     for (const bool unknowns : {true, false})
       for (std::size_t i = 0; i < block_.states.size(); ++i) {
         const int state = block_.states[i];
@@ -102,6 +103,12 @@ class Builder {
       s.input_begins.push_back(
           begin + static_cast<int>(std::distance(row.begin(), row.lower_bound(s.unknowns))));
       s.row_begins.push_back(static_cast<int>(s.entries.size()));
+    }
+    for (int column = 0; column <= s.width(); ++column) {
+      s.column_begins.push_back(static_cast<int>(s.column_rows.size()));
+      for (int row = 0; row < s.unknowns; ++row)
+        for (int e = s.row_begins[row]; e < s.row_begins[row + 1]; ++e)
+          if (s.entries[e] == column) s.column_rows.push_back(row), s.column_entries.push_back(e);
     }
     for_each([&](BlockShape::Object& o, int row, int column) {
       if (row < 0 || column < 0) {

@@ -28,10 +28,14 @@ struct BlockShape {
 
   int unknowns = 0, inputs = 0;  ///< n, m
   std::vector<Object> objects;
-  std::vector<int> columns;  ///< of each local state; -1: fixed, or read by other rows only
+  std::vector<int> columns;  ///< of each local state; or one of these:
+  static constexpr int fixed = -1, unread = -2;
   /// Columns of the entries of Φ_q that are not always zero, row by row, each in ascending order.
   std::vector<int> entries;
-  std::vector<int> row_begins;    ///< position of each row's first entry, and the end (n + 1)
+  std::vector<int> row_begins;  ///< position of each row's first entry, and the end (n + 1)
+  /// The same entries column by column: position of each column's first one, and the end (n + m +
+  /// 1); row and position in `entries` of each.
+  std::vector<int> column_begins, column_rows, column_entries;
   std::vector<int> input_begins;  ///< position of each row's first entry of an input (n)
   bool linear = true;             ///< Φ_q is constant
   bool operator==(const BlockShape&) const = default;

@@ -25,22 +25,21 @@ class Certifier::Proof {
   BlockSchedule schedule_;
   BlockProof proof_;
   std::span<const Level> solved_;  // levels of the present instant
-  PerLevel<std::vector<double>> delivered_;
   PerLevel<ErrorTable> errors_;
 };
 
 namespace {
 
-BlockProof room_for(const BlockSchedule& schedule) {
-  int n = 0, m = 0, states = 0;
+BlockProof::Room room_for(const BlockSchedule& schedule) {
+  BlockProof::Room room{.columns = schedule.max_columns};
   for (const CertificationStep& step : schedule.steps)
     for (const BlockBatch& batch : step.batches) {
       const BlockShape& shape = batch.equations.shape();
-      n = std::max(n, shape.unknowns);
-      m = std::max(m, shape.inputs);
-      states = std::max(states, shape.states());
+      room.unknowns = std::max(room.unknowns, shape.unknowns);
+      room.width = std::max(room.width, shape.width());
+      room.states = std::max(room.states, shape.states());
     }
-  return {n, m, states, schedule.max_columns};
+  return room;
 }
 
 }  // namespace
@@ -48,10 +47,14 @@ BlockProof room_for(const BlockSchedule& schedule) {
 Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
     : m_(m), schedule_(block_schedule(m, up_to)), proof_(room_for(schedule_)) {
   for (const Level level : levels) {
-    delivered_[level].resize(m.state_size());
-    errors_[level].resize(m.state_size(), schedule_.lent_rows, schedule_.max_generators);
+    ErrorTable& e = errors_[level];
+    e.rows.resize(m.state_size() + schedule_.lent_rows);
+    e.radius.resize(m.coordinates());
+    e.generators.resize(schedule_.max_generators);
+    e.first_lent = m.state_size();
   }
-  std::ranges::copy(m.fixed_values, delivered_.position.begin() + m.coordinates());
+  for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
+    errors_.position.rows[m.coordinates() + i].delivered = m.fixed_values[i];
 }
 
 /// Takes the delivered numbers, and the errors of driven ones from the exact motions.
@@ -59,8 +62,9 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   using Number = Compensated<double>;
   const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
   for (const Level level : levels) {
-    std::fill_n(errors_[level].sum.begin(), m_.coordinates(), INFINITY);
-    std::ranges::copy(values[level], delivered_[level].begin());
+    std::ranges::fill(errors_[level].radius, INFINITY);
+    for (std::size_t i = 0; i < values[level].size(); ++i)
+      errors_[level].rows[i] = {values[level][i], 0, 0, INFINITY};
   }
   for (std::size_t k = 0; k < m_.drivers.size(); ++k) {
     const Driver& d = m_.drivers[k];
@@ -74,9 +78,11 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
       exact = {z.position, z.velocity, z.acceleration};
     }
     for (const Level level : solved_) {
-      const Interval error = (exact[level] - Number(delivered_[level][i])).enclosure();
-      const double sum = error.magnitude();
-      errors_[level].set(i, error.mid, error.radius, std::isfinite(sum) ? sum : INFINITY);
+      ErrorTable::Row& row = errors_[level].rows[i];
+      const Interval error = (exact[level] - Number(row.delivered)).enclosure();
+      if (!std::isfinite(error.magnitude())) continue;
+      row = {row.delivered, error.mid, error.radius, error.magnitude()};
+      errors_[level].radius[i] = row.sum;
     }
   }
 }
@@ -87,7 +93,7 @@ void Certifier::Proof::load(const ChainLink& link) {
     ErrorTable& e = errors_[level];
     e.columns = static_cast<int>(solved_.size()) * link.symbols;
     const auto copy = [&](int row, int coordinate) {
-      e.set(row, e.center[coordinate], e.own[coordinate], e.sum[coordinate]);
+      e.rows[row] = e.rows[coordinate];
       if (e.has_generators(row)) std::fill_n(e.of_row(row), e.columns, 0);
     };
     for (const ChainLink::Source& source : link.sources) {
@@ -108,7 +114,7 @@ void Certifier::Proof::load(const ChainLink& link) {
           sum += std::abs(generators[s]);
         }
         sum *= 1 + 4 * from.basis.size() * Interval::unit;
-        e.set(row, from.center[level][i], 0, sum);
+        e.rows[row] = {e.rows[row].delivered, from.center[level][i], 0, sum};
       }
     }
   }
@@ -123,15 +129,15 @@ void Certifier::Proof::leave(const ChainLink& link) {
     to.enclosed = true;
     for (const Level level : solved_)
       for (const int row : to.rows)
-        to.enclosed = to.enclosed && std::isfinite(errors_[level].sum[row]);
+        to.enclosed = to.enclosed && std::isfinite(errors_[level].rows[row].sum);
     if (!to.enclosed) continue;
     to.basis.start(count * size, count * link.symbols);
     for (const Level level : solved_)
       for (int i = 0; i < size; ++i) {
         const ErrorTable& e = errors_[level];
         const int row = to.rows[i], rank = static_cast<int>(level);
-        to.center[level][i] = e.center[row];
-        to.basis.set(rank * size + i, e.of_row(row), e.own[row], rank);
+        to.center[level][i] = e.rows[row].center;
+        to.basis.set(rank * size + i, e.of_row(row), e.rows[row].own, rank);
       }
     to.basis.enclose();
   }
@@ -146,7 +152,7 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
   for (CertificationStep& step : schedule_.steps) {
     if (step.link >= 0) load(schedule_.links[step.link]);
     for (BlockBatch& batch : step.batches) {
-      const PerLevel<LaneMask> proven = proof_.prove(batch, delivered_, solved_.back(), errors_);
+      const PerLevel<LaneMask> proven = proof_.prove(batch, solved_.back(), errors_);
       for (int lane = 0; lane < batch.blocks(); ++lane) {
         const BlockBatch::Member& member = batch.members[lane];
         for (const Level level : solved_) {
@@ -161,10 +167,7 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
     }
     if (step.link >= 0) leave(schedule_.links[step.link]);
   }
-  const std::size_t size = m_.coordinates();
-  result.radius = {std::span(errors_.position.sum).first(size),
-                   std::span(errors_.velocity.sum).first(size),
-                   std::span(errors_.acceleration.sum).first(size)};
+  result.radius = {errors_.position.radius, errors_.velocity.radius, errors_.acceleration.radius};
   return result;
 }
 

@@ -54,6 +54,19 @@ struct Compensated {
     const Turn at = turn(a.value);
     return turned(a, at.cosine, at.of_cosine, -at.sine);
   }
+  /// Adds factor × x, where x is exact.
+  void add_product(const Compensated& factor, const S& x) {
+    using std::fma;
+    const S product = factor.value * x;
+    const S rest = fma(factor.correction, x, fma(factor.value, x, -product));
+    const S sum = value + product;
+    const S of_product = sum - value;
+    const S second = rest + ((value - (sum - of_product)) + (product - of_product));
+    value = sum;
+    correction = correction + second;
+    radius =
+        bound(fma(factor.radius, size(x), radius), size(rest) + size(second) + size(correction));
+  }
   /// Returns an interval that holds the number.
   BasicInterval<S> enclosure() const {
     // Radii are sums of products, all positive: what 2^13 of them in a row lose by rounding.

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#ifdef __FMA__
+#ifdef __AVX__
 #include <immintrin.h>
 #endif
 
@@ -52,6 +52,13 @@ struct Lanes {
     return of_each([](double x) { return std::cos(x); }, a);
   }
 
+  static Lanes load(const double* from) {
+    Lanes x;
+    __builtin_memcpy(&x.v, from, sizeof x.v);
+    return x;
+  }
+  void store(double* to) const { __builtin_memcpy(to, &v, sizeof v); }
+
   /// Returns a function of each lane.
   template <class Function, class... Arguments>
   static Lanes of_each(Function&& function, const Arguments&... arguments) {
@@ -72,7 +79,13 @@ struct LaneMask {
     return m;
   }
   bool operator[](int lane) const { return bits[lane] != 0; }
-  bool any() const { return (bits[0] | bits[1] | bits[2] | bits[3]) != 0; }
+  bool any() const {
+#ifdef __AVX__
+    return _mm256_movemask_pd((__m256d)bits) != 0;
+#else
+    return (bits[0] | bits[1] | bits[2] | bits[3]) != 0;
+#endif
+  }
   friend LaneMask operator&(LaneMask a, LaneMask b) { return {a.bits & b.bits}; }
   friend LaneMask operator|(LaneMask a, LaneMask b) { return {a.bits | b.bits}; }
   friend LaneMask operator!(LaneMask a) { return {~a.bits}; }
@@ -80,10 +93,25 @@ struct LaneMask {
 
 /// Returns where a is less than b; not where one of them is not a number.
 inline LaneMask less(const Lanes& a, const Lanes& b) { return {(Lanes::Bits)(a.v < b.v)}; }
+inline LaneMask is_zero(const Lanes& a) { return {(Lanes::Bits)(a.v == Lanes(0).v)}; }
 inline LaneMask is_finite(const Lanes& a) { return less(abs(a), INFINITY); }
 /// Returns a where the mask is true, elsewhere b.
 inline Lanes select(LaneMask mask, const Lanes& a, const Lanes& b) {
   return Lanes(mask.bits ? a.v : b.v);
+}
+
+/// Transposes a 4 × 4 matrix, whose rows these are.
+inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+  using Pick = Lanes::Bits;
+  constexpr Pick even{0, 4, 2, 6}, odd{1, 5, 3, 7}, low{0, 1, 4, 5}, high{2, 3, 6, 7};
+  const Lanes::Numbers ab0 = __builtin_shuffle(a.v, b.v, even),
+                       ab1 = __builtin_shuffle(a.v, b.v, odd),
+                       cd0 = __builtin_shuffle(c.v, d.v, even),
+                       cd1 = __builtin_shuffle(c.v, d.v, odd);
+  a.v = __builtin_shuffle(ab0, cd0, low);
+  b.v = __builtin_shuffle(ab1, cd1, low);
+  c.v = __builtin_shuffle(ab0, cd0, high);
+  d.v = __builtin_shuffle(ab1, cd1, high);
 }
 
 }  // namespace desmo

@@ -1,6 +1,7 @@
 #include "formulations/verification/certificate/preconditioner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -24,7 +25,9 @@ void eliminate(Lanes* a, int size, int k) {
   for (int i = 0; i < n; ++i) {
     if (i == k) continue;
     const Lanes factor = -a[i * n + k];
+    if (N == 0 && !(!is_zero(factor)).any()) continue;
     a[i * n + k] = 0;
+#pragma GCC unroll 4
     for (int j = 0; j < n; ++j) a[i * n + j] = fma(factor, a[k * n + j], a[i * n + j]);
   }
 }
@@ -71,32 +74,53 @@ void Preconditioner::invert(const BlockShape& s, const Lanes* jacobian, LaneMask
   for (int i = 0; i < n * n; ++i) inverse[i] = select(lanes, a[i], inverse[i]);
 }
 
-void Preconditioner::find_remainder(const BlockShape& s, const Lanes* jacobian) {
+/// Finds |D − Y c| for a column c of Φ_q, where D has a 1 in row `one` and zeros elsewhere.
+void Preconditioner::multiply(const BlockShape& s, const Lanes* jacobian, int column, int one,
+                              Lanes* to, int stride) const {
+  const int begin = s.column_begins[column], count = s.column_begins[column + 1] - begin;
+  const int* rows = &s.column_rows[begin];
+  const auto with = [&]<int Count>() {
+    std::array<const Lanes*, Count> y;
+    std::array<Lanes, Count> minus;
+    for (int k = 0; k < Count; ++k) {
+      y[k] = &inverse[rows[k]];
+      minus[k] = -jacobian[s.column_entries[begin + k]];
+    }
+    const int n = s.unknowns;
+    for (int i = 0; i < n; ++i) {
+      Lanes sum(i == one ? 1 : 0);
+      for (int k = 0; k < Count; ++k) sum = fma(y[k][i * n], minus[k], sum);
+      to[i * stride] = abs(sum);
+    }
+  };
+  switch (count) {
+    case 1:
+      return with.template operator()<1>();
+    case 2:
+      return with.template operator()<2>();
+    case 3:
+      return with.template operator()<3>();
+    case 4:
+      return with.template operator()<4>();
+    default:
+      break;
+  }
   const int n = s.unknowns;
   for (int i = 0; i < n; ++i) {
-    Lanes* rest = &remainder[i * n];
-    for (int j = 0; j < n; ++j) rest[j] = i == j ? 1 : 0;
-    for (int r = 0; r < n; ++r) {
-      const Lanes y = -inverse[i * n + r];
-      for (int e = s.row_begins[r]; e < s.input_begins[r]; ++e)
-        rest[s.entries[e]] = fma(y, jacobian[e], rest[s.entries[e]]);
-    }
-    for (int j = 0; j < n; ++j) rest[j] = abs(rest[j]);
+    Lanes sum(i == one ? 1 : 0);
+    for (int k = 0; k < count; ++k)
+      sum = fma(inverse[i * n + rows[k]], -jacobian[s.column_entries[begin + k]], sum);
+    to[i * stride] = abs(sum);
   }
 }
 
+void Preconditioner::find_remainder(const BlockShape& s, const Lanes* jacobian) {
+  for (int j = 0; j < s.unknowns; ++j) multiply(s, jacobian, j, j, &remainder[j], s.unknowns);
+}
+
 void Preconditioner::find_slopes(const BlockShape& s, const Lanes* jacobian) {
-  const int n = s.unknowns, m = s.inputs;
-  for (int i = 0; i < n; ++i) {
-    Lanes* to = slopes.data() + i * m;
-    std::fill_n(to, m, Lanes(0));
-    for (int r = 0; r < n; ++r)
-      for (int e = s.input_begins[r]; e < s.row_begins[r + 1]; ++e) {
-        Lanes& slope = to[s.entries[e] - n];
-        slope = fma(inverse[i * n + r], jacobian[e], slope);
-      }
-    for (int j = 0; j < m; ++j) to[j] = abs(to[j]);
-  }
+  for (int j = 0; j < s.inputs; ++j)
+    multiply(s, jacobian, s.unknowns + j, -1, &slopes[j], s.inputs);
 }
 
 void Preconditioner::find(const BlockShape& s, const Lanes* jacobian, LaneMask lanes) {

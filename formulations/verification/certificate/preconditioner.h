@@ -20,6 +20,8 @@ struct Preconditioner {
 
  private:
   void invert(const BlockShape& shape, const Lanes* jacobian, LaneMask lanes);
+  void multiply(const BlockShape& shape, const Lanes* jacobian, int column, int one, Lanes* to,
+                int stride) const;
   void find_remainder(const BlockShape& shape, const Lanes* jacobian);
   void find_slopes(const BlockShape& shape, const Lanes* jacobian);
 
