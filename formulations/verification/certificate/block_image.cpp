@@ -93,7 +93,8 @@ void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
   }
 }
 
-/// Bounds |(I − Y Φ_φ(X)) X| by the radii of X.
+/// Bounds |(I − Y Φ_φ(X)) X| by the radii of X. The rounding of Y Φ_φ covers that of I − Y Φ_φ: an
+/// entry of I is not larger than those of |Y| |Φ_φ| and of the remainder together.
 template <int N>
 void BlockProof::contract() {
   const BlockShape& s = *shape_;
@@ -107,7 +108,7 @@ void BlockProof::contract() {
     uncertainty_[r] = sum;
   }
   for (int i = 0; i < n; ++i) {
-    Lanes sum = fma(rounding, trial_[i], Interval::tiny);  // what is left of 1 was rounded
+    Lanes sum(Interval::tiny);
     for (int r = 0; r < n; ++r) {
       sum = fma(y_->remainder[i * n + r], trial_[r], sum);
       sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);
