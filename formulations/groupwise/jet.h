@@ -27,12 +27,16 @@ struct Jet {
             a.second * b.value + S(2) * (a.first * b.first) + a.value * b.second};
   }
   friend Jet sin(const Jet& a) {
-    using std::cos, std::sin;
-    return chain(a, sin(a.value), cos(a.value), -sin(a.value));
+    using std::cos;
+    using std::sin;
+    const S sine = sin(a.value), cosine = cos(a.value);
+    return chain(a, sine, cosine, -sine);
   }
   friend Jet cos(const Jet& a) {
-    using std::cos, std::sin;
-    return chain(a, cos(a.value), -sin(a.value), -cos(a.value));
+    using std::cos;
+    using std::sin;
+    const S sine = sin(a.value), cosine = cos(a.value);
+    return chain(a, cosine, -sine, -cosine);
   }
 
  private:

@@ -11,9 +11,6 @@
 #include <cmath>
 #include <random>
 
-#include "cases/mechanism/motion.h"
-#include "formulations/base/per_level.h"
-
 namespace desmo::interval_test {
 namespace {
 
@@ -121,29 +118,6 @@ TEST(Interval, HoldsSinesAndCosines) {
       EXPECT_GT(worst_of_function(radius, largest, sine), 0.24) << radius << " at " << largest;
       EXPECT_GT(worst_of_function(radius, largest, cosine), 0.24) << radius << " at " << largest;
     }
-}
-
-TEST(Interval, HoldsWhatMotionsAreInExactArithmetic) {
-  const std::vector<Motion> motions{
-      Polynomial{{0.3, -1.7, 0.25, 1e-3}},
-      HarmonicSum{0.1, {{0.7, 6.28318530717958, 0.2}, {-1e-3, 100, -3}}},
-      make_spline({0, 0.3, 1.1, 2}, {0.1, -0.7, 0.4, 0.2}, SplineEnds::natural)};
-  PerLevel<double> worst;
-  for (const Motion& motion : motions)
-    for (int i = 0; i < 1000; ++i) {
-      const double t = i * 0.0021;
-      const MotionSample<Interval> z = sample(motion, Interval(t));
-      const MotionSample<Wide> exact = sample(motion, Wide(t));
-      const auto compare = [&](const Interval& found, const Wide& expected, double& w) {
-        const Wide off = abs(expected - Wide(found.mid));
-        EXPECT_LE(off, Wide(found.radius)) << "at " << t;
-        w = std::max(w, static_cast<double>(off / found.radius));
-      };
-      compare(z.position, exact.position, worst.position);
-      compare(z.velocity, exact.velocity, worst.velocity);
-      compare(z.acceleration, exact.acceleration, worst.acceleration);
-    }
-  for (const Level level : levels) EXPECT_GT(worst[level], 0.2);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ void ErrorBasis::find_directions() {
       basis_[i * d + s] =
           is_rest ? rest_[i * n + (longest - sums_.begin())] / std::sqrt(*longest) : i == unit;
     unit += !is_rest;
-    for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Parlett)
+    for (bool again = true; again;) {
       for (int before = 0; before < s; ++before) {
         double along = 0;
         for (int i = 0; i < d; ++i) along += basis_[i * d + before] * basis_[i * d + s];
@@ -55,14 +55,11 @@ void ErrorBasis::find_directions() {
       }
       double length = 0;
       for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
-      if (length < 0x1p-20 && unit < d) {  // depends on those before: another direction
-        for (int i = 0; i < d; ++i) basis_[i * d + s] = i == unit;
-        ++unit;
-        pass = -1;
-        continue;
-      }
-      length = 1 / std::sqrt(length);
-      for (int i = 0; i < d; ++i) basis_[i * d + s] *= length;
+      again = length < 0x1p-20 && unit < d;  // depends on those before: another direction
+      length = again ? 1 : 1 / std::sqrt(length);
+      for (int i = 0; i < d; ++i)
+        basis_[i * d + s] = again ? i == unit : basis_[i * d + s] * length;
+      unit += again;
     }
     std::fill_n(sums_.begin(), n, 0);
     for (int i = 0; i < d; ++i)

@@ -1,0 +1,51 @@
+#include "formulations/verification/certificate/block_batch.h"
+
+namespace desmo {
+
+namespace {
+
+std::vector<std::vector<double>> constants_of(std::span<const BlockBatch::Member> members) {
+  std::vector<std::vector<double>> all;
+  for (std::size_t lane = 0; lane < Lanes::count; ++lane)
+    all.push_back(members[lane < members.size() ? lane : 0].block.constants);
+  return all;
+}
+
+}  // namespace
+
+BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>& all_magnitudes,
+                       int columns)
+    : members(blocks.begin(), blocks.end()),
+      equations(blocks.front().block.shape, constants_of(blocks)) {
+  const BlockShape& shape = equations.shape();
+  const int n = shape.unknowns, w = shape.width();
+  rounding = (16 * w + 4 * columns + 64) * Interval::unit;
+  for (int i = 0; i < shape.states(); ++i)
+    if (shape.columns[i] < n && shape.columns[i] != BlockShape::unread) plain.push_back(i);
+  locals.resize(w);
+  for (int i = 0; i < shape.states(); ++i)
+    if (shape.columns[i] >= 0) locals[shape.columns[i]] = i;
+  magnitudes.resize(n);
+  for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+    const Member& m = members[lane < members.size() ? lane : 0];
+    const auto place = [&](std::vector<int>& to, const std::vector<int>& from) {
+      to.resize(Lanes::count * from.size());
+      for (std::size_t k = 0; k < from.size(); ++k) to[Lanes::count * k + lane] = from[k];
+    };
+    std::vector<int> plain_states;
+    for (const int i : plain) plain_states.push_back(m.block.states[i]);
+    place(states, plain_states);
+    place(coordinates, m.block.coordinates);
+    place(rows, m.rows);
+    for (int i = 0; i < n; ++i)
+      magnitudes[i].set(static_cast<int>(lane), all_magnitudes[m.block.coordinates[i]]);
+  }
+  jacobian.resize(static_cast<int>(shape.entries.size()));
+  equations.constant_jacobian(jacobian);
+  if (equations.is_linear()) {
+    constant.resize(n, shape.inputs);
+    constant.find(shape, jacobian.mid.data(), LaneMask::all());
+  }
+}
+
+}  // namespace desmo

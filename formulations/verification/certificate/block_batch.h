@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "cases/mechanism/level.h"
+#include "formulations/verification/certificate/block_equations.h"
+#include "formulations/verification/certificate/preconditioner.h"
+
+namespace desmo {
+
+/// Up to four independent blocks of one shape, which are certified at once, each in a lane. Lanes
+/// without a block repeat the first. Indices of lane l stand at 4 k + l.
+struct BlockBatch {
+  /// A block, and where its errors are kept.
+  struct Member {
+    ShapedBlock block;
+    GroupId group;
+    int order;              ///< position among all blocks in solution order
+    int first_unknown;      ///< its lowest coordinate
+    Level solved;           ///< level up to which it is solved
+    std::vector<int> rows;  ///< row of each column in ErrorTable
+  };
+
+  /// magnitudes: of coordinates; errors of 1e-18 of these do not matter. columns: of ErrorTable.
+  BlockBatch(std::span<const Member> blocks, const std::vector<double>& magnitudes, int columns);
+
+  int blocks() const { return static_cast<int>(members.size()); }
+
+  std::vector<Member> members;
+  BlockEquations equations;
+  std::vector<int> plain;         ///< local states of unknowns and of what is fixed
+  std::vector<int> states;        ///< of each plain one, in the state of the model
+  std::vector<int> coordinates;   ///< of each column
+  std::vector<int> rows;          ///< of each column, in ErrorTable
+  std::vector<int> locals;        ///< local state of each column, the same in all lanes
+  std::vector<Lanes> magnitudes;  ///< of the unknowns
+  double rounding;                ///< bound on the relative rounding of all sums of products
+  LaneMatrix jacobian;            ///< Φ_q
+  Preconditioner constant;        ///< of linear equations
+};
+
+}  // namespace desmo

@@ -1,0 +1,238 @@
+#include "formulations/verification/certificate/block_equations.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "formulations/constraints/constraints.h"
+#include "formulations/groupwise/jet.h"
+
+namespace desmo {
+
+namespace {
+
+/// The lowest and highest degree of a polynomial's terms; a sine or cosine has no highest.
+struct Degree {
+  int low = 0, high = 0;
+
+  Degree() = default;
+  Degree(double) {}
+  Degree(int l, int h) : low(l), high(h) {}
+
+  friend Degree operator-(const Degree& a) { return a; }
+  friend Degree operator+(const Degree& a, const Degree& b) {
+    return {std::min(a.low, b.low), std::max(a.high, b.high)};
+  }
+  friend Degree operator-(const Degree& a, const Degree& b) { return a + b; }
+  friend Degree operator*(const Degree& a, const Degree& b) {
+    return {a.low + b.low, a.high + b.high};
+  }
+  friend Degree sin(const Degree&) { return {0, 99}; }
+  friend Degree cos(const Degree&) { return {0, 99}; }
+};
+
+/// Sets a scalar to exact numbers.
+template <class S>
+void assign(S& to, const Lanes& exact) {
+  to = {exact, 0};
+}
+void assign(Compensated<Lanes>& to, const Lanes& exact) { to = {exact, 0, 0}; }
+template <class S>
+void assign(Jet<S>& to, const Lanes& exact) {
+  assign(to.value, exact);
+}
+
+void write(const LaneInterval& value, int entry, LaneMatrix& to) {
+  if (entry < 0) return;
+  to.mid[entry] = value.mid;
+  to.radius[entry] = value.radius;
+}
+
+}  // namespace
+
+struct BlockEquations::Functions {
+  void (*motion)(const Object&, const States&, Level, const PerLevel<LaneInterval*>& phi);
+  void (*jacobian)(const Object&, const std::vector<int>& slots, const LaneInterval* q,
+                   LaneMatrix& to);
+  void (*jacobian_rates)(const Object&, const States&, Level, PerLevel<LaneMatrix>& to);
+};
+
+template <class Kind>
+struct BlockEquations::FunctionsOf {
+  static constexpr std::size_t operands = Kind::operand_sizes.size();
+  template <class S>
+  using Constants = std::array<S, Kind::constants + 1>;
+
+  /// Operands in another scalar, made from each local state by a function.
+  template <class S>
+  struct Operands {
+    std::array<std::array<S, 3>, operands> components;
+    std::array<const S*, operands> x;
+    Constants<S> c;
+
+    template <class Make>
+    Operands(const Object& o, Make&& make) {
+      for (std::size_t k = 0; k < operands; ++k) {
+        for (int i = 0; i < Kind::operand_sizes[k]; ++i)
+          components[k][i] = make(o.shape->operands[k] + i);
+        x[k] = components[k].data();
+      }
+      for (int i = 0; i < Kind::constants; ++i) assign(c[i], o.constants[i]);
+    }
+  };
+  static Compensated<Lanes> exact(const Lanes& x) { return {x, 0, 0}; }
+
+  static void write_rows(const Object& o, const Compensated<Lanes>* all, LaneInterval* phi) {
+    for (int r = 0; r < Kind::rows; ++r)
+      if (o.shape->rows[r] >= 0) phi[o.shape->rows[r]] = all[r].enclosure();
+  }
+  static void motion(const Object& o, const States& x, Level level,
+                     const PerLevel<LaneInterval*>& phi) {
+    if (level == Level::position) {
+      using S = Compensated<Lanes>;
+      const Operands<S> at(o, [&](int i) { return exact(x.position[i].mid); });
+      std::array<S, Kind::rows> all;
+      Kind::residual(at.x.data(), at.c.data(), all.data());
+      write_rows(o, all.data(), phi.position);
+      return;
+    }
+    using S = Jet<Compensated<Lanes>>;
+    const Operands<S> at(o, [&](int i) {
+      return S(exact(x.position[i].mid), exact(x.velocity[i].mid),
+               level == Level::acceleration ? exact(x.acceleration[i].mid) : exact(0));
+    });
+    std::array<S, Kind::rows> all;
+    Kind::residual(at.x.data(), at.c.data(), all.data());
+    for (int r = 0; r < Kind::rows; ++r) {
+      const int row = o.shape->rows[r];
+      if (row < 0) continue;
+      phi.position[row] = all[r].value.enclosure();
+      phi.velocity[row] = all[r].first.enclosure();
+      if (level == Level::acceleration) phi.acceleration[row] = all[r].second.enclosure();
+    }
+  }
+  static void jacobian(const Object& o, const std::vector<int>& slots, const LaneInterval* q,
+                       LaneMatrix& to) {
+    std::array<const LaneInterval*, operands> x;
+    for (std::size_t k = 0; k < operands; ++k) x[k] = q + o.shape->operands[k];
+    Constants<LaneInterval> c;
+    for (int i = 0; i < Kind::constants; ++i) assign(c[i], o.constants[i]);
+    const int* slot = slots.data();
+    Kind::jacobian(x.data(), c.data(),
+                   [&](int, int, int, const LaneInterval& value) { write(value, *slot++, to); });
+  }
+  static void jacobian_rates(const Object& o, const States& x, Level level,
+                             PerLevel<LaneMatrix>& to) {
+    using S = Jet<LaneInterval>;
+    const Operands<S> at(o, [&](int i) {
+      return S(x.position[i], x.velocity[i],
+               level == Level::acceleration ? x.acceleration[i] : LaneInterval());
+    });
+    const int* slot = o.shape->slots.data();
+    Kind::jacobian(at.x.data(), at.c.data(), [&](int, int, int, const S& value) {
+      write(value.first, *slot, to.velocity);
+      if (level == Level::acceleration) write(value.second, *slot, to.acceleration);
+      ++slot;
+    });
+  }
+
+  /// Returns the degree of each entry of the Jacobian.
+  static std::vector<Degree> degrees() {
+    std::array<Degree, 3> any;
+    any.fill({1, 1});
+    std::array<const Degree*, operands> x;
+    x.fill(any.data());
+    const Constants<Degree> c{};
+    std::vector<Degree> all;
+    Kind::jacobian(x.data(), c.data(), [&](int, int, int, const Degree& d) { all.push_back(d); });
+    return all;
+  }
+
+  static constexpr Functions table{&motion, &jacobian, &jacobian_rates};
+};
+
+BlockEquations::BlockEquations(const BlockShape& shape,
+                               const std::vector<std::vector<double>>& constants)
+    : shape_(shape), constants_(constants.front().size() + 1) {
+  for (std::size_t k = 0; k < constants.front().size(); ++k)
+    for (int lane = 0; lane < Lanes::count; ++lane) constants_[k].set(lane, constants[lane][k]);
+  for (const BlockShape::Object& o : shape_.objects) add(o);
+  std::ranges::stable_sort(terms_, {}, &Term::row);
+  std::vector<bool> varies(shape_.entries.size());
+  for (const Object& o : objects_)
+    for (const int slot : o.quadratic ? o.rate_slots : o.shape->slots)
+      if (slot >= 0) varies[slot] = true;
+  for (std::size_t e = 0; e < varies.size(); ++e)
+    if (!varies[e]) constant_entries_.push_back(static_cast<int>(e));
+}
+
+void BlockEquations::add(const BlockShape::Object& o) {
+  const Lanes* constants = constants_.data() + o.first_constant;
+  visit_kind(o.kind, [&]<class Kind>(Kind) {
+    if constexpr (Kind::linear) {
+      // Such kinds are homogeneous, too: Φ = Φ_q q.
+      using S = Compensated<Lanes>;
+      std::array<S, Kind::constants + 1> c;
+      for (int i = 0; i < Kind::constants; ++i) assign(c[i], constants[i]);
+      const int* slot = o.slots.data();
+      const std::array<const S*, Kind::operand_sizes.size()> none{};
+      Kind::jacobian(none.data(), c.data(), [&](int r, int operand, int i, const S& factor) {
+        if (o.rows[r] >= 0) terms_.push_back({o.rows[r], o.operands[operand] + i, *slot, factor});
+        ++slot;
+      });
+    } else {
+      const std::vector<Degree> degrees = FunctionsOf<Kind>::degrees();
+      Object made{&FunctionsOf<Kind>::table, &o, constants, true, o.slots};
+      for (std::size_t k = 0; k < degrees.size(); ++k) {
+        made.quadratic &= degrees[k].low == degrees[k].high && degrees[k].high <= 1;
+        if (degrees[k].high == 0) made.rate_slots[k] = -1;
+      }
+      objects_.push_back(std::move(made));
+    }
+  });
+}
+
+void BlockEquations::motion(const States& x, Level level,
+                            const PerLevel<LaneInterval*>& phi) const {
+  for (const Object& o : objects_) o.functions->motion(o, x, level, phi);
+  for (std::size_t first = 0, end = 0; first < terms_.size(); first = end) {
+    const int row = terms_[first].row;
+    while (end < terms_.size() && terms_[end].row == row) ++end;
+    for (const Level l : levels) {
+      Compensated<Lanes> sum;
+      for (std::size_t k = first; k < end; ++k)
+        sum.add_product(terms_[k].factor, x[l][terms_[k].state].mid);
+      phi[l][row] = sum.enclosure();
+      if (l == level) break;
+    }
+  }
+}
+
+void BlockEquations::jacobian(const LaneInterval* q, LaneMatrix& to) const {
+  for (const Object& o : objects_) o.functions->jacobian(o, o.shape->slots, q, to);
+}
+
+void BlockEquations::constant_jacobian(LaneMatrix& to) const {
+  for (std::vector<Lanes>* part : {&to.mid, &to.radius}) std::ranges::fill(*part, Lanes(0));
+  for (const Term& t : terms_) {
+    if (t.slot < 0) continue;
+    const LaneInterval factor = t.factor.enclosure();
+    to.mid[t.slot] = factor.mid;
+    to.radius[t.slot] = factor.radius;
+  }
+}
+
+void BlockEquations::jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const {
+  for (const int e : constant_entries_) write({}, e, to[level]);
+  for (const Object& o : objects_) {
+    if (!o.quadratic) {
+      o.functions->jacobian_rates(o, x, level, to);
+      continue;
+    }
+    // Rates of entries that are linear in q are the same entries of q̇ and q̈.
+    o.functions->jacobian(o, o.rate_slots, x.velocity, to.velocity);
+    if (level == Level::acceleration)
+      o.functions->jacobian(o, o.rate_slots, x.acceleration, to.acceleration);
+  }
+}
+
+}  // namespace desmo

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/base/per_level.h"
+#include "formulations/verification/certificate/block_shape.h"
+#include "formulations/verification/certificate/compensated.h"
+#include "formulations/verification/certificate/interval.h"
+#include "formulations/verification/certificate/lanes.h"
+
+namespace desmo {
+
+using LaneInterval = BasicInterval<Lanes>;
+
+/// An interval matrix of each lane, midpoints and radii apart: BlockShape::entries.
+struct LaneMatrix {
+  std::vector<Lanes> mid, radius;
+
+  void resize(int entries) { mid.resize(entries), radius.resize(entries); }
+};
+
+/// The n equations of up to four blocks of one shape, one in each lane, by the functions of the
+/// constraint kinds. States are local, in intervals (BlockShape::states()); results have n
+/// equations. Φ and its rates use only the midpoints of states.
+class BlockEquations {
+ public:
+  using States = PerLevel<const LaneInterval*>;
+
+  /// constants: ShapedBlock::constants of each lane.
+  BlockEquations(const BlockShape& shape, const std::vector<std::vector<double>>& constants);
+
+  const BlockShape& shape() const { return shape_; }
+  bool is_linear() const { return shape_.linear; }
+
+  /// Evaluates Φ and its time derivatives up to a level, nearly without rounding. Overwrites phi.
+  void motion(const States& x, Level level, const PerLevel<LaneInterval*>& phi) const;
+  /// Evaluates Φ_q. Overwrites the entries that are not constant.
+  void jacobian(const LaneInterval* q, LaneMatrix& to) const;
+  /// Writes the constant entries of Φ_q, and zeros elsewhere.
+  void constant_jacobian(LaneMatrix& to) const;
+  /// Evaluates Φ̇_q and, at the level of accelerations, Φ̈_q. Overwrites the entries of equations
+  /// whose derivatives are not constant.
+  void jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const;
+
+ private:
+  struct Functions;
+  template <class Kind>
+  struct FunctionsOf;
+
+  /// A constraint that is not linear.
+  struct Object {
+    const Functions* functions;
+    const BlockShape::Object* shape;
+    const Lanes* constants;
+    bool quadratic;               ///< Φ_q is constant or linear in each entry
+    std::vector<int> rate_slots;  ///< slots without those of constant entries
+  };
+  /// A term of a linear equation: factor × local state.
+  struct Term {
+    int row, state;
+    int slot;  ///< in the Jacobian; -1: none
+    Compensated<Lanes> factor;
+  };
+  void add(const BlockShape::Object& object);
+
+  BlockShape shape_;
+  std::vector<Lanes> constants_;
+  std::vector<Object> objects_;
+  std::vector<Term> terms_;            // by rows
+  std::vector<int> constant_entries_;  // of Φ_q
+};
+
+}  // namespace desmo

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/verification/certificate/block_proof.h"
+
+namespace desmo {
+
+/// Finds the errors of the unknowns but for those that X causes: −Y Φ − Y Φ_h δ, and at higher
+/// levels −Y times the lower terms.
+template <int N>
+void BlockProof::find_image(Level level) {
+  const BlockShape& s = *shape_;
+  const LaneMatrix& jacobian = batch_->jacobian;
+  const int n = N > 0 ? N : s.unknowns, m = s.inputs;
+  const Lanes rounding = batch_->rounding;
+  Errors& e = errors_[level];
+  for (int r = 0; r < n; ++r) {
+    const LaneInterval& f = phi_[level][r];
+    Lanes center = f.mid, uncertain = fma(rounding, abs(f.mid), f.radius);
+    const int row_end = s.row_begins[r + 1];
+    for (int k = s.input_begins[r]; k < row_end; ++k) {
+      const int j = s.entries[k];
+      const Lanes mid = jacobian.mid[k];
+      center = fma(mid, e.center[j], center);
+      uncertain = fma(fma(rounding, abs(mid), jacobian.radius[k]), e.sum[j], uncertain);
+    }
+    for (const LowerTerm& term : lower_) {
+      const Errors& lower = errors_[term.errors];
+      const LaneMatrix& derivative = rates_[term.derivative];
+      Lanes of_center(0), of_own(0);
+      for (int k = s.row_begins[r]; k < row_end; ++k) {
+        const int j = s.entries[k];
+        const Lanes mid = derivative.mid[k];
+        of_center = fma(mid, lower.center[j], of_center);
+        of_own = fma(abs(mid), lower.weight[j], of_own);
+        of_own = fma(derivative.radius[k], lower.sum[j], of_own);
+      }
+      center = fma(of_center, term.factor, center);
+      uncertain = fma(of_own, term.factor, uncertain);
+    }
+    center_[r] = center;
+    uncertainty_[r] = uncertain;
+  }
+  const Lanes up = Lanes(1) + rounding;
+  for (int i = 0; i < n; ++i) {
+    const Lanes *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
+    Lanes center(0), own(Interval::tiny);
+    for (int r = 0; r < n; ++r) {
+      center = fma(-y[r], center_[r], center);
+      own = fma(abs(y[r]), uncertainty_[r], own);
+    }
+    for (int j = 0; j < m; ++j) own = fma(slopes[j], e.own[n + j], own);
+    e.center[i] = center;
+    e.own[i] = own * up;
+    e.sum[i] = (abs(center) + e.own[i]) * up;
+  }
+}
+
+/// Finds the symbols of the unknowns in the same way.
+void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
+  const BlockShape& s = *shape_;
+  const std::vector<int>& rows = batch_->rows;
+  ErrorTable& to = errors[level];
+  const int n = s.unknowns, columns = to.columns;
+  std::fill_n(generators_.begin(), n * columns, 0);
+  const auto add = [&](const LaneMatrix& derivative, double factor, bool inputs, Level from) {
+    for (int r = 0; r < n; ++r)
+      for (int e = inputs ? s.input_begins[r] : s.row_begins[r]; e < s.row_begins[r + 1]; ++e) {
+        const int row = rows[Lanes::count * s.entries[e]];
+        const double t = factor * derivative.mid[e][0];
+        if (t == 0 || !errors[from].has_generators(row)) continue;
+        const double* image = errors[from].of_row(row);
+        double* generators = &generators_[r * columns];
+#pragma omp simd
+        for (int k = 0; k < columns; ++k) generators[k] += t * image[k];
+      }
+  };
+  add(batch_->jacobian, 1, true, level);
+  for (const LowerTerm& t : lower_) add(rates_[t.derivative], t.factor, false, t.errors);
+  for (int i = 0; i < n; ++i) {
+    double* generators = to.of_row(rows[Lanes::count * i]);
+    std::fill_n(generators, columns, 0);
+    for (int r = 0; r < n; ++r) {
+      const double y = y_->inverse[i * n + r][0];
+#pragma omp simd
+      for (int k = 0; k < columns; ++k) generators[k] -= y * generators_[r * columns + k];
+    }
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (int k = 0; k < columns; ++k) sum += std::abs(generators[k]);
+    Lanes& all = errors_[level].sum[i];
+    all = (all + sum) * (Lanes(1) + batch_->rounding);
+  }
+}
+
+/// Bounds |(I − Y Φ_φ(X)) X| by the radii of X. The rounding of Y Φ_φ covers that of I − Y Φ_φ: an
+/// entry of I is not larger than those of |Y| |Φ_φ| and of the remainder together.
+template <int N>
+void BlockProof::contract() {
+  const BlockShape& s = *shape_;
+  const LaneMatrix& jacobian = batch_->jacobian;
+  const int n = N > 0 ? N : s.unknowns;
+  const Lanes rounding = batch_->rounding;
+  for (int r = 0; r < n; ++r) {
+    Lanes sum(0);
+    for (int e = s.row_begins[r]; e < s.input_begins[r]; ++e)
+      sum = fma(fma(rounding, abs(jacobian.mid[e]), jacobian.radius[e]), trial_[s.entries[e]], sum);
+    uncertainty_[r] = sum;
+  }
+  for (int i = 0; i < n; ++i) {
+    Lanes sum(Interval::tiny);
+    for (int r = 0; r < n; ++r) {
+      sum = fma(y_->remainder[i * n + r], trial_[r], sum);
+      sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);
+    }
+    contracted_[i] = sum * (Lanes(1) + rounding);
+  }
+}
+
+void BlockProof::find_image(Level level, PerLevel<ErrorTable>& errors) {
+  const int n = shape_->unknowns;
+  n == 1 ? find_image<1>(level) : n == 3 ? find_image<3>(level) : find_image<0>(level);
+  if (errors[level].columns > 0) find_generators(level, errors);
+}
+
+void BlockProof::contract() {
+  const int n = shape_->unknowns;
+  n == 1 ? contract<1>() : n == 3 ? contract<3>() : contract<0>();
+}
+
+}  // namespace desmo

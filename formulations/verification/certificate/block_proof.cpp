@@ -1,0 +1,197 @@
+#include "formulations/verification/certificate/block_proof.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace desmo {
+
+namespace {
+
+Lanes loaded(const ErrorTable::Row& row) {
+  return Lanes::load(&row.delivered);  // and what follows it
+}
+
+}  // namespace
+
+BlockProof::BlockProof(const Room& room) {
+  const int n = room.unknowns;
+  for (const Level level : levels) {
+    state_[level].resize(room.states);
+    phi_[level].resize(n);
+    rates_[level].resize(n * room.width);
+    Errors& e = errors_[level];
+    for (auto* values : {&e.center, &e.own, &e.sum, &e.weight}) values->resize(room.width);
+  }
+  preconditioner_.resize(n, room.width);
+  for (auto* values : {&center_, &uncertainty_, &trial_, &contracted_}) values->resize(n);
+  generators_.resize(n * room.columns);
+  lower_.reserve(2);
+}
+
+/// Takes the delivered numbers and the errors of the inputs.
+void BlockProof::gather(Level level, const ErrorTable& errors) {
+  const BlockBatch& b = *batch_;
+  LaneInterval* x = state_[level].data();
+  Errors& e = errors_[level];
+  const int* at = b.states.data();
+  for (const int i : b.plain) {
+    x[i] = {Lanes(Lanes::Numbers{errors.rows[at[0]].delivered, errors.rows[at[1]].delivered,
+                                 errors.rows[at[2]].delivered, errors.rows[at[3]].delivered}),
+            0};
+    at += Lanes::count;
+  }
+  for (int j = shape_->unknowns; j < shape_->width(); ++j) {
+    const int* row = &b.rows[Lanes::count * j];
+    Lanes delivered = loaded(errors.rows[row[0]]), center = loaded(errors.rows[row[1]]),
+          own = loaded(errors.rows[row[2]]), sum = loaded(errors.rows[row[3]]);
+    transpose(delivered, center, own, sum);
+    e.center[j] = center;
+    e.own[j] = own;
+    e.sum[j] = sum;
+    // Derivatives at higher levels are those at the delivered rates, for the time being.
+    x[b.locals[j]] = {delivered, level == Level::position ? sum : Lanes(0)};
+  }
+}
+
+/// Returns in which lanes the errors of all inputs are bounded, and the positions numbers.
+LaneMask BlockProof::is_known(Level level) const {
+  Lanes sum(0);
+  for (int j = shape_->unknowns; j < shape_->width(); ++j) sum += errors_[level].sum[j];
+  if (level == Level::position)
+    for (const int i : batch_->locals) sum += abs(state_.position[i].mid);
+  return is_finite(sum);
+}
+
+/// Adds to the errors of the unknowns what X causes, and completes them.
+void BlockProof::finish(Level level, const Lanes& factor) {
+  Errors& e = errors_[level];
+  const Lanes up = Lanes(1) + batch_->rounding;
+  for (int i = 0; i < shape_->unknowns; ++i) {
+    const Lanes more = contracted_[i] * factor;
+    e.own[i] = (e.own[i] + more) * up;
+    e.sum[i] = (e.sum[i] + more) * up;
+  }
+  for (int j = 0; j < shape_->width(); ++j) {
+    e.weight[j] = fma(batch_->rounding, e.sum[j], e.own[j]);
+    state_[level][batch_->locals[j]].radius = e.sum[j];
+  }
+}
+
+LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) {
+  BlockBatch& b = *batch_;
+  const bool linear = shape_->linear;
+  const int n = shape_->unknowns;
+  const Lanes up = Lanes(1) + b.rounding;
+  Errors& e = errors_.position;
+  lower_.clear();
+  y_ = linear ? &b.constant : &preconditioner_;
+  if (linear) find_image(Level::position, all);
+  LaneMask proven{};
+  constexpr int attempts = 7;
+  for (int attempt = 0; attempt < attempts && (lanes & !proven).any(); ++attempt) {
+    const bool wide = attempt == 0 && !linear;
+    for (int i = 0; i < n; ++i) {
+      // First, X is so large that one evaluation will do, and so small that it costs no digits.
+      // Then it is larger than what the last test returned (epsilon inflation; Rump). A part of the
+      // magnitude serves errors that are exactly zero.
+      const Lanes last = attempt <= 1 ? Lanes(0) : contracted_[i];
+      const Lanes trial =
+          wide ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1 + b.magnitudes[i] * 0x1p-60;
+      trial_[i] = select(proven, trial_[i], trial);
+      state_.position[b.locals[i]].radius = trial_[i];
+    }
+    if (!linear) {
+      b.equations.jacobian(state_.position.data(), b.jacobian);  // with the same midpoints
+      if (attempt == 0) preconditioner_.find(*shape_, b.jacobian.mid.data(), lanes);
+      find_image(Level::position, all);
+    }
+    contract();
+    LaneMask inside = lanes;
+    for (int i = 0; i < n; ++i) {
+      inside = inside & less((e.sum[i] + contracted_[i]) * up, trial_[i]);
+      if (wide)
+        inside = inside & less(contracted_[i], e.sum[i] * 0x1p-6 + b.magnitudes[i] * 0x1p-64);
+    }
+    proven = proven | inside;
+  }
+  finish(Level::position, 1);
+  return proven;
+}
+
+LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMask lanes) {
+  const BlockBatch& b = *batch_;
+  lower_.clear();
+  if (!shape_->linear) {
+    // Φ̇_q and Φ̈_q within the errors of all lower levels, at the delivered rates of this one.
+    b.equations.jacobian_rates(
+        {state_.position.data(), state_.velocity.data(), state_.acceleration.data()}, level,
+        rates_);
+    lower_.push_back({level, 1, Level::position});
+    if (level == Level::acceleration) lower_.push_back({Level::velocity, 2, Level::velocity});
+  }
+  find_image(level, all);
+  // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
+  const Errors& e = errors_[level];
+  Lanes ratio(0), contraction(0);
+  for (int i = 0; i < shape_->unknowns; ++i) {
+    ratio = max(ratio, e.sum[i] / trial_[i]);
+    contraction = max(contraction, contracted_[i] / trial_[i]);
+  }
+  const Lanes margin = Lanes(1) - contraction - Lanes(b.rounding);
+  LaneMask proven = lanes & less(0, margin);
+  finish(level, ratio / margin * (Lanes(1) + b.rounding));
+  for (int i = 0; i < shape_->unknowns; ++i) proven = proven & is_finite(e.sum[i]);
+  return proven;
+}
+
+void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
+  const BlockBatch& b = *batch_;
+  const Errors& e = errors_[level];
+  const int blocks = b.blocks();
+  for (int i = 0; i < shape_->unknowns; ++i) {
+    const int *row = &b.rows[Lanes::count * i], *coordinate = &b.coordinates[Lanes::count * i];
+    // Whoever reads what is not proven is not proven either.
+    Lanes a = state_[level][b.locals[i]].mid, c = select(proven, e.own[i], 0),
+          d = select(proven, e.sum[i], INFINITY), center = select(proven, e.center[i], 0);
+    const Lanes sum = d;
+    transpose(a, center, c, d);
+    a.store(&to.rows[row[0]].delivered);
+    if (blocks > 1) center.store(&to.rows[row[1]].delivered);
+    if (blocks > 2) c.store(&to.rows[row[2]].delivered);
+    if (blocks > 3) d.store(&to.rows[row[3]].delivered);
+    for (int lane = 0; lane < blocks; ++lane) to.radius[coordinate[lane]] = sum[lane];
+    if (row[0] == coordinate[0]) continue;
+    double own = to.rows[row[0]].own;
+    if (to.has_generators(row[0])) {
+      double* generators = to.of_row(row[0]);
+      if (!proven[0]) std::fill_n(generators, to.columns, 0);
+      for (int k = 0; k < to.columns; ++k) own += std::abs(generators[k]);
+    }
+    to.rows[coordinate[0]] = to.rows[row[0]];
+    to.rows[coordinate[0]].own = own * (1 + b.rounding);
+  }
+}
+
+PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<ErrorTable>& errors) {
+  batch_ = &batch;
+  shape_ = &batch.equations.shape();
+  for (const Level level : levels)
+    if (level <= up_to) gather(level, errors[level]);
+  batch.equations.motion(
+      {state_.position.data(), state_.velocity.data(), state_.acceleration.data()}, up_to,
+      {phi_.position.data(), phi_.velocity.data(), phi_.acceleration.data()});
+  PerLevel<LaneMask> proven;
+  LaneMask lanes = LaneMask::all();
+  for (const Level level : levels) {
+    if (level > up_to) break;
+    lanes = lanes & is_known(level);
+    if (lanes.any())
+      lanes = level == Level::position ? prove_positions(errors, lanes)
+                                       : bound_rates(level, errors, lanes);
+    scatter(level, lanes, errors[level]);
+    proven[level] = lanes;
+  }
+  return proven;
+}
+
+}  // namespace desmo

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "formulations/base/per_level.h"
+#include "formulations/verification/certificate/block_batch.h"
+#include "formulations/verification/certificate/error_table.h"
+
+namespace desmo {
+
+/// Krawczyk's test of batches of blocks, one after the other, and the memory that it needs.
+class BlockProof {
+ public:
+  /// Makes room for batches of a schedule.
+  struct Room {
+    int unknowns = 0, width = 0, states = 0, columns = 0;
+  };
+  explicit BlockProof(const Room& room);
+
+  /// Proves bounds on the errors of the unknowns, up to a level. errors: those of the inputs are
+  /// known. Writes those of the unknowns; their sum is infinite where no proof succeeds. Returns in
+  /// which lanes each level is proven.
+  PerLevel<LaneMask> prove(BlockBatch& batch, Level level, PerLevel<ErrorTable>& errors);
+
+ private:
+  /// Errors of all columns at one level; those of unknowns once they are known.
+  struct Errors {
+    std::vector<Lanes> center, own, sum;
+    std::vector<Lanes> weight;  ///< own, and what rounding of a product with the error adds
+  };
+  /// factor × derivative times the errors of a lower level: a term of an equation for rates.
+  struct LowerTerm {
+    Level derivative;
+    double factor;
+    Level errors;
+  };
+
+  void gather(Level level, const ErrorTable& errors);
+  LaneMask is_known(Level level) const;
+  LaneMask prove_positions(PerLevel<ErrorTable>& errors, LaneMask lanes);
+  LaneMask bound_rates(Level level, PerLevel<ErrorTable>& errors, LaneMask lanes);
+  void finish(Level level, const Lanes& factor);
+  void scatter(Level level, LaneMask proven, ErrorTable& to) const;
+
+  // In block_image.cpp. N is the number of unknowns where it is small, for loops to unroll; or 0.
+  void find_image(Level level, PerLevel<ErrorTable>& errors);
+  template <int N>
+  void find_image(Level level);
+  void find_generators(Level level, PerLevel<ErrorTable>& errors);
+  void contract();
+  template <int N>
+  void contract();
+
+  BlockBatch* batch_ = nullptr;
+  const BlockShape* shape_ = nullptr;
+  const Preconditioner* y_ = nullptr;
+  std::vector<LowerTerm> lower_;               // of the present level
+  PerLevel<std::vector<LaneInterval>> state_;  // local states
+  PerLevel<std::vector<LaneInterval>> phi_;    // Φ, Φ̇, Φ̈ of the delivered values (n)
+  PerLevel<LaneMatrix> rates_;                 // Φ̇_q, Φ̈_q
+  PerLevel<Errors> errors_;                    // (n + m)
+  Preconditioner preconditioner_;
+  std::vector<Lanes> center_, uncertainty_;  // of the equations (n)
+  std::vector<Lanes> trial_;                 // radii of X (n)
+  std::vector<Lanes> contracted_;            // bound on |(I − Y Φ_φ(X)) X| (n)
+  std::vector<double> generators_;           // of the equations (n × columns)
+};
+
+}  // namespace desmo

@@ -1,0 +1,185 @@
+#include "formulations/verification/certificate/block_schedule.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "formulations/scaling/characteristic_lengths.h"
+
+namespace desmo {
+
+namespace {
+
+/// Number of groups in a chain, above which errors are handed on in bases.
+constexpr int max_boxed_chain = 8;
+constexpr int level_count = static_cast<int>(levels.size());
+
+class Builder {
+ public:
+  Builder(const Model& m, std::span<const Level> up_to)
+      : m_(m),
+        up_to_(up_to),
+        magnitudes_(CharacteristicLengths(m).of_coordinates()),
+        group_(m.coordinates(), -1),
+        row_(m.coordinates(), -1),
+        depth_(m.coordinates(), 0) {}
+
+  BlockSchedule build() {
+    const std::vector<PartDefinition> definitions = make_partition(m_, Partition::group);
+    find_chains(definitions);
+    for (std::size_t g = 0; g < definitions.size(); ++g)
+      is_link_[g] ? add_link(definitions[g], static_cast<int>(g)) : add_group(definitions[g]);
+    for (auto& [depth, of_depth] : depths_) {
+      std::ranges::move(of_depth.links, std::back_inserter(result_.steps));
+      if (!of_depth.members.empty()) result_.steps.push_back(batched(of_depth.members));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// Blocks whose inputs are all of lower depths.
+  struct Depth {
+    std::vector<CertificationStep> links;
+    std::vector<BlockBatch::Member> members;
+  };
+
+  /// Finds what each group reads, and how long the longest chain through it is.
+  void find_chains(const std::vector<PartDefinition>& definitions) {
+    const std::size_t size = definitions.size();
+    reads_.resize(size);
+    is_link_.resize(size);
+    std::vector<int> depth(size, 1), height(size, 1);
+    for (std::size_t g = 0; g < size; ++g) {
+      const ShapedBlock whole = shaped_block(m_, definitions[g]);
+      std::vector<int> inputs(whole.coordinates.begin() + whole.shape.unknowns,
+                              whole.coordinates.end());
+      std::ranges::sort(inputs);
+      for (const int i : inputs) reads_[g][group_[i]].push_back(i);
+      for (const auto& [from, coordinates] : reads_[g])
+        if (from >= 0) depth[g] = std::max(depth[g], depth[from] + 1);
+      for (const int i : definitions[g].unknowns) group_[i] = static_cast<int>(g);
+    }
+    for (std::size_t g = size; g-- > 0;)
+      for (const auto& [from, coordinates] : reads_[g])
+        if (from >= 0) height[from] = std::max(height[from], height[g] + 1);
+    for (std::size_t g = 0; g < size; ++g) chain_.push_back(depth[g] + height[g] - 1);
+    for (std::size_t g = 0; g < size; ++g)
+      for (const auto& [from, coordinates] : reads_[g])
+        if (is_long(from)) is_link_[g] = is_link_[from] = true;
+  }
+  bool is_long(int group) const { return group >= 0 && chain_[group] > max_boxed_chain; }
+
+  /// Returns a block with its rows, and sets the depth of its unknowns.
+  BlockBatch::Member member(const PartDefinition& part, const std::vector<int>& row, int depth) {
+    BlockBatch::Member made{shaped_block(m_, part), part.groups.front(), order_++,
+                            part.unknowns.front(),  Level::acceleration, {}};
+    for (const int i : made.block.coordinates) made.rows.push_back(row.empty() ? i : row[i]);
+    if (!up_to_.empty()) {
+      made.solved = Level::position;
+      for (const int i : part.unknowns) made.solved = std::max(made.solved, up_to_[i]);
+    }
+    for (const int i : part.unknowns) depth_[i] = depth;
+    return made;
+  }
+  int depth_of(const std::vector<int>& inputs) const {
+    int depth = 0;
+    for (const int i : inputs) depth = std::max(depth, depth_[i]);
+    return depth + 1;
+  }
+
+  void add_group(const PartDefinition& definition) {
+    for (const PartDefinition& part : irreducible_blocks(m_, definition)) {
+      BlockBatch::Member made = member(part, {}, 0);
+      const std::vector<int> inputs(made.block.coordinates.begin() + made.block.shape.unknowns,
+                                    made.block.coordinates.end());
+      const int depth = depth_of(inputs);
+      for (const int i : part.unknowns) depth_[i] = depth;
+      depths_[depth].members.push_back(std::move(made));
+    }
+  }
+
+  /// Puts equal blocks together.
+  CertificationStep batched(const std::vector<BlockBatch::Member>& members) const {
+    std::vector<std::vector<BlockBatch::Member>> batches;
+    for (const BlockBatch::Member& made : members) {
+      const auto equal = std::ranges::find_if(batches, [&](const auto& batch) {
+        return batch.size() < Lanes::count && batch.front().block.shape == made.block.shape;
+      });
+      if (equal == batches.end())
+        batches.push_back({made});
+      else
+        equal->push_back(made);
+    }
+    CertificationStep step;
+    for (const auto& batch : batches) step.batches.emplace_back(batch, magnitudes_, 0);
+    return step;
+  }
+
+  void add_link(const PartDefinition& definition, int group) {
+    ChainLink link;
+    int rows = 0, depth = 0;
+    std::vector<int> row = row_;  // of inputs, in this group
+    const int lent = m_.state_size();
+    for (const auto& [from, coordinates] : reads_[group]) {
+      const int size = static_cast<int>(coordinates.size());
+      depth = std::max(depth, depth_of(coordinates));
+      if (is_long(from)) {
+        link.sources.push_back({interface(from, coordinates), -1, lent + rows, link.symbols});
+        link.symbols += size;
+      } else {
+        for (int k = 0; k < size; ++k)
+          link.sources.push_back({-1, coordinates[k], lent + rows + k, 0});
+      }
+      for (const int i : coordinates) row[i] = lent + rows++;
+    }
+    for (const int i : definition.unknowns) row[i] = row_[i] = lent + rows++;
+    const int columns = level_count * link.symbols;
+    CertificationStep step{{}, static_cast<int>(result_.links.size())};
+    for (const PartDefinition& part : irreducible_blocks(m_, definition)) {
+      const BlockBatch::Member made = member(part, row, depth);
+      step.batches.emplace_back(std::span(&made, 1), magnitudes_, columns);
+    }
+    depths_[depth].links.push_back(std::move(step));
+    result_.lent_rows = std::max(result_.lent_rows, rows);
+    result_.max_columns = std::max(result_.max_columns, columns);
+    result_.max_generators = std::max(result_.max_generators, rows * columns);
+    link_of_[group] = static_cast<int>(result_.links.size());
+    result_.links.push_back(std::move(link));
+  }
+
+  /// Returns the interface of these coordinates of a group.
+  int interface(int group, const std::vector<int>& coordinates) {
+    ChainLink& from = result_.links[link_of_[group]];
+    for (const int i : from.interfaces)
+      if (result_.interfaces[i].coordinates == coordinates) return i;
+    const int index = static_cast<int>(result_.interfaces.size());
+    from.interfaces.push_back(index);
+    const int size = static_cast<int>(coordinates.size());
+    GroupInterface made{coordinates, {}, {level_count * size, level_count * from.symbols}, {}};
+    for (const int i : coordinates) made.rows.push_back(row_[i]);
+    for (const Level level : levels) made.center[level].resize(size);
+    result_.interfaces.push_back(std::move(made));
+    return index;
+  }
+
+  const Model& m_;
+  std::span<const Level> up_to_;
+  const std::vector<double> magnitudes_;
+  std::vector<std::map<int, std::vector<int>>> reads_;  // coordinates by group; -1: driven
+  std::vector<int> chain_;                              // length of the longest through each group
+  std::vector<bool> is_link_;                           // of each group
+  std::map<int, int> link_of_;
+  std::vector<int> group_, row_;  // of each coordinate; -1: driven, or not in a link
+  std::vector<int> depth_;        // of each coordinate; 0: driven
+  int order_ = 0;
+  std::map<int, Depth> depths_;
+  BlockSchedule result_;
+};
+
+}  // namespace
+
+BlockSchedule block_schedule(const Model& model, std::span<const Level> levels) {
+  return Builder(model, levels).build();
+}
+
+}  // namespace desmo

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/base/per_level.h"
+#include "formulations/model/model.h"
+#include "formulations/verification/certificate/block_batch.h"
+#include "formulations/verification/certificate/error_basis.h"
+
+namespace desmo {
+
+/// Coordinates of a group that a later group of a long chain reads.
+struct GroupInterface {
+  std::vector<int> coordinates, rows;  ///< rows in ErrorTable, while its group is certified
+  ErrorBasis basis;                    ///< errors of all coordinates, one level after the other
+  PerLevel<std::vector<double>> center;
+  bool enclosed = false;  ///< by the basis, at this instant; otherwise only by radii
+};
+
+/// A structural group that is a link of a long chain.
+struct ChainLink {
+  /// Lent rows of what the group reads, of an interface or of a single coordinate.
+  struct Source {
+    int interface, coordinate;  ///< one of them is -1
+    int row;                    ///< the first one
+    int symbol;                 ///< number of symbols before its own, at each level
+  };
+  std::vector<Source> sources;
+  std::vector<int> interfaces;  ///< those that later groups read of this one
+  int symbols = 0;              ///< at each level
+};
+
+/// Batches that are certified one after the other. Their inputs come from earlier steps or, in a
+/// link, from earlier batches.
+struct CertificationStep {
+  std::vector<BlockBatch> batches;
+  int link = -1;  ///< position of their group's link in BlockSchedule::links. -1: none
+};
+
+/// The blocks of a model in an order of solution, equal and independent ones together.
+struct BlockSchedule {
+  std::vector<CertificationStep> steps;
+  std::vector<ChainLink> links;
+  std::vector<GroupInterface> interfaces;
+  int lent_rows = 0, max_generators = 0, max_columns = 0;  ///< of ErrorTable
+};
+
+/// Cuts a model into blocks. levels: up to which each coordinate is solved; empty: all. Errors go
+/// from block to block as boxes, but along chains of many groups in bases: there boxes would grow
+/// without limit.
+BlockSchedule block_schedule(const Model& model, std::span<const Level> levels);
+
+}  // namespace desmo

@@ -1,0 +1,140 @@
+#include "formulations/verification/certificate/block_shape.h"
+
+#include <algorithm>
+#include <set>
+
+#include "formulations/constraints/constraints.h"
+
+namespace desmo {
+
+namespace {
+
+/// Calls visit(row, local state) for each entry of a constraint's Jacobian, in its order.
+template <class Visit>
+void for_each_entry(const Constraint& c, const std::array<int, BlockShape::max_operands>& operands,
+                    Visit&& visit) {
+  std::vector<double> constants = c.constants;
+  constants.push_back(0);  // never read; data() is not null
+  visit_kind(c.kind, [&]<class Kind>(Kind) {
+    static_assert(Kind::operand_sizes.size() <= BlockShape::max_operands &&
+                  Kind::rows <= BlockShape::max_rows);
+    const std::array<double, 3> any{};  // the entries are those of all values
+    std::array<const double*, Kind::operand_sizes.size()> x;
+    x.fill(any.data());
+    Kind::jacobian(x.data(), constants.data(),
+                   [&](int row, int operand, int i, double) { visit(row, operands[operand] + i); });
+  });
+}
+
+class Builder {
+ public:
+  Builder(const Model& m, const PartDefinition& part) : m_(m), part_(part) {}
+
+  ShapedBlock build() {
+    for (std::size_t row = 0; row < part_.equations.size(); ++row)
+      if (row == 0 || part_.equations[row].constraint != part_.equations[row - 1].constraint)
+        add(part_.equations[row].constraint);
+    find_columns();
+    find_entries();
+    return std::move(block_);
+  }
+
+ private:
+  void add(int position) {
+    const Constraint& c = m_.constraints[position];
+    BlockShape::Object o{c.kind, {}, {}, static_cast<int>(block_.constants.size()), {}};
+    for (std::size_t k = 0; k < c.operands.size(); ++k) o.operands[k] = local(c.operands[k]);
+    o.rows.fill(-1);
+    for (std::size_t row = 0; row < part_.equations.size(); ++row)
+      if (part_.equations[row].constraint == position)
+        o.rows[part_.equations[row].row] = static_cast<int>(row);
+    visit_kind(c.kind, [&]<class Kind>(Kind) { block_.shape.linear &= Kind::linear; });
+    block_.constants.insert(block_.constants.end(), c.constants.begin(), c.constants.end());
+    block_.shape.objects.push_back(std::move(o));
+    constraints_.push_back(&c);
+  }
+
+  /// Returns the first local state of an entity.
+  int local(EntityId entity) {
+    const int first = m_.state_index(entity);
+    const auto known = std::ranges::find(block_.states, first);
+    if (known != block_.states.end()) return static_cast<int>(known - block_.states.begin());
+    const int at = static_cast<int>(block_.states.size());
+    for (int i = 0; i < m_.entities[entity].size; ++i) block_.states.push_back(first + i);
+    return at;
+  }
+
+  void find_columns() {
+    BlockShape& s = block_.shape;
+    std::vector<bool> is_read(block_.states.size());
+    for (std::size_t k = 0; k < constraints_.size(); ++k)
+      for_each_entry(*constraints_[k], s.objects[k].operands, [&](int row, int state) {
+        if (s.objects[k].rows[row] >= 0) is_read[state] = true;
+      });
+    for (std::size_t i = 0; i < block_.states.size(); ++i)
+      s.columns.push_back(is_read[i] ? BlockShape::fixed : BlockShape::unread);
+    for (const bool unknowns : {true, false})
+      for (std::size_t i = 0; i < block_.states.size(); ++i) {
+        const int state = block_.states[i];
+        if (!is_read[i] || state >= m_.coordinates()) continue;  // fixed ones are exact
+        if (std::ranges::binary_search(part_.unknowns, state) != unknowns) continue;
+        s.columns[i] = s.width();
+        (unknowns ? s.unknowns : s.inputs) += 1;
+        block_.coordinates.push_back(state);
+      }
+  }
+
+  void find_entries() {
+    BlockShape& s = block_.shape;
+    std::vector<std::set<int>> rows(s.unknowns);
+    const auto for_each = [&](auto&& visit) {
+      for (std::size_t k = 0; k < constraints_.size(); ++k)
+        for_each_entry(*constraints_[k], s.objects[k].operands, [&](int row, int state) {
+          visit(s.objects[k], s.objects[k].rows[row], s.columns[state]);
+        });
+    };
+    for_each([&](const BlockShape::Object&, int row, int column) {
+      if (row >= 0 && column >= 0) rows[row].insert(column);
+    });
+    s.row_begins.push_back(0);
+    for (const std::set<int>& row : rows) {
+      const int begin = s.row_begins.back();
+      s.entries.insert(s.entries.end(), row.begin(), row.end());
+      s.input_begins.push_back(
+          begin + static_cast<int>(std::distance(row.begin(), row.lower_bound(s.unknowns))));
+      s.row_begins.push_back(static_cast<int>(s.entries.size()));
+    }
+    for (int column = 0; column <= s.width(); ++column) {
+      s.column_begins.push_back(static_cast<int>(s.column_rows.size()));
+      for (int row = 0; row < s.unknowns; ++row)
+        for (int e = s.row_begins[row]; e < s.row_begins[row + 1]; ++e)
+          if (s.entries[e] == column) s.column_rows.push_back(row), s.column_entries.push_back(e);
+    }
+    for_each([&](BlockShape::Object& o, int row, int column) {
+      if (row < 0 || column < 0) {
+        o.slots.push_back(-1);
+        return;
+      }
+      const auto begin = s.entries.begin() + s.row_begins[row];
+      const auto end = s.entries.begin() + s.row_begins[row + 1];
+      o.slots.push_back(static_cast<int>(std::lower_bound(begin, end, column) - s.entries.begin()));
+    });
+  }
+
+  const Model& m_;
+  const PartDefinition& part_;
+  ShapedBlock block_;
+  std::vector<const Constraint*> constraints_;
+};
+
+}  // namespace
+
+std::vector<int> ShapedBlock::unknowns() const {
+  return {coordinates.begin(), coordinates.begin() + shape.unknowns};
+}
+
+ShapedBlock shaped_block(const Model& model, const PartDefinition& block) {
+  return Builder(model, block).build();
+}
+
+}  // namespace desmo

@@ -1,0 +1,154 @@
+#pragma once
+
+#include <cfloat>
+#include <cmath>
+#include <complex>
+#include <type_traits>
+
+#include "formulations/verification/certificate/interval.h"
+#include "formulations/verification/certificate/lanes.h"
+
+namespace desmo {
+
+/// A number in compensated arithmetic: value + correction, with an error of at most `radius`, but
+/// for the rounding of radii, which enclosure() adds. The correction takes up what each operation
+/// rounds off, so the radius is of the second order in the unit roundoff (Ogita, Rump & Oishi, SIAM
+/// J. Sci. Comput. 26, 2005). It suits residuals, where all leading digits cancel. S: double, or
+/// Lanes for four numbers.
+///
+/// What is assumed: as for intervals; sine and cosine of `long double` within one unit in its last
+/// place.
+template <class S>
+struct Compensated {
+  S value{0}, correction{0}, radius{0};
+
+  Compensated() = default;
+  Compensated(double exact) : value(exact) {}
+  Compensated(const S& v, const S& c, const S& r) : value(v), correction(c), radius(r) {}
+
+  friend Compensated operator-(const Compensated& a) { return {-a.value, -a.correction, a.radius}; }
+  friend Compensated operator-(const Compensated& a, const Compensated& b) { return a + (-b); }
+  friend Compensated operator+(const Compensated& a, const Compensated& b) {
+    const S sum = a.value + b.value;
+    const S of_b = sum - a.value;
+    const S rest = (a.value - (sum - of_b)) + (b.value - of_b);  // exact (Knuth)
+    const S before = a.correction + b.correction;
+    const S correction = before + rest;
+    return {sum, correction, bound(a.radius + b.radius, size(before) + size(correction))};
+  }
+  friend Compensated operator*(const Compensated& a, const Compensated& b) {
+    using std::fma;
+    const S product = a.value * b.value;
+    const S rest = fma(a.value, b.value, -product);  // exact
+    const S half = fma(b.value, a.correction, rest);
+    const S correction = fma(a.value, b.correction, half);
+    const S of_a = size(a.correction) + a.radius, of_b = size(b.correction) + b.radius;
+    const S first = fma(size(a.value), b.radius, size(b.value) * a.radius);
+    return {product, correction, bound(fma(of_a, of_b, first), size(half) + size(correction))};
+  }
+  friend Compensated sin(const Compensated& a) {
+    const Turn at = turn(a.value);
+    return turned(a, at.sine, at.of_sine, at.cosine);
+  }
+  friend Compensated cos(const Compensated& a) {
+    const Turn at = turn(a.value);
+    return turned(a, at.cosine, at.of_cosine, -at.sine);
+  }
+  /// Adds factor × x, where x is exact.
+  void add_product(const Compensated& factor, const S& x) {
+    using std::fma;
+    const S product = factor.value * x;
+    const S rest = fma(factor.correction, x, fma(factor.value, x, -product));
+    const S sum = value + product;
+    const S of_product = sum - value;
+    const S second = rest + ((value - (sum - of_product)) + (product - of_product));
+    value = sum;
+    correction = correction + second;
+    radius =
+        bound(fma(factor.radius, size(x), radius), size(rest) + size(second) + size(correction));
+  }
+  /// Returns an interval that holds the number.
+  BasicInterval<S> enclosure() const {
+    // Radii are sums of products, all positive: what 2^13 of them in a row lose by rounding.
+    const S up = radius * S(1 + 0x1p-40) + S(BasicInterval<S>::tiny);
+    return BasicInterval<S>(value, up) + BasicInterval<S>(correction, S(0));
+  }
+  /// Compares leading digits: the order of points, which splines look up.
+  friend bool operator<(const Compensated& a, const Compensated& b) { return a.value < b.value; }
+
+ private:
+  static constexpr double unit = 0x1p-53;
+
+  static S size(const S& x) {
+    using std::abs;
+    return abs(x);
+  }
+  /// Returns a radius but for its own rounding. rounded: sum of the numbers that were rounded.
+  static S bound(const S& radius, const S& rounded) {
+    using std::fma;
+    return fma(S(unit), rounded, radius);
+  }
+
+  /// Returns cosine and sine of an angle in extended precision.
+  static std::complex<long double> extended_turn(double angle) {
+    // Of larger angles, and in other precisions, the library does this itself, slowly.
+    constexpr double largest = 1e6;
+    const double quarters =
+        std::abs(angle) < largest ? std::nearbyint(angle * 0x1.45f306dc9c883p-1) : 0;
+    if (LDBL_MANT_DIG != 64 || quarters == 0) {
+      const long double x = angle;
+      return {std::cos(x), std::sin(x)};
+    }
+    // The first two products and the first difference are exact (Cody & Waite).
+    constexpr long double high = 0x6487ed51p-30L, middle = 0x85a308d3p-65L,
+                          low = 0x2633145c06e0e689p-130L;  // of π/2
+    const long double k = quarters, x = ((angle - k * high) - k * middle) - k * low;
+    const long double cosine = std::cos(x), sine = std::sin(x);
+    switch (static_cast<long>(quarters) & 3) {
+      case 0:
+        return {cosine, sine};
+      case 1:
+        return {-sine, cosine};
+      case 2:
+        return {-cosine, -sine};
+      default:
+        return {sine, -cosine};
+    }
+  }
+
+  /// Sine and cosine of an angle; what the doubles lack of extended precision.
+  struct Turn {
+    S sine, of_sine, cosine, of_cosine;
+  };
+  static Turn turn(const S& angle) {
+    if constexpr (std::is_same_v<S, double>) {
+      const std::complex<long double> z = extended_turn(angle);
+      const double sine = static_cast<double>(z.imag()), cosine = static_cast<double>(z.real());
+      return {sine, static_cast<double>(z.imag() - sine), cosine,
+              static_cast<double>(z.real() - cosine)};
+    } else {
+      Turn all;
+      for (int lane = 0; lane < S::count; ++lane) {
+        const auto [s, of_s, c, of_c] = Compensated<double>::turn(angle[lane]);
+        all.sine.set(lane, s), all.of_sine.set(lane, of_s);
+        all.cosine.set(lane, c), all.of_cosine.set(lane, of_c);
+      }
+      return all;
+    }
+  }
+  /// Returns a sine or cosine from its two numbers and its slope, rounded to double, at the value.
+  static Compensated turned(const Compensated& a, const S& value, const S& rest, const S& slope) {
+    // f(a + e) = f(a) + f′(a) e + f″(ξ) e²/2 with |f″| ≤ 1
+    constexpr double last_place = 2 * LDBL_EPSILON;  // and that of the reduced angle
+    const S first = slope * a.correction;
+    const S correction = rest + first;
+    const S e = size(a.correction) + a.radius;
+    return {value, correction,
+            bound(S(last_place) + (size(slope) + S(unit)) * a.radius + S(0.5) * (e * e),
+                  S(2) * size(first) + size(correction))};
+  }
+  template <class>
+  friend struct Compensated;
+};
+
+}  // namespace desmo

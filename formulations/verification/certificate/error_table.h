@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/base/per_level.h"
+
+namespace desmo {
+
+/// Errors (exact minus delivered) at one level, row by row. Error i is
+/// center(i) + Σ G(i, k) t(k) + own(i) w(i) with all |t(k)|, |w(i)| ≤ 1. The first rows are those
+/// of the state, without symbols t. Rows after them are lent to one structural group of a long
+/// chain after the other; they share the symbols t, and so do levels.
+struct ErrorTable {
+  struct alignas(32) Row {
+    double delivered = 0;
+    double center = 0, own = 0;
+    double sum = 0;  ///< |center| + Σ |G(k)| + own, rounded up
+  };
+
+  std::vector<Row> rows;
+  std::vector<double> radius;      ///< bounds on the errors of the coordinates
+  std::vector<double> generators;  ///< G of the lent rows
+  int columns = 0, first_lent = 0;
+
+  bool has_generators(int row) const { return columns > 0 && row >= first_lent; }
+  double* of_row(int row) { return generators.data() + (row - first_lent) * columns; }
+  const double* of_row(int row) const { return generators.data() + (row - first_lent) * columns; }
+};
+
+}  // namespace desmo

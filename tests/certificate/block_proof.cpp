@@ -1,0 +1,108 @@
+// Batches of blocks against quadruple precision, where their lanes share pivots that suit none.
+
+#include "formulations/verification/certificate/block_proof.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/float128.hpp>
+#include <random>
+
+#include "formulations/constraints/constraints.h"
+
+namespace desmo::block_proof_test {
+namespace {
+
+using Wide = boost::multiprecision::float128;
+using Point = std::array<double, 2>;
+
+/// Two centers and the point where links from them meet.
+struct Dyad {
+  std::array<Point, 2> centers;
+  Point meeting;
+
+  std::array<double, 2> squares() const {
+    std::array<double, 2> all;
+    for (int k = 0; k < 2; ++k) {
+      const double x = meeting[0] - centers[k][0], y = meeting[1] - centers[k][1];
+      all[k] = x * x + y * y;
+    }
+    return all;
+  }
+  /// Returns the exact meeting point of links with these squares.
+  std::array<Wide, 2> exact() const {
+    std::array<Wide, 2> p{meeting[0], meeting[1]};
+    for (int iteration = 0; iteration < 8; ++iteration) {
+      std::array<Wide, 2> x, y, phi;
+      for (int k = 0; k < 2; ++k) {
+        x[k] = p[0] - centers[k][0], y[k] = p[1] - centers[k][1];
+        phi[k] = x[k] * x[k] + y[k] * y[k] - squares()[k];
+      }
+      const Wide twice = 2 * (x[0] * y[1] - x[1] * y[0]);
+      p[0] -= (phi[0] * y[1] - phi[1] * y[0]) / twice;
+      p[1] -= (x[0] * phi[1] - x[1] * phi[0]) / twice;
+    }
+    return p;
+  }
+};
+
+/// A dyad as block of two equations: its coordinates are 2 k and 2 k + 1, its centers are fixed.
+BlockBatch::Member member(int k, const Dyad& dyad) {
+  BlockBatch::Member made{{}, 0, k, 2 * k, Level::acceleration, {2 * k, 2 * k + 1}};
+  BlockShape& s = made.block.shape;
+  s.unknowns = 2;
+  s.linear = false;
+  s.columns = {0, 1, BlockShape::fixed, BlockShape::fixed, BlockShape::fixed, BlockShape::fixed};
+  s.entries = s.column_rows = {0, 1, 0, 1};
+  s.row_begins = s.column_begins = {0, 2, 4};
+  s.input_begins = {2, 4};
+  s.column_rows = {0, 1, 0, 1};
+  s.column_entries = {0, 2, 1, 3};
+  for (int row = 0; row < 2; ++row) {  // Jacobian::entries: of the first point, then of the second
+    const int first = 2 * row;
+    s.objects.push_back(
+        {kind_index<Length<2>>(), {2 + first, 0}, {row, -1, -1}, row, {-1, first, -1, first + 1}});
+  }
+  for (int i = 0; i < 2; ++i) made.block.states.push_back(2 * k + i);
+  for (int i = 0; i < 4; ++i) made.block.states.push_back(4 + 4 * k + i);
+  made.block.coordinates = made.rows;
+  made.block.constants = {dyad.squares()[0], dyad.squares()[1]};
+  return made;
+}
+
+TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (const double slant : {1e-9, 1e-5, 0.3})
+    for (int trial = 0; trial < 50; ++trial) {
+      // Links nearly along the axes: what is a good pivot in one lane is a poor one in the other.
+      const Point p{uniform(generator), uniform(generator)};
+      const Point beside{p[0] - 1, p[1] - slant}, below{p[0] - slant, p[1] - 1};
+      const std::array<Dyad, 2> dyads{Dyad{{beside, below}, p}, Dyad{{below, beside}, p}};
+      std::vector<BlockBatch::Member> members;
+      for (int k = 0; k < 2; ++k) members.push_back(member(k, dyads[k]));
+      BlockBatch batch(members, {1, 1, 1, 1}, 0);
+      PerLevel<ErrorTable> errors;
+      errors.position.rows.resize(12);
+      errors.position.radius.resize(4);
+      for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 2; ++i) {
+          errors.position.rows[2 * k + i].delivered = p[i] + 1e-12 * uniform(generator);
+          for (int c = 0; c < 2; ++c)
+            errors.position.rows[4 + 4 * k + 2 * c + i].delivered = dyads[k].centers[c][i];
+        }
+      BlockProof proof({.unknowns = 2, .width = 2, .states = 6, .columns = 0});
+      const PerLevel<LaneMask> proven = proof.prove(batch, Level::position, errors);
+      for (int k = 0; k < 2; ++k) {
+        EXPECT_TRUE(proven.position[k]) << slant;
+        for (int i = 0; i < 2; ++i) {
+          const double delivered = errors.position.rows[2 * k + i].delivered;
+          const Wide error = abs(dyads[k].exact()[i] - delivered);
+          EXPECT_LE(error, Wide(errors.position.radius[2 * k + i])) << slant;
+          EXPECT_LE(errors.position.radius[2 * k + i], 1.01 * static_cast<double>(error) + 1e-16);
+        }
+      }
+    }
+}
+
+}  // namespace
+}  // namespace desmo::block_proof_test

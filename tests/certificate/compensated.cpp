@@ -1,0 +1,144 @@
+// Compensated arithmetic against exact arithmetic: the radius holds what is rounded off, and is of
+// the second order in the unit roundoff.
+
+#include "formulations/verification/certificate/compensated.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/float128.hpp>
+#include <random>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/base/per_level.h"
+
+namespace desmo::compensated_test {
+namespace {
+
+using Exact = boost::multiprecision::cpp_rational;
+using Wide = boost::multiprecision::float128;
+using Number = Compensated<double>;
+
+double number(std::mt19937& generator) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  return uniform(generator) * std::pow(10, 8 * uniform(generator));
+}
+
+/// Returns the largest distance that was seen, over the radius, of a function of four numbers.
+template <class Function>
+double worst_of(Function&& f) {
+  std::mt19937 generator(1);
+  double worst = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double a = number(generator), b = number(generator), c = number(generator),
+                 d = number(generator);
+    const Number found = f(Number(a), Number(b), Number(c), Number(d));
+    const Exact exact = f(Exact(a), Exact(b), Exact(c), Exact(d));
+    const Exact off = abs(exact - Exact(found.value) - Exact(found.correction));
+    EXPECT_LE(off, Exact(found.radius)) << a << ' ' << b << ' ' << c << ' ' << d;
+    const Interval all = found.enclosure();
+    EXPECT_LE(abs(exact - Exact(all.mid)), Exact(all.radius));
+    if (found.radius > 0) worst = std::max(worst, static_cast<double>(off / Exact(found.radius)));
+  }
+  return worst;
+}
+
+TEST(Compensated, HoldsSumsAndProducts) {
+  const auto sum = [](auto a, auto b, auto c, auto d) { return decltype(a)(a + b - c + d); };
+  const auto product = [](auto a, auto b, auto c, auto d) { return decltype(a)(a * b * (c * d)); };
+  const auto both = [](auto a, auto b, auto c, auto d) {
+    return decltype(a)((a + b) * (c - d) - a * c * (b + d));
+  };
+  EXPECT_GT(worst_of(sum), 0.2);
+  EXPECT_GT(worst_of(product), 0.2);
+  EXPECT_GT(worst_of(both), 0.2);
+}
+
+TEST(Compensated, AddsProductsAsSumAndProductDo) {
+  const auto added = [](auto a, auto b, auto c, auto d) {
+    auto sum = a;
+    if constexpr (std::is_same_v<decltype(a), Number>) {
+      sum.add_product(b * c, d.value);
+      sum.add_product(a + b, c.value);
+    } else {
+      sum = a + b * c * d + (a + b) * c;
+    }
+    return sum;
+  };
+  EXPECT_GT(worst_of(added), 0.2);
+}
+
+TEST(Compensated, CancelsWhatDoublesLose) {
+  const double a = 1 + 0x1p-30;
+  const Number rest = Number(a) * Number(a) - Number(1 + 0x1p-29);
+  EXPECT_EQ(rest.value + rest.correction, 0x1p-60);
+  EXPECT_LT(rest.radius, 0x1p-100);
+}
+
+TEST(Compensated, HoldsSinesAndCosines) {
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  double worst = 0;
+  for (const double largest : {1e-3, 0.8, 4.0, 1e5, 1e9})
+    for (const double correction : {0.0, 1e-17, 1e-10})
+      for (int i = 0; i < 5000; ++i) {
+        const Number a(largest * uniform(generator), correction * uniform(generator),
+                       1e-3 * correction);
+        const Wide angle = Wide(a.value) + Wide(a.correction) + Wide(a.radius) * uniform(generator);
+        const auto compare = [&](const Number& found, const Wide& exact) {
+          const Wide off = abs(exact - Wide(found.value) - Wide(found.correction));
+          EXPECT_LE(off, Wide(found.radius) + Wide(largest) * 1e-33) << a.value;
+          EXPECT_LE(found.radius, 1e-18 + 2e-3 * correction);
+          worst = std::max(worst, static_cast<double>(off / found.radius));
+        };
+        compare(sin(a), sin(angle));
+        compare(cos(a), cos(angle));
+      }
+  EXPECT_GT(worst, 0.1);
+}
+
+TEST(Compensated, HoldsWhatMotionsAreInExactArithmetic) {
+  const std::vector<Motion> motions{
+      Polynomial{{0.3, -1.7, 0.25, 1e-3}},
+      HarmonicSum{0.1, {{0.7, 6.28318530717958, 0.2}, {-1e-3, 100, -3}}},
+      make_spline({0, 0.3, 1.1, 2}, {0.1, -0.7, 0.4, 0.2}, SplineEnds::natural)};
+  PerLevel<double> worst;
+  for (const Motion& motion : motions)
+    for (int i = 0; i < 1000; ++i) {
+      const double t = i * 0.0021;
+      const MotionSample<Number> z = sample(motion, Number(t));
+      const MotionSample<Wide> exact = sample(motion, Wide(t));
+      const auto compare = [&](const Number& found, const Wide& expected, double& w) {
+        const Wide off = abs(expected - Wide(found.value) - Wide(found.correction));
+        EXPECT_LE(off, Wide(found.radius) + 1e-31) << "at " << t;
+        w = std::max(w, static_cast<double>(off / found.radius));
+      };
+      compare(z.position, exact.position, worst.position);
+      compare(z.velocity, exact.velocity, worst.velocity);
+      compare(z.acceleration, exact.acceleration, worst.acceleration);
+    }
+  for (const Level level : levels) EXPECT_GT(worst[level], 0.05);
+}
+
+TEST(Lanes, AreTransposedAndMasked) {
+  Lanes a, b, c, d;
+  for (int k = 0; k < 4; ++k) a.set(k, k), b.set(k, 4 + k), c.set(k, 8 + k), d.set(k, 12 + k);
+  transpose(a, b, c, d);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(a[k], 4 * k);
+    EXPECT_EQ(b[k], 4 * k + 1);
+    EXPECT_EQ(c[k], 4 * k + 2);
+    EXPECT_EQ(d[k], 4 * k + 3);
+  }
+  Lanes broken(1);
+  broken.set(2, NAN);
+  broken.set(3, INFINITY);
+  const LaneMask finite = is_finite(broken);
+  EXPECT_TRUE(finite[0] && finite[1] && !finite[2] && !finite[3]);
+  EXPECT_TRUE(less(broken, 2)[0] && !less(broken, 2)[2] && (!finite).any());
+  EXPECT_EQ(select(finite, broken, -1)[2], -1);
+}
+
+}  // namespace
+}  // namespace desmo::compensated_test
