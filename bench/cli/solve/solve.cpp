@@ -84,8 +84,8 @@ struct Task {
   bool named;  // the formulation is the user's choice, not the program's
 };
 
-std::unique_ptr<Formulation> make_solver(const Task& task) {
-  KernelTable kernels;
+/// kernels: receives generated code, and must outlive the formulation.
+std::unique_ptr<Formulation> make_solver(const Task& task, KernelTable& kernels) {
   // For the program's own choice nobody waits for a compiler.
   if (task.named)
     add_missing_code(kernels, task.chosen, task.plan.model, task.input.scene.grid,
@@ -162,7 +162,8 @@ void solve(const SolveOptions& options) {
   if (options.explain) say(explain(plan, whole));
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
   const Task task{options, input, chosen, whole, plan, output, named};
-  const auto formulation = make_solver(task);
+  KernelTable kernels;
+  const auto formulation = make_solver(task, kernels);
   const SeriesHeading heading{whole.name, input.scene.name,
                               id_with(*chosen.variant, chosen.settings),
                               make_columns(plan, input.scene), !options.drivers.empty()};
