@@ -100,6 +100,15 @@ TEST(FourBarRange, IsNeverThatOfTheOtherBranchNextToAChangePoint) {
   }
 }
 
+TEST(FourBarRange, HasNoSingularPositionWhereOneIsNear) {
+  for (const double off :
+       {1e-3, 1e-5, 1e-7, 1e-9}) {  // crank and ground do not reach coupler + rocker
+    const DriverRange r = range_of(four_bar({2.25, 2.62, 2.7 + off, 3.07}, 1));
+    EXPECT_EQ(r.up.stop, RangeStop::full_turn) << off;
+    EXPECT_TRUE(r.change_points.empty()) << off;
+  }
+}
+
 TEST(FourBarRange, OfADeltoidIsTwoTurns) {
   const DriverRange r = range_of(four_bar({1, 2, 2, 1}, 1));
   EXPECT_EQ(r.up.stop, RangeStop::full_turn);

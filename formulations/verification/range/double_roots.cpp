@@ -21,7 +21,8 @@ std::optional<DoubleRoot> DoubleRootSearch::add(const Point& point, double lengt
   since_ += length;
   // The middle of three points tells nothing where it lies next to one of them.
   if (last_.size() > 1 && since_ < last_.back().length / 2) return {};
-  Sample sample{point, std::exchange(since_, 0), {}};
+  Sample sample{point, std::exchange(since_, 0), {}, {}};
+  sample.signs.assign(system_.orientation().begin(), system_.orientation().end());
   for (std::size_t b = 0; b < system_.orientation().size(); ++b)
     sample.roots.push_back(std::exp(system_.log_determinant(static_cast<int>(b)) / 2));
   last_.push_back(std::move(sample));
@@ -82,16 +83,16 @@ std::optional<double> DoubleRootSearch::value_of_root(int block, double about) {
       const double distance = about + i * wide;
       const std::optional<Point> p = curve_.step(last_[1].point, distance);
       if (!p || !system_.factor(p->state)) break;
-      determinants.push_back(system_.orientation()[block] *
-                             std::exp(system_.log_determinant(block)));
-      roots.push_back(std::copysign(std::sqrt(std::abs(determinants.back())), i));
+      if (system_.orientation()[block] != last_[1].signs[block]) break;  // another branch
+      determinants.push_back(std::exp(system_.log_determinant(block)));
+      roots.push_back(std::copysign(std::sqrt(determinants.back()), i));
       distances.push_back(distance);
       values.push_back(curve_.value(*p));
     }
     if (values.size() < 6) continue;
     const double there = interpolated(roots, distances, 0),
                  determinant = interpolated(distances, determinants, there);
-    const double edge = std::abs(determinants[2]) + std::abs(determinants[3]);
+    const double edge = determinants[2] + determinants[3];
     if (std::abs(there - about) < wide &&
         std::abs(determinant) < edge * (touching / wide) * (touching / wide))
       return interpolated(roots, values, 0);

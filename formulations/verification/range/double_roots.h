@@ -38,6 +38,7 @@ class DoubleRootSearch {
     SolutionCurve::Point point;
     double length;              // since the one before
     std::vector<double> roots;  // √|det| of every block
+    std::vector<signed char> signs;
   };
 
   bool may_have_root(int block) const;
