@@ -103,7 +103,7 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
   }
 }
 
-TEST(Series, AskBothQuestionsOfBothCases) {
+TEST(SizeSeries, AskBothQuestionsOfBothCases) {
   std::map<std::string, std::pair<int, int>> ranges;
   for (const SizeSeries& series : all_series()) {
     const std::string name =
