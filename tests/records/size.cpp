@@ -103,9 +103,9 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
   }
 }
 
-TEST(Series, AskBothQuestionsOfBothCases) {
+TEST(SizeSeries, AskBothQuestionsOfBothCases) {
   std::map<std::string, std::pair<int, int>> ranges;
-  for (const Series& series : all_series()) {
+  for (const SizeSeries& series : all_series()) {
     const std::string name =
         std::string(name_of(series.question)) + "/" + std::string(series.definition->name);
     const auto [place, is_new] = ranges.emplace(name, std::pair(series.size, series.size));
