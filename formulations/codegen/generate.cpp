@@ -98,9 +98,10 @@ void write(std::ostream& out, const KernelFile& file, const std::string& set, Ty
   for (const SampledType& t : types) file.write_kernel(out, t);
   out << "constexpr " << file.row << " table[] = {\n";
   for (const SampledType& t : types) file.write_row(out, t.name, t.type);
-  out << "};\nconstexpr KernelLibrary all{." << file.kind << " = table};\n\n}  // namespace\n\n"
+  out << "};\nconstexpr KernelLibrary compiled{." << file.kind
+      << " = table};\n\n}  // namespace\n\n"
       << "const KernelLibrary& " << set << "_" << file.kind << "(" << file.lanes
-      << ") { return all; }\n\n}  // namespace desmo\n";
+      << ") { return compiled; }\n\n}  // namespace desmo\n";
 }
 
 bool write_set(const std::string& folder, const std::string& set, Types types) {
