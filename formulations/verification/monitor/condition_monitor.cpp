@@ -31,14 +31,14 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
       last_(Eigen::ArrayXd::Constant(m.coordinates(), NAN)),
       way_(Eigen::ArrayXd::Zero(m.coordinates())),
       per_way_(way_),
-      right_{Eigen::ArrayXd(system.size()), Eigen::ArrayXd(system.size())},
       x_(system.size()),
       now_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))),
       then_(now_),
       before_(now_) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   const std::vector<EntityId> entity = entity_of_coordinate(m);
-  std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to both
+  std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to all
+  for (Eigen::ArrayXd& right : right_) right.resize(system.size());
   for (int j = 0; j < system.size(); ++j) {
     group_.push_back(m.entities[entity[system.unknowns()[j]]].group);
     block_.push_back(system.block(j));

@@ -80,7 +80,7 @@ class Run final : Observer {
     if (tried_ == 0 && summary_.violated >= 0) {              // assembled in one go, but elsewhere
       summary_ = {};
       begin_monitoring();
-      is_astray_ = true;
+      is_astray_ = is_continued_ = true;
     }
     // A stride was too long, or the formulation could not go on, or has gone elsewhere.
     if (is_astray_ || !summary_.ok()) {
@@ -129,6 +129,9 @@ class Run final : Observer {
   Flow hand_on(const MonitoredInstant& m) {
     const Instant& instant = m.instant;
     if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
+    if (is_continued_ && summary_.instants == 0 && !summary_.crossing)
+      summary_.crossing = {instant.time, instant.time, m.assessment.group,
+                           SingularityCrossing::Kind::not_declared};
     summary_.refused = options_.strict && (m.degraded || m.crossing);
     summary_.violated = branch_.violated(m.instant);
     if (summary_.refused || summary_.violated >= 0) return Flow::stop;
@@ -254,9 +257,10 @@ class Run final : Observer {
   BranchMonitor branch_;
   const OutputWriter output_;
   Observer& next_;
-  double max_residual_ = 0;  // of the instants handed on
-  bool is_astray_ = false;   // the formulation is not where the last instant is
-  int tried_ = 0;            // the instant tried last
+  double max_residual_ = 0;    // of the instants handed on
+  bool is_continued_ = false;  // the first instant, since it was assembled on another branch
+  bool is_astray_ = false;     // the formulation is not where the last instant is
+  int tried_ = 0;              // the instant tried last
 };
 
 }  // namespace
