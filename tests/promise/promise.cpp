@@ -178,7 +178,7 @@ void expect_no_wrong_number(std::initializer_list<Once> runs) {
     const DrawnScene scene = draw_scene(1, number);
     ASSERT_EQ(scene.family, family) << number;  // else it is another scene
     const RunVerdict v = verify_id(scene, id);
-    EXPECT_NE(v.verdict, Verdict::wrong) << number << ", " << id << ": " << v.what;
+    EXPECT_NE(v.verdict, PromiseVerdict::wrong) << number << ", " << id << ": " << v.what;
   }
 }
 
