@@ -82,6 +82,7 @@ struct AccuracyMonitor::State {
     const Assessment expected = expectation(signals);
     const Statement statement = state(instant, expected);
     const bool in_doubt = is_in_doubt(instant);
+    j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
     std::optional<SingularityCrossing> jump;
     if (in_doubt && !instant.interpolated) jump = find_jump(j);
     const bool known_before = rates_are_known();
@@ -300,7 +301,7 @@ struct AccuracyMonitor::State {
       sensitivity.reset(j.instant, assessor.system());
       if (weights.size() == 0) weights = sensitivity.weights();
       weights = weights.max(sensitivity.weights());
-      conditioning.reset(assessor.system());
+      conditioning.reset(j.instant, assessor.system());
       if (!last.singular) j.crossing = crossing(j.instant);
       started = true;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "formulations/prediction/driver_source.h"
 #include "formulations/verification/monitor/running_scales.h"
@@ -14,6 +15,8 @@ namespace {
 constexpr double smooth = 0.02;
 /// By how much an angle may turn more or less than its rates say [rad].
 constexpr double turned = 1;
+/// By how much it may where it is to be certain that it is not half a turn off [rad].
+constexpr double closely_turned = 0.25;
 /// Of a step: what does not look continuous over so little is not.
 constexpr double shortest = 0x1p-40;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
@@ -45,6 +48,8 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
   const std::vector<bool> driven = independent_coordinates(m);
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle && !driven[e.first]) angles_.push_back(e.first);
+  is_angle_.assign(m.coordinates(), 0);
+  for (const int i : angles_) is_angle_[i] = 1;
   std::vector<Node*> nodes{&reached_, &next_};
   for (Node& node : passage_) nodes.push_back(&node);
   for (Node* node : nodes)
@@ -112,13 +117,31 @@ bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::A
   return mismatch(from, to, weights) <= allowed && turned.maxCoeff() <= allowed;
 }
 
-bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) const {
+bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) {
+  angles_follow_ = false;
   return is_known() && (mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
                         turns_further(instant, weights));
 }
 
-bool Continuity::turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const {
+/// Returns whether every unknown angle turns as its rates say, to `closely_turned`, and by half a
+/// turn at most.
+bool Continuity::find_whether_angles_follow(const Instant& instant) const {
+  const auto& [q, qd, qdd] = recent_[0].state;
+  const double half = (instant.time - recent_[0].time) / 2;
+  // Comparisons rather than a maximum: NaN fails them, and they are evaluated four at once.
+  unsigned long off = 0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double turn = (instant.q[i] - q[i]) * is_angle_[i];
+    const double rates = half * (qd[i] + instant.qd[i]) * is_angle_[i];
+    off += !(std::abs(turn - rates) <= closely_turned) | !(std::abs(turn) <= std::numbers::pi);
+  }
+  return off == 0;
+}
+
+bool Continuity::turns_further(const Instant& instant, const Eigen::ArrayXd& weights) {
   if (instant.qd.empty() || weights.size() == 0) return false;
+  angles_follow_ = find_whether_angles_follow(instant);
+  if (angles_follow_) return false;
   const auto& [q, qd, qdd] = recent_[0].state;
   const double h = instant.time - recent_[0].time;
   return std::ranges::any_of(angles_, [&](int i) {

@@ -29,7 +29,10 @@ class Continuity {
 
   /// Returns whether the step from the instant taken last is in doubt. weights: (coordinates), 1
   /// over the movement when the drivers move by their magnitudes (SensitivityMonitor).
-  bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) const;
+  bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights);
+  /// Returns whether all unknown angles turned in that step as their rates say, so closely that
+  /// none is half a turn from where they lead.
+  bool angles_follow() const { return angles_follow_; }
 
   /// Interval in which a step in doubt is not continuous.
   struct Jump {
@@ -88,7 +91,8 @@ class Continuity {
   enum class End { given, solved };
   std::optional<Jump> go(const Instant& instant, End end, const Eigen::ArrayXd& weights,
                          Assessor& assessor);
-  bool turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const;
+  bool find_whether_angles_follow(const Instant& instant) const;
+  bool turns_further(const Instant& instant, const Eigen::ArrayXd& weights);
   double moved(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   bool leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights);
   void interpolate(const Node& from, const Node& to, const Instant& like, Node& result) const;
@@ -98,7 +102,9 @@ class Continuity {
     int coordinate;
     double unit;  // 1 / magnitude
   };
-  std::vector<int> angles_;     // unknown ones
+  std::vector<int> angles_;       // unknown ones
+  std::vector<double> is_angle_;  // of each coordinate: 1 for them, else 0
+  bool angles_follow_ = false;
   std::vector<Driven> driven_;  // contiguous, since every step reads them
   double fastest_ = 0;          // largest rate of the drivers so far [magnitudes/s]
   RecentInstants recent_;

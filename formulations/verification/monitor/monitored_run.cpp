@@ -119,7 +119,7 @@ class Run final : Observer {
     const Instant& instant = m.instant;
     if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
     summary_.refused = options_.strict && (m.degraded || m.crossing);
-    summary_.violated = branch_.violated(m.instant);
+    summary_.violated = branch_.violated(m.instant, m.angles_follow);
     if (summary_.refused || summary_.violated >= 0) return Flow::stop;
     summary_.updates += instant.updates;
     summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
