@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace desmo {
 
@@ -26,11 +27,21 @@ Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
+/// Returns the largest of what is found for ranges (first, count) of n, or any from 1 on.
+template <class Find>
+double largest_by_chunks(Eigen::Index n, Find&& find) {
+  double result = 0;
+  for (Eigen::Index i = 0; i < n && result < 1; i += chunk)
+    result = std::max(result, find(i, std::min(chunk, n - i)));
+  return result;
+}
+
 }  // namespace
 
 ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
       unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
+      per_turn_(Eigen::ArrayXd::Zero(m.coordinates())),
       right_{Eigen::ArrayXd(system.size()), Eigen::ArrayXd(system.size())},
       x_(system.size()),
       way_(m.coordinates()),
@@ -63,6 +74,8 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     look.signs.resize(blocks);
   }
   signs_.resize(blocks);
+  for (const Entity& e : m.entities)
+    if (!e.fixed && e.kind == EntityKind::angle) per_turn_[e.first] = 1 / (2 * std::numbers::pi);
   reads_.resize(m.groups.size());
   system.equations().jacobian<double>(std::vector<double>(m.state_size(), 1),
                                       [&](int row, int i, double) {
@@ -78,14 +91,24 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
 /// Returns the part of the way that is used up, or any part from 1 on.
 double ConditionMonitor::used(const Look& look, std::span<const double> q) {
   const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
-  double result = 0;
-  for (Eigen::Index i = 0; i < now.size() && result < 1; i += chunk) {
-    const Eigen::Index n = std::min(chunk, now.size() - i);
-    const double used =
-        ((now.segment(i, n) - look.q.segment(i, n)).abs() * look.per_way.segment(i, n)).maxCoeff();
-    result = std::max(result, used);
-  }
-  return result;
+  return largest_by_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
+    return ((now.segment(i, n) - look.q.segment(i, n)).abs() * look.per_way.segment(i, n))
+        .maxCoeff();
+  });
+}
+
+/// Returns whether a look holds at q, whatever whole turns its angles are away, and takes these
+/// away if so.
+bool ConditionMonitor::turn_to(Look& look, std::span<const double> q) const {
+  const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
+  const double part = largest_by_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
+    const auto way = now.segment(i, n) - look.q.segment(i, n);
+    const auto turns = (way * per_turn_.segment(i, n)).round() * (2 * std::numbers::pi);
+    return ((way - turns).abs() * look.per_way.segment(i, n)).maxCoeff();
+  });
+  if (part >= 1) return false;
+  look.q += ((now - look.q) * per_turn_).round() * (2 * std::numbers::pi);
+  return true;
 }
 
 void ConditionMonitor::go_on(const Instant& instant) {
@@ -94,11 +117,10 @@ void ConditionMonitor::go_on(const Instant& instant) {
   if (used_ < 1) return;
   for (int k = 1; k < count_; ++k) {  // first the one that followed last time
     const int other = (current_ + k) % count_;
-    if (const double part = used(looks_[other], instant.q); part < 1) {
-      current_ = other;
-      used_ = part;
-      return compare();
-    }
+    if (!turn_to(looks_[other], instant.q)) continue;
+    current_ = other;
+    used_ = used(looks_[current_], instant.q);
+    return compare();
   }
 }
 

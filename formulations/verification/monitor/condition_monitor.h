@@ -49,6 +49,7 @@ class ConditionMonitor {
     std::vector<signed char> signs;
   };
   static double used(const Look& look, std::span<const double> q);
+  bool turn_to(Look& look, std::span<const double> q) const;
   void take(const Instant& instant, ScaledSystem& system);
   Look& add(const Instant& instant);
   void measure(Look& look, ScaledSystem& system);
@@ -59,6 +60,7 @@ class ConditionMonitor {
 
   std::vector<double> state_;
   Eigen::ArrayXd unit_;                  // 1 / magnitude of each coordinate
+  Eigen::ArrayXd per_turn_;              // of each coordinate: 1 / 2π of angles, else 0
   std::vector<std::vector<int>> reads_;  // coordinates that each group reads, its own included
   std::vector<GroupId> group_;           // group of each unknown
   std::vector<int> block_;               // irreducible block of each unknown
