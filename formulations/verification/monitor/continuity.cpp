@@ -48,8 +48,6 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
   const std::vector<bool> driven = independent_coordinates(m);
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle && !driven[e.first]) angles_.push_back(e.first);
-  is_angle_.assign(m.coordinates(), 0);
-  for (const int i : angles_) is_angle_[i] = 1;
   std::vector<Node*> nodes{&reached_, &next_};
   for (Node& node : passage_) nodes.push_back(&node);
   for (Node* node : nodes)
@@ -128,14 +126,12 @@ bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights)
 bool Continuity::find_whether_angles_follow(const Instant& instant) const {
   const auto& [q, qd, qdd] = recent_[0].state;
   const double half = (instant.time - recent_[0].time) / 2;
-  // Comparisons rather than a maximum: NaN fails them, and they are evaluated four at once.
-  unsigned long off = 0;
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    const double turn = (instant.q[i] - q[i]) * is_angle_[i];
-    const double rates = half * (qd[i] + instant.qd[i]) * is_angle_[i];
-    off += !(std::abs(turn - rates) <= closely_turned) | !(std::abs(turn) <= std::numbers::pi);
+  bool follow = true;
+  for (const int i : angles_) {
+    const double turn = instant.q[i] - q[i], rates = half * (qd[i] + instant.qd[i]);
+    follow &= (std::abs(turn - rates) <= closely_turned) & (std::abs(turn) <= std::numbers::pi);
   }
-  return off == 0;
+  return follow;
 }
 
 bool Continuity::turns_further(const Instant& instant, const Eigen::ArrayXd& weights) {

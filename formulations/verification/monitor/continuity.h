@@ -102,8 +102,7 @@ class Continuity {
     int coordinate;
     double unit;  // 1 / magnitude
   };
-  std::vector<int> angles_;       // unknown ones
-  std::vector<double> is_angle_;  // of each coordinate: 1 for them, else 0
+  std::vector<int> angles_;  // unknown ones
   bool angles_follow_ = false;
   std::vector<Driven> driven_;  // contiguous, since every step reads them
   double fastest_ = 0;          // largest rate of the drivers so far [magnitudes/s]

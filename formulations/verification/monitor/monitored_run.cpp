@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "formulations/parts/guarded_part.h"
 #include "formulations/prediction/driver_source.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 
@@ -70,7 +71,11 @@ class Run final : Observer {
         output_(request, formulation.model().coordinates()),
         next_(observer) {
     if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
+    correct_once_more(true);
   }
+  ~Run() override { correct_once_more(false); }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   MonitoredSummary operator()() {
     const Summary ran = formulation_.run(grid_, request_, *this);
@@ -98,6 +103,12 @@ class Run final : Observer {
   }
 
  private:
+  void correct_once_more(bool asked) const {
+    for (const DefinedPart& part : formulation_.parts())
+      if (auto* const guarded = dynamic_cast<GuardedPart*>(part.solver.get()))
+        guarded->correct_once_more(asked);
+  }
+
   Flow observe(const Instant& instant) noexcept override {
     MonitoredInstant m = accuracy_.examine(instant);
     summary_.time = instant.time;
