@@ -21,10 +21,14 @@ std::vector<double> driver_changes(const Model& m, const State& from, double t) 
   return changes;
 }
 
-bool continue_drivers_to(const Model& m, double t, State& state,
-                         const std::function<bool(State&, std::span<const double> last)>& solve) {
+namespace {
+
+using Solve = std::function<bool(State&, std::span<const double> last)>;
+
+/// Moves the drivers by these changes. Returns false where that cannot be solved.
+bool move_drivers(const Model& m, std::span<const double> changes, State& state,
+                  const Solve& solve) {
   constexpr double max_step = 1.0 / continuation_steps, min_step = max_step / 16;
-  const std::vector<double> changes = driver_changes(m, state, t);
   const State start = state;
   State reached = state;
   double done = 0, step = 0;  // first where it is
@@ -44,6 +48,20 @@ bool continue_drivers_to(const Model& m, double t, State& state,
       if (step < min_step) return false;
     }
   }
+}
+
+}  // namespace
+
+bool continue_drivers_to(const Model& m, double t, State& state, const Solve& solve) {
+  const State start = state;
+  const std::vector<double> changes = driver_changes(m, start, t);
+  if (move_drivers(m, changes, state, solve)) return true;
+  std::vector<double> whole;  // where the short way is blocked, the long one may not be
+  for (const Driver& d : m.drivers)
+    whole.push_back(sample(d.motion, t).position - start.q[m.entities[d.coordinate].first]);
+  if (whole == changes) return false;
+  state = start;
+  return move_drivers(m, whole, state, solve);
 }
 
 }  // namespace desmo

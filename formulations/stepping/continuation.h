@@ -20,8 +20,8 @@ inline constexpr int continuation_steps = 8;
 /// whole turns: how an instant in the middle of a motion is reached without those before it. solve:
 /// solves the positions of a state for its drivers, given the last ones, and returns whether it
 /// could; it is first called where the state is, to find its branches. A step that cannot be solved
-/// is halved. Returns false where t cannot be reached; the state is then on the way. Not for timed
-/// loops.
+/// is halved. Where that leads nowhere, whole turns are made. Returns false where t cannot be
+/// reached; the state is then on the way. Not for timed loops.
 bool continue_drivers_to(const Model& model, double t, State& state,
                          const std::function<bool(State&, std::span<const double> last)>& solve);
 

@@ -319,5 +319,23 @@ TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
   }
 }
 
+/// With a length that is one unit in the last place short, a mechanism with an exact change point
+/// has none.
+TEST(GivenLength, IsKeptToTheLastBit) {
+  Sketch d("crank", 2);
+  const int O = d.ground_point("O", {0, 0, 0}), M = d.point("M", {0.5, 0.8, 0});
+  const int crank = d.link("crank", O, M, 1);
+  d.revolute(Sketch::ground, crank, O);
+  d.angle("theta", line(O, M)).driven = true;
+  const Model m = model_mechanism(d.take(), turning).model;
+  int lengths = 0;
+  for (const Constraint& c : m.constraints)
+    for (const double constant : c.constants) {
+      EXPECT_EQ(constant, 1) << c.name;
+      ++lengths;
+    }
+  EXPECT_GE(lengths, 1);
+}
+
 }  // namespace
 }  // namespace desmo::bodies_test

@@ -48,9 +48,12 @@ void keep_product(EquationWriter& w, const std::string& name, const RigidBody& b
   if (!w.note_product(a, b, nominal::dot(u, v))) return;
   if (!a.is_line() && a.vector == b.vector)
     return w.constrain<Unit<D>>(Origin::body, name + w.text(a) + " unit", {w.vector(a.vector)}, {});
-  if (a.is_line() && a.to == b.to)
+  if (a.is_line() && a.to == b.to) {
+    const auto length = nominal::stated_length(body, a);
     return w.constrain<Length<D>>(Origin::body, name + w.text(a) + " length",
-                                  {w.point(a.from), w.point(a.to)}, {nominal::dot(u, u)});
+                                  {w.point(a.from), w.point(a.to)},
+                                  {length ? *length * *length : nominal::dot(u, u)});
+  }
   if constexpr (D == 3) keep_product_of_two(w, name, a, b, u, v);
 }
 
@@ -58,7 +61,7 @@ template <int D>
 void keep_along(EquationWriter& w, const std::string& name, const RigidBody& body, int v) {
   const Mechanism::Vector& vector = w.mechanism.vectors[v];
   const auto& [from, to] = *vector.along;
-  const double length = nominal::norm(nominal::direction(w.mechanism, body, {-1, from, to}));
+  const double length = nominal::length(w.mechanism, body, {-1, from, to});
   w.constrain<Rigid<D, 1>>(Origin::body, name + vector.name + " along " + w.text({-1, from, to}),
                            {w.point(to), w.point(from), w.vector(v)}, {length});
 }

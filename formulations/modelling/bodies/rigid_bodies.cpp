@@ -11,13 +11,22 @@ namespace desmo {
 
 namespace nominal {
 
+std::optional<double> stated_length(const RigidBody& body, const Mechanism::Direction& line) {
+  for (const auto& [a, b, length] : body.lengths)
+    if (line.is_line() && std::minmax({line.from, line.to}) == std::minmax({a, b})) return length;
+  return std::nullopt;
+}
+
+double length(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& line) {
+  return stated_length(body, line).value_or(norm(direction(d, line)));
+}
+
 Vec direction(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& line) {
   Vec v = direction(d, line);
-  for (const auto& [a, b, length] : body.lengths)
-    if (line.is_line() && std::minmax({line.from, line.to}) == std::minmax({a, b})) {
-      const double scale = length / norm(v);
-      for (double& x : v) x *= scale;
-    }
+  if (const auto length = stated_length(body, line)) {
+    const double scale = *length / norm(v);
+    for (double& x : v) x *= scale;
+  }
   return v;
 }
 

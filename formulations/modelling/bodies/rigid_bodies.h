@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,8 +55,11 @@ RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 
 namespace nominal {
 
-/// Returns a direction on a rigid body. A line has the length that the body declares for its two
-/// points, if any, otherwise its nominal length.
+/// Returns the length that the body declares for the two points of a line, if any.
+std::optional<double> stated_length(const RigidBody& body, const Mechanism::Direction& d);
+/// Returns the stated length, exactly, or the nominal one.
+double length(const Mechanism& mechanism, const RigidBody& body, const Mechanism::Direction& d);
+/// Returns a direction on a rigid body, of that length but for rounding.
 Vec direction(const Mechanism& mechanism, const RigidBody& body, const Mechanism::Direction& d);
 
 }  // namespace nominal

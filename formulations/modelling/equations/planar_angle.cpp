@@ -29,7 +29,7 @@ double constant_length(const Definition& definition, const Direction& d) {
   const EquationWriter& w = definition.writer;
   for (const int r : w.rigid.of_point[d.from])
     if (std::ranges::binary_search(w.rigid.of_point[d.to], r))
-      return nominal::norm(nominal::direction(w.mechanism, w.rigid.list[r], d));
+      return nominal::length(w.mechanism, w.rigid.list[r], d);
   throw std::invalid_argument("coordinate '" + definition.coordinate.name +
                               "': no body carries both points of " + w.text(d) +
                               "; an angle needs a line of constant length");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/verification/assessment/backward_error.h"
@@ -66,6 +67,11 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<cons
     for (int r = 0; r < rows(m.constraints[c]); ++r)
       if (!(m.constraints[c].left_out >> r & 1)) row_magnitudes_[row++] = magnitudes.of({c, r});
   for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
+  std::mt19937 bits;
+  for (Eigen::ArrayXd& signs : signs_) {
+    signs.resize(system_.size());
+    for (double& sign : signs) sign = bits() >> 31 ? -1 : 1;
+  }
 }
 
 Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
@@ -191,14 +197,9 @@ double Assessor::of_residuals() {
 /// error_ ≥ |off_| + |A⁻¹| unknown_, the same for all unknowns of a group: of the second, what
 /// signs without a pattern show of each, and as many times that as it takes.
 void Assessor::enclose(Level level) {
-  constexpr int probes = 2;
   std::ranges::fill(max_, 0.0);
-  unsigned bits = 0;
-  for (int probe = 0; probe < probes && system_.size() > 0; ++probe) {
-    for (int r = 0; r < system_.size(); ++r) {
-      bits += 2654435769u;
-      change_[r] = bits >> 31 ? -unknown_[r] : unknown_[r];
-    }
+  for (std::size_t probe = 0; probe < signs_.size() && system_.size() > 0; ++probe) {
+    change_ = signs_[probe] * unknown_;
     system_.solve(change_.data());
     at_least(change_);
   }

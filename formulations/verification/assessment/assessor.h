@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -74,8 +75,9 @@ class Assessor {
   InverseNorm of_residuals_;
   PerLevel<InverseNorm> to_outputs_, to_errors_;
   Eigen::ArrayXd weights_, off_, unknown_, change_;
-  Eigen::ArrayXd row_;             // of the inverse
-  Eigen::ArrayXd row_magnitudes_;  // of the equations, as in their residuals
+  std::array<Eigen::ArrayXd, 2> signs_;  // without a pattern
+  Eigen::ArrayXd row_;                   // of the inverse
+  Eigen::ArrayXd row_magnitudes_;        // of the equations, as in their residuals
   Eigen::ArrayXd error_;  // error bound of each unknown in its magnitude, equal within a group
   std::vector<GroupId> group_;  // group of each unknown
   std::vector<double> max_;     // error bound of each group

@@ -7,6 +7,7 @@
 
 #include "formulations/verification/assessment/assessor.h"
 #include "formulations/verification/assessment/backward_error.h"
+#include "formulations/verification/assessment/certified_bounds.h"
 #include "formulations/verification/assessment/expectation.h"
 #include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/condition.h"
@@ -39,6 +40,8 @@ struct AccuracyMonitor::State {
   const AccuracyMonitorOptions options;
   const Limits limits;
   Assessor assessor;
+  std::vector<Level> asked;  // of each coordinate
+  CertifiedBounds certified;
   RunningScales scales;
   SensitivityMonitor sensitivity;
   ConditionMonitor conditioning;
@@ -65,6 +68,9 @@ struct AccuracyMonitor::State {
         options(o),
         limits(o.tolerance),
         assessor(m, o.levels, o.asked),
+        asked(o.asked.empty() ? assessor.levels().begin() : o.asked.begin(),
+              o.asked.empty() ? assessor.levels().end() : o.asked.end()),
+        certified(m, assessor.levels(), asked),
         scales(m, grid, o.scales),
         sensitivity(m, assessor.levels(), assessor.system().magnitudes()),
         conditioning(m, assessor.system()),
@@ -81,9 +87,9 @@ struct AccuracyMonitor::State {
     const Expectation::Signals signals = signals_of(instant);
     const Assessment expected = expectation(signals);
     const Statement statement = state(instant, expected);
-    const bool in_doubt = is_in_doubt(instant);
+    const bool in_doubt = is_in_doubt(instant, signals);
     j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
-    std::optional<SingularityCrossing> jump;
+    std::optional<Continuity::Jump> jump;
     if (in_doubt && !instant.interpolated) jump = find_jump(j);
     const bool known_before = rates_are_known();
     // A doubt remains one even where shorter steps agree: next to where solutions meet, they too
@@ -98,7 +104,7 @@ struct AccuracyMonitor::State {
       if (j.solved_anew) assess(j, signals, j.assessment);
     }
     // From rates that are noise nothing can be told; from signs of determinants it can.
-    if (jump && known_before && rates_are_known()) j.crossing = jump;
+    if (jump && (jump->at_turn || (known_before && rates_are_known()))) j.crossing = jump->crossing;
     if (j.assessment.singular) return j;  // which is not delivered
     if (++since % look_every == 0 && !is_assessed) look_at_scales(j.instant);
     deliver(j, is_assessed);
@@ -122,10 +128,11 @@ struct AccuracyMonitor::State {
     RecentInstants& recent = continuity.recent();
     for (int back = 0; back < recent.count() && !recent[back].is_assessed; ++back) {
       RecentInstants::Node& node = recent[back];
-      const Assessment a = assessor(view_of(node, like), scales.now());
+      Assessment a = assessor(view_of(node, like), scales.now());
       ++assessed;
       node.is_assessed = true;
       if (!exceeds(a.bound, node.stated)) return;
+      prove(a, view_of(node, like));
       node.stated = a.bound;
       condition = std::max(condition, a.condition);
       add({node.index, node.time, a}, exceeds(a.bound, limits.degraded));
@@ -133,7 +140,7 @@ struct AccuracyMonitor::State {
   }
 
   std::optional<MonitoredInstant> solve(const Instant& instant) {
-    const auto solved = continuity.solve_anew(instant, weights, assessor);
+    const auto solved = continuity.is_known() ? solve_from_last(instant) : solve_alone(instant);
     if (!solved) return {};
     MonitoredInstant j{*solved};
     j.solved_anew = true;
@@ -144,8 +151,21 @@ struct AccuracyMonitor::State {
     return j;
   }
 
+  std::optional<Instant> solve_from_last(const Instant& instant) {
+    continuity.expect(instant);
+    return continuity.solve_anew(instant, means());
+  }
+
+  /// Corrects positions that have hardly missed their tolerance, as in single precision.
+  std::optional<Instant> solve_alone(const Instant& instant) {
+    const Instant solved = assessor.corrected(continuity.driven(instant));
+    const Assessment a = assessor(solved, scales.with(solved));
+    if (a.singular || exceeds(a.bound, limits.degraded)) return {};
+    return solved;
+  }
+
   std::optional<MonitoredInstant> pass(const Instant& singular) {
-    const auto p = continuity.pass(singular, scales.now(), weights, assessor);
+    const auto p = continuity.pass(singular, means());
     if (!p) return {};
     MonitoredInstant j{p->instant};
     j.degraded = j.solved_anew = true;
@@ -166,7 +186,7 @@ struct AccuracyMonitor::State {
     const auto add = [&](Level level, std::span<const double> x, std::span<const double> y) {
       for (std::size_t i = 0; i < x.size(); ++i) {
         const double scale = scales.now().of(model.entities[entity[i]].kind, level);
-        if (asked(static_cast<int>(i)) >= level && scale > 0)
+        if (asked[i] >= level && scale > 0)
           result[level] = std::max(result[level], std::abs(x[i] - y[i]) / scale);
       }
     };
@@ -174,10 +194,6 @@ struct AccuracyMonitor::State {
     add(Level::velocity, a.qd, b.qd);
     add(Level::acceleration, a.qdd, b.qdd);
     return result;
-  }
-
-  Level asked(int i) const {
-    return options.asked.empty() ? assessor.levels()[i] : options.asked[i];
   }
 
   /// What is said of an instant that is not assessed, and whether it may be said.
@@ -234,18 +250,27 @@ struct AccuracyMonitor::State {
   /// Of the last assessment, well enough for Continuity.
   bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
 
-  bool is_in_doubt(const Instant& instant) {
-    return has(Monitor::continuity) &&
-           (std::exchange(is_doubted, false) ? continuity.is_known()
-                                             : continuity.in_doubt(instant, weights));
+  bool is_in_doubt(const Instant& instant, const Expectation::Signals& signals) {
+    if (!has(Monitor::continuity)) return false;
+    const bool in_doubt = continuity.in_doubt(instant, weights, min_excursion(signals.growth));
+    return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
   }
+
+  /// How far drivers may go, in magnitudes, before a position may be singular. Near a dead point
+  /// z = z₀ − c x², so the way is 1/(4 c) over the square of the sensitivity; c is hardly above 4.
+  double min_excursion(double growth) const {
+    const double now = std::max(growth * sensitivity.largest(), 1e-300);
+    return std::min(1 / (16 * now * now), conditioning.way_left() / now);
+  }
+
+  Continuity::Means means() { return {assessor, scales.now(), weights, signs}; }
 
   /// Goes the step again in shorter ones. Where they lead elsewhere it takes what they lead to, if
   /// that is a solution. Returns the jump otherwise.
-  std::optional<SingularityCrossing> find_jump(MonitoredInstant& j) {
-    const auto jump = continuity.find_jump(j.instant, weights, assessor);
-    if (!jump) return {};
-    if (const auto solved = continuity.solve_anew(j.instant, weights, assessor)) {
+  std::optional<Continuity::Jump> find_jump(MonitoredInstant& j) {
+    const auto jump = continuity.find_jump(j.instant, means());
+    if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
+    if (const auto solved = continuity.solve_anew(j.instant, means())) {
       const Assessment a = assessor(*solved, scales.with(*solved));
       if (!a.singular && !exceeds(a.bound, {noise, noise, noise})) {
         j.instant = *solved;
@@ -254,9 +279,7 @@ struct AccuracyMonitor::State {
         return {};
       }
     }
-    return SingularityCrossing{jump->after, jump->before,
-                               model.entities[entity[jump->coordinate]].group,
-                               SingularityCrossing::Kind::jumped};
+    return jump;
   }
 
   void look_at_scales(const Instant& instant) {
@@ -282,6 +305,8 @@ struct AccuracyMonitor::State {
     const bool tries =
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
+    const Assessment wide = last;
+    if (tries) prove(last, j.instant);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
     if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
       rescale(last.bound, scales.with(j.instant), scales.now());
@@ -291,7 +316,7 @@ struct AccuracyMonitor::State {
       expectation.learn(last, {.growth = INFINITY});
     else
       expectation.learn(given, signals);
-    if (is_better) expectation.learn(last, {});
+    if (is_better) expectation.learn(wide, {});
     if (degraded && last.condition < INFINITY)
       last.limit = assessor.limit(j.instant, scales.now(), last);
     if (!has(Monitor::bounds)) last.singular = false;
@@ -309,11 +334,21 @@ struct AccuracyMonitor::State {
     last_time = j.instant.time;
   }
 
+  /// Replaces bounds that would flag an instant by proven ones. Where these are within the limits,
+  /// the position is not singular.
+  void prove(Assessment& a, const Instant& instant) {
+    if (!options.proves || !exceeds(a.bound, limits.degraded)) return;
+    const PerLevel<double> proven = certified(instant, scales.with(instant));
+    if (a.singular && exceeds(proven, limits.degraded)) return;
+    a.singular = false;
+    for (const Level l : levels) a.bound[l] = std::min(a.bound[l], proven[l]);
+  }
+
   /// Whether it has become better. What was interpolated, and is not even near a solution, is
   /// solved.
   bool improve(MonitoredInstant& j) {
     if (j.instant.interpolated && exceeds(last.bound, limits.degraded)) {
-      if (const auto solved = continuity.solve_anew(j.instant, weights, assessor))
+      if (const auto solved = continuity.solve_anew(j.instant, means()))
         return j.solved_anew = take_if_better(j.instant, *solved);
       assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
     }

@@ -38,13 +38,18 @@ std::optional<SingularityCrossing> BranchSigns::at_first(const Instant& instant,
                              SingularityCrossing::Kind::not_declared};
 }
 
-std::optional<SingularityCrossing> BranchSigns::change(double time, std::optional<double> since) {
+int BranchSigns::changed_block() const {
   const auto now = system_.orientation();
+  const auto change = std::ranges::mismatch(signs_, now).in1;
+  return change == signs_.end() ? -1 : static_cast<int>(change - signs_.begin());
+}
+
+std::optional<SingularityCrossing> BranchSigns::change(double time, std::optional<double> since) {
   std::optional<SingularityCrossing> found;
-  for (std::size_t b = 0; b < signs_.size() && !found; ++b)
-    if (now[b] != signs_[b])
-      found = {since.value_or(time), time, system_.group_of_block(static_cast<int>(b)),
-               since ? SingularityCrossing::Kind::passed : SingularityCrossing::Kind::not_declared};
+  if (const int block = changed_block(); block >= 0)
+    found = {since.value_or(time), time, system_.group_of_block(block),
+             since ? SingularityCrossing::Kind::passed : SingularityCrossing::Kind::not_declared};
+  const auto now = system_.orientation();
   signs_.assign(now.begin(), now.end());
   return found;
 }

@@ -35,6 +35,8 @@ class BranchSigns {
   std::optional<SingularityCrossing> since(double last, const Instant& instant) {
     return change(instant.time, last);
   }
+  /// Returns the block whose sign the system shows changed, without taking note; -1: none.
+  int changed_block() const;
 
  private:
   std::optional<SingularityCrossing> change(double time, std::optional<double> since);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace desmo {
 
@@ -12,6 +13,8 @@ namespace {
 constexpr double min_part = 0.5;
 /// By what part a distance, or the share of a group, may fall where a look holds.
 constexpr double allowed = 0.5;
+/// By then a distance may be zero: the way on which it halves counts as 1.
+constexpr double singular = 1.5;
 /// Slope of a distance over the way in magnitudes before it is known, and largest curvature.
 constexpr double steepest = 2, curvature = 2;
 /// Instead of infinity, which is not to be multiplied by 0.
@@ -52,14 +55,14 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
       then_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   const std::vector<EntityId> entity = entity_of_coordinate(m);
-  unsigned bits = 0;  // of no pattern, so that next to nothing is at right angles to them
+  std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to both
   for (int j = 0; j < system.size(); ++j) {
     group_.push_back(m.entities[entity[system.unknowns()[j]]].group);
     block_.push_back(system.block(j));
     for (Eigen::ArrayXd& right : right_) {
-      bits += 2654435769u;
-      const double size = 0.5 + (bits & 0x7fffffffu) * 0x1p-32;
-      right[j] = bits >> 31 ? -size : size;
+      const std::uint_fast32_t drawn = bits();
+      const double size = 0.5 + (drawn & 0x7fffffffu) * 0x1p-32;
+      right[j] = drawn >> 31 ? -size : size;
     }
   }
   const int blocks = system.size() > 0 ? std::ranges::max(block_) + 1 : 0;
@@ -131,8 +134,14 @@ void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   singular.distance.setZero();
   singular.share.setConstant(INFINITY);
   singular.per_way.setConstant(at_once);
+  singular.max_per_way = at_once;
   std::ranges::copy(signs_, singular.signs.begin());
   compare();
+}
+
+double ConditionMonitor::way_left() const {
+  const double per_way = count_ > 0 ? looks_[current_].max_per_way : 0;
+  return (singular - std::min(1.0, used_)) / std::max(1e-300, per_way);
 }
 
 void ConditionMonitor::reset(const Instant& instant, ScaledSystem& system) {
@@ -179,19 +188,18 @@ ConditionMonitor::Look& ConditionMonitor::add(const Instant& instant) {
 void ConditionMonitor::measure(Look& look, ScaledSystem& system) {
   look.share.setZero();
   look.distance.setZero();
-  if (system.size() > 0) {
-    x_ = right_[0];
+  for (const Eigen::ArrayXd& right : right_) {
+    if (system.size() == 0) break;
+    x_ = right;
     system.solve(x_.data());
     for (int j = 0; j < system.size(); ++j)
       look.share[group_[j]] = std::max(look.share[group_[j]], std::abs(x_[j]));
-    look.share = look.share.max(min_part * x_.abs().maxCoeff());
-  }
-  for (const Eigen::ArrayXd& right : right_) {
     x_ = right;
-    if (system.size() > 0) system.solve_blocks(x_.data());
+    system.solve_blocks(x_.data());
     for (int j = 0; j < system.size(); ++j)
       look.distance[block_[j]] = std::max(look.distance[block_[j]], std::abs(x_[j]));
   }
+  look.share = look.share.max(min_part * look.share.maxCoeff());
   look.distance = look.distance.inverse();
   std::ranges::copy(system.orientation(), look.signs.begin());
   compare();
@@ -216,6 +224,7 @@ void ConditionMonitor::schedule(Look& look) {
   }
   for (std::size_t g = 0; g < reads_.size(); ++g)
     for (const int i : reads_[g]) look.per_way[i] = std::max(look.per_way[i], per_way_of_group_[g]);
+  look.max_per_way = look.per_way.maxCoeff();
   look.per_way *= unit_;
 }
 

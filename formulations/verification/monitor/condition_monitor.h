@@ -12,8 +12,8 @@
 namespace desmo {
 
 /// Monitors the growth of the condition number since the last assessment where rates do not show
-/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for fixed b without
-/// pattern, now and then (a *look*), with factors of its own. What it finds:
+/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for two fixed b
+/// without pattern, now and then (a *look*), with factors of its own. What it finds:
 ///
 ///   growth     of ‖x‖∞ of each group since the assessment
 ///   distance   of each irreducible block D to a singular one, d = 1/‖D⁻¹ b‖∞; it falls to zero
@@ -34,6 +34,8 @@ class ConditionMonitor {
   /// Returns whether the instant should be looked at.
   bool is_due() const { return used_ >= 1; }
   void look(const Instant& instant, ScaledSystem& system);
+  /// Returns the way of any coordinate, in magnitudes, after which a block may be singular.
+  double way_left() const;
   /// Returns the growth, at least 1, of the look that holds and what it may have become since;
   /// infinity where it was singular.
   double growth() const;
@@ -44,6 +46,7 @@ class ConditionMonitor {
   struct Look {
     Eigen::ArrayXd q;
     Eigen::ArrayXd per_way;   // 1 / change of each coordinate up to which it holds
+    double max_per_way = 0;   // the largest, by magnitudes
     Eigen::ArrayXd share;     // ‖x‖∞ of each group
     Eigen::ArrayXd distance;  // d of each block
     std::vector<signed char> signs;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "formulations/prediction/driver_source.h"
 #include "formulations/verification/monitor/running_scales.h"
@@ -37,7 +38,11 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const double> magnitude,
                        int max_steps)
-    : model_(m), recent_(m.coordinates()), turned_(m.coordinates()), max_steps_(max_steps) {
+    : model_(m),
+      turns_(m, grid, magnitude),
+      recent_(m.coordinates()),
+      turned_(m.coordinates()),
+      max_steps_(max_steps) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     driven_.push_back({i, 1 / magnitude[i]});
@@ -45,6 +50,7 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
       if (const double v = std::abs(sample(d.motion, t).velocity / magnitude[i]); std::isfinite(v))
         fastest_ = std::max(fastest_, v);
   }
+  for (const EntityId e : entity_of_coordinate(m)) group_.push_back(m.entities[e].group);
   const std::vector<bool> driven = independent_coordinates(m);
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle && !driven[e.first]) angles_.push_back(e.first);
@@ -57,6 +63,7 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
 
 void Continuity::take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated) {
   recent_.take(instant, is_assessed, stated);
+  turns_.forget();
   if (!instant.qd.empty()) fastest_ = std::max(fastest_, fastest_driver(instant));
 }
 
@@ -64,6 +71,10 @@ double Continuity::fastest_driver(const Instant& instant) const {
   double fastest = 0;
   for (const auto& [i, unit] : driven_) fastest = std::max(fastest, std::abs(instant.qd[i]) * unit);
   return fastest;
+}
+
+void Continuity::expect(const Instant& instant) {
+  if (is_known()) turns_.find(recent_[0], instant, 0);
 }
 
 /// found(what the trapezoid rule is off by, relative to what groups move).
@@ -112,18 +123,24 @@ double Continuity::moved(const Instant& from, const Instant& to,
 bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) {
   const double allowed = smooth * moved(from, to, weights);
   const Eigen::ArrayXd& turned = position_mismatch(from, to, weights);
-  return mismatch(from, to, weights) <= allowed && turned.maxCoeff() <= allowed;
+  return mismatch(from, to, weights) <= allowed && turned.maxCoeff() <= allowed &&
+         !turns_further(from, to, weights);
 }
 
-bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) {
-  angles_follow_ = false;
-  return is_known() && (mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
-                        turns_further(instant, weights));
+bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
+                          double min_excursion) {
+  const double least = std::min(min_excursion, std::exchange(min_excursion_, min_excursion));
+  angles_follow_ = is_known() && do_angles_follow(instant);
+  if (!is_known() || weights.size() == 0) return false;
+  return turns_.find(recent_[0], instant, least) ||
+         mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
+         (!angles_follow_ && turns_further(view_of(recent_[0], instant), instant, weights));
 }
 
 /// Returns whether every unknown angle turns as its rates say, to `closely_turned`, and by half a
 /// turn at most.
-bool Continuity::find_whether_angles_follow(const Instant& instant) const {
+bool Continuity::do_angles_follow(const Instant& instant) const {
+  if (instant.qd.empty()) return false;
   const auto& [q, qd, qdd] = recent_[0].state;
   const double half = (instant.time - recent_[0].time) / 2;
   bool follow = true;
@@ -134,15 +151,14 @@ bool Continuity::find_whether_angles_follow(const Instant& instant) const {
   return follow;
 }
 
-bool Continuity::turns_further(const Instant& instant, const Eigen::ArrayXd& weights) {
-  if (instant.qd.empty() || weights.size() == 0) return false;
-  angles_follow_ = find_whether_angles_follow(instant);
-  if (angles_follow_) return false;
-  const auto& [q, qd, qdd] = recent_[0].state;
-  const double h = instant.time - recent_[0].time;
+/// Whether an angle turns by more than its rates say, as by a whole turn.
+bool Continuity::turns_further(const Instant& from, const Instant& to,
+                               const Eigen::ArrayXd& weights) const {
+  if (to.qd.empty() || weights.size() == 0) return false;
+  const double h = to.time - from.time;
   return std::ranges::any_of(angles_, [&](int i) {
     return weights[i] > 0 &&
-           !(std::abs(instant.q[i] - q[i] - h / 2 * (qd[i] + instant.qd[i])) <= turned);
+           !(std::abs(to.q[i] - from.q[i] - h / 2 * (from.qd[i] + to.qd[i])) <= turned);
   });
 }
 
@@ -164,16 +180,13 @@ void Continuity::predict(double t, const Instant& like, Assessor& assessor) {
   std::ranges::copy(solved.qdd, next_.state.qdd.begin());
 }
 
-std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant,
-                                                      const Eigen::ArrayXd& weights,
-                                                      Assessor& assessor) {
-  return go(instant, End::given, weights, assessor);
+std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant, const Means& means) {
+  return go(instant, End::given, means);
 }
 
-std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Eigen::ArrayXd& weights,
-                                              Assessor& assessor) {
-  if (!is_known() || instant.qd.empty() || weights.size() == 0) return {};
-  if (go(instant, End::solved, weights, assessor)) return {};
+std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Means& means) {
+  if (!is_known() || instant.qd.empty() || means.weights.size() == 0) return {};
+  if (go(instant, End::solved, means)) return {};
   return view_of(next_, instant);
 }
 
@@ -209,9 +222,8 @@ void Continuity::interpolate(const Node& from, const Node& to, const Instant& li
   write_drivers(model_, result.time, result.state);
 }
 
-std::optional<Continuity::Passage> Continuity::pass(const Instant& singular, const Scales& scales,
-                                                    const Eigen::ArrayXd& weights,
-                                                    Assessor& assessor) {
+std::optional<Continuity::Passage> Continuity::pass(const Instant& singular, const Means& means) {
+  const auto& [assessor, scales, weights, signs] = means;
   if (!is_known() || singular.qd.empty() || weights.size() == 0) return {};
   constexpr int max_tries = 8;
   auto& [before2, before, beyond, beyond2, between, wide] = passage_;
@@ -225,7 +237,7 @@ std::optional<Continuity::Passage> Continuity::pass(const Instant& singular, con
         node = recent_[0];
         return true;
       }
-      if (go(target, End::solved, weights, assessor)) return false;
+      if (go(target, End::solved, means)) return false;
       node = next_;
       return true;
     };
@@ -264,30 +276,47 @@ Instant Continuity::driven(const Instant& instant) {
 }
 
 std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
-                                               const Eigen::ArrayXd& weights, Assessor& assessor) {
+                                               const Means& means) {
+  const auto& [assessor, scales, weights, signs] = means;
   const double whole = instant.time - recent_[0].time;
+  std::span<const double> turns = turns_.times();  // that are ahead
   reached_ = recent_[0];
   double step = whole / 2;
+  bool to_turn = false;
+  const auto jump = [&](const Instant& from, const Instant& to, int coordinate) {
+    return Jump{{from.time, to.time, group_[coordinate], SingularityCrossing::Kind::jumped},
+                to_turn};
+  };
   for (int i = 0; i < max_steps_; ++i) {
-    const bool to_end = std::abs(step) >= std::abs(instant.time - reached_.time);
-    const bool is_given = to_end && end == End::given;
-    if (!is_given) predict(to_end ? instant.time : reached_.time + step, instant, assessor);
+    to_turn = !turns.empty() && turns[0] < instant.time;
+    const double target = to_turn ? turns[0] : instant.time, left = target - reached_.time;
+    const bool to_end = std::abs(step) >= std::abs(left);
+    const bool is_given = to_end && !to_turn && end == End::given;
+    if (!is_given) predict(to_end ? target : reached_.time + step, instant, assessor);
     const Instant next = is_given ? instant : view_of(next_, instant);
     const Instant from = view_of(reached_, instant);
     if (leads_on(from, next, weights)) {
-      if (to_end) return {};
+      if (to_end && !to_turn) return {};
+      if (to_end) {
+        if (const Assessment a = assessor(next, scales); a.singular)
+          return Jump{{from.time, target, a.group, SingularityCrossing::Kind::jumped}, true};
+        if (const int block = signs.changed_block(); block >= 0)
+          return Jump{{recent_[0].time, target, assessor.system().group_of_block(block),
+                       SingularityCrossing::Kind::passed},
+                      true};
+        turns = turns.subspan(1);
+      }
       std::swap(reached_, next_);
       step *= 2;
     } else if (std::abs(step) > shortest * std::abs(whole)) {
-      step = (to_end ? instant.time - reached_.time : step) / 2;
+      step = (to_end ? left : step) / 2;
     } else {
       const bool rates_agree = mismatch(from, next, weights) <= smooth * moved(from, next, weights);
-      return Jump{from.time, next.time,
-                  rates_agree ? worst(turned_) : mismatch(from, next, weights, worst)};
+      return jump(from, next, rates_agree ? worst(turned_) : mismatch(from, next, weights, worst));
     }
   }
-  return Jump{reached_.time, instant.time,
-              mismatch(view_of(reached_, instant), instant, weights, worst)};
+  const Instant from = view_of(reached_, instant);
+  return jump(from, instant, mismatch(from, instant, weights, worst));
 }
 
 }  // namespace desmo

@@ -10,6 +10,8 @@
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
 #include "formulations/verification/assessment/assessor.h"
+#include "formulations/verification/monitor/branch_signs.h"
+#include "formulations/verification/monitor/driver_turns.h"
 #include "formulations/verification/monitor/recent_instants.h"
 
 namespace desmo {
@@ -27,28 +29,38 @@ class Continuity {
   Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes,
              int max_steps = 4096);
 
-  /// Returns whether the step from the instant taken last is in doubt. weights: (coordinates), 1
-  /// over the movement when the drivers move by their magnitudes (SensitivityMonitor).
-  bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights);
+  /// What a step is judged by.
+  struct Means {
+    Assessor& assessor;  ///< its factors are overwritten
+    const Scales& scales;
+    /// (coordinates), 1 over the movement when the drivers move by their magnitudes
+    /// (SensitivityMonitor).
+    const Eigen::ArrayXd& weights;
+    const BranchSigns& signs;  ///< of the last assessment
+  };
+
+  /// Returns whether the step from the instant taken last is in doubt. min_excursion: how far
+  /// drivers may turn beyond this instant before a position may be singular (DriverTurns).
+  bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights, double min_excursion);
   /// Returns whether all unknown angles turned in that step as their rates say, so closely that
   /// none is half a turn from where they lead.
   bool angles_follow() const { return angles_follow_; }
+  /// Prepares the step to an instant of which only the time is known.
+  void expect(const Instant& instant);
 
-  /// Interval in which a step in doubt is not continuous.
+  /// Interval in which a step in doubt is not continuous, or passes a singular position.
   struct Jump {
-    double after, before;  ///< [s]
-    int coordinate;        ///< the one that jumps most
+    SingularityCrossing crossing;
+    bool at_turn;  ///< where drivers turn: they leave the reach, or pass it there and back
   };
-  /// Repeats the step from the instant taken last in shorter ones. Returns where it jumps, if it
-  /// does. Overwrites the assessor's factors.
-  std::optional<Jump> find_jump(const Instant& instant, const Eigen::ArrayXd& weights,
-                                Assessor& assessor);
+  /// Repeats the step from the instant taken last in shorter ones, through its turning points.
+  /// Returns where it jumps, if it does.
+  std::optional<Jump> find_jump(const Instant& instant, const Means& means);
 
   /// Solves an instant anew from the instant taken last, with drivers at its own time, in steps
   /// like those of find_jump(). Returns nothing where rates are not solved or the steps fail. The
-  /// result is valid until the next call. Overwrites the assessor's factors.
-  std::optional<Instant> solve_anew(const Instant& instant, const Eigen::ArrayXd& weights,
-                                    Assessor& assessor);
+  /// result is valid until the next call.
+  std::optional<Instant> solve_anew(const Instant& instant, const Means& means);
   /// Returns the instant with its drivers evaluated at its time; valid until the next call.
   Instant driven(const Instant& instant);
 
@@ -63,15 +75,17 @@ class Continuity {
   /// Passes a singular position at which the motion is smooth: goes from the instant taken last to
   /// a regular position near it, and from there by Taylor's polynomial to one beyond, whose rates
   /// have to agree. Returns nothing where rates are not solved, or no such way leads on. The result
-  /// is valid until the next call. Overwrites the assessor's factors.
-  std::optional<Passage> pass(const Instant& singular, const Scales& scales,
-                              const Eigen::ArrayXd& weights, Assessor& assessor);
+  /// is valid until the next call.
+  std::optional<Passage> pass(const Instant& singular, const Means& means);
 
   /// Makes this instant the one to continue from; it says what was stated of it.
   void take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated);
   /// Returns the instants taken last.
   RecentInstants& recent() { return recent_; }
-  void forget() { recent_.forget(); }
+  void forget() {
+    recent_.forget();
+    turns_.forget();
+  }
   /// Returns whether there is an instant to go on from.
   bool is_known() const { return recent_.count() > 0; }
   /// Counts time from an origin that much earlier [s].
@@ -89,10 +103,9 @@ class Continuity {
   double growth(const Instant& instant, const Eigen::ArrayXd& weights) const;
   void predict(double t, const Instant& like, Assessor& assessor);
   enum class End { given, solved };
-  std::optional<Jump> go(const Instant& instant, End end, const Eigen::ArrayXd& weights,
-                         Assessor& assessor);
-  bool find_whether_angles_follow(const Instant& instant) const;
-  bool turns_further(const Instant& instant, const Eigen::ArrayXd& weights);
+  std::optional<Jump> go(const Instant& instant, End end, const Means& means);
+  bool do_angles_follow(const Instant& instant) const;
+  bool turns_further(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   double moved(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   bool leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights);
   void interpolate(const Node& from, const Node& to, const Instant& like, Node& result) const;
@@ -102,9 +115,12 @@ class Continuity {
     int coordinate;
     double unit;  // 1 / magnitude
   };
-  std::vector<int> angles_;  // unknown ones
+  std::vector<GroupId> group_;  // of each coordinate
+  std::vector<int> angles_;     // unknown ones
   bool angles_follow_ = false;
   std::vector<Driven> driven_;  // contiguous, since every step reads them
+  DriverTurns turns_;           // of the step to the next instant
+  double min_excursion_ = 0;    // at the last instant
   double fastest_ = 0;          // largest rate of the drivers so far [magnitudes/s]
   RecentInstants recent_;
   Node reached_, next_;

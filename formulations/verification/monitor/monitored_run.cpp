@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "formulations/parts/guarded_part.h"
@@ -65,12 +66,11 @@ class Run final : Observer {
         levels_(with_velocities(asked_)),
         request_(with_velocities(request)),
         options_(options),
-        accuracy_(formulation.model(), grid,
-                  monitor_options(options, levels_, asked_, formulation)),
         branch_(formulation.model(), levels_, formulation.settings().tolerance),
         output_(request, formulation.model().coordinates()),
         next_(observer) {
     if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
+    begin_monitoring();
     correct_once_more(true);
   }
   ~Run() override { correct_once_more(false); }
@@ -81,6 +81,11 @@ class Run final : Observer {
     const Summary ran = formulation_.run(grid_, request_, *this);
     if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
     tried_ = static_cast<int>(summary_.instants);             // all before it were handed on
+    if (tried_ == 0 && summary_.violated >= 0) {              // assembled in one go, but elsewhere
+      summary_ = {};
+      begin_monitoring();
+      is_astray_ = true;
+    }
     // A stride was too long, or the formulation could not go on, or has gone elsewhere.
     if (is_astray_ || !summary_.ok()) {
       summary_.status = Status::converged;
@@ -93,12 +98,12 @@ class Run final : Observer {
       go_on(again, From::estimate);
       measure_assembly_error();
     }
-    summary_.condition = accuracy_.condition();
-    summary_.bound = accuracy_.bound();
-    summary_.assessed = accuracy_.assessed();
-    summary_.corrected = accuracy_.corrected();
-    summary_.degraded = accuracy_.degraded();
-    summary_.first_degraded = accuracy_.first_degraded();
+    summary_.condition = accuracy_->condition();
+    summary_.bound = accuracy_->bound();
+    summary_.assessed = accuracy_->assessed();
+    summary_.corrected = accuracy_->corrected();
+    summary_.degraded = accuracy_->degraded();
+    summary_.first_degraded = accuracy_->first_degraded();
     return summary_;
   }
 
@@ -109,11 +114,16 @@ class Run final : Observer {
         guarded->correct_once_more(asked);
   }
 
+  void begin_monitoring() {
+    accuracy_.emplace(formulation_.model(), grid_,
+                      monitor_options(options_, levels_, asked_, formulation_));
+  }
+
   Flow observe(const Instant& instant) noexcept override {
-    MonitoredInstant m = accuracy_.examine(instant);
+    MonitoredInstant m = accuracy_->examine(instant);
     summary_.time = instant.time;
     if (m.assessment.singular && !instant.interpolated)
-      if (const auto passed = accuracy_.pass(instant)) m = *passed;
+      if (const auto passed = accuracy_->pass(instant)) m = *passed;
     is_astray_ = m.solved_anew && !instant.interpolated;
     return m.assessment.singular ? stop_at(m) : hand_on(m);
   }
@@ -145,7 +155,7 @@ class Run final : Observer {
   /// that it lies in. Before the first instant it goes there from the nominal position.
   void return_to_last() {
     const Model& m = formulation_.model();
-    const auto [q, time] = accuracy_.last();
+    const auto [q, time] = accuracy_->last();
     std::vector<double> state(m.estimate);
     if (!q.empty()) state.assign(q.begin(), q.end());
     state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
@@ -187,7 +197,7 @@ class Run final : Observer {
     summary_.group = summary_.constraint = -1;
     summary_.residual = max_residual_;
     summary_.assembly_error.reset();
-    accuracy_.resume();
+    accuracy_->resume();
     return again;
   }
 
@@ -221,7 +231,7 @@ class Run final : Observer {
                             s.updates,
                             s.residual};
       if (!s.ok() && !solved_by_monitor(instant)) {
-        accuracy_.look_back(instant);
+        accuracy_->look_back(instant);
         summary_.status = s.status;
         summary_.group = s.group;
         summary_.constraint = s.constraint;
@@ -236,7 +246,7 @@ class Run final : Observer {
 
   /// Solves an instant where the formulation could not, from the one before it.
   bool solved_by_monitor(const Instant& instant) {
-    const auto m = accuracy_.solve(instant);
+    const auto m = accuracy_->solve(instant);
     if (!m) return false;
     is_astray_ = true;
     hand_on(*m);
@@ -250,7 +260,7 @@ class Run final : Observer {
   const Request request_;
   const MonitoredRunOptions options_;
   MonitoredSummary summary_{};
-  AccuracyMonitor accuracy_;
+  std::optional<AccuracyMonitor> accuracy_;
   BranchMonitor branch_;
   const OutputWriter output_;
   Observer& next_;

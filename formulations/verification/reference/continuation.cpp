@@ -62,6 +62,8 @@ Continuation::Continuation(const Model& m)
       solver_(m),
       condition_number_(m),
       blocks_(make_partition(m, Partition::block)) {
+  for (int i = 0; i < m.coordinates(); ++i)
+    far_ = std::max(far_, std::abs(m.estimate[i]) / magnitude_[i]);
   double correction = INFINITY;
   for (int i = 0; i < 100 && correction > settled; ++i) {
     correction = solver_.correct_positions();
@@ -171,7 +173,9 @@ bool Continuation::is_continuous(const Quadruple& step) const {
   return off <= 0.03 * moved + 10 * rounding();
 }
 
-double Continuation::rounding() const { return std::clamp(noise * condition_, settled, 1e-14); }
+double Continuation::rounding() const {
+  return std::clamp(far_ * noise * condition_, far_ * settled, 1e-14);
+}
 
 WideInstant Continuation::instant() const {
   return {static_cast<double>(parameter_), solver_.q(), solver_.qd(), solver_.qdd()};

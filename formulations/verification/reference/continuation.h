@@ -64,6 +64,7 @@ class Continuation {
 
   const Model& m_;
   std::vector<double> magnitude_;
+  double far_ = 1;  // largest coordinate, in magnitudes: rounding grows with it
   GlobalSolver<Quadruple> solver_;
   ConditionNumber condition_number_;
   DriverPath path_;
