@@ -37,6 +37,20 @@ PerLevel<double> BackwardError::operator()(const Instant& instant, const ScaledS
   for (int i = 0; i < model_.coordinates(); ++i)
     state_[i] = {instant.q[i], rate(instant.qd, Level::velocity, i),
                  rate(instant.qdd, Level::acceleration, i)};
+  PerLevel<double> of_drivers;  // which interpolation leaves
+  for (const Driver& d : model_.drivers) {
+    const Entity& e = model_.entities[d.coordinate];
+    const MotionSample<double> z = sample(d.motion, instant.time);
+    Jet<double>& used = state_[e.first];
+    const auto meet = [&](Level level, double& value, double meant) {
+      if (const double scale = scales.of(e.kind, level); scale > 0)
+        of_drivers[level] = std::max(of_drivers[level], std::abs(value - meant) / scale);
+      value = meant;
+    };
+    meet(Level::position, used.value, z.position);
+    if (!instant.qd.empty()) meet(Level::velocity, used.first, z.velocity);
+    if (!instant.qdd.empty()) meet(Level::acceleration, used.second, z.acceleration);
+  }
   system.equations().residual<Jet<double>>(state_, phi_);
   PerLevel<double> off;  // the largest of each level, in magnitudes of the whole mechanism
   for (int r = 0; r < system.size(); ++r) {
@@ -55,6 +69,7 @@ PerLevel<double> BackwardError::operator()(const Instant& instant, const ScaledS
   for (const Level level : levels)
     off[level] *= condition * std::max(in_scale(size_, scales.length[level]),
                                        in_scale(1, scales.rotation[level]));
+  for (const Level level : levels) off[level] = std::max(off[level], of_drivers[level]);
   return off;
 }
 

@@ -7,9 +7,9 @@
 
 #include "formulations/verification/assessment/assessor.h"
 #include "formulations/verification/assessment/backward_error.h"
-#include "formulations/verification/assessment/certified_bounds.h"
 #include "formulations/verification/assessment/expectation.h"
 #include "formulations/verification/assessment/limits.h"
+#include "formulations/verification/assessment/measured_error.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/monitor/branch_signs.h"
 #include "formulations/verification/monitor/condition_monitor.h"
@@ -32,6 +32,8 @@ constexpr double noise = 1e-3;
 constexpr double shrunk = 20;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
 constexpr double shown_by = 10;
+/// What is stated of a measured error, and what is left of a bound in longer numbers.
+constexpr double measured_margin = 2, longer = 0x1p-9;
 
 }  // namespace
 
@@ -41,7 +43,7 @@ struct AccuracyMonitor::State {
   const Limits limits;
   Assessor assessor;
   std::vector<Level> asked;  // of each coordinate
-  CertifiedBounds certified;
+  MeasuredError measured;
   RunningScales scales;
   SensitivityMonitor sensitivity;
   ConditionMonitor conditioning;
@@ -57,7 +59,8 @@ struct AccuracyMonitor::State {
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false, is_doubted = false;
-  int since = 0;  // instants since the last assessment
+  bool is_lost = false;  // no short steps lead to the instant, which was interpolated
+  int since = 0;         // instants since the last assessment
   double condition = 0;
   PerLevel<double> worst{};
   Degradations degradations;
@@ -70,7 +73,7 @@ struct AccuracyMonitor::State {
         assessor(m, o.levels, o.asked),
         asked(o.asked.empty() ? assessor.levels().begin() : o.asked.begin(),
               o.asked.empty() ? assessor.levels().end() : o.asked.end()),
-        certified(m, assessor.levels(), asked),
+        measured(m, assessor.system(), assessor.levels(), asked),
         scales(m, grid, o.scales),
         sensitivity(m, assessor.levels(), assessor.system().magnitudes()),
         conditioning(m, assessor.system()),
@@ -90,8 +93,9 @@ struct AccuracyMonitor::State {
     const bool in_doubt = is_in_doubt(instant, signals);
     j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
     std::optional<Continuity::Jump> jump;
-    if (in_doubt && !instant.interpolated) jump = find_jump(j);
-    const bool known_before = rates_are_known();
+    is_lost = false;
+    const bool known_before = rates_are_known(), from_noise = degraded && !known_before;
+    if (in_doubt && !instant.interpolated) jump = find_jump(j, from_noise);
     // A doubt remains one even where shorter steps agree: next to where solutions meet, they too
     // may end on another branch.
     const bool is_assessed = in_doubt || !statement.holds || is_due(signals);
@@ -100,11 +104,15 @@ struct AccuracyMonitor::State {
     else
       j.assessment = statement.assessment;
     if (in_doubt && instant.interpolated && !j.solved_anew) {
-      jump = find_jump(j);
+      jump = find_jump(j, from_noise);
       if (j.solved_anew) assess(j, signals, j.assessment);
     }
-    // From rates that are noise nothing can be told; from signs of determinants it can.
-    if (jump && (jump->at_turn || (known_before && rates_are_known()))) j.crossing = jump->crossing;
+    // Nobody can tell where a doubtful step from rates that are noise leads.
+    if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
+      j.crossing = jump->crossing;
+    else if ((from_noise || is_lost) && continuity.is_known() && !j.crossing)
+      j.crossing = {continuity.recent()[0].time, instant.time, last.group,
+                    SingularityCrossing::Kind::jumped};
     if (j.assessment.singular) return j;  // which is not delivered
     if (++since % look_every == 0 && !is_assessed) look_at_scales(j.instant);
     deliver(j, is_assessed);
@@ -132,7 +140,7 @@ struct AccuracyMonitor::State {
       ++assessed;
       node.is_assessed = true;
       if (!exceeds(a.bound, node.stated)) return;
-      prove(a, view_of(node, like));
+      measure(a, view_of(node, like));
       node.stated = a.bound;
       condition = std::max(condition, a.condition);
       add({node.index, node.time, a}, exceeds(a.bound, limits.degraded));
@@ -267,9 +275,10 @@ struct AccuracyMonitor::State {
 
   /// Goes the step again in shorter ones. Where they lead elsewhere it takes what they lead to, if
   /// that is a solution. Returns the jump otherwise.
-  std::optional<Continuity::Jump> find_jump(MonitoredInstant& j) {
+  std::optional<Continuity::Jump> find_jump(MonitoredInstant& j, bool from_noise) {
     const auto jump = continuity.find_jump(j.instant, means());
     if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
+    if (from_noise) return jump;  // from where shorter steps lead anywhere
     if (const auto solved = continuity.solve_anew(j.instant, means())) {
       const Assessment a = assessor(*solved, scales.with(*solved));
       if (!a.singular && !exceeds(a.bound, {noise, noise, noise})) {
@@ -306,7 +315,7 @@ struct AccuracyMonitor::State {
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
     const Assessment wide = last;
-    if (tries) prove(last, j.instant);
+    if (has(Monitor::bounds)) measure(last, j.instant);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
     if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
       rescale(last.bound, scales.with(j.instant), scales.now());
@@ -334,14 +343,12 @@ struct AccuracyMonitor::State {
     last_time = j.instant.time;
   }
 
-  /// Replaces bounds that would flag an instant by proven ones. Where these are within the limits,
-  /// the position is not singular.
-  void prove(Assessment& a, const Instant& instant) {
-    if (!options.proves || !exceeds(a.bound, limits.degraded)) return;
-    const PerLevel<double> proven = certified(instant, scales.with(instant));
-    if (a.singular && exceeds(proven, limits.degraded)) return;
-    a.singular = false;
-    for (const Level l : levels) a.bound[l] = std::min(a.bound[l], proven[l]);
+  /// Measures errors where bounds would flag an instant. Leaves its factors.
+  void measure(Assessment& a, const Instant& instant) {
+    if (a.singular || !exceeds(a.bound, limits.degraded)) return;
+    const PerLevel<double> error = measured(instant, scales.with(instant));
+    for (const Level l : levels)
+      a.bound[l] = std::min(a.bound[l], measured_margin * error[l] + longer * a.bound[l]);
   }
 
   /// Whether it has become better. What was interpolated, and is not even near a solution, is
@@ -350,6 +357,7 @@ struct AccuracyMonitor::State {
     if (j.instant.interpolated && exceeds(last.bound, limits.degraded)) {
       if (const auto solved = continuity.solve_anew(j.instant, means()))
         return j.solved_anew = take_if_better(j.instant, *solved);
+      is_lost = true;                               // the nearest solution may be on another branch
       assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
     }
     const Instant start = j.instant.interpolated ? continuity.driven(j.instant) : j.instant;

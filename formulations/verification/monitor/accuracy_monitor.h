@@ -51,7 +51,6 @@ struct AccuracyMonitorOptions {
   bool reuses_pivots = false;            ///< pivots of earlier positions may spoil rates
   /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
   std::vector<const PivotReuse*> parts{};
-  bool proves = true;              ///< flags only what cannot be proven; needs memory for it
   unsigned without = 0;            ///< Monitor bits left out, for tests of what each finds
   std::optional<Scales> scales{};  ///< to which bounds are relative; empty: the motion's
   int max_steps = 4096;            ///< shorter steps in which a doubtful step is gone again

@@ -217,7 +217,6 @@ void LiveRun::restart() {
                              .levels = monitors_->plan.levels,
                              .every = options_.every,
                              .reuses_pivots = std::ranges::any_of(formulation_.parts(), reuses),
-                             .proves = false,
                              .scales = options_.scales,
                              .max_steps = options_.max_sub_steps,
                              .max_degradations = 0});
