@@ -142,7 +142,7 @@ void ConditionMonitor::reset(const Instant& instant, ScaledSystem& system) {
   growth_ = 1;
 }
 
-double ConditionMonitor::growth() const { return growth_ / (1 - allowed * std::min(1.0, used_)); }
+double ConditionMonitor::growth() const { return used_ > 0 ? growth_ / (1 - allowed) : growth_; }
 
 void ConditionMonitor::compare() {
   const Look& look = looks_[current_];
