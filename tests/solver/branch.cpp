@@ -11,7 +11,6 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/planning/plan.h"
 #include "formulations/verification/monitor/branch_monitor.h"
-#include "formulations/verification/monitor/implied_equations.h"
 #include "tests/describing.h"
 
 namespace desmo::branch_test {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "formulations/verification/monitor/implied_equations.h"
-
 namespace desmo {
 
 namespace {

@@ -8,6 +8,11 @@
 
 namespace desmo {
 
+/// Returns whether the equations left out of a constraint hold wherever some other constraint of
+/// its group does. The length of a link, for example, follows from the definition of its angle.
+/// Such equations need not be checked on any branch. Decided numerically, at random positions.
+bool is_implied(const Model& model, const Constraint& constraint);
+
 /// Checks conditions that solved positions must satisfy beyond the equations that were solved:
 /// - An angle that its equation determines modulo π only (holds_modulo_pi) is the declared one, not
 ///   the one half a turn away. It has turned by at most π since the last instant or the initial

@@ -32,7 +32,7 @@ Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
 
 /// Returns the largest of what is found for ranges (first, count) of n, or any from 1 on.
 template <class Find>
-double largest_by_chunks(Eigen::Index n, Find&& find) {
+double max_of_chunks(Eigen::Index n, Find&& find) {
   double result = 0;
   for (Eigen::Index i = 0; i < n && result < 1; i += chunk)
     result = std::max(result, find(i, std::min(chunk, n - i)));
@@ -94,7 +94,7 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
 /// Returns the part of the way that is used up, or any part from 1 on.
 double ConditionMonitor::used(const Look& look, std::span<const double> q) {
   const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
-  return largest_by_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
+  return max_of_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
     return ((now.segment(i, n) - look.q.segment(i, n)).abs() * look.per_way.segment(i, n))
         .maxCoeff();
   });
@@ -104,7 +104,7 @@ double ConditionMonitor::used(const Look& look, std::span<const double> q) {
 /// away if so.
 bool ConditionMonitor::turn_to(Look& look, std::span<const double> q) const {
   const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
-  const double part = largest_by_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
+  const double part = max_of_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
     const auto way = now.segment(i, n) - look.q.segment(i, n);
     const auto turns = (way * per_turn_.segment(i, n)).round() * (2 * std::numbers::pi);
     return ((way - turns).abs() * look.per_way.segment(i, n)).maxCoeff();
@@ -151,7 +151,7 @@ void ConditionMonitor::reset(const Instant& instant, ScaledSystem& system) {
   growth_ = 1;
 }
 
-double ConditionMonitor::growth() const { return growth_ / (1 - allowed * std::min(1.0, used_)); }
+double ConditionMonitor::growth() const { return used_ > 0 ? growth_ / (1 - allowed) : growth_; }
 
 void ConditionMonitor::compare() {
   const Look& look = looks_[current_];

@@ -23,7 +23,7 @@ namespace desmo {
 /// between the last two looks, whether it fell or rose, but for its curvature, which is bounded:
 /// entries of D change by their own size when coordinates move by their magnitudes. The next look
 /// is due where neither the last one nor an earlier one holds, so a motion that returns is not
-/// looked at again. Away from a look the growth counts as if d fell that fast.
+/// looked at again. Away from a look the growth counts as if d had halved.
 class ConditionMonitor {
  public:
   /// system: the one of the model.

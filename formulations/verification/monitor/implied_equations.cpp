@@ -1,5 +1,3 @@
-#include "formulations/verification/monitor/implied_equations.h"
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "formulations/scaling/scales.h"
+#include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {
 
