@@ -12,9 +12,12 @@ namespace {
 
 /// Corrections have to shrink so fast: at a double root they halve.
 constexpr double shrinks = 0.125;
-/// Corrections, in magnitudes, below which rounding decides.
-constexpr double settled = 1e-17;
+/// Corrections, in magnitudes, after which there need be no more, and which are too large for a
+/// last one.
+constexpr double settled = 1e-19, too_large = 1e-13;
 constexpr int max_corrections = 8;
+/// What is stated of a measured error, and of what the last corrections may make of each level.
+constexpr double margin = 1.25, of_rounding = 8;
 
 }  // namespace
 
@@ -35,16 +38,24 @@ MeasuredError::MeasuredError(const Model& m, ScaledSystem& system, std::span<con
   }
 }
 
-PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales& scales) {
+PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales& scales,
+                                           double condition) {
   take(instant);
   std::ranges::copy(instant.q, position_.begin());
-  bool is_refined = system_.factor(position_);
+  double rest = system_.factor(position_) ? 0 : INFINITY;  // that rounding leaves, in magnitudes
   PerLevel<double> result{};
   for (const Level level : levels) {
     if (level == Level::velocity && instant.qd.empty()) break;
     if (level == Level::acceleration && instant.qdd.empty()) break;
-    is_refined = is_refined && refine(level);
-    result[level] = is_refined ? error(instant, level, scales) : INFINITY;
+    rest = rest < INFINITY ? condition * rest + refine(level) : INFINITY;
+    const auto unit = [](double magnitude, double scale) {
+      return scale > 0 ? magnitude / scale : 0;
+    };
+    const double units =
+        std::max(unit(nominal_size(model_), scales.length[level]), unit(1, scales.rotation[level]));
+    result[level] = rest < INFINITY
+                        ? margin * error(instant, level, scales) + of_rounding * rest * units
+                        : INFINITY;
   }
   return result;
 }
@@ -63,8 +74,9 @@ void MeasuredError::take(const Instant& instant) {
   }
 }
 
-/// Solves one level, given the lower ones. Returns whether its corrections shrink fast.
-bool MeasuredError::refine(Level level) {
+/// Solves one level, given the lower ones. Returns the last correction; infinity where corrections
+/// do not shrink fast.
+double MeasuredError::refine(Level level) {
   double before = INFINITY;
   for (int i = 0; i < max_corrections && system_.size() > 0; ++i) {
     system_.equations().residual<Jet<Wide>>(state_, phi_);
@@ -82,11 +94,12 @@ bool MeasuredError::refine(Level level) {
       correction = std::max(correction, std::abs(off_[j]));
       size = std::max(size, static_cast<double>(std::abs(value)) / system_.magnitude(at));
     }
-    if (correction <= settled * size) return true;
-    if (!(correction <= shrinks * before)) return correction <= settled * size * 1e3;
+    if (correction <= settled * size) return correction;
+    if (!(correction <= shrinks * before))
+      return correction <= too_large * size ? std::max(correction, before) : INFINITY;
     before = correction;
   }
-  return system_.size() == 0;
+  return system_.size() == 0 ? 0 : INFINITY;
 }
 
 /// Returns the largest difference of any output, relative to its scale.

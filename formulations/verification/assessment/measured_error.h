@@ -22,15 +22,15 @@ class MeasuredError {
   MeasuredError(const Model& model, ScaledSystem& system, std::span<const Level> levels,
                 std::span<const Level> asked);
 
-  /// Returns the errors, as bounds of an Assessment; infinity where the refinement does not
-  /// converge fast, 0 at levels that the instant does not have. Overwrites the system's factors.
-  /// Allocates only in KLU.
-  PerLevel<double> operator()(const Instant& instant, const Scales& scales);
+  /// Returns the errors with a margin, as bounds of an Assessment; infinity where the refinement
+  /// does not converge fast, 0 at levels that the instant does not have. condition: of the
+  /// instant's assessment. Overwrites the system's factors. Allocates only in KLU.
+  PerLevel<double> operator()(const Instant& instant, const Scales& scales, double condition);
 
  private:
   using Wide = long double;
   void take(const Instant& instant);
-  bool refine(Level level);
+  double refine(Level level);
   double error(const Instant& instant, Level level, const Scales& scales) const;
 
   const Model& model_;

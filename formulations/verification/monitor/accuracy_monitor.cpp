@@ -32,8 +32,6 @@ constexpr double noise = 1e-3;
 constexpr double shrunk = 20;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
 constexpr double shown_by = 10;
-/// What is stated of a measured error, and what is left of a bound in longer numbers.
-constexpr double measured_margin = 2, longer = 0x1p-9;
 
 }  // namespace
 
@@ -346,9 +344,8 @@ struct AccuracyMonitor::State {
   /// Measures errors where bounds would flag an instant. Leaves its factors.
   void measure(Assessment& a, const Instant& instant) {
     if (a.singular || !exceeds(a.bound, limits.degraded)) return;
-    const PerLevel<double> error = measured(instant, scales.with(instant));
-    for (const Level l : levels)
-      a.bound[l] = std::min(a.bound[l], measured_margin * error[l] + longer * a.bound[l]);
+    const PerLevel<double> error = measured(instant, scales.with(instant), a.condition);
+    for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
   }
 
   /// Whether it has become better. What was interpolated, and is not even near a solution, is

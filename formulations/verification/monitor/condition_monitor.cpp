@@ -45,7 +45,6 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
       unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
       per_turn_(Eigen::ArrayXd::Zero(m.coordinates())),
-      right_{Eigen::ArrayXd(system.size()), Eigen::ArrayXd(system.size())},
       x_(system.size()),
       way_(m.coordinates()),
       share_before_(m.groups.size()),
@@ -55,7 +54,8 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
       then_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   const std::vector<EntityId> entity = entity_of_coordinate(m);
-  std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to both
+  std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to all
+  for (Eigen::ArrayXd& right : right_) right.resize(system.size());
   for (int j = 0; j < system.size(); ++j) {
     group_.push_back(m.entities[entity[system.unknowns()[j]]].group);
     block_.push_back(system.block(j));

@@ -12,7 +12,7 @@
 namespace desmo {
 
 /// Monitors the growth of the condition number since the last assessment where rates do not show
-/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for two fixed b
+/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for four fixed b
 /// without pattern, now and then (a *look*), with factors of its own. What it finds:
 ///
 ///   growth     of ‖x‖∞ of each group since the assessment
@@ -68,7 +68,7 @@ class ConditionMonitor {
   std::vector<GroupId> group_;           // group of each unknown
   std::vector<int> block_;               // irreducible block of each unknown
   std::vector<GroupId> of_block_;        // group of each block
-  std::array<Eigen::ArrayXd, 2> right_;  // b
+  std::array<Eigen::ArrayXd, 4> right_;  // b
   Eigen::ArrayXd x_;                     // A⁻¹ b
   Eigen::ArrayXd way_;                   // of each coordinate since the look before, in magnitudes
   Eigen::ArrayXd share_before_, distance_before_;  // of that look

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -84,7 +83,7 @@ class Run final : Observer {
     if (tried_ == 0 && summary_.violated >= 0) {              // assembled in one go, but elsewhere
       summary_ = {};
       begin_monitoring();
-      is_astray_ = true;
+      is_astray_ = is_continued_ = true;
     }
     // A stride was too long, or the formulation could not go on, or has gone elsewhere.
     if (is_astray_ || !summary_.ok()) {
@@ -139,6 +138,9 @@ class Run final : Observer {
   Flow hand_on(const MonitoredInstant& m) {
     const Instant& instant = m.instant;
     if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
+    if (is_continued_ && summary_.instants == 0 && !summary_.crossing)
+      summary_.crossing = {instant.time, instant.time, m.assessment.group,
+                           SingularityCrossing::Kind::not_declared};
     summary_.refused = options_.strict && (m.degraded || m.crossing);
     summary_.violated = branch_.violated(m.instant, m.angles_follow);
     if (summary_.refused || summary_.violated >= 0) return Flow::stop;
@@ -264,9 +266,10 @@ class Run final : Observer {
   BranchMonitor branch_;
   const OutputWriter output_;
   Observer& next_;
-  double max_residual_ = 0;  // of the instants handed on
-  bool is_astray_ = false;   // the formulation is not where the last instant is
-  int tried_ = 0;            // the instant tried last
+  double max_residual_ = 0;    // of the instants handed on
+  bool is_continued_ = false;  // the first instant, since it was assembled on another branch
+  bool is_astray_ = false;     // the formulation is not where the last instant is
+  int tried_ = 0;              // the instant tried last
 };
 
 }  // namespace
@@ -277,44 +280,6 @@ MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
   if (!request.coordinates.empty())
     throw std::invalid_argument("a monitored run is asked for some coordinates; it needs all");
   return Run(formulation, grid, request, observer, options)();
-}
-
-std::string describe(const MonitoredSummary& s, const Model& m) {
-  const auto at = [](double time) {
-    char text[40];
-    std::snprintf(text, sizeof text, " at t = %.9g s", time);
-    return std::string(text);
-  };
-  if (s.violated >= 0)
-    return "another branch" + at(s.time) + ", constraint '" + m.constraints[s.violated].name + "'";
-  if (!s.ok()) return describe(static_cast<const Summary&>(s), m);
-  std::string flags;
-  if (s.first_degraded)
-    flags += "instants " + std::to_string(s.degraded) + ", the first" + at(s.first_degraded->time) +
-             "; ";
-  if (s.crossing) flags += "a singular position or a jump" + at(s.crossing->before) + "; ";
-  if (!s.gaps.empty())
-    flags += "intervals that cannot be assembled " + std::to_string(s.gaps.size()) + ", the first" +
-             at(s.gaps.front().from) + "; ";
-  const char* const outcome = s.outcome() == Outcome::failed     ? "refused: "
-                              : s.outcome() == Outcome::degraded ? "degraded: "
-                                                                 : "converged: ";
-  return outcome + flags + std::to_string(s.instants) + " instants in all, " +
-         describe_accuracy(s.condition, s.bound, Level::acceleration);
-}
-
-std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level) {
-  const auto number = [](double x) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.1e", x);
-    return std::string(text);
-  };
-  std::string result =
-      "condition " + number(condition) + ", errors up to " + number(bound.position);
-  if (level >= Level::velocity) result += ", " + number(bound.velocity) + " in velocity";
-  if (level >= Level::acceleration)
-    result += ", " + number(bound.acceleration) + " in acceleration";
-  return result;
 }
 
 }  // namespace desmo

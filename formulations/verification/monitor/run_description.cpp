@@ -1,0 +1,47 @@
+// A monitored run in a line.
+#include <cstdio>
+#include <string>
+
+#include "formulations/verification/monitor/monitored_run.h"
+
+namespace desmo {
+
+std::string describe(const MonitoredSummary& s, const Model& m) {
+  const auto at = [](double time) {
+    char text[40];
+    std::snprintf(text, sizeof text, " at t = %.9g s", time);
+    return std::string(text);
+  };
+  if (s.violated >= 0)
+    return "another branch" + at(s.time) + ", constraint '" + m.constraints[s.violated].name + "'";
+  if (!s.ok()) return describe(static_cast<const Summary&>(s), m);
+  std::string flags;
+  if (s.first_degraded)
+    flags += "instants " + std::to_string(s.degraded) + ", the first" + at(s.first_degraded->time) +
+             "; ";
+  if (s.crossing) flags += "a singular position or a jump" + at(s.crossing->before) + "; ";
+  if (!s.gaps.empty())
+    flags += "intervals that cannot be assembled " + std::to_string(s.gaps.size()) + ", the first" +
+             at(s.gaps.front().from) + "; ";
+  const char* const outcome = s.outcome() == Outcome::failed     ? "refused: "
+                              : s.outcome() == Outcome::degraded ? "degraded: "
+                                                                 : "converged: ";
+  return outcome + flags + std::to_string(s.instants) + " instants in all, " +
+         describe_accuracy(s.condition, s.bound, Level::acceleration);
+}
+
+std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level) {
+  const auto number = [](double x) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%.1e", x);
+    return std::string(text);
+  };
+  std::string result =
+      "condition " + number(condition) + ", errors up to " + number(bound.position);
+  if (level >= Level::velocity) result += ", " + number(bound.velocity) + " in velocity";
+  if (level >= Level::acceleration)
+    result += ", " + number(bound.acceleration) + " in acceleration";
+  return result;
+}
+
+}  // namespace desmo
