@@ -15,6 +15,9 @@ class GuardedPart : public Part {
   /// Returns the number of these steps that ended on another branch than the step before, where the
   /// part can tell.
   virtual long branch_changes() const { return 0; }
+  /// Sets whether Newton's method makes one more correction where the tolerance is met but more
+  /// than rounding is left. Monitored runs ask for it: what is left is an error of κ times as much.
+  virtual void correct_once_more(bool asked) { static_cast<void>(asked); }
 };
 
 }  // namespace desmo

@@ -4,6 +4,14 @@
 
 namespace desmo {
 
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Of the tolerance, what counts as rounding.
+constexpr double rounding_share = 0.03;
+
+}  // namespace
+
 InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
                          const PartSettings& settings, std::unique_ptr<Part> fallback,
                          std::vector<int> unknowns)
@@ -13,13 +21,19 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
       max_iterations_(settings.analysis.max_iterations),
       accepted2_(tolerance2_),
       at_rounding_(settings.at_rounding),
+      corrected_above2_(at_rounding_ ? -1 : infinity),
       fallback_(std::move(fallback)),
       unknowns_(std::move(unknowns)),
       start_(unknowns_.size()) {
   if (settings.analysis.fixed_iterations == 0) return;
   tolerance2_ = 0;
   max_iterations_ = settings.analysis.fixed_iterations;
-  accepted2_ = std::numeric_limits<double>::infinity();
+  accepted2_ = infinity;
+}
+
+void InlinedPart::correct_once_more(bool asked) {
+  if (!at_rounding_)
+    corrected_above2_ = asked ? rounding_share * rounding_share * tolerance2_ : infinity;
 }
 
 /// Apart, for the registers that it needs would have to be saved in every step.
@@ -37,7 +51,7 @@ PartResult InlinedPart::solve(State& s, std::span<const double> last, Level leve
 
   InlinedResult position =
       bound_.kernel->position(s.q.data(), in, c, weights_.data(), tolerance2_, max_iterations_);
-  if (at_rounding_ && position.residual2 < tolerance2_) [[unlikely]]
+  if (position.residual2 > corrected_above2_ && position.residual2 < tolerance2_) [[unlikely]]
     position = once_more(s, position.iterations);
   bool good = position.residual2 < accepted2_;  // false for NaN, too
   if (good && level != Level::position) {

@@ -26,6 +26,7 @@ class InlinedPart final : public GuardedPart {
   void end_assembly() override { fallbacks_ = fallbacks_before_; }
 
   long fallbacks() const override { return fallbacks_; }
+  void correct_once_more(bool asked) override;
 
  private:
   InlinedResult once_more(State& state, int iterations) const;
@@ -34,8 +35,9 @@ class InlinedPart final : public GuardedPart {
   std::vector<double> weights_;
   double tolerance2_;  // on ‖Φ‖₂²: where to stop iterating …
   int max_iterations_;
-  double accepted2_;  // … and what to accept
-  bool at_rounding_;  // see PartSettings
+  double accepted2_;         // … and what to accept
+  bool at_rounding_;         // see PartSettings
+  double corrected_above2_;  // ‖Φ‖₂² at the tolerance that is worth one more correction
   std::unique_ptr<Part> fallback_;
   std::vector<int> unknowns_;
   std::vector<double> start_;                  // unknowns at the start of the step

@@ -33,10 +33,12 @@ class Position {
     return *std::ranges::find(plan.model.constraints, name, &Constraint::name);
   }
   /// The constraint that the monitor names; empty: none.
-  std::string violated(bool with_velocity = true, double tolerance = 1e-11) {
+  std::string violated(bool with_velocity = true, double tolerance = 1e-11,
+                       bool angles_follow = false) {
     BranchMonitor monitor(plan.model, plan.levels, tolerance);
     const int c = monitor.violated(
-        {0, 0, q, with_velocity ? std::span<const double>(qd) : std::span<const double>(), {}});
+        {0, 0, q, with_velocity ? std::span<const double>(qd) : std::span<const double>(), {}},
+        angles_follow);
     return c < 0 ? "" : plan.model.constraints[c].name;
   }
 
@@ -67,6 +69,20 @@ TEST(Branch, OfAnAngleThatIsToldModuloPi) {
   EXPECT_EQ(spatial.violated(), "");
   spatial.scalar("psi") += std::numbers::pi;
   EXPECT_EQ(spatial.violated(), "psi: definition");
+}
+
+TEST(Branch, WhatCannotFailAloneIsNotCheckedWhereAnglesFollow) {
+  Position p(model_mechanism(crank(), turning).model);
+  Constraint& length = p.constraint("crank: A-B length");
+  ASSERT_NE(length.left_out, 0u);
+  EXPECT_TRUE(is_implied(p.plan.model, length));  // by the definition of theta
+  p.scalar("back") += std::numbers::pi;
+  EXPECT_EQ(p.violated(true, 1e-11, true), "");
+  p.scalar("back") -= std::numbers::pi;
+
+  length.constants[0] *= 1.01;  // of another crank
+  EXPECT_FALSE(is_implied(p.plan.model, length));
+  EXPECT_EQ(p.violated(true, 1e-11, true), "crank: A-B length");
 }
 
 TEST(Branch, OfEquationsLeftOut) {

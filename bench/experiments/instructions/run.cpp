@@ -35,6 +35,13 @@ void print(const std::vector<StepCount>& counts) {
   for (const StepCount& c : counts)
     std::printf("%-18s %-68s %12lld\n", c.case_name.c_str(), c.id.c_str(),
                 static_cast<long long>(c.instructions));
+  std::printf("\nWhat monitors add to a step:\n");
+  for (const StepCount& c : counts)
+    if (is_monitored(c.id))
+      std::printf("%-18s %-68s %12lld %5.1f %%\n", c.case_name.c_str(), c.id.c_str(),
+                  static_cast<long long>(c.monitors),
+                  100.0 * static_cast<double>(c.monitors) /
+                      static_cast<double>(c.instructions - c.monitors));
 }
 
 nlohmann::ordered_json counts_json(const std::vector<StepCount>& counts, const std::string& tool) {

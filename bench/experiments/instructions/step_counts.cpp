@@ -23,7 +23,7 @@ constexpr int short_motion = 100, long_motion = 300;
 
 /// Formulations with which the cost of monitors is counted.
 constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
-                               "group_symbolic_explicit"};
+                               "block_symbolic_inlined", "group_symbolic_explicit"};
 
 bool is_counted(const Variant& v) {
   return v.partition != Partition::block && !is_dense_global(v) && slow_reason(v).empty();
@@ -63,7 +63,8 @@ void count(StepCount& one, const std::string& desmo_steps) {
   const Settings settings = parse_id(bare).settings;
   one.steps = long_motion - short_motion;
   if (is_monitored(one.id)) {
-    one.instructions = step(bare) + (more(one.id) - more(bare)) / one.steps;
+    one.monitors = (more(one.id) - more(bare)) / one.steps;
+    one.instructions = step(bare) + one.monitors;
   } else if (settings.segments > 1 || settings.stride > 1) {
     one.instructions = more(one.id) / one.steps;
   } else {

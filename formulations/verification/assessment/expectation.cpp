@@ -11,6 +11,8 @@ namespace {
 
 /// What neither signal shows, and as much again where bounds have been low.
 constexpr double min_margin = 10, doubled = 2;
+/// What growth may miss of the direction that a residual happens to have.
+constexpr double residual_margin = 2;
 /// Growth after which an instant is assessed in any case.
 constexpr double risen = 4;
 
@@ -49,7 +51,8 @@ Assessment Expectation::without_margin(const Signals& signals) const {
 
 Assessment Expectation::operator()(const Signals& signals) const {
   Assessment a = without_margin(signals);
-  a.bound.position += (std::max(min_margin, margin_.position) - 1) * a.rounding;
+  a.bound.position += (std::max(min_margin, margin_.position) - 1) * a.rounding +
+                      (residual_margin - 1) * a.per_residual * signals.residual;
   for (const Level l : {Level::velocity, Level::acceleration})
     a.bound[l] *= std::max(min_margin, margin_[l]);
   return a;

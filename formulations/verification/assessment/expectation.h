@@ -8,7 +8,7 @@ namespace desmo {
 /// Bounds of an instant that is not assessed. They use the residual at which the position was
 /// accepted, and the growth g of the condition number κ since the last assessment:
 ///
-///   position       10 g × rounding + g × per_residual × residual
+///   position       10 g × rounding + 2 g × per_residual × residual
 ///   velocity       10 × last bound × growth of the position bound × g² × growth of the drivers
 ///   acceleration   10 × last bound × growth of the position bound × g⁴ × growth of the drivers
 ///

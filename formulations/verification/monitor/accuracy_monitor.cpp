@@ -90,6 +90,7 @@ struct AccuracyMonitor::State {
     const Assessment expected = expectation(signals);
     const Statement statement = state(instant, expected);
     const bool in_doubt = is_in_doubt(instant, signals);
+    j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
     std::optional<Continuity::Jump> jump;
     is_lost = false;
     const bool known_before = rates_are_known(), from_noise = degraded && !known_before;
@@ -333,7 +334,7 @@ struct AccuracyMonitor::State {
       sensitivity.reset(j.instant, assessor.system());
       if (weights.size() == 0) weights = sensitivity.weights();
       weights = weights.max(sensitivity.weights());
-      conditioning.reset(assessor.system());
+      conditioning.reset(j.instant, assessor.system());
       if (!last.singular) j.crossing = crossing(j.instant);
       started = true;
     }

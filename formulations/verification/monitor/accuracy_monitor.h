@@ -65,6 +65,8 @@ struct MonitoredInstant {
   /// It was interpolated, not accurately enough, or jumped to another branch, and was then solved
   /// from the instant before it.
   bool solved_anew = false;
+  /// No angle is half a turn from where the instant before leads it: see BranchMonitor.
+  bool angles_follow = false;
   std::optional<SingularityCrossing> crossing{};
   Assessment assessment{};  ///< assessed, or an expectation with margin (Expectation)
 };

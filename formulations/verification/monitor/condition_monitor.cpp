@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace desmo {
@@ -10,7 +11,7 @@ namespace {
 
 /// Groups that the right-hand side hardly moves count as this part of the one that it moves most.
 constexpr double min_part = 0.5;
-/// By what part a distance, or the share of a group, may fall from one look to the next.
+/// By what part a distance, or the share of a group, may fall where a look holds.
 constexpr double allowed = 0.5;
 /// By then a distance may be zero: the way on which it halves counts as 1.
 constexpr double singular = 1.5;
@@ -18,9 +19,24 @@ constexpr double singular = 1.5;
 constexpr double steepest = 2, curvature = 2;
 /// Instead of infinity, which is not to be multiplied by 0.
 constexpr double at_once = 1e300;
+/// Looks kept, and numbers kept at most in all.
+constexpr int max_looks = 128, max_look_numbers = 1 << 20;
+/// Way in magnitudes that does not count: an instant has been corrected.
+constexpr double negligible = 1e-6;
+/// Coordinates after which it is asked whether the rest matters.
+constexpr Eigen::Index chunk = 64;
 
 Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// Returns the largest of what is found for ranges (first, count) of n, or any from 1 on.
+template <class Find>
+double max_of_chunks(Eigen::Index n, Find&& find) {
+  double result = 0;
+  for (Eigen::Index i = 0; i < n && result < 1; i += chunk)
+    result = std::max(result, find(i, std::min(chunk, n - i)));
+  return result;
 }
 
 }  // namespace
@@ -28,13 +44,14 @@ Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
 ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
       unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
-      last_(Eigen::ArrayXd::Constant(m.coordinates(), NAN)),
-      way_(Eigen::ArrayXd::Zero(m.coordinates())),
-      per_way_(way_),
+      per_turn_(Eigen::ArrayXd::Zero(m.coordinates())),
       x_(system.size()),
-      now_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))),
-      then_(now_),
-      before_(now_) {
+      way_(m.coordinates()),
+      share_before_(m.groups.size()),
+      way_of_group_(m.groups.size()),
+      per_way_of_group_(m.groups.size()),
+      looks_(std::clamp(max_look_numbers / (4 * std::max(1, m.coordinates())), 2, max_looks)),
+      then_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   const std::vector<EntityId> entity = entity_of_coordinate(m);
   std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to all
@@ -49,11 +66,20 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     }
   }
   const int blocks = system.size() > 0 ? std::ranges::max(block_) + 1 : 0;
-  distance_ = distance_before_ = Eigen::ArrayXd::Zero(blocks);
+  distance_before_.resize(blocks);
   of_block_.resize(blocks);
   for (int j = 0; j < system.size(); ++j) of_block_[block_[j]] = group_[j];
+  for (Look& look : looks_) {
+    look.q.resize(m.coordinates());
+    look.per_way.resize(m.coordinates());
+    look.share.resize(then_.size());
+    look.distance.resize(blocks);
+    look.signs.resize(blocks);
+  }
+  signs_.resize(blocks);
+  for (const Entity& e : m.entities)
+    if (!e.fixed && e.kind == EntityKind::angle) per_turn_[e.first] = 1 / (2 * std::numbers::pi);
   reads_.resize(m.groups.size());
-  way_before_ = now_;
   system.equations().jacobian<double>(std::vector<double>(m.state_size(), 1),
                                       [&](int row, int i, double) {
                                         if (i < m.coordinates())
@@ -65,104 +91,155 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
   }
 }
 
+/// Returns the part of the way that is used up, or any part from 1 on.
+double ConditionMonitor::used(const Look& look, std::span<const double> q) {
+  const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
+  return max_of_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
+    return ((now.segment(i, n) - look.q.segment(i, n)).abs() * look.per_way.segment(i, n))
+        .maxCoeff();
+  });
+}
+
+/// Returns whether a look holds at q, whatever whole turns its angles are away, and takes these
+/// away if so.
+bool ConditionMonitor::turn_to(Look& look, std::span<const double> q) const {
+  const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
+  const double part = max_of_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
+    const auto way = now.segment(i, n) - look.q.segment(i, n);
+    const auto turns = (way * per_turn_.segment(i, n)).round() * (2 * std::numbers::pi);
+    return ((way - turns).abs() * look.per_way.segment(i, n)).maxCoeff();
+  });
+  if (part >= 1) return false;
+  look.q += ((now - look.q) * per_turn_).round() * (2 * std::numbers::pi);
+  return true;
+}
+
 void ConditionMonitor::go_on(const Instant& instant) {
-  if (last_.size() == 0) return;
-  if (!std::isnan(last_[0])) way_ += (mapped(instant.q) - last_).abs() * unit_;
-  last_ = mapped(instant.q);
-  used_ = (way_ * per_way_).maxCoeff();
+  if (count_ == 0) return;
+  used_ = used(looks_[current_], instant.q);
+  if (used_ < 1) return;
+  for (int k = 1; k < count_; ++k) {  // first the one that followed last time
+    const int other = (current_ + k) % count_;
+    if (!turn_to(looks_[other], instant.q)) continue;
+    current_ = other;
+    used_ = used(looks_[current_], instant.q);
+    return compare();
+  }
 }
 
 void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   std::ranges::copy(instant.q, state_.begin());
-  if (system.factor(state_)) {
-    take(system);
-    if (!std::ranges::equal(system.orientation(), signs_)) growth_ = INFINITY;
-    return;
-  }
-  growth_ = INFINITY;
-  distance_.setZero();
-  per_way_.setConstant(at_once);
-  max_per_way_ = at_once;
+  if (system.factor(state_)) return take(instant, system);
+  Look& singular = add(instant);
+  singular.distance.setZero();
+  singular.share.setConstant(INFINITY);
+  singular.per_way.setConstant(at_once);
+  singular.max_per_way = at_once;
+  std::ranges::copy(signs_, singular.signs.begin());
+  compare();
 }
 
 double ConditionMonitor::way_left() const {
-  return (singular - std::min(1.0, used_)) / std::max(1e-300, max_per_way_);
+  const double per_way = count_ > 0 ? looks_[current_].max_per_way : 0;
+  return (singular - std::min(1.0, used_)) / std::max(1e-300, per_way);
 }
 
-void ConditionMonitor::reset(ScaledSystem& system) {
-  take(system);
-  then_ = now_;
-  signs_.assign(system.orientation().begin(), system.orientation().end());
+void ConditionMonitor::reset(const Instant& instant, ScaledSystem& system) {
+  take(instant, system);
+  then_ = looks_[current_].share;
+  std::ranges::copy(looks_[current_].signs, signs_.begin());
   growth_ = 1;
 }
 
-double ConditionMonitor::growth() const { return growth_ / (1 - allowed * std::min(1.0, used_)); }
+double ConditionMonitor::growth() const { return used_ > 0 ? growth_ / (1 - allowed) : growth_; }
 
-void ConditionMonitor::take(ScaledSystem& system) {
-  if (system.size() == 0) return;
-  if (double way = way_.maxCoeff(); way > 0) {  // else it is the same position
-    all_way_before_ = way;
-    before_ = now_;
-    distance_before_ = distance_;
-    for (std::size_t g = 0; g < reads_.size(); ++g) {
-      way = 0;
-      for (const int i : reads_[g]) way = std::max(way, way_[i]);
-      way_before_[static_cast<Eigen::Index>(g)] = way;
-    }
+void ConditionMonitor::compare() {
+  const Look& look = looks_[current_];
+  growth_ = std::ranges::equal(look.signs, signs_)
+                ? std::max(1.0, (look.share / then_).maxCoeff<Eigen::PropagateNaN>())
+                : INFINITY;
+}
+
+void ConditionMonitor::take(const Instant& instant, ScaledSystem& system) {
+  const bool is_first = count_ == 0;
+  if (!is_first) {
+    const Look& last = looks_[current_];
+    way_ = (mapped(instant.q) - last.q).abs() * unit_;
+    if (!(way_.maxCoeff() > negligible)) return measure(looks_[current_], system);
+    share_before_ = last.share;
+    distance_before_ = last.distance;
   }
-  way_.setZero();
+  Look& look = add(instant);
+  measure(look, system);
+  if (is_first) way_.setZero();
+  schedule(look);
+}
+
+/// Returns the look that is now the current one, at an instant.
+ConditionMonitor::Look& ConditionMonitor::add(const Instant& instant) {
+  newest_ = (newest_ + 1) % static_cast<int>(looks_.size());
+  count_ = std::min(count_ + 1, static_cast<int>(looks_.size()));
+  current_ = newest_;
   used_ = 0;
-  now_.setZero();
+  looks_[current_].q = mapped(instant.q);
+  return looks_[current_];
+}
+
+void ConditionMonitor::measure(Look& look, ScaledSystem& system) {
+  look.share.setZero();
+  look.distance.setZero();
   for (const Eigen::ArrayXd& right : right_) {
+    if (system.size() == 0) break;
     x_ = right;
     system.solve(x_.data());
     for (int j = 0; j < system.size(); ++j)
-      now_[group_[j]] = std::max(now_[group_[j]], std::abs(x_[j]));
-  }
-  now_ = now_.max(min_part * now_.maxCoeff());
-  growth_ = std::max(1.0, (now_ / then_).maxCoeff());
-  measure_distances(system);
-  schedule();
-}
-
-void ConditionMonitor::measure_distances(ScaledSystem& system) {
-  distance_.setZero();  // of 1/d, at first
-  for (const Eigen::ArrayXd& right : right_) {
+      look.share[group_[j]] = std::max(look.share[group_[j]], std::abs(x_[j]));
     x_ = right;
     system.solve_blocks(x_.data());
     for (int j = 0; j < system.size(); ++j)
-      distance_[block_[j]] = std::max(distance_[block_[j]], std::abs(x_[j]));
+      look.distance[block_[j]] = std::max(look.distance[block_[j]], std::abs(x_[j]));
   }
-  distance_ = distance_.inverse();
+  look.share = look.share.max(min_part * look.share.maxCoeff());
+  look.distance = look.distance.inverse();
+  std::ranges::copy(system.orientation(), look.signs.begin());
+  compare();
 }
 
-void ConditionMonitor::schedule() {
-  per_way_.setConstant(1 / until_grown());
-  per_way_of_group_.assign(reads_.size(), 0);
+/// Finds around a look where it holds, from what has changed since the last one, way_ away.
+void ConditionMonitor::schedule(Look& look) {
+  const double way = way_.maxCoeff();
+  look.per_way.setConstant(way > 0 ? 1 / until_grown(look, way) : 0);
+  for (std::size_t g = 0; g < reads_.size(); ++g) {
+    way_of_group_[g] = per_way_of_group_[g] = 0;
+    for (const int i : reads_[g]) way_of_group_[g] = std::max(way_of_group_[g], way_[i]);
+  }
   for (std::size_t b = 0; b < of_block_.size(); ++b) {
+    const double d = look.distance[static_cast<Eigen::Index>(b)],
+                 before = distance_before_[static_cast<Eigen::Index>(b)],
+                 moved = way_of_group_[of_block_[b]];
+    const double slope =
+        moved > 0 ? std::abs(before - d) / moved + curvature / 2 * moved : steepest;
     double& per_way = per_way_of_group_[of_block_[b]];
-    per_way = std::max(per_way, std::min(at_once, 1 / until_halved(static_cast<int>(b))));
+    per_way = std::max(per_way, std::min(at_once, 1 / until_halved(d, slope)));
   }
   for (std::size_t g = 0; g < reads_.size(); ++g)
-    for (const int i : reads_[g]) per_way_[i] = std::max(per_way_[i], per_way_of_group_[g]);
-  max_per_way_ = per_way_.maxCoeff();
+    for (const int i : reads_[g]) look.per_way[i] = std::max(look.per_way[i], per_way_of_group_[g]);
+  look.max_per_way = look.per_way.maxCoeff();
+  look.per_way *= unit_;
 }
 
-/// Returns the way on which the distance of a block cannot halve. A motion may turn back, so its
-/// slope counts either way.
-double ConditionMonitor::until_halved(int b) const {
-  double slope = steepest;  // of the fall, at most
-  if (const double way = way_before_[of_block_[b]]; way > 0)
-    slope = std::abs(distance_before_[b] - distance_[b]) / way + curvature / 2 * way;
+/// Returns the way on which a distance of that slope, at most, cannot halve.
+double ConditionMonitor::until_halved(double distance, double slope) {
   // slope w + curvature w² / 2 = allowed d
-  const double root = std::sqrt(slope * slope + 2 * curvature * allowed * distance_[b]);
+  const double root = std::sqrt(slope * slope + 2 * curvature * allowed * distance);
   return (root - slope) / curvature;
 }
 
-/// Returns the way on which no group's share doubles at its last pace.
-double ConditionMonitor::until_grown() const {
-  if (!(all_way_before_ > 0)) return INFINITY;
-  const double pace = (now_ / before_ - 1).abs().maxCoeff() / all_way_before_;
+/// Returns the way on which no group's share doubles at its last pace, in either direction.
+double ConditionMonitor::until_grown(const Look& look, double way) const {
+  const Eigen::ArrayXd& before = share_before_;
+  const double pace =
+      ((look.share / before).max(before / look.share) - 1).maxCoeff<Eigen::PropagateNaN>() / way;
   return pace > 0 ? allowed / pace : INFINITY;
 }
 

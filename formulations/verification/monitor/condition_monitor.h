@@ -19,54 +19,67 @@ namespace desmo {
 ///   distance   of each irreducible block D to a singular one, d = 1/‖D⁻¹ b‖∞; it falls to zero
 ///   signs      of the determinants; one that has changed counts as infinite growth
 ///
-/// The next look is due before any d can have halved. d has the slope of the last two looks, but
-/// for its curvature, which is bounded: entries of D change by their own size when coordinates move
-/// by their magnitudes. Between looks the growth counts as if d fell that fast.
+/// Each look holds for the positions around it in which no d can have halved. d has the slope
+/// between the last two looks, whether it fell or rose, but for its curvature, which is bounded:
+/// entries of D change by their own size when coordinates move by their magnitudes. The next look
+/// is due where neither the last one nor an earlier one holds, so a motion that returns is not
+/// looked at again. Away from a look the growth counts as if d had halved.
 class ConditionMonitor {
  public:
   /// system: the one of the model.
   ConditionMonitor(const Model& model, const ScaledSystem& system);
 
-  /// Adds the way to an instant; instants come in order of time.
+  /// Moves on to an instant.
   void go_on(const Instant& instant);
   /// Returns whether the instant should be looked at.
   bool is_due() const { return used_ >= 1; }
   void look(const Instant& instant, ScaledSystem& system);
   /// Returns the way of any coordinate, in magnitudes, after which a block may be singular.
   double way_left() const;
-  /// Returns the growth, at least 1, of the last look and what it may have become since; infinity
-  /// where it was singular.
+  /// Returns the growth, at least 1, of the look that holds and what it may have become since;
+  /// infinity where it was singular.
   double growth() const;
   /// Makes this instant the one to compare with. system: factorised at it.
-  void reset(ScaledSystem& system);
+  void reset(const Instant& instant, ScaledSystem& system);
 
  private:
-  void take(ScaledSystem& system);
-  void measure_distances(ScaledSystem& system);
-  double until_halved(int block) const;
-  double until_grown() const;
-  void schedule();
+  struct Look {
+    Eigen::ArrayXd q;
+    Eigen::ArrayXd per_way;   // 1 / change of each coordinate up to which it holds
+    double max_per_way = 0;   // the largest, by magnitudes
+    Eigen::ArrayXd share;     // ‖x‖∞ of each group
+    Eigen::ArrayXd distance;  // d of each block
+    std::vector<signed char> signs;
+  };
+  static double used(const Look& look, std::span<const double> q);
+  bool turn_to(Look& look, std::span<const double> q) const;
+  void take(const Instant& instant, ScaledSystem& system);
+  Look& add(const Instant& instant);
+  void measure(Look& look, ScaledSystem& system);
+  void schedule(Look& look);
+  static double until_halved(double distance, double slope);
+  double until_grown(const Look& look, double way) const;
+  void compare();
 
   std::vector<double> state_;
   Eigen::ArrayXd unit_;                  // 1 / magnitude of each coordinate
-  Eigen::ArrayXd last_;                  // q of the last instant
-  Eigen::ArrayXd way_;                   // of each coordinate since the last look, in magnitudes
-  Eigen::ArrayXd per_way_;               // 1 / way of each coordinate until the next look
+  Eigen::ArrayXd per_turn_;              // of each coordinate: 1 / 2π of angles, else 0
   std::vector<std::vector<int>> reads_;  // coordinates that each group reads, its own included
   std::vector<GroupId> group_;           // group of each unknown
   std::vector<int> block_;               // irreducible block of each unknown
   std::vector<GroupId> of_block_;        // group of each block
   std::array<Eigen::ArrayXd, 4> right_;  // b
   Eigen::ArrayXd x_;                     // A⁻¹ b
-  Eigen::ArrayXd now_, then_, before_;  // ‖x‖∞ of each group: last look, assessment, look before
-  Eigen::ArrayXd distance_, distance_before_;  // d of each block: last look, look before
-  std::vector<signed char> signs_;             // of the assessment
-  Eigen::ArrayXd way_before_;                  // of what each group reads, between the last looks
-  std::vector<double> per_way_of_group_;       // 1 / way until the next look
-  double max_per_way_ = 0;                     // largest of per_way_
-  double growth_ = 1;
-  double used_ = 0;            // part of the way until the next look
-  double all_way_before_ = 0;  // of any coordinate, between the last two looks
+  Eigen::ArrayXd way_;                   // of each coordinate since the look before, in magnitudes
+  Eigen::ArrayXd share_before_, distance_before_;  // of that look
+  std::vector<double> way_of_group_;               // the largest of what each group reads
+  std::vector<double> per_way_of_group_;
+  std::vector<Look> looks_;  // in turn; the oldest is replaced
+  int count_ = 0, newest_ = -1, current_ = 0;
+  Eigen::ArrayXd then_;             // shares at the assessment
+  std::vector<signed char> signs_;  // of the assessment
+  double growth_ = 1;               // of the current look
+  double used_ = 0;                 // part of the way on which it holds
 };
 
 }  // namespace desmo

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "formulations/prediction/driver_source.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr double smooth = 0.02;
 /// By how much an angle may turn more or less than its rates say [rad].
 constexpr double turned = 1;
+/// By how much it may where it is to be certain that it is not half a turn off [rad].
+constexpr double closely_turned = 0.25;
 /// Of a step: what does not look continuous over so little is not.
 constexpr double shortest = 0x1p-40;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
@@ -127,10 +130,25 @@ bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::A
 bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
                           double min_excursion) {
   const double least = std::min(min_excursion, std::exchange(min_excursion_, min_excursion));
+  angles_follow_ = is_known() && do_angles_follow(instant);
   if (!is_known() || weights.size() == 0) return false;
   return turns_.find(recent_[0], instant, least) ||
          mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
-         turns_further(view_of(recent_[0], instant), instant, weights);
+         (!angles_follow_ && turns_further(view_of(recent_[0], instant), instant, weights));
+}
+
+/// Returns whether every unknown angle turns as its rates say, to `closely_turned`, and by half a
+/// turn at most.
+bool Continuity::do_angles_follow(const Instant& instant) const {
+  if (instant.qd.empty()) return false;
+  const auto& [q, qd, qdd] = recent_[0].state;
+  const double half = (instant.time - recent_[0].time) / 2;
+  bool follow = true;
+  for (const int i : angles_) {
+    const double turn = instant.q[i] - q[i], rates = half * (qd[i] + instant.qd[i]);
+    follow &= (std::abs(turn - rates) <= closely_turned) & (std::abs(turn) <= std::numbers::pi);
+  }
+  return follow;
 }
 
 /// Whether an angle turns by more than its rates say, as by a whole turn.

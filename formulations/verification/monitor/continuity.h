@@ -42,6 +42,9 @@ class Continuity {
   /// Returns whether the step from the instant taken last is in doubt. min_excursion: how far
   /// drivers may turn beyond this instant before a position may be singular (DriverTurns).
   bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights, double min_excursion);
+  /// Returns whether all unknown angles turned in that step as their rates say, so closely that
+  /// none is half a turn from where they lead.
+  bool angles_follow() const { return angles_follow_; }
   /// Prepares the step to an instant of which only the time is known.
   void expect(const Instant& instant);
 
@@ -101,6 +104,7 @@ class Continuity {
   void predict(double t, const Instant& like, Assessor& assessor);
   enum class End { given, solved };
   std::optional<Jump> go(const Instant& instant, End end, const Means& means);
+  bool do_angles_follow(const Instant& instant) const;
   bool turns_further(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   double moved(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   bool leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights);
@@ -113,6 +117,7 @@ class Continuity {
   };
   std::vector<GroupId> group_;  // of each coordinate
   std::vector<int> angles_;     // unknown ones
+  bool angles_follow_ = false;
   std::vector<Driven> driven_;  // contiguous, since every step reads them
   DriverTurns turns_;           // of the step to the next instant
   double min_excursion_ = 0;    // at the last instant

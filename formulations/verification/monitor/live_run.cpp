@@ -135,7 +135,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
     summary.group = j.assessment.group;
   } else if (!are_finite(found.q) || !are_finite(found.qd) || !are_finite(found.qdd)) {
     summary.status = Status::not_finite;
-  } else if (const int c = monitors_->branch->violated(found); c >= 0) {
+  } else if (const int c = monitors_->branch->violated(found, j.angles_follow); c >= 0) {
     summary.status = Status::not_converged;
     summary.violated = c;
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "formulations/algebra/linear_solver.h"
+#include "formulations/parts/guarded_part.h"
 #include "formulations/prediction/driver_source.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/monitor/branch_monitor.h"
@@ -71,7 +72,11 @@ class Run final : Observer {
         next_(observer) {
     if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
     begin_monitoring();
+    correct_once_more(true);
   }
+  ~Run() override { correct_once_more(false); }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   MonitoredSummary operator()() {
     const Summary ran = formulation_.run(grid_, request_, *this);
@@ -104,6 +109,12 @@ class Run final : Observer {
   }
 
  private:
+  void correct_once_more(bool asked) const {
+    for (const DefinedPart& part : parts_of(formulation_))
+      if (auto* const guarded = dynamic_cast<GuardedPart*>(part.solver.get()))
+        guarded->correct_once_more(asked);
+  }
+
   void begin_monitoring() {
     accuracy_.emplace(formulation_.model(), grid_,
                       monitor_options(options_, levels_, asked_, formulation_));
@@ -133,7 +144,7 @@ class Run final : Observer {
       summary_.crossing = {instant.time, instant.time, m.assessment.group,
                            SingularityCrossing::Kind::not_declared};
     summary_.refused = options_.strict && (m.degraded || m.crossing);
-    summary_.violated = branch_.violated(m.instant);
+    summary_.violated = branch_.violated(m.instant, m.angles_follow);
     if (summary_.refused || summary_.violated >= 0) return Flow::stop;
     summary_.updates += instant.updates;
     summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
