@@ -45,7 +45,7 @@ TEST(Reasons, NameRoundedDriversAtLateTimes) {
 }
 
 TEST(Reasons, NameASingularPositionNearADeadPoint) {
-  const Model m = locking_four_bar(Polynomial{{dead_point - 1e-11}});
+  const Model m = locking_four_bar(Polynomial{{dead_point - 1e-11, 1}});
   Discard observer;
   const MonitoredSummary s =
       run_monitored(*make_formulation(find_variant("group_symbolic_inlined"), m, {}), {0, 1, 1}, {},
