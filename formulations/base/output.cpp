@@ -26,9 +26,14 @@ std::vector<int> places_of(std::span<const int> requested, int coordinates) {
 /// them first, and waits until they are stored.
 void copy_range(const double* from, std::size_t size, double* to) {
   constexpr std::size_t together = 16;
-  for (; size >= together; size -= together, from += together, to += together)
-    copy_in_registers<together>(from, to);
-  for (; size > 0; --size) *to++ = *from++;
+  if (size < together) {
+    for (; size > 0; --size) *to++ = *from++;
+    return;
+  }
+  const double* const last = from + (size - together);
+  double* const last_to = to + (size - together);
+  for (; from < last; from += together, to += together) copy_in_registers<together>(from, to);
+  copy_in_registers<together>(last, last_to);  // what is left, and some of them once more
 }
 
 }  // namespace
