@@ -18,9 +18,9 @@
 
 namespace desmo {
 
-/// The monitors of one motion, what they know of its instants, and the counts. Its functions stand
-/// in three files: the way of an instant in accuracy_monitor.cpp, whether it is to be assessed in
-/// accuracy_signals.cpp, and its assessment in accuracy_assessment.cpp.
+/// The monitors of one motion, what they know of its instants, and the counts. Of its functions,
+/// those for the way of an instant stand in accuracy_monitor.cpp. Those that tell whether it is to
+/// be assessed, and that assess it, stand in accuracy_assessment.cpp.
 struct AccuracyMonitor::State {
   /// What is said of an instant that is not assessed, and whether it may be said.
   struct Statement {
