@@ -6,15 +6,15 @@
 namespace desmo::report {
 namespace {
 
-std::vector<double> read_samples(const RecordValue& node) {
+std::vector<double> read_side(const RecordValue& node) {
   std::vector<double> samples = node.list(&RecordValue::sample);
   if (samples.empty()) node.complain("at least one round is needed");
   return samples;
 }
 
 Rounds read_rounds(const RecordValue& node, bool two_sides) {
-  Rounds rounds{{}, read_samples(node["head"])};
-  if (two_sides) rounds.base = read_samples(node["base"]);
+  Rounds rounds{{}, read_side(node["head"])};
+  if (two_sides) rounds.base = read_side(node["base"]);
   if (two_sides && rounds.base.size() != rounds.head.size())
     node.complain("base and head differ in their number of rounds");
   return rounds;

@@ -16,6 +16,7 @@
 
 #include "cases/extremes/rows.h"
 #include "cases/generators/cases.h"
+#include "formulations/equations/kernel_table.h"
 #include "formulations/equations/turned_angle.h"
 #include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
@@ -179,7 +180,8 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
   const Model m = four_bar_model(1);
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
   const BoundKernel bound = bind_kernel(m, parts[1]).value();
-  ExplicitKernel refusing = *find_explicit_kernel(bound.kernel->fingerprint);
+  ExplicitKernel refusing =
+      *KernelTable::built_in().find_explicit_kernel(bound.kernel->fingerprint);
   refusing.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
     return ExplicitRunResult{};
   };

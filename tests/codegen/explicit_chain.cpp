@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "formulations/equations/kernel_table.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/stepping/time_stepping.h"
@@ -46,7 +47,7 @@ class Chains : public testing::Test {
       }
       const BoundKernel bound = bind_kernel(m_, parts[i]).value();
       if (!Refusing::sound) {
-        Refusing::sound = find_explicit_kernel(bound.kernel->fingerprint);
+        Refusing::sound = KernelTable::built_in().find_explicit_kernel(bound.kernel->fingerprint);
         kernel_ = *Refusing::sound;
         kernel_.solve[2] = &Refusing::solve;
       }

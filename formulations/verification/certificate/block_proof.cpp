@@ -13,18 +13,18 @@ Lanes loaded(const ErrorTable::Row& row) {
 
 }  // namespace
 
-BlockProof::BlockProof(const Room& room) {
-  const int n = room.unknowns;
+BlockProof::BlockProof(const Sizes& sizes) {
+  const int n = sizes.unknowns;
   for (const Level level : levels) {
-    state_[level].resize(room.states);
+    state_[level].resize(sizes.states);
     phi_[level].resize(n);
-    rates_[level].resize(n * room.width);
+    rates_[level].resize(n * sizes.width);
     Errors& e = errors_[level];
-    for (auto* values : {&e.center, &e.own, &e.sum, &e.weight}) values->resize(room.width);
+    for (auto* values : {&e.center, &e.own, &e.sum, &e.weight}) values->resize(sizes.width);
   }
-  preconditioner_.resize(n, room.width);
+  preconditioner_.resize(n, sizes.width);
   for (auto* values : {&center_, &uncertainty_, &trial_, &contracted_}) values->resize(n);
-  generators_.resize(n * room.columns);
+  generators_.resize(n * sizes.columns);
   lower_.reserve(2);
 }
 

@@ -13,10 +13,10 @@ namespace desmo {
 class BlockProof {
  public:
   /// Makes room for batches of a schedule.
-  struct Room {
+  struct Sizes {
     int unknowns = 0, width = 0, states = 0, columns = 0;
   };
-  explicit BlockProof(const Room& room);
+  explicit BlockProof(const Sizes& sizes);
 
   /// Proves bounds on the errors of the unknowns, up to a level. errors: those of the inputs are
   /// known. Writes those of the unknowns; their sum is infinite where no proof succeeds. Returns in

@@ -30,22 +30,22 @@ class Certifier::Proof {
 
 namespace {
 
-BlockProof::Room room_for(const BlockSchedule& schedule) {
-  BlockProof::Room room{.columns = schedule.max_columns};
+BlockProof::Sizes sizes_of(const BlockSchedule& schedule) {
+  BlockProof::Sizes sizes{.columns = schedule.max_columns};
   for (const CertificationStep& step : schedule.steps)
     for (const BlockBatch& batch : step.batches) {
       const BlockShape& shape = batch.equations.shape();
-      room.unknowns = std::max(room.unknowns, shape.unknowns);
-      room.width = std::max(room.width, shape.width());
-      room.states = std::max(room.states, shape.states());
+      sizes.unknowns = std::max(sizes.unknowns, shape.unknowns);
+      sizes.width = std::max(sizes.width, shape.width());
+      sizes.states = std::max(sizes.states, shape.states());
     }
-  return room;
+  return sizes;
 }
 
 }  // namespace
 
 Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
-    : m_(m), schedule_(block_schedule(m, up_to)), proof_(room_for(schedule_)) {
+    : m_(m), schedule_(block_schedule(m, up_to)), proof_(sizes_of(schedule_)) {
   for (const Level level : levels) {
     ErrorTable& e = errors_[level];
     e.rows.resize(m.state_size() + schedule_.lent_rows);
