@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <sstream>
 
+#include "cases/mechanism/names.h"
+
 namespace desmo::cli {
 namespace {
 
 constexpr std::size_t line_width = 100;
-
-/// Characters, not bytes.
-std::size_t width(std::string_view text) {
-  return std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; });
-}
 
 }  // namespace
 
@@ -32,12 +29,12 @@ std::string wrap(const std::string& text, std::size_t indent) {
   std::string result;
   std::size_t column = 0;
   for (std::string word; words >> word;) {
-    if (column > 0 && column + 1 + width(word) > line_width - indent) {
+    if (column > 0 && column + 1 + characters(word) > line_width - indent) {
       result += "\n" + std::string(indent, ' ');
       column = 0;
     }
     result += (column > 0 ? " " : "") + word;
-    column += width(word) + (column > 0);
+    column += characters(word) + (column > 0);
   }
   return result;
 }
@@ -46,13 +43,14 @@ std::string table(const std::vector<std::vector<std::string>>& rows, std::string
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+    for (std::size_t c = 0; c < row.size(); ++c)
+      widths[c] = std::max(widths[c], characters(row[c]));
   }
   std::string text;
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string space(widths[c] - width(row[c]), ' ');
+      const std::string space(widths[c] - characters(row[c]), ' ');
       const bool to_the_right = c < right.size() && right[c] == 'r';
       line += "  " + (to_the_right ? space + row[c] : row[c] + space);
     }

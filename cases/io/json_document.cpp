@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -16,16 +15,13 @@ namespace {
 constexpr std::size_t deepest_nesting = 32;
 constexpr std::size_t max_values = 10'000'000;
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
-
 std::string line_and_column(std::string_view text, std::size_t at) {
   const std::string_view before = text.substr(0, at);
   const std::size_t line_end = before.rfind('\n');
   const std::string_view line =
       line_end == std::string_view::npos ? before : before.substr(line_end + 1);
   const auto lines = std::ranges::count(before, '\n');
-  const auto columns = std::ranges::count_if(line, [](char c) { return !continues_character(c); });
-  return "line " + std::to_string(lines + 1) + ", column " + std::to_string(columns + 1);
+  return "line " + std::to_string(lines + 1) + ", column " + std::to_string(characters(line) + 1);
 }
 
 // The word or number around a position.
@@ -195,106 +191,6 @@ std::string JsonDocument::pointer(std::uint32_t node) const {
 void JsonDocument::complain(const std::string& place, const std::string& what) const {
   throw InputError(printable(file_name_, 300) + ": " + (place.empty() ? "top level" : place) +
                    ": " + what);
-}
-
-std::string_view JsonValue::key() const { return document_->view(node().key); }
-
-std::vector<JsonValue> JsonValue::children() const {
-  std::vector<JsonValue> result;
-  for (std::uint32_t at = node_ + 1; at < node().end; at = document_->nodes_[at].end)
-    result.push_back({document_, at});
-  return result;
-}
-
-std::vector<JsonValue> JsonValue::members() const {
-  expect(JsonDocument::Kind::object, "an object, { … }");
-  return children();
-}
-
-std::vector<JsonValue> JsonValue::elements() const {
-  expect(JsonDocument::Kind::array, "a list, [ … ]");
-  return children();
-}
-
-std::optional<JsonValue> JsonValue::find(std::string_view key) const {
-  expect(JsonDocument::Kind::object, "an object, { … }");
-  for (std::uint32_t at = node_ + 1; at < node().end; at = document_->nodes_[at].end)
-    if (document_->view(document_->nodes_[at].key) == key) return JsonValue(document_, at);
-  return std::nullopt;
-}
-
-JsonValue JsonValue::operator[](std::string_view key) const {
-  if (auto member = find(key)) return *member;
-  complain("the key " + in_quotes(key) + " is missing; add it");
-}
-
-void JsonValue::allow(std::initializer_list<std::string_view> keys) const {
-  for (const JsonValue& member : members())
-    if (std::ranges::find(keys, member.key()) == keys.end())
-      member.complain("unknown key " + in_quotes(member.key()) + "; " +
-                      suggestion(member.key(), {keys.begin(), keys.size()}));
-}
-
-std::string_view JsonValue::text() const {
-  expect(JsonDocument::Kind::string, "a text");
-  return document_->view(node().text);
-}
-
-std::string_view JsonValue::line() const {
-  constexpr std::size_t max_line = 200;
-  const std::string_view line = text();
-  if (line.empty()) complain("is empty; give a text");
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (std::ranges::any_of(line, is_control))
-    complain(in_quotes(line) + " has control characters; leave them out");
-  const auto characters =
-      std::ranges::count_if(line, [](char c) { return !continues_character(c); });
-  if (characters > static_cast<std::ptrdiff_t>(max_line))
-    complain(in_quotes(line) + " is longer than " + std::to_string(max_line) +
-             " characters; shorten it");
-  return line;
-}
-
-double JsonValue::number() const {
-  constexpr double max_number = 1e100;
-  expect(JsonDocument::Kind::number, "a number");
-  if (!(std::abs(node().number) <= max_number))
-    complain("the number is too large; give one below 1e100");
-  return node().number;
-}
-
-int JsonValue::whole_number(int least, int most) const {
-  const double value = number();
-  if (value != std::floor(value) || value < least || value > most)
-    complain("must be a whole number from " + std::to_string(least) + " to " +
-             std::to_string(most) + "; choose one");
-  return static_cast<int>(value);
-}
-
-std::size_t JsonValue::choose(const std::string& kind,
-                              std::span<const std::string_view> known) const {
-  const auto found = std::ranges::find(known, text());
-  if (found != known.end()) return found - known.begin();
-  complain("unknown " + kind + " " + in_quotes(text()) + "; " + suggestion(text(), known));
-}
-
-bool JsonValue::boolean() const {
-  expect(JsonDocument::Kind::boolean, "true or false");
-  return node().number != 0;
-}
-
-void JsonValue::complain(const std::string& what) const {
-  document_->complain(document_->pointer(node_), what);
-}
-
-void JsonValue::expect(JsonDocument::Kind expected, const char* what) const {
-  if (kind() == expected) return;
-  // In the order of Kind.
-  static constexpr const char* names[] = {"null",   "false",  "a number",
-                                          "a text", "a list", "an object"};
-  const bool is_true = kind() == JsonDocument::Kind::boolean && node().number != 0;
-  complain(std::string("is ") + (is_true ? "true" : names[static_cast<int>(kind())]) + "; give " +
-           what);
 }
 
 }  // namespace desmo

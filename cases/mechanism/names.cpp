@@ -127,6 +127,11 @@ std::string printable(std::string_view text, std::size_t limit) {
   return shown;
 }
 
+std::size_t characters(std::string_view text) {
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+  return static_cast<std::size_t>(std::ranges::count_if(text, begins));
+}
+
 std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
 
 }  // namespace desmo

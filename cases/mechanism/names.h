@@ -33,6 +33,9 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
 /// Control and invisible characters and invalid UTF-8 are escaped.
 std::string printable(std::string_view text, std::size_t limit = 60);
 
+/// Returns the number of a text's characters, which in UTF-8 may have several bytes.
+std::size_t characters(std::string_view text);
+
 /// Returns printable(text) in single quotes.
 std::string in_quotes(std::string_view text);
 

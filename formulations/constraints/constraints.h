@@ -30,6 +30,7 @@
 
 #include "formulations/constraints/coordinates.h"
 #include "formulations/constraints/joints.h"
+#include "formulations/constraints/planar_angles.h"
 #include "formulations/constraints/rigid_body.h"
 #include "formulations/constraints/scalar_definitions.h"
 

@@ -2,16 +2,16 @@
 
 // Constraint kinds that define a relative coordinate by one equation. They suit directions whose
 // length, and points whose line, other equations determine already. The definitions in
-// coordinates.h and joints.h have several equations and determine these as well. Without them, one
-// equation alone would be singular in some positions and hold in wrong ones. The concept of a kind
-// is described in formulations/constraints/constraints.h.
+// planar_angles.h and joints.h have several equations and determine these as well. Without them,
+// one equation alone would be singular in some positions and hold in wrong ones. The concept of a
+// kind is described in formulations/constraints/constraints.h.
 
 #include <array>
 #include <cmath>
 #include <string_view>
 
-#include "formulations/constraints/coordinates.h"
 #include "formulations/constraints/joints.h"
+#include "formulations/constraints/planar_angles.h"
 #include "formulations/constraints/vec.h"
 
 namespace desmo {

@@ -49,6 +49,11 @@ struct ExplicitPlan {
   /// their last positions.
   std::vector<int> torn() const;
   std::vector<int> angles() const;
+
+  /// Return the expressions from which the positions of a section and their acceptance are written,
+  /// and those from which the whole solution is.
+  std::vector<Expr> position(std::size_t section) const;
+  std::vector<Expr> expressions() const;
 };
 
 /// Writes the function `solve` of an explicit kernel, a template on value type and level. It

@@ -16,42 +16,12 @@ using Expressions = std::vector<Expr>;
 
 constexpr int turning = 60;  // cycles of turned_angle()
 
-void append(Expressions& all, const Expressions& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
-/// What the position of a section and its acceptance are written with.
-Expressions position(const ExplicitPlan& plan, std::size_t section) {
-  Expressions all{plan.residual2[section]};
-  for (const Definition& d : plan.order[section].definitions) {
-    append(all, d.form.values);
-    if (d.form.bearing) append(all, {d.form.bearing->x, d.form.bearing->y});
-    append(all, monitored(d.form.sizes));
-    append(all, monitored(d.form.pivots));
-  }
-  const SectionMotion& motion = plan.motion[section];
-  append(all, monitored(motion.sizes));
-  append(all, motion.increments);
-  append(all, monitored(motion.pivots));
-  return all;
-}
-
-Expressions everything(const ExplicitPlan& plan) {
-  Expressions all = plan.part.phi;
-  for (std::size_t s = 0; s < plan.order.size(); ++s) {
-    append(all, position(plan, s));
-    append(all, plan.motion[s].velocities);
-    append(all, plan.motion[s].accelerations);
-  }
-  return all;
-}
-
 class SolveWriter {
  public:
   SolveWriter(std::ostream& out, const ExplicitPlan& plan)
       : out_(out),
         plan_(plan),
-        emitter_(out, "  ", everything(plan), {"T", "", "elementary::", true}),
+        emitter_(out, "  ", plan.expressions(), {"T", "", "elementary::", true}),
         has_core_(std::ranges::any_of(plan.order,
                                       [](const OrderSection& s) { return !s.torn.empty(); })) {
     for (std::size_t k = 0; k < plan.roots.size(); ++k)
@@ -86,7 +56,7 @@ class SolveWriter {
 
  private:
   void positions(std::size_t s) {
-    load(position(plan_, s));
+    load(plan_.position(s));
     if (plan_.order[s].torn.empty())
       define(plan_.order[s].definitions);
     else

@@ -2,6 +2,7 @@
 #include <set>
 #include <sstream>
 
+#include "formulations/codegen/eliminate/monitors.h"
 #include "formulations/codegen/emit/emission.h"
 #include "formulations/codegen/emit/explicit_plan.h"
 #include "formulations/codegen/emit/kernel_source.h"
@@ -93,6 +94,10 @@ void write_lists(std::ostream& out, const ExplicitPlan& plan) {
   write_list(out, "unknowns", unknowns);
 }
 
+void append(std::vector<Expr>& all, const std::vector<Expr>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 }  // namespace
 
 ExplicitPlan::ExplicitPlan(const PartType& its_type, const RecordedPart& its_part)
@@ -130,6 +135,30 @@ std::vector<int> ExplicitPlan::angles() const {
     for (const Definition& d : s.definitions)
       if (d.form.bearing) result.push_back(d.unknowns.front());
   return result;
+}
+
+std::vector<Expr> ExplicitPlan::position(std::size_t section) const {
+  std::vector<Expr> all{residual2[section]};
+  for (const Definition& d : order[section].definitions) {
+    append(all, d.form.values);
+    if (d.form.bearing) append(all, {d.form.bearing->x, d.form.bearing->y});
+    append(all, monitored(d.form.sizes));
+    append(all, monitored(d.form.pivots));
+  }
+  append(all, monitored(motion[section].sizes));
+  append(all, motion[section].increments);
+  append(all, monitored(motion[section].pivots));
+  return all;
+}
+
+std::vector<Expr> ExplicitPlan::expressions() const {
+  std::vector<Expr> all = part.phi;
+  for (std::size_t s = 0; s < order.size(); ++s) {
+    append(all, position(s));
+    append(all, motion[s].velocities);
+    append(all, motion[s].accelerations);
+  }
+  return all;
 }
 
 void write_explicit_kernel(std::ostream& out, const std::string& name, const PartType& type,

@@ -1,22 +1,18 @@
 #include "formulations/verification/monitor/monitored_run.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/parts/guarded_part.h"
-#include "formulations/prediction/driver_source.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/monitor/branch_monitor.h"
+#include "formulations/verification/monitor/gap_search.h"
 
 namespace desmo {
 
 namespace {
-
-/// To which the ends of an interval that cannot be assembled are found, s.
-constexpr double bracket = 1e-9;
 
 AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
                                        std::span<const Level> levels, std::span<const Level> asked,
@@ -94,11 +90,8 @@ class Run final : Observer {
       go_on(tried_, From::last);
     }
     measure_assembly_error();
-    while (!summary_.ok() && options_.past_failures) {
-      const int again = pass_gap();
-      go_on(again, From::estimate);
-      measure_assembly_error();
-    }
+    for (; !summary_.ok() && options_.past_failures; measure_assembly_error())
+      go_on(pass_gap(), From::estimate);
     summary_.condition = accuracy_->condition();
     summary_.bound = accuracy_->bound();
     summary_.assessed = accuracy_->assessed();
@@ -149,7 +142,9 @@ class Run final : Observer {
     summary_.updates += instant.updates;
     summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
     if (options_.monitored) options_.monitored(m);
-    const Flow flow = output_.hand_over(as_asked(m.instant), next_);
+    Instant asked = instant;
+    if (level_ < Level::velocity) asked.qd = {};
+    const Flow flow = output_.hand_over(asked, next_);
     ++summary_.instants;
     summary_.stopped = flow == Flow::stop;
     return is_astray_ ? Flow::stop : flow;
@@ -166,36 +161,14 @@ class Run final : Observer {
     formulation_.start_at(state, q.empty() ? grid_.time(tried_) : time);
   }
 
-  Instant as_asked(Instant instant) const {
-    if (level_ < Level::velocity) instant.qd = {};
-    return instant;
-  }
-
   void measure_assembly_error() {
-    if (summary_.status != Status::not_converged) return;
-    const Model& m = formulation_.model();
-    State state;
-    state.q.assign(formulation_.q().begin(), formulation_.q().end());
-    state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
-    state.qd = state.qdd = state.q;
-    write_drivers(m, summary_.time, state);
-    summary_.assembly_error =
-        find_assembly_error(m, state.q, {.tolerance = formulation_.settings().tolerance});
+    if (summary_.status == Status::not_converged)
+      summary_.assembly_error = assembly_error_at(formulation_, summary_.time);
   }
 
   /// From the instant that failed to the first that can be assembled again.
   int pass_gap() {
-    const double end = grid_.time(grid_.instants - 1);
-    Gap gap{summary_.time, end, false, summary_, summary_.assembly_error};
-    if (tried_ > 0) {
-      const double good = grid_.time(tried_ - 1);
-      gap.from = last_solved(good, gap.from);
-    }
-    int again = tried_ + 1;
-    const auto assembled = [&] { return formulation_.assemble(grid_.time(again)).ok(); };
-    while (again < grid_.instants && !assembled()) ++again;
-    gap.ends = again < grid_.instants;
-    if (gap.ends) gap.to = last_solved(grid_.time(again), grid_.time(again - 1));
+    const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_);
     summary_.gaps.push_back(gap);
     summary_.status = Status::solved;
     summary_.group = summary_.constraint = -1;
@@ -203,17 +176,6 @@ class Run final : Observer {
     summary_.assembly_error.reset();
     accuracy_->resume();
     return again;
-  }
-
-  /// The last time that can be solved on the way from one where the formulation is to one where
-  /// it cannot.
-  double last_solved(double good, double bad) {
-    while (std::abs(bad - good) > bracket) {
-      const double middle = good + (bad - good) / 2;
-      if (middle == good || middle == bad) break;
-      (formulation_.step(middle, Level::position).ok() ? good : bad) = middle;
-    }
-    return good;
   }
 
   enum class From { estimate, last };

@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "formulations/algebra/linear_solver.h"
+#include "formulations/verification/monitor/accuracy_state.h"
+
+namespace desmo {
+
+namespace {
+
+/// By how much the gain may grow before an instant is assessed.
+constexpr double factor = 4;
+/// By how much pivots may shrink before residuals of rates are looked at.
+constexpr double shrunk = 20;
+/// What residuals show of errors at an estimated condition number, times this, bounds them.
+constexpr double shown_by = 10;
+
+}  // namespace
+
+Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant) {
+  Expectation::Signals signals;
+  if (has(Monitor::residual)) signals.residual = instant.residual;
+  if (!has(Monitor::sensitivity)) return signals;
+  signals.growth = sensitivity.growth(instant);
+  signals.drivers = sensitivity.driver_growth();
+  if (!has(Monitor::clock)) return signals;
+  conditioning.go_on(instant);
+  if (conditioning.is_due()) conditioning.look(instant, assessor.system());
+  signals.growth = std::max(signals.growth, conditioning.growth());
+  return signals;
+}
+
+bool AccuracyMonitor::State::is_due(const Expectation::Signals& signals) const {
+  return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
+         !(signals.growth <= factor) || !(signals.drivers.velocity <= factor) ||
+         !(signals.drivers.acceleration <= factor);
+}
+
+AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& instant,
+                                                                const Assessment& expected) {
+  Statement s{expected, true};
+  if (!has(Monitor::bounds) || !started) return s;
+  PerLevel<double>& bound = s.assessment.bound;
+  if (instant.interpolated || has_bad_pivots()) {
+    const PerLevel<double> shown =
+        backward_error(instant, assessor.system(), scales.now(), expected.condition);
+    if (instant.interpolated) bound.position += shown_by * shown.position;
+    // Of solved positions the residual tells, with what they make of rates.
+    double before = instant.interpolated ? bound.position : 0;
+    for (const Level l : {Level::velocity, Level::acceleration}) {
+      before = shown_by * shown[l] + expected.condition * before;
+      bound[l] += before;
+    }
+  }
+  s.holds = !exceeds(bound, limits.degraded);
+  return s;
+}
+
+/// Whether pivots of earlier positions may spoil the rates.
+bool AccuracyMonitor::State::has_bad_pivots() const {
+  if (!options.reuses_pivots || !has(Monitor::residual)) return false;
+  return options.parts.empty() || std::ranges::any_of(options.parts, [](const PivotReuse* part) {
+           return !(part->pivot_shrinkage() <= shrunk);
+         });
+}
+
+bool AccuracyMonitor::State::is_in_doubt(const Instant& instant,
+                                         const Expectation::Signals& signals) {
+  if (!has(Monitor::continuity)) return false;
+  const bool in_doubt = continuity.in_doubt(instant, weights, min_excursion(signals.growth));
+  return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
+}
+
+/// How far drivers may go, in magnitudes, before a position may be singular. Near a dead point
+/// z = z₀ − c x², so the way is 1/(4 c) over the square of the sensitivity; c is hardly above 4.
+double AccuracyMonitor::State::min_excursion(double growth) const {
+  const double now = std::max(growth * sensitivity.largest(), 1e-300);
+  return std::min(1 / (16 * now * now), conditioning.way_left() / now);
+}
+
+/// Assesses an instant, and corrects it where that helps. expected: what would have been stated.
+/// Returns whether no short steps lead to the instant, which was interpolated.
+bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Signals& signals,
+                                    const Assessment& expected) {
+  if (!started && has(Monitor::orientation)) signs.declare(j.instant);
+  last = assessor(j.instant, scales.with(j.instant));
+  const Assessment given = last;
+  ++assessed;
+  if (started && !j.instant.interpolated && exceeds(given.bound, expected.bound)) {
+    look_back(j.instant);
+    assessor(j.instant, scales.with(j.instant));  // its factors again
+  }
+  since = 0;
+  const bool tries =
+      has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
+  const Improvement improved = tries ? improve(j) : Improvement{};
+  const Assessment wide = last;
+  if (has(Monitor::bounds)) measure(last, j.instant);
+  degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
+  if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
+    rescale(last.bound, scales.with(j.instant), scales.now());
+  else
+    look_at_scales(j.instant);
+  if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
+    expectation.learn(last, {.growth = INFINITY});
+  else
+    expectation.learn(given, signals);
+  if (improved.is_better) expectation.learn(wide, {});
+  if (degraded && last.condition < INFINITY)
+    last.limit = assessor.limit(j.instant, scales.now(), last);
+  if (!has(Monitor::bounds)) last.singular = false;
+  j.degraded = degraded;
+  j.assessment = last;
+  if (last.condition < INFINITY) {
+    sensitivity.reset(j.instant, assessor.system());
+    if (weights.size() == 0) weights = sensitivity.weights();
+    weights = weights.max(sensitivity.weights());
+    conditioning.reset(j.instant, assessor.system());
+    if (!last.singular) j.crossing = crossing(j.instant);
+    started = true;
+  }
+  after_gap = false;
+  last_time = j.instant.time;
+  return improved.is_lost;
+}
+
+/// Measures errors where bounds would flag an instant. Leaves its factors.
+void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
+  if (a.singular || !exceeds(a.bound, limits.degraded)) return;
+  const PerLevel<double> error = measured(instant, scales.with(instant), a.condition);
+  for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
+}
+
+/// Corrects an instant. What was interpolated, and is not even near a solution, is solved.
+AccuracyMonitor::State::Improvement AccuracyMonitor::State::improve(MonitoredInstant& j) {
+  const bool is_far = j.instant.interpolated && exceeds(last.bound, limits.degraded);
+  if (is_far) {
+    if (const auto solved = continuity.solve_anew(j.instant, means())) {
+      j.solved_anew = take_if_better(j.instant, *solved);
+      return {.is_better = j.solved_anew};
+    }
+    assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
+  }
+  const Instant start = j.instant.interpolated ? continuity.driven(j.instant) : j.instant;
+  // Where no short steps led to it, the nearest solution may be on another branch.
+  return {.is_better = take_if_better(j.instant, assessor.corrected(start)), .is_lost = is_far};
+}
+
+bool AccuracyMonitor::State::take_if_better(Instant& instant, const Instant& better) {
+  const Assessment then = assessor(better, scales.with(better));
+  if (!(worst_share(then) < worst_share(last))) {
+    assessor(instant, scales.with(instant));  // its factors again: better has none if singular
+    return false;
+  }
+  instant = better;
+  last = then;
+  ++corrected;
+  return true;
+}
+
+/// The largest bound over its limit.
+double AccuracyMonitor::State::worst_share(const Assessment& a) const {
+  double share = 0;
+  for (const Level l : levels) share = std::max(share, a.bound[l] / limits.degraded[l]);
+  return share;
+}
+
+std::optional<SingularityCrossing> AccuracyMonitor::State::crossing(const Instant& instant) {
+  if (!has(Monitor::orientation)) return {};
+  return !started    ? signs.at_first(instant, last, sensitivity.largest())
+         : after_gap ? signs.after_gap(instant)
+                     : signs.since(last_time, instant);
+}
+
+void AccuracyMonitor::State::look_back(const Instant& like) {
+  RecentInstants& recent = continuity.recent();
+  for (int back = 0; back < recent.count() && !recent[back].is_assessed; ++back) {
+    RecentInstants::Node& node = recent[back];
+    Assessment a = assessor(view_of(node, like), scales.now());
+    ++assessed;
+    node.is_assessed = true;
+    if (!exceeds(a.bound, node.stated)) return;
+    measure(a, view_of(node, like));
+    node.stated = a.bound;
+    condition = std::max(condition, a.condition);
+    add({node.index, node.time, a}, exceeds(a.bound, limits.degraded));
+  }
+}
+
+void AccuracyMonitor::State::look_at_scales(const Instant& instant) {
+  const Scales before = scales.now();
+  if (!scales.take(instant)) return;
+  rescale(worst, before, scales.now());
+  expectation.rescale(before, scales.now());
+  degradations.rescale(before, scales.now());
+}
+
+}  // namespace desmo

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "formulations/verification/assessment/assessor.h"
+#include "formulations/verification/assessment/backward_error.h"
+#include "formulations/verification/assessment/expectation.h"
+#include "formulations/verification/assessment/limits.h"
+#include "formulations/verification/assessment/measured_error.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
+#include "formulations/verification/monitor/branch_signs.h"
+#include "formulations/verification/monitor/condition_monitor.h"
+#include "formulations/verification/monitor/continuity.h"
+#include "formulations/verification/monitor/degradations.h"
+#include "formulations/verification/monitor/running_scales.h"
+#include "formulations/verification/monitor/sensitivity_monitor.h"
+
+namespace desmo {
+
+/// The monitors of one motion, what they know of its instants, and the counts. Of its functions,
+/// those for the way of an instant stand in accuracy_monitor.cpp. Those that tell whether it is to
+/// be assessed, and that assess it, stand in accuracy_assessment.cpp.
+struct AccuracyMonitor::State {
+  /// What is said of an instant that is not assessed, and whether it may be said.
+  struct Statement {
+    Assessment assessment;
+    bool holds;
+  };
+  /// What became of an attempt to improve an instant.
+  struct Improvement {
+    bool is_better = false;
+    bool is_lost = false;  // no short steps lead to the instant, which was interpolated
+  };
+
+  /// Bounds of rates above which it cannot be told whether they lead on.
+  static constexpr double noise = 1e-3;
+
+  State(const Model& m, const TimeGrid& grid, const AccuracyMonitorOptions& o);
+
+  bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
+  Continuity::Means means() { return {assessor, scales.now(), weights, signs}; }
+
+  MonitoredInstant examine(const Instant& instant);
+  std::optional<Continuity::Jump> find_jump(MonitoredInstant& j, bool from_noise);
+  void deliver(const MonitoredInstant& j, bool is_assessed);
+  void add(const Degradation& d, bool is_degraded);
+  std::optional<MonitoredInstant> solve(const Instant& instant);
+  std::optional<Instant> solve_from_last(const Instant& instant);
+  std::optional<Instant> solve_alone(const Instant& instant);
+  std::optional<MonitoredInstant> pass(const Instant& singular);
+  PerLevel<double> difference(const Instant& a, const Instant& b) const;
+
+  Expectation::Signals signals_of(const Instant& instant);
+  bool is_due(const Expectation::Signals& signals) const;
+  Statement state(const Instant& instant, const Assessment& expected);
+  bool has_bad_pivots() const;
+  bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
+  bool is_in_doubt(const Instant& instant, const Expectation::Signals& signals);
+  double min_excursion(double growth) const;
+
+  bool assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected);
+  void measure(Assessment& a, const Instant& instant);
+  Improvement improve(MonitoredInstant& j);
+  bool take_if_better(Instant& instant, const Instant& better);
+  double worst_share(const Assessment& a) const;
+  std::optional<SingularityCrossing> crossing(const Instant& instant);
+  void look_back(const Instant& like);
+  void look_at_scales(const Instant& instant);
+
+  const Model& model;
+  const AccuracyMonitorOptions options;
+  const Limits limits;
+  Assessor assessor;
+  std::vector<Level> asked;  // of each coordinate
+  MeasuredError measured;
+  RunningScales scales;
+  SensitivityMonitor sensitivity;
+  ConditionMonitor conditioning;
+  Continuity continuity;
+  BackwardError backward_error;
+  Expectation expectation{};
+  BranchSigns signs;
+  std::vector<EntityId> entity;  // of each coordinate
+  Eigen::ArrayXd weights;        // the largest so far: near a dead point they say little
+  Start beyond{};                // a singular position, where the last instant lies in one
+
+  Assessment last{};  // that was made
+  double last_time = 0;
+  bool started = false, degraded = false;
+  bool after_gap = false, is_doubted = false;
+  int since = 0;  // instants since the last assessment
+  double condition = 0;
+  PerLevel<double> worst{};
+  Degradations degradations;
+  long assessed = 0, corrected = 0;
+};
+
+}  // namespace desmo
