@@ -1,6 +1,9 @@
 #pragma once
 
+#include <span>
+
 #include "formulations/base/part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 
@@ -18,6 +21,24 @@ class GuardedPart : public Part {
   /// Sets whether Newton's method makes one more correction where the tolerance is met but more
   /// than rounding is left. Monitored runs ask for it: what is left is an error of κ times as much.
   virtual void correct_once_more(bool asked) { static_cast<void>(asked); }
+};
+
+/// One more correction of the parts of a formulation: asked for as long as this lives.
+class OneMoreCorrection {
+ public:
+  explicit OneMoreCorrection(std::span<const DefinedPart> parts) : parts_(parts) { ask(true); }
+  ~OneMoreCorrection() { ask(false); }
+  OneMoreCorrection(const OneMoreCorrection&) = delete;
+  OneMoreCorrection& operator=(const OneMoreCorrection&) = delete;
+
+ private:
+  void ask(bool asked) const {
+    for (const DefinedPart& part : parts_)
+      if (auto* const guarded = dynamic_cast<GuardedPart*>(part.solver.get()))
+        guarded->correct_once_more(asked);
+  }
+
+  std::span<const DefinedPart> parts_;
 };
 
 }  // namespace desmo

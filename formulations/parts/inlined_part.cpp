@@ -62,9 +62,7 @@ PartResult InlinedPart::solve(State& s, std::span<const double> last, Level leve
 
   ++fallbacks_;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) s.q[unknowns_[i]] = start_[i];
-  PartResult result = fallback_->solve(s, last, level);
-  result.iterations += position.iterations;
-  return result;
+  return fallback_->solve(s, last, level);  // fallbacks() counts the attempt; iterations do not
 }
 
 }  // namespace desmo

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "formulations/id.h"
+#include "formulations/parts/guarded_part.h"
 #include "formulations/verification/monitor/live_run.h"
 #include "tests/dead_point.h"
 #include "tests/lanes_here.h"
@@ -41,6 +42,7 @@ std::vector<std::string> ids() {
   return all;
 }
 
+// Monitored runs of known motions correct as live ones do.
 TEST(LiveRun, GivesTheBitsOfTheKnownMotion) {
   int compared = 0, corrected = 0;  // rows
   for (const auto& [m, grid] : every_motion())
@@ -48,6 +50,7 @@ TEST(LiveRun, GivesTheBitsOfTheKnownMotion) {
       SCOPED_TRACE(m.name + ", " + id);
       const Configuration c = parse_id(id);
       const auto known = make_formulation(*c.variant, m, c.settings);
+      const OneMoreCorrection corrections(parts_of(*known));
       const auto live = make_formulation(*c.variant, m, c.settings);
       LiveRun run(*live);
       const int before = compared;

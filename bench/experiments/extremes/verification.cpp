@@ -39,12 +39,23 @@ bool is_excused(const KnownCase& p, const CaseRun& a, std::size_t instant) {
   });
 }
 
+/// Tells whether an instant, or one before it, is so near to a singular position that the branch
+/// after it may be doubted.
+bool is_near_singular(const KnownCase& p, const CaseRun& a, std::size_t instant) {
+  constexpr double near = 1e6;  // condition number
+  for (std::size_t n = 0; n < a.stated.size() && p.compared[n] <= static_cast<int>(instant); ++n)
+    if (a.stated[n] && a.stated[n]->condition >= near) return true;
+  return false;
+}
+
 std::string needless_flag(const KnownCase& p, const CaseRun& a) {
   if (p.definition->may_fail) return {};
-  for (std::size_t i = 0; i < a.steps.size(); ++i)
-    if (p.solvable[i] && a.steps[i].flag != Flag::none &&
-        !(a.steps[i].flag == Flag::degraded && is_excused(p, a, i)))
+  for (std::size_t i = 0; i < a.steps.size(); ++i) {
+    const Flag flag = a.steps[i].flag;
+    if (p.solvable[i] && flag != Flag::none && !(flag == Flag::degraded && is_excused(p, a, i)) &&
+        !(flag == Flag::doubtful && is_near_singular(p, a, i)))
       return a.message.empty() ? "failed " + at(p, i) : a.message;
+  }
   return {};
 }
 

@@ -41,6 +41,9 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
   j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
   std::optional<Continuity::Jump> jump;
   const bool known_before = rates_are_known(), from_noise = degraded && !known_before;
+  // Accelerations that are noise raise doubts; where velocities are known, shorter steps settle
+  // them.
+  const bool is_blind = in_doubt && degraded && exceeds(last.bound, {noise, noise, INFINITY});
   if (in_doubt && !instant.interpolated) jump = find_jump(j, from_noise);
   // A doubt remains one even where shorter steps agree: next to where solutions meet, they too
   // may end on another branch.
@@ -57,7 +60,7 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
     j.crossing = jump->crossing;
-  else if ((from_noise || is_lost) && continuity.is_known() && !j.crossing)
+  else if ((is_blind || is_lost) && continuity.is_known() && !j.crossing)
     j.crossing = {continuity.recent()[0].time, instant.time, last.group,
                   SingularityCrossing::Kind::jumped};
   if (j.assessment.singular) return j;  // which is not delivered

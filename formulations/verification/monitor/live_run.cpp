@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "formulations/parts/guarded_part.h"
 #include "formulations/planning/plan.h"
 #include "formulations/stepping/diagnosis.h"
 #include "formulations/structure/partition.h"
@@ -35,6 +36,7 @@ struct LiveRun::Monitors {
   Plan plan;
   std::optional<AccuracyMonitor> accuracy{};
   std::optional<BranchMonitor> branch{};
+  std::optional<OneMoreCorrection> corrections{};
 };
 
 std::string unsupported_live_reason(const Formulation& f) {
@@ -64,6 +66,7 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   if (options.level >= Level::velocity) good_.velocity.resize(n);
   if (options.level >= Level::acceleration) good_.acceleration.resize(n);
   if (!options.levels.empty()) f.solve_only(options.levels);
+  monitors_->corrections.emplace(parts_of(f));
   restart();
 }
 

@@ -68,9 +68,7 @@ class Run final : Observer {
         next_(observer) {
     if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
     begin_monitoring();
-    correct_once_more(true);
   }
-  ~Run() override { correct_once_more(false); }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
@@ -102,12 +100,6 @@ class Run final : Observer {
   }
 
  private:
-  void correct_once_more(bool asked) const {
-    for (const DefinedPart& part : parts_of(formulation_))
-      if (auto* const guarded = dynamic_cast<GuardedPart*>(part.solver.get()))
-        guarded->correct_once_more(asked);
-  }
-
   void begin_monitoring() {
     accuracy_.emplace(formulation_.model(), grid_,
                       monitor_options(options_, levels_, asked_, formulation_));
@@ -220,6 +212,7 @@ class Run final : Observer {
   }
 
   Formulation& formulation_;
+  const OneMoreCorrection corrections_{parts_of(formulation_)};
   const TimeGrid grid_;
   const Level level_;                        // asked for
   const std::vector<Level> asked_, levels_;  // of each coordinate: asked for, solved
