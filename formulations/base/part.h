@@ -31,7 +31,7 @@ struct PartSettings {
 /// The outcome of one part in one step.
 struct PartResult {
   Status status = Status::solved;
-  int iterations = 0;  ///< of Newton's method, those of failed attempts included
+  int iterations = 0;  ///< of Newton's method, its failed attempts included
   double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
 };
 
