@@ -62,7 +62,7 @@ inline constexpr int direction_operands = Line ? 2 : 1;
 
 namespace desmo {
 
-/// What all linear kinds have in common.
+/// The common part of all linear kinds.
 template <int Rows>
 struct LinearKind {
   static constexpr int rows = Rows;

@@ -190,7 +190,7 @@ class NewtonSolver {
   PartUnknowns unknowns_;
   NewtonLimits limits_;
   JacobianUpdate update_;
-  bool per_level_, reuses_pivots_;  // reuses_: see LinearSolver
+  bool per_level_, reuses_pivots_;  // the latter: see LinearSolver
   Vector weights_;
   JacobianFactors<Real> factors_;
   Vector b_;           // right-hand side, then solution

@@ -16,7 +16,7 @@ namespace desmo {
 /// J. Sci. Comput. 26, 2005). It suits residuals, where all leading digits cancel. S: double, or
 /// Lanes for four numbers.
 ///
-/// What is assumed: as for intervals; sine and cosine of `long double` within one unit in its last
+/// Assumptions: those of intervals; sine and cosine of `long double` within one unit in its last
 /// place.
 template <class S>
 struct Compensated {

@@ -68,7 +68,7 @@ struct Lanes {
   }
 };
 
-/// What is true in some of four lanes.
+/// A truth value in each of four lanes.
 struct LaneMask {
   Lanes::Bits bits{};
 

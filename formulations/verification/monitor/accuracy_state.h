@@ -22,12 +22,12 @@ namespace desmo {
 /// those for the way of an instant stand in accuracy_monitor.cpp. Those that tell whether it is to
 /// be assessed, and that assess it, stand in accuracy_assessment.cpp.
 struct AccuracyMonitor::State {
-  /// What is said of an instant that is not assessed, and whether it may be said.
+  /// The statement about an instant that is not assessed, and whether it holds.
   struct Statement {
     Assessment assessment;
     bool holds;
   };
-  /// What became of an attempt to improve an instant.
+  /// The outcome of an attempt to improve an instant.
   struct Improvement {
     bool is_better = false;
     bool is_lost = false;  // no short steps lead to the instant, which was interpolated

@@ -29,7 +29,7 @@ class Continuity {
   Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes,
              int max_steps = 4096);
 
-  /// What a step is judged by.
+  /// The means by which a step is judged.
   struct Means {
     Assessor& assessor;  ///< its factors are overwritten
     const Scales& scales;

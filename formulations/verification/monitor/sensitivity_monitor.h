@@ -21,7 +21,7 @@ class SensitivityMonitor {
 
   /// Returns the growth since reset(), at least 1; instants come in order of time. Drivers that
   /// stop leave nothing to compare with: the first instant at which none moves has infinite growth.
-  /// Those after it have 1, since they equal it.
+  /// Later ones have 1, since they equal it.
   double growth(const Instant& instant);
   /// Returns the growth of the drivers' motion since reset(), at least 1. Position: 1. Velocity: of
   /// their rates. Acceleration: of the squares of these or of the second derivatives.
