@@ -182,13 +182,6 @@ int main(int argc, char** argv) {
   check_app->add_option("--baseline", check.baseline, "Compare with this results file");
   add_format(check_app, check.format);
   check_app->add_flag("--pending", check.pending, "List what has still to be measured");
-  CertificateCommand certificate;
-  CLI::App* certificate_app =
-      app.add_subcommand("certificate", "What the trials of bench/check --certify show");
-  certificate_app->add_option("file", certificate.file, "The trials")->required();
-  certificate_app->add_option("--add", certificate.added,
-                              "Judge the check of this trial and add a line to the file");
-  add_format(certificate_app, certificate.format);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -200,7 +193,6 @@ int main(int argc, char** argv) {
   };
   try {
     if (check_app->parsed()) return run(check);
-    if (certificate_app->parsed()) return run(certificate);
     if (site_app->parsed()) return site(filed);
     return compare_app->parsed() ? compare(comparison) : tables(command);
   } catch (const std::invalid_argument& error) {

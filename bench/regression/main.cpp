@@ -202,7 +202,6 @@ int run(int argc, char** argv) {
   app.add_option("--base", o.base, "The same of base; without it head is measured alone");
   CLI::App* all = app.add_subcommand("measure", "Verifies, counts and times every candidate");
   all->add_option("file", o.file, "Results file to write")->required();
-  all->add_option("--seed", o.seed, "Of the order in which things are measured");
   all->add_option("--slow", o.slow,
                   "SIDE:CELL:PERCENT: make a candidate slower, to test the check");
   all->add_option("--cell", o.names, "Measure only these");

@@ -1,7 +1,7 @@
 #include "report/check/check_outcome.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
@@ -203,9 +203,9 @@ std::string provenance_line(const CheckRecord& check) {
 }  // namespace
 
 Document verdict_document(const CheckRecord& check, const CheckOutcome& j) {
-  std::string verdict = verdict_names[static_cast<std::size_t>(j.verdict)];
-  for (char& c : verdict) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  Section section = headed_section("verdict", {{"verdict", verdict}});
+  constexpr std::array names{"PASS", "REGRESSION", "INVALID", "INCONCLUSIVE", "INCOMPARABLE"};
+  Section section =
+      headed_section("verdict", {{"verdict", names[static_cast<std::size_t>(j.verdict)]}});
   section.paragraphs = summary(j);
   if (!j.time.candidates.empty()) section.tables.push_back(time_table(j.time));
   if (!j.work.candidates.empty()) section.tables.push_back(work_table(j.work, *check.work));

@@ -1,7 +1,6 @@
 // The outcome of a check as a whole.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,6 @@ enum class CheckVerdict {
   inconclusive = 3,
   incomparable = 4
 };
-inline constexpr std::array verdict_names{"pass", "regression", "invalid", "inconclusive",
-                                          "incomparable"};
 
 /// A candidate that is not judged, and why.
 struct Excluded {

@@ -83,9 +83,7 @@ void check_complete(const CheckRecord& check, const RecordValue& root) {
   }
 }
 
-}  // namespace
-
-CheckRecord read_check(const RecordValue& root) {
+CheckRecord read_root(const RecordValue& root) {
   check_schema(root, "desmo-check");
   CheckRecord check;
   check.head = read_record(root["head"]);
@@ -104,8 +102,10 @@ CheckRecord read_check(const RecordValue& root) {
   return check;
 }
 
+}  // namespace
+
 CheckRecord parse_check(std::string_view text, const std::string& file) {
-  return read_document(text, file, [](const RecordValue& root) { return read_check(root); });
+  return read_document(text, file, read_root);
 }
 
 CheckRecord read_check(const std::filesystem::path& file) {

@@ -50,9 +50,6 @@ struct CheckRecord {
 /// and MixedRecord where they apply.
 CheckRecord parse_check(std::string_view text, const std::string& file = "check");
 
-/// Likewise, of what has been parsed already.
-CheckRecord read_check(const RecordValue& root);
-
 /// Throws as parse_check, or UnreadableRecord.
 CheckRecord read_check(const std::filesystem::path& file);
 

@@ -3,7 +3,6 @@
 #include <iostream>
 
 #include "report/check/check_outcome.h"
-#include "report/check/trials.h"
 #include "report/formats/formats.h"
 
 namespace desmo::report {
@@ -49,19 +48,6 @@ int run(const CheckCommand& command) {
     }
     write_standard_output(printed(verdict_document(check, found), {command.format}));
     return code(found.verdict);
-  });
-}
-
-int run(const CertificateCommand& command) {
-  return reporting_errors([&] {
-    if (!command.added.empty()) {
-      add_trial(command.file, command.added);
-      return code(CheckVerdict::pass);
-    }
-    const Certificate certificate = read_certificate(command.file);
-    write_standard_output(printed(certificate.document, {command.format}));
-    if (certificate.holds) return code(CheckVerdict::pass);
-    return code(certificate.refuted ? CheckVerdict::regression : CheckVerdict::inconclusive);
   });
 }
 

@@ -1,4 +1,4 @@
-// `desmo_report check` and `desmo_report certificate`.
+// `desmo_report check`.
 #pragma once
 
 #include <string>
@@ -17,15 +17,5 @@ struct CheckCommand {
 /// one that mixes machines or is of an unknown version, 64 when it cannot be read, with a message.
 /// Throws OutputError.
 int run(const CheckCommand& command);
-
-struct CertificateCommand {
-  std::string file;   ///< the trials, written by bench/check --certify
-  std::string added;  ///< a trial to be judged and added; empty: none
-  std::string format = "terminal";
-};
-
-/// Prints what a certificate shows, or adds a trial to it and prints nothing. Returns 0 when every
-/// claim holds, 1 when one does not, 3 when trials are missing, and otherwise as run(CheckCommand).
-int run(const CertificateCommand& command);
 
 }  // namespace desmo::report

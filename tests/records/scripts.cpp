@@ -63,7 +63,6 @@ TEST(Scripts, NameTheArgumentThatTheyDoNotKnow) {
   EXPECT_EQ(run("bench/run", "precision --quick").code, 64);
   EXPECT_EQ(run("bench/run", "size --peers").code, 64);
   EXPECT_EQ(run("bench/check", "--base").code, 64);
-  EXPECT_EQ(run("bench/check", "--selftest --idle").code, 64);
   EXPECT_EQ(run("bench/check", "--base no_such_commit").code, 64);
   EXPECT_EQ(run("bench/check", "--baseline=/nonexistent.json").code, 64);
   EXPECT_EQ(run("bench/check", "--history no_such_commit").code, 64);
