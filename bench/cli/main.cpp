@@ -39,7 +39,7 @@ void run(int argc, char** argv) {
   program.footer(
       "Examples:\n"
       "  desmo show slider_crank > mine.json\n"
-      "  desmo inspect mine.json --diagram mine.svg\n"
+      "  desmo inspect mine.json\n"
       "  desmo solve slider_crank -o motion.csv\n"
       "  desmo view slider_crank -o motion.html\n"
       "Exit codes: 0 done, 1 the mechanism cannot be solved, 64 usage, 65 a file says something\n"

@@ -37,7 +37,6 @@ class OutputFile {
   void finish();
 
   bool is_standard_output() const { return path_.empty(); }
-  int descriptor() const { return file_; }
 
  private:
   friend void write_files(const std::filesystem::path&, const std::vector<struct NewFile>&);

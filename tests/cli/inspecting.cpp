@@ -115,41 +115,5 @@ TEST_F(Cli, NamesIdleFreedoms) {
   EXPECT_FALSE(prints("Idle freedoms")) << out_;
 }
 
-TEST_F(Cli, DrawsTheStructuralDiagram) {
-  ASSERT_EQ(desmo("inspect truck_suspension:1 --diagram -"), 0) << err_;
-  for (const char* text : {"digraph \"truck_suspension\" {", "ground [label=\"0\"];",
-                           "g1 [label=\"(4, 2)\\naxle1/SG-I\\n{2, 3, 4, 5}\"];",
-                           "g5 [label=\"(2, 0)\\n", "ground -> g1;", "g1 -> g5;", "ground -> g5;"})
-    EXPECT_TRUE(prints(text)) << text << "\n" << out_;
-  EXPECT_FALSE(prints("g2 -> g3"));
-  EXPECT_FALSE(prints("g0"));  // what is constant is no group
-  const std::string dot = out_;
-  ASSERT_EQ(desmo("inspect truck_suspension:1 --diagram out/truck.dot"), 0);
-  EXPECT_EQ(text_of(out("truck.dot")), dot);
-  EXPECT_TRUE(prints("axle1/SG-I (4, 2)"));
-}
-
-TEST_F(Cli, DrawsSvgByGraphviz) {
-  fs::create_directory(folder_ / "programs");
-  const std::string path = "PATH=" + (folder_ / "programs").string() + " ";
-  const std::string draw = path + DESMO_CLI " inspect slider_crank --diagram out/a.svg";
-  EXPECT_EQ(shell(draw), 69);
-  EXPECT_TRUE(says("apt-get install graphviz")) << err_;
-  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
-
-  const auto install = [&](const std::string& script) {
-    write("programs/dot", "#!/bin/sh\n" + script);
-    fs::permissions(folder_ / "programs/dot", fs::perms::owner_all);
-  };
-  install("echo half; exit 1\n");
-  EXPECT_EQ(shell(draw), 69);
-  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
-  install("echo \"<svg $1>\"; while read -r line; do echo \"$line\"; done\n");
-  EXPECT_EQ(shell(draw), 0) << err_;
-  EXPECT_TRUE(text_of(out("a.svg")).starts_with("<svg -Tsvg>\ndigraph \"slider_crank\" {\n"));
-  EXPECT_EQ(desmo("inspect slider_crank --diagram a.png"), 64);
-  EXPECT_EQ(desmo("inspect slider_crank --json --diagram -"), 64);
-}
-
 }  // namespace
 }  // namespace desmo::inspecting_test

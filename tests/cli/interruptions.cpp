@@ -62,7 +62,6 @@ TEST_F(Cli, OutputThatCannotBeWritten) {
   EXPECT_EQ(desmo("list >/dev/full"), 74);
   EXPECT_EQ(desmo("--help >/dev/full"), 74);
   EXPECT_EQ(desmo("solve slider_crank >&-"), 74);
-  EXPECT_EQ(desmo("inspect slider_crank --diagram /nonexistent/a.dot"), 74);
   EXPECT_EQ(desmo("solve slider_crank -o nowhere/motion.csv"), 74);
   EXPECT_TRUE(says("desmo: nowhere/motion.csv: cannot be written")) << err_;
   EXPECT_EQ(desmo("solve slider_crank -o out"), 74);

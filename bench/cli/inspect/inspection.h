@@ -41,9 +41,5 @@ std::vector<std::string> driver_names(const Model& model);
 
 std::string to_text(const Inspection& inspection);
 std::string to_json(const Inspection& inspection);
-/// Returns the structural diagram of the paper's figures 3.b and 4.b for Graphviz. It has a circle
-/// with (N_m, n_c) for each group and a circle 0 for the ground. Arrows in solution order mark
-/// joints between the bodies of two groups; broken arrows mark dependence by a driver alone.
-std::string to_dot(const Inspection& inspection);
 
 }  // namespace desmo::cli
