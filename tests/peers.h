@@ -16,10 +16,4 @@ inline const PeerDefinition& find_peer(std::string_view name) {
   throw std::invalid_argument("no peer " + std::string(name));
 }
 
-/// Returns the setup text of a peer for a scene.
-inline std::string setup_by(std::string_view name, const Scene& scene) {
-  const Model model = make_model(scene);
-  return find_peer(name).make(scene, model)->setup();
-}
-
 }  // namespace desmo

@@ -1,12 +1,11 @@
 #include "bench/kit/problem.h"
 
 #include <algorithm>
-#include <functional>
-#include <map>
 #include <utility>
 #include <vector>
 
 #include "bench/kit/verification.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo::bench {
 
@@ -38,20 +37,11 @@ Problem make_problem(Model m, const TimeGrid& grid, double tolerance) {
   return p;
 }
 
-std::vector<PartSizes> part_sizes(const Model& m, Partition partition) {
-  std::map<int, int, std::greater<>> counts;
-  for (const PartDefinition& part : make_partition(m, partition))
-    if (!part.constant) ++counts[static_cast<int>(part.unknowns.size())];
-  std::vector<PartSizes> sizes;
-  for (const auto& [unknowns, count] : counts) sizes.push_back({unknowns, count});
-  return sizes;
-}
-
 int moving_unknowns(const Model& m) {
-  int unknowns = 0;
-  for (const PartSizes& parts : part_sizes(m, Partition::group))
-    unknowns += parts.unknowns * parts.count;
-  return unknowns;
+  std::size_t unknowns = 0;
+  for (const PartDefinition& part : make_partition(m, Partition::group))
+    if (!part.constant) unknowns += part.unknowns.size();
+  return static_cast<int>(unknowns);
 }
 
 }  // namespace desmo::bench

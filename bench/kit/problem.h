@@ -1,13 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "cases/mechanism/motion.h"
 #include "formulations/base/per_level.h"
 #include "formulations/base/settings.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/planning/plan.h"
-#include "formulations/structure/partition.h"
 #include "formulations/verification/reference/reference.h"
 
 namespace desmo::bench {
@@ -36,16 +33,6 @@ Problem make_problem(Plan plan, const TimeGrid& grid, int compared);
 /// Returns a whole model, compared at the first, the middle and the last instant. Throws what
 /// make_reference throws, and see require_agreement.
 Problem make_problem(Model model, const TimeGrid& grid, double tolerance);
-
-/// Number of parts with the same number of unknowns.
-struct PartSizes {
-  int unknowns;
-  int count;
-  bool operator==(const PartSizes&) const = default;
-};
-
-/// Returns the parts of a partition by their sizes, largest first. Constant parts are not counted.
-std::vector<PartSizes> part_sizes(const Model& model, Partition partition);
 
 /// Returns the number of coordinates to be found at every instant: neither driven nor at rest.
 int moving_unknowns(const Model& model);

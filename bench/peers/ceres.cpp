@@ -149,13 +149,6 @@ class CeresPeer final : public Peer {
     solve(t);
   }
 
-  std::string setup() const override {
-    return std::to_string(problem_.NumParameterBlocks()) + " parameter blocks with " +
-           std::to_string(problem_.NumParameters()) + " unknowns, " +
-           std::to_string(problem_.NumResidualBlocks()) + " cost functions with " +
-           std::to_string(problem_.NumResiduals()) + " residuals";
-  }
-
  private:
   static ceres::Problem::Options problem_options() {
     ceres::Problem::Options o;

@@ -43,8 +43,6 @@ class Peer {
   /// Returns the iterations of the peer's method for positions, since the last assembly and with
   /// it.
   long iterations() const { return iterations_; }
-  /// Describes what had to be set up: bodies, mobilities, constraint equations.
-  virtual std::string setup() const = 0;
 
  protected:
   Peer() = default;

@@ -24,7 +24,6 @@ class SimbodyPeer final : public Peer {
     solver_->step(t);
     take();
   }
-  std::string setup() const override { return solver_->setup(); }
 
  private:
   void take() {

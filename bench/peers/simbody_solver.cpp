@@ -19,7 +19,10 @@ class RealizingSolver : public Solver {
     state_ = system().realizeTopology();
     system().realize(state_, sim::Stage::Instance);
     if (state_.getNU() - static_cast<int>(tree_.drivers.size()) != state_.getNQErr())
-      throw std::invalid_argument("simbody: unlike mobilities and equations: " + setup());
+      throw std::invalid_argument("simbody: " + std::to_string(state_.getNU()) + " mobilities, " +
+                                  std::to_string(tree_.drivers.size()) +
+                                  " of them prescribed, but " + std::to_string(state_.getNQErr()) +
+                                  " loop equations");
     estimate_ = state_.getQ();
     int components = 0;
     for (const Followed& f : tree_.followed) components += f.components;
@@ -41,12 +44,6 @@ class RealizingSolver : public Solver {
 
   const std::array<std::vector<double>, 3>& values() const override { return values_; }
   long iterations() const override { return iterations_; }
-
-  std::string setup() const final {
-    return std::to_string(tree_.bodies.size()) + " bodies, " + std::to_string(state_.getNU()) +
-           " mobilities, " + std::to_string(tree_.drivers.size()) + " of them prescribed, " +
-           std::to_string(state_.getNQErr()) + " loop-constraint equations";
-  }
 
  protected:
   const sim::MultibodySystem& system() const { return built_.system; }

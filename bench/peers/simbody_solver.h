@@ -90,8 +90,6 @@ class Solver {
   virtual const std::array<std::vector<double>, 3>& values() const = 0;
   /// Returns the iterations of projectQ, since the last assembly and with it.
   virtual long iterations() const = 0;
-  /// Returns "8 bodies, 12 mobilities, 2 of them prescribed, 10 loop-constraint equations".
-  virtual std::string setup() const = 0;
 };
 
 /// Makes a solver. Throws std::exception when Simbody refuses the tree, or when it has more or

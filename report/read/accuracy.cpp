@@ -40,7 +40,6 @@ Point read_point(const RecordValue& node) {
               .message = node.maybe("message", &RecordValue::text).value_or("")};
   if (point.status != Point::Status::ok) return point;
   point.error = read_errors(node["error"]);
-  point.violation = read_errors(node["violation"]);
   point.iterations_per_step = node["iterations_per_step"].not_negative();
   point.seconds_per_step = read_cpu_seconds(node["time_per_step"]);
   if (point.error.position) return point;

@@ -49,9 +49,8 @@ struct Point {
 
   Configuration configuration;
   Status status = Status::failed;
-  std::string message;    ///< why it failed or is not applicable
-  Errors error = {};      ///< relative; of position always when ok
-  Errors violation = {};  ///< of the equations
+  std::string message;  ///< why it failed or is not applicable
+  Errors error = {};    ///< relative; of position always when ok
   double iterations_per_step = 0;
   std::vector<double> seconds_per_step =
       {};  ///< samples of CPU time; never empty when ok, else always

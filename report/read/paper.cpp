@@ -17,13 +17,6 @@ double read_setup(const RecordValue& time) {
   return samples.front();
 }
 
-Solver read_solver(const RecordValue& node) {
-  const RecordValue unknowns = node["unknowns"];
-  const auto range = unknowns.list([](const RecordValue& end) { return end.integer(1); });
-  if (range.size() != 2) unknowns.complain("the least and the most were expected");
-  return {node["algebra"].text(), node["parts"].integer(1), {range[0], range[1]}};
-}
-
 void turn_into_failure(Candidate& candidate, std::string reason) {
   if (reason.empty()) return;
   candidate.status = Status::failed;
@@ -47,7 +40,6 @@ Candidate read_solved(const RecordValue& node, const Settings& settings, std::st
 Candidate read_candidate(const RecordValue& node, const Settings& settings, std::string_view id) {
   Candidate candidate = read_solved(node, settings, id);
   candidate.setup_seconds = node.maybe("setup_time", read_setup);
-  if (const auto solvers = node.find("solvers")) candidate.solvers = solvers->list(read_solver);
   if (const auto checked = node.find("verification"))
     candidate.verification = read_levels(*checked, &RecordValue::not_negative);
   if (candidate.status != Status::ok) return candidate;

@@ -63,13 +63,6 @@ inline std::string name_of(const CandidateKey& key) {
   return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id;
 }
 
-/// The algebra that was chosen for parts of similar size.
-struct Solver {
-  std::string algebra;
-  std::int64_t parts = 0;
-  std::array<std::int64_t, 2> unknowns{};  ///< least, most
-};
-
 struct Candidate {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
@@ -79,7 +72,6 @@ struct Candidate {
   std::optional<PerLevel> verification = {};
   std::optional<double> setup_seconds = {};
   std::optional<double> iterations_per_step;
-  std::vector<Solver> solvers = {};  ///< where they were chosen by measurement
 };
 
 /// Phases of a step, in the order of a Profile.

@@ -45,16 +45,6 @@ Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& refer
   return entry;
 }
 
-/// "klu: 15 of 16 to 39 unknowns; eigen: 5 of 4 unknowns": by how many parts.
-std::string solvers_text(const std::vector<Solver>& solvers) {
-  std::string text;
-  for (const auto& [algebra, parts, unknowns] : solvers)
-    text += (text.empty() ? "" : "; ") + algebra + ": " + std::to_string(parts) + " of " +
-            (unknowns[0] < unknowns[1] ? std::to_string(unknowns[0]) + " to " : "") +
-            std::to_string(unknowns[1]) + " unknowns";
-  return text;
-}
-
 }  // namespace
 
 Table every_formulation(const Record& record, const std::string& case_name,
@@ -80,8 +70,7 @@ Table every_formulation(const Record& record, const std::string& case_name,
                            number_entry(candidate.iterations_per_step, 3)};
     add_errors(row, candidate);
     row.push_back(number_entry(candidate.setup_seconds, 2));
-    row.push_back(candidate.status == Status::ok ? solvers_text(candidate.solvers)
-                                                 : remark(candidate));
+    row.push_back(remark(candidate));
     table.rows.push_back(std::move(row));
   }
   return table;

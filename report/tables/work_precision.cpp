@@ -52,7 +52,6 @@ std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
           error_entry(p.error.position),
           error_entry(p.error.velocity),
           error_entry(p.error.acceleration),
-          error_entry(p.violation.position),
           solved ? iterations_entry(&point) : note_entry(missing_mark),
           in_front ? "front" : "",
           p.message};

@@ -50,7 +50,6 @@ Json solved_point(const std::string& id, double microseconds, double error, doub
   point["id"] = id;
   point["status"] = "ok";
   point["error"] = level_errors(error);
-  point["violation"] = level_errors(error / 10);
   point["iterations_per_step"] = iterations;
   point["time_per_step"]["clock"] = "cpu";
   point["time_per_step"]["seconds"] = {1.5e-6 * microseconds, 1e-6 * microseconds,

@@ -78,7 +78,6 @@ Json point_json(const AccuracySeries& series, const Trial& trial) {
     return j;
   }
   j["error"] = error_json(trial.error);
-  j["violation"] = error_json(trial.violation);
   j["iterations_per_step"] = rounded(trial.verifying_run().iterations_per_step);
   j["time_per_step"] = bench::rounded_time_json(trial.seconds());
   return j;

@@ -6,35 +6,8 @@
 #include <vector>
 
 #include "formulations/verification/condition.h"
-#include "formulations/verification/violation.h"
 
 namespace desmo::accuracy {
-
-namespace {
-
-constexpr std::size_t violations_looked_at = 5;  // an instant costs as much as many steps
-
-class Both final : public Observer {
- public:
-  Both(Observer& first, Observer& second) : first_(first), second_(second) {}
-  Flow observe(const Instant& instant) noexcept override {
-    first_.observe(instant);
-    return second_.observe(instant);
-  }
-
- private:
-  Observer &first_, &second_;
-};
-
-std::vector<double> some_times(const Reference& reference) {
-  const std::size_t count = std::min(reference.instants.size(), violations_looked_at);
-  std::vector<double> times;
-  for (std::size_t i = 0; i < count; ++i)
-    times.push_back(reference.instants[i * (reference.instants.size() - 1) / (count - 1)].time);
-  return times;
-}
-
-}  // namespace
 
 double max_condition(const Problem& problem) {
   ConditionNumber number(problem.plan.model);
@@ -55,13 +28,9 @@ void Trial::compare() {
     const Plan& plan = problem().plan;
     build();
     const Reference& reference = problem().reference;
-    const std::vector<double> times = some_times(reference);
     ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
-    ViolationMeasure violations(plan.model, reference.scales, times);
-    Both both(errors, violations);
-    const Summary summary = formulation_->run(grid, asked_, both);
+    const Summary summary = formulation_->run(grid, asked_, errors);
     error = errors.error();
-    violation = violations.violation();
     found.iterations_per_step = static_cast<double>(summary.iterations) /
                                 static_cast<double>(std::max(1L, summary.instants));
     return summary.ok() ? "" : describe(summary, plan.model);

@@ -5,6 +5,7 @@
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/digests.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo::paper {
 
@@ -54,8 +55,6 @@ void CaseCandidate::verify(ReferenceCache& references) {
   verify_by([&](VerifyingRun& found) {
     const Model& m = problem().plan.model;
     found.model = model_digest(m);
-    groups = m.structural_groups();
-    degrees_of_freedom = m.degrees_of_freedom();
     return compare_with([&] { return references.get(m, grid, settings().stride); }, found);
   });
 }

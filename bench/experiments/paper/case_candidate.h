@@ -26,7 +26,6 @@ class CaseCandidate final : public FormulationCandidate {
   void profile() override;
 
   const Case& definition;
-  int groups = 0, degrees_of_freedom = 0;
   std::optional<PhaseTimes> phases;
 };
 

@@ -7,9 +7,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "bench/experiments/paper/case_candidate.h"
@@ -18,7 +16,6 @@
 #include "bench/kit/memory.h"
 #include "bench/kit/record/environment.h"
 #include "bench/kit/record/record.h"
-#include "formulations/modelling/modelling.h"
 #include "formulations/prediction/guess.h"
 
 namespace desmo::paper {
@@ -50,12 +47,8 @@ Json with_measurement(Json j, const Candidate& c, Level level = Level::accelerat
 }
 
 Json case_json(const CaseCandidate& c) {
-  Json j = {{"case", c.definition.name}, {"coordinates", c.coordinates}, {"id", c.id()}};
-  if (!c.is_not_run()) {
-    j["groups"] = c.groups;
-    j["degrees_of_freedom"] = c.degrees_of_freedom;
-  }
-  return with_measurement(std::move(j), c);
+  return with_measurement(
+      {{"case", c.definition.name}, {"coordinates", c.coordinates}, {"id", c.id()}}, c);
 }
 
 Json request_json(const RequestCandidate& c) {
@@ -73,37 +66,14 @@ Json request_json(const RequestCandidate& c) {
 }
 
 Json peer_json(const PeerCandidate& c) {
-  Json j = {{"case", c.definition.name},
-            {"coordinates", c.coordinates},
-            {"peer", c.peer.name},
-            {"library", c.peer.library},
-            {"library_version", c.peer.version()},
-            {"method", c.peer.method},
-            {"guess", guess_name(c.peer.guess)}};
-  if (!c.setup.empty()) {
-    j["setup"] = c.setup;
-    j["compared"] = c.compared;
-  }
-  return with_measurement(std::move(j), c);
-}
-
-/// Adds the parts of every partition of a case at one size.
-void add_structure(Json& list, const Case& definition, int coordinates) {
-  const Model m = make_model(describe(definition, coordinates));
-  for (const auto& [partition, name] : {std::pair{Partition::global, "global"},
-                                        {Partition::group, "group"},
-                                        {Partition::block, "block"}}) {
-    Json parts = Json::array();
-    for (const PartSizes& p : part_sizes(m, partition))
-      parts.push_back({{"unknowns", p.unknowns}, {"count", p.count}});
-    list.push_back(
-        {{"case", definition.name},
-         {"coordinates", coordinates},
-         {"partition", name},
-         {"unit", definition.unit_name},
-         {"units", (coordinates - definition.base_coordinates) / definition.coordinates_per_unit},
-         {"parts", parts}});
-  }
+  return with_measurement({{"case", c.definition.name},
+                           {"coordinates", c.coordinates},
+                           {"peer", c.peer.name},
+                           {"library", c.peer.library},
+                           {"library_version", c.peer.version()},
+                           {"method", c.peer.method},
+                           {"guess", guess_name(c.peer.guess)}},
+                          c);
 }
 
 Json profile_json(const CaseCandidate& c) {
@@ -113,10 +83,7 @@ Json profile_json(const CaseCandidate& c) {
   return {{"case", c.definition.name},
           {"coordinates", c.coordinates},
           {"id", c.id()},
-          {"time_per_step",
-           {{"clock", clock_name(Clock::wall)},
-            {"phases", seconds},
-            {"total_range", {c.phases->min_total, c.phases->max_total}}}}};
+          {"time_per_step", {{"clock", clock_name(Clock::wall)}, {"phases", seconds}}}};
 }
 
 /// Returns a run as the console is to show it: the time given to Google Benchmark by hand is CPU
@@ -190,8 +157,7 @@ int worth_repeating(const Candidate& candidate) {
 
 Json lists_of(const std::vector<Candidate*>& candidates) {
   Json all;
-  for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
-  std::set<std::pair<std::string_view, int>> described;
+  for (const char* list : {"cells", "profiles", "requests"}) all[list] = Json::array();
   for (const Candidate* one : candidates) {
     if (const auto* request = dynamic_cast<const RequestCandidate*>(one))
       all["requests"].push_back(request_json(*request));
@@ -201,8 +167,6 @@ Json lists_of(const std::vector<Candidate*>& candidates) {
     if (!c) continue;
     all["cells"].push_back(case_json(*c));
     if (c->phases && c->is_verified()) all["profiles"].push_back(profile_json(*c));
-    if (described.emplace(c->definition.name, c->coordinates).second)
-      add_structure(all["structure"], c->definition, c->coordinates);
   }
   return all;
 }

@@ -66,9 +66,6 @@ void PeerCandidate::verify(ReferenceCache& references) {
     const double before_setup = cpu_now();
     peer_ = peer.make(scene_, *model_);
     found.setup_seconds = cpu_now() - before_setup;
-    setup = peer_->setup();
-    compared = static_cast<int>(peer_->answer().coordinates.size());
-
     const auto reference = references.get(*model_, grid);
     const double start = cpu_now();
     for (int i = 0; i < grid.instants; ++i) {
@@ -85,7 +82,8 @@ void PeerCandidate::verify(ReferenceCache& references) {
     }
     found.analysis_seconds = cpu_now() - start;
     found.iterations_per_step = static_cast<double>(peer_->iterations()) / grid.instants;
-    for (auto* delivered : {&q_, &qd_, &qdd_}) delivered->resize(compared);
+    for (auto* delivered : {&q_, &qd_, &qdd_})
+      delivered->resize(peer_->answer().coordinates.size());
     return verification_failure(found.errors, reference.size());
   });
 }

@@ -29,9 +29,6 @@ class PeerCandidate final : public Candidate {
   const int coordinates;
   const PeerDefinition& peer;
 
-  std::string setup;  ///< what had to be set up, in words
-  int compared = 0;   ///< coordinates that the peer finds
-
  private:
   void make() override;
   void discard() override { peer_.reset(); }

@@ -62,10 +62,7 @@ PhaseTimes measure_phases(const Variant& variant, const Settings& settings, cons
   std::vector<PhaseTimes> times;
   for (int i = 0; i < passes; ++i) times.push_back(one_pass(*formulation, profile, grid, clock));
   std::ranges::sort(times, {}, &PhaseTimes::total);
-  PhaseTimes median = times[passes / 2];
-  median.min_total = times.front().total();
-  median.max_total = times.back().total();
-  return median;
+  return times[passes / 2];
 }
 
 }  // namespace desmo::paper

@@ -13,8 +13,7 @@ namespace desmo::paper {
 /// median total among several.
 struct PhaseTimes {
   std::array<double, phase_count> seconds{};
-  double rest = 0;                      ///< loops, copies, drivers, delivery
-  double min_total = 0, max_total = 0;  ///< of all passes
+  double rest = 0;  ///< loops, copies, drivers, delivery
 
   double total() const;
 };

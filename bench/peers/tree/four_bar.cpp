@@ -95,10 +95,6 @@ class FourBar final : public TreePeer {
   }
   void step(double t) override { assemble(t); }
 
-  std::string setup() const override {
-    return std::to_string(dyads_.size()) + " dyads one after the other, in closed form";
-  }
-
  private:
   const Motion& motion_;
   Vec2 pivot_;

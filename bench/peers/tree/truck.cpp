@@ -75,12 +75,6 @@ class Truck final : public TreePeer {
     solve(t);
   }
 
-  std::string setup() const override {
-    return std::to_string(suspensions_.size()) +
-           " axles one after the other: yaw and pitch of each by Newton's method from the lengths "
-           "of its rods; roll, arm, levers and dampers in closed form";
-  }
-
  private:
   void solve(double t) {
     time_ = t;

@@ -269,17 +269,6 @@ TEST(EveryFormulation, ReferencesKluAsOneBlockWhereThatIsFaster) {
   }
 }
 
-TEST(EveryFormulation, SaysWhichSolversWereChosen) {
-  Json json = complete_record();
-  Json& candidate = candidate_of(json, truck, 558, "group_symbolic_lapack");
-  candidate["solvers"] = {{{"algebra", "klu"}, {"parts", 15}, {"unknowns", {16, 39}}},
-                          {{"algebra", "eigen"}, {"parts", 5}, {"unknowns", {4, 4}}}};
-  const Table table = every_formulation(record_from(json), truck, 558);
-  EXPECT_EQ(entry_at(table, {"group_symbolic_lapack"}, "remark").shown,
-            "klu: 15 of 16 to 39 unknowns; eigen: 5 of 4 unknowns");
-  EXPECT_EQ(entry_at(table, {"group_symbolic_klu"}, "remark").shown, "");
-}
-
 TEST(EveryFormulation, SaysWhatExceedsTheAllowedError) {
   Json json = complete_record();
   candidate_of(json, truck, 558, "group_symbolic_lapack")["verification"]["velocity"] = 2e-6;
