@@ -7,9 +7,9 @@
 
 #include "formulations/algebra/backend.h"
 #include "formulations/batch/batch_part.h"
-#include "formulations/batch/lane_executor.h"
 #include "formulations/batch/segmented.h"
-#include "formulations/batch/thread_executor.h"
+#include "formulations/batch/segments_in_lanes.h"
+#include "formulations/batch/segments_on_threads.h"
 #include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/parts/inlined_part.h"
@@ -123,11 +123,11 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
     of_worker.threads = of_worker.stride = 1;
     for (auto& worker : workers) worker = make_solver(v, m, of_worker, nullptr, table);
     segments =
-        std::make_unique<ThreadExecutor>(std::move(workers), min_segment * settings.segments);
+        std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
   } else if (settings.segments > 1) {
-    std::vector<LaneExecutor::Parts> lanes(settings.segments);
-    for (LaneExecutor::Parts& parts : lanes) parts = make_parts(common, definitions);
-    segments = std::make_unique<LaneExecutor>(m, std::move(lanes), settings, table);
+    std::vector<SegmentsInLanes::Parts> lanes(settings.segments);
+    for (SegmentsInLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
+    segments = std::make_unique<SegmentsInLanes>(m, std::move(lanes), settings, table);
   }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
   if (settings.lanes > 1) parts = make_batches(m, std::move(parts), type_ends, settings, table);

@@ -83,6 +83,6 @@ void check_tables(const JsonValue& root, const Mechanism& mechanism,
 
 /// Reads `request`, in the order of first mention. An entity requested at several levels is listed
 /// once, at the highest. Returns an empty list when the file has no request.
-std::vector<Wanted> read_request(const JsonValue& root, const Mechanism& mechanism);
+std::vector<RequestedEntity> read_request(const JsonValue& root, const Mechanism& mechanism);
 
 }  // namespace desmo

@@ -81,7 +81,9 @@ struct Model {
   }
 
   /// Returns whether an entity never moves: it is fixed, or its group is constant.
-  bool rests(EntityId e) const { return entities[e].fixed || groups[entities[e].group].constant; }
+  bool is_at_rest(EntityId e) const {
+    return entities[e].fixed || groups[entities[e].group].constant;
+  }
 
   /// Returns the number of structural groups without the constant ones, as the paper counts.
   int structural_groups() const;

@@ -52,14 +52,14 @@ class TimeStepping final : public SegmentSolver {
   };
 
   /// The coordinates of each instant that others than parts read.
-  struct Wanted {
+  struct ReadCoordinates {
     std::vector<int> coordinates;  // empty: all …
     bool lent;                     // … in memory that the observer lends, or in the state
   };
 
   void prepare();
   void forget();
-  void want(const Request& request, bool lent = false);
+  void set_read_outside(const Request& request, bool lent = false);
   Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
   Summary solve_at(double t, Level level);
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
@@ -72,7 +72,7 @@ class TimeStepping final : public SegmentSolver {
   PartSequence sequence_;
   DriverSource drivers_;
   StatePredictor predict_;
-  std::optional<Wanted> wanted_;
+  std::optional<ReadCoordinates> read_outside_;
   OutputWriter output_;        // of what no part delivers
   SolvedState now_, before_;   // the instant solved last, and the one before it
   std::vector<double> start_;  // positions from which a step is tried again

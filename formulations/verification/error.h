@@ -19,7 +19,7 @@ struct LevelError {
 };
 
 /// Errors of a solution at each level.
-struct Error : PerLevel<LevelError> {
+struct SolutionError : PerLevel<LevelError> {
   int instants = 0;  ///< instants compared
 };
 
@@ -41,7 +41,7 @@ class ErrorSum {
 /// Outputs are the points, directions, angles and distances of the model, driven ones included,
 /// fixed ones left out. The error of an output is the Euclidean norm of the difference over its
 /// scale. Angles are compared as they are, so a whole turn counts as an error. Where the reference
-/// has rests they are used, so that an error of 1e-20 shows as 1e-20.
+/// has remainders they are used, so that an error of 1e-20 shows as 1e-20.
 class ErrorMeasure final : public Observer {
  public:
   /// Compares all outputs at all levels. The reference must outlive the measure.
@@ -52,9 +52,9 @@ class ErrorMeasure final : public Observer {
                const Scales& scales, std::span<const Asked> outputs);
 
   Flow observe(const Instant& instant) noexcept override;
-  /// Returns the errors of the instants observed so far. Error::instants counts the compared ones;
-  /// after a complete run it is the size of the reference.
-  Error error() const;
+  /// Returns the errors of the instants observed so far. SolutionError::instants counts the
+  /// compared ones; after a complete run it is the size of the reference.
+  SolutionError error() const;
 
  private:
   struct Output {
@@ -63,7 +63,7 @@ class ErrorMeasure final : public Observer {
     PerLevel<double> scale;
   };
   void compare(Level level, std::span<const double> found, std::span<const double> reference,
-               std::span<const double> rest);
+               std::span<const double> remainder);
 
   std::span<const ReferenceInstant> reference_;
   std::vector<Output> outputs_;

@@ -79,7 +79,7 @@ TEST(Condition, PredictsWhatDoubleReaches) {
     for (const ReferenceInstant& at : r.instants)
       condition = std::max(condition, condition_number(at.q));
     const PerLevel<double> limit = accuracy_limit(condition, 0x1p-53);
-    const Error e = measure.error();
+    const SolutionError e = measure.error();
     std::cout << l.name << ": condition " << condition;
     for (const Level level : levels) std::cout << ", " << e[level].max << " <~ " << limit[level];
     std::cout << '\n';

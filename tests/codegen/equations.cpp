@@ -80,7 +80,7 @@ void expect_derivative(const E& equations, const Model& m, const PartDefinition&
   const Eigen::MatrixXd dense = jacobian(equations, state);
   const std::vector<EntityId> owner = entity_of_coordinate(m);
   for (int j = 0; j < m.coordinates(); ++j) {
-    if (m.rests(owner[j]) && !part.constant) continue;
+    if (m.is_at_rest(owner[j]) && !part.constant) continue;
     const double h = 1e-5;
     std::vector<double> plus = state, minus = state;
     plus[j] += h;
@@ -104,7 +104,7 @@ TEST_P(Equations, SymbolicAndAutomaticAgreeToRounding) {
   std::fill(rate.begin() + m.coordinates(), rate.end(), 0.0);
   const std::vector<EntityId> owner = entity_of_coordinate(m);
   for (int i = 0; i < m.coordinates(); ++i)
-    if (m.rests(owner[i])) rate[i] = 0;
+    if (m.is_at_rest(owner[i])) rate[i] = 0;
   for (const PartDefinition& part : parts) {
     const AutomaticEquations a(m, part);
     const SymbolicEquations s = symbolic(m, part);

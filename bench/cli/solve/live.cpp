@@ -69,7 +69,7 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     if (!is_good) {
       ++failed;
       const std::string what = rows.place() + ": " + reason_of(s, run, plan);
-      if (!request.past_failures) throw Error(not_solved, request.source + ": " + what);
+      if (!request.past_failures) throw CommandError(not_solved, request.source + ": " + what);
       if (!request.quiet) std::fprintf(stderr, "note: %s\n", what.c_str());
     }
     text.clear();

@@ -71,7 +71,7 @@ PerLevel<double> error_of(const Instant& instant, const KnownCase& known, std::s
   const std::vector<double> qd = part(instant.qd), qdd = part(instant.qdd);
   ErrorMeasure measure(answers.model, {&right, 1}, answers.scales);
   measure.observe({0, right.time, q, qd, qdd});
-  const Error e = measure.error();
+  const SolutionError e = measure.error();
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 

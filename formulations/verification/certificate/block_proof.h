@@ -25,7 +25,7 @@ class BlockProof {
 
  private:
   /// Errors of all columns at one level; those of unknowns once they are known.
-  struct Errors {
+  struct ErrorColumns {
     std::vector<Lanes> center, own, sum;
     std::vector<Lanes> weight;  ///< own, and what rounding of a product with the error adds
   };
@@ -59,7 +59,7 @@ class BlockProof {
   PerLevel<std::vector<LaneInterval>> state_;  // local states
   PerLevel<std::vector<LaneInterval>> phi_;    // Φ, Φ̇, Φ̈ of the delivered values (n)
   PerLevel<LaneMatrix> rates_;                 // Φ̇_q, Φ̈_q
-  PerLevel<Errors> errors_;                    // (n + m)
+  PerLevel<ErrorColumns> errors_;              // (n + m)
   Preconditioner preconditioner_;
   std::vector<Lanes> center_, uncertainty_;  // of the equations (n)
   std::vector<Lanes> trial_;                 // radii of X (n)

@@ -19,7 +19,7 @@
 #include "tests/lender.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::lane_executor_test {
+namespace desmo::segments_in_lanes_test {
 namespace {
 
 constexpr Settings at_once{.segments = 4};
@@ -32,7 +32,7 @@ std::vector<Settings> every_kind() {
   return all;
 }
 
-TEST(LaneExecutor, SolveWhatStepsSolve) {
+TEST(SegmentsInLanes, SolveWhatStepsSolve) {
   const auto all = every_motion();
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Settings& settings : every_kind())
@@ -118,9 +118,9 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   EXPECT_EQ(f->run_by_steps(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(LaneExecutor, OnTheCases, testing::ValuesIn(every_kind()));
+INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_kind()));
 
-TEST(LaneExecutor, LeaveTheLastInstantToStepOnFrom) {
+TEST(SegmentsInLanes, LeaveTheLastInstantToStepOnFrom) {
   const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
              g = make_formulation(find_variant("group_symbolic_explicit"), m);
@@ -130,7 +130,7 @@ TEST(LaneExecutor, LeaveTheLastInstantToStepOnFrom) {
   expect_to_step_on_alike(*f, *g, 2);
 }
 
-TEST(LaneExecutor, LeaveShortMotionsToSteps) {
+TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
   const TimeGrid grid = time_grid(0.2, 0.01);
@@ -141,7 +141,7 @@ TEST(LaneExecutor, LeaveShortMotionsToSteps) {
 }
 
 /// Links that are too short where the crank points away: the same failure, and nothing after it.
-TEST(LaneExecutor, FailAsStepsFail) {
+TEST(SegmentsInLanes, FailAsStepsFail) {
   Model m = four_bar_model(1);
   for (Constraint& c : m.constraints)
     if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
@@ -173,7 +173,7 @@ class Reluctant final : public SegmentExecutor {
   }
 };
 
-TEST(LaneExecutor, ThatGiveUpLeaveNoTrace) {
+TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   const Model m = four_bar_model(2);
   auto parts = make_partition(m, Partition::group);
   const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
@@ -193,7 +193,7 @@ TEST(LaneExecutor, ThatGiveUpLeaveNoTrace) {
   EXPECT_EQ(f.run_by_steps(), 2);
 }
 
-TEST(LaneExecutor, StandInTheId) {
+TEST(SegmentsInLanes, StandInTheId) {
   const Variant& v = find_variant("group_symbolic_explicit");
   const std::string id = "group_symbolic_explicit/segments:4";
   EXPECT_EQ(id_with(v, at_once), id);
@@ -208,4 +208,4 @@ TEST(LaneExecutor, StandInTheId) {
 }
 
 }  // namespace
-}  // namespace desmo::lane_executor_test
+}  // namespace desmo::segments_in_lanes_test
