@@ -136,19 +136,33 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
   return std::make_unique<Segmented>(std::move(steps), std::move(segments));
 }
 
-}  // namespace
-
-std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
-                                              const Settings& settings, Profile* profile,
-                                              const KernelTable* table) {
+/// Makes a formulation. profile: null: no phases are measured.
+std::unique_ptr<Formulation> make(const Variant& v, const Model& m, const Settings& settings,
+                                  Profile* profile, const KernelTable& table) {
   if (const std::string reason = unsupported_reason(v, settings); !reason.empty())
     throw std::invalid_argument(v.id + ": " + reason);
   if (const std::string reason = unavailable_reason(settings); !reason.empty())
     throw std::invalid_argument(id_with(v, settings) + ": " + reason);
-  std::unique_ptr<SegmentSolver> solver =
-      make_solver(v, m, settings, profile, table ? *table : KernelTable::built_in());
+  std::unique_ptr<SegmentSolver> solver = make_solver(v, m, settings, profile, table);
   if (settings.stride == 1) return solver;
   return std::make_unique<Interpolated>(std::move(solver), settings.stride);
+}
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
+                                              const Settings& settings) {
+  return make(v, m, settings, nullptr, KernelTable::built_in());
+}
+
+std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
+                                              const Settings& settings, const KernelTable& table) {
+  return make(v, m, settings, nullptr, table);
+}
+
+std::unique_ptr<Formulation> make_profiled_formulation(const Variant& v, const Model& m,
+                                                       const Settings& settings, Profile& profile) {
+  return make(v, m, settings, &profile, KernelTable::built_in());
 }
 
 }  // namespace desmo

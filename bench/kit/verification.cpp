@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::bench {

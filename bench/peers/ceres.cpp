@@ -15,6 +15,7 @@
 #include "formulations/prediction/driver_source.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 

@@ -71,9 +71,11 @@ std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int d
 
 // Sections of a scene file:
 
-/// Reads `motion`: one for each driven coordinate, in the mechanism's order, in metres (or the
-/// mechanism's free unit) or radians. Throws InputError where it needs an ambiguous unit. known:
-/// motions, for all driven coordinates or none, that the scene may leave out.
+/// Reads `motion`. Returns one motion for each driven coordinate, in the mechanism's order, in
+/// metres (or the mechanism's free unit) or radians.
+/// - known: the motions of coordinates that `motion` leaves out, one for each driven coordinate;
+///   empty: it may leave out none
+/// Throws InputError, also for a length whose unit the file leaves open.
 std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechanism,
                                  const Units& units, std::vector<Motion> known);
 

@@ -13,21 +13,19 @@
 namespace desmo {
 
 /// The paper's Fig. 2a: instant after instant, drivers, prediction, and the parts in order.
-class TimeStepping final : public SegmentSolver {
+class TimeStepping final : public SegmentSolver, private LiveSteps {
  public:
   /// settings: those that the parts were made with. The model outlives this.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
 
   Summary assemble_at(double t, Level level) override;
   Summary step_to(double t, Level level) override;
-  bool is_live() const override { return true; }
-  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
-  void return_to(std::span<const double> q, double t) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override;
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
   void solve_only(std::span<const Level> needed) override;
+  const LiveSteps* live() const override { return this; }
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }
 
@@ -56,6 +54,9 @@ class TimeStepping final : public SegmentSolver {
     std::vector<int> coordinates;  // empty: all …
     bool lent;                     // … in memory that the observer lends, or in the state
   };
+
+  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
+  void return_to(std::span<const double> q, double t) override;
 
   void prepare();
   void forget();

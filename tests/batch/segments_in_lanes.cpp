@@ -12,6 +12,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/batch/segmented.h"
 #include "formulations/id.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/everything.h"
@@ -60,7 +61,7 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
     const TimeGrid grid = time_grid(3, 0.01);
     Everything whole(grid.instants), some(grid.instants), expected(grid.instants);
     ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
-    EXPECT_EQ(f->run_by_steps(), 0) << c.name;
+    EXPECT_EQ(core_of(*f).run_by_steps(), 0) << c.name;
     EXPECT_EQ(whole.order.size(), static_cast<std::size_t>(grid.instants));
     EXPECT_TRUE(std::ranges::is_sorted(whole.order));
     expect_same(whole, expected, std::string(c.name));
@@ -115,7 +116,7 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   EXPECT_TRUE(stopped.ok() && stopped.stopped);
   EXPECT_EQ(stopped.instants, 20L * GetParam().segments + 1);
   EXPECT_EQ(lender.instants, stopped.instants);
-  EXPECT_EQ(f->run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_kind()));
@@ -136,7 +137,7 @@ TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const TimeGrid grid = time_grid(0.2, 0.01);
   Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok());
-  EXPECT_EQ(f->run_by_steps(), 1);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 1);
   EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants));
 }
 
@@ -190,7 +191,7 @@ TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   ASSERT_TRUE(f.run(grid, {.coordinates = std::vector{7}}, lender).ok());
   EXPECT_EQ(lender.restarts, 1);
   EXPECT_EQ(lender.instants, grid.instants + 1);
-  EXPECT_EQ(f.run_by_steps(), 2);
+  EXPECT_EQ(core_of(f).run_by_steps(), 2);
 }
 
 TEST(SegmentsInLanes, StandInTheId) {

@@ -7,9 +7,10 @@
 #include <random>
 
 #include "cases/generators/cases.h"
-#include "formulations/constraints/constraints.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
+#include "formulations/model/constrain.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/part_type.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
@@ -156,9 +157,9 @@ TEST(Kernels, AreMissingVisibly) {
   const EntityId p = m.add(EntityKind::point, "p", at, 0);
   const EntityId v = m.add(EntityKind::point, "v", at, 0);
   const EntityId a = m.add_fixed(EntityKind::point, "a", std::array{0.0, 0.0});
-  m.constrain<Length<2>>(0, "to a", {a, p}, {4});
-  m.constrain<Length<2>>(0, "to v", {v, p}, {4});
-  m.constrain<Rigid<2, 0>>(0, "place", {v, a}, {});
+  constrain<Length<2>>(m, 0, "to a", {a, p}, {4});
+  constrain<Length<2>>(m, 0, "to v", {v, p}, {4});
+  constrain<Rigid<2, 0>>(m, 0, "place", {v, a}, {});
   const PartDefinition part = make_partition(m, Partition::group).front();
   EXPECT_EQ(KernelTable::built_in().find_kernel(describe_type(m, part).fingerprint), nullptr);
   EXPECT_FALSE(bind_kernel(m, part));

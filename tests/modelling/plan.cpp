@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cases/generators/cases.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"

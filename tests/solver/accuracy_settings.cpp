@@ -15,6 +15,7 @@
 #include "formulations/id.h"
 #include "formulations/parts/profile.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
@@ -256,7 +257,7 @@ INSTANTIATE_TEST_SUITE_P(Table, AccuracySettings, testing::ValuesIn(tested_varia
 long factorisations(const std::string& id, const Model& m) {
   const Configuration c = parse_id(id);
   Profile profile;
-  const auto f = make_formulation(*c.variant, m, c.settings, &profile);
+  const auto f = make_profiled_formulation(*c.variant, m, c.settings, profile);
   EXPECT_TRUE(f->assemble(0).ok());
   const long before = profile.calls[static_cast<int>(Phase::factorisation)];
   for (int i = 1; i <= 100; ++i) EXPECT_TRUE(f->step(0.01 * i).ok());

@@ -90,8 +90,8 @@ std::unique_ptr<Formulation> make_solver(const Task& task, KernelTable& kernels)
   if (task.named)
     add_missing_code(kernels, task.chosen, task.plan.model, task.input.scene.grid,
                      task.options.own_code, task.options.quiet);
-  auto formulation = make_formulation(*task.chosen.variant, task.plan.model, task.chosen.settings,
-                                      nullptr, &kernels);
+  auto formulation =
+      make_formulation(*task.chosen.variant, task.plan.model, task.chosen.settings, kernels);
   formulation->solve_only(task.plan.levels);
   if (!task.options.quiet) say(note_on_code(*formulation, task.named));
   return formulation;

@@ -11,6 +11,7 @@
 #include "bench/kit/memory.h"
 #include "bench/kit/verification.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
 
@@ -224,7 +225,7 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
     record.begin(i);
     record.end(run_monitored(*f, grid, {}, record, options), grid, m);
   }
-  a.refactorisations = f->refactorisations();
+  a.refactorisations = refactorisations(*f);
   return a;
 }
 

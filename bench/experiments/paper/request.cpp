@@ -14,6 +14,7 @@
 #include "cases/library/library.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::paper {

@@ -9,10 +9,11 @@
 
 namespace desmo {
 
-/// Krawczyk's test of batches of blocks, one after the other, and the memory that it needs.
+/// Krawczyk's test of one batch of blocks after the other. It proves that an exact solution lies
+/// within an interval about each delivered value.
 class BlockProof {
  public:
-  /// Makes room for batches of a schedule.
+  /// Sizes of the largest batch, for which memory is allocated.
   struct Sizes {
     int unknowns = 0, width = 0, states = 0, columns = 0;
   };
@@ -24,7 +25,8 @@ class BlockProof {
   PerLevel<LaneMask> prove(BlockBatch& batch, Level level, PerLevel<ErrorTable>& errors);
 
  private:
-  /// Errors of all columns at one level; those of unknowns once they are known.
+  /// Error bounds at one level, for each variable of a block: its inputs and, once they are
+  /// bounded, its unknowns.
   struct ErrorColumns {
     std::vector<Lanes> center, own, sum;
     std::vector<Lanes> weight;  ///< own, and what rounding of a product with the error adds

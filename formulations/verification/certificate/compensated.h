@@ -136,7 +136,9 @@ struct Compensated {
       return all;
     }
   }
-  /// Returns a sine or cosine from its two numbers and its slope, rounded to double, at the value.
+  /// Returns the sine or cosine f of an angle a, from f at the double a.value.
+  /// - value + remainder: f(a.value)
+  /// - slope: f′(a.value), rounded to double
   static Compensated turned(const Compensated& a, const S& value, const S& remainder,
                             const S& slope) {
     // f(a + e) = f(a) + f′(a) e + f″(ξ) e²/2 with |f″| ≤ 1
