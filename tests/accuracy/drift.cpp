@@ -42,7 +42,7 @@ TEST(Drift, IsTheRoundingOfTheDriver) {
     BothEnds ends(m, reference, window);
     const Summary summary = f->run(grid, {}, ends);
     ASSERT_TRUE(summary.ok()) << describe(summary, m);
-    const Error first = ends.first.error(), last = ends.last.error();
+    const SolutionError first = ends.first.error(), last = ends.last.error();
     EXPECT_EQ(first.instants, window);
     EXPECT_EQ(last.instants, window);
     // The angle is off by half a unit in its last place, up to turned · 2⁻⁵³, and so is all else.

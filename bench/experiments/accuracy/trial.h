@@ -21,7 +21,7 @@ class Trial final : public bench::FormulationCandidate {
   /// Takes a sample of a step's CPU time (see step_seconds). Nothing unless it is verified.
   void time(double duration);
 
-  Error error;  ///< of the outputs asked for
+  SolutionError error;  ///< of the outputs asked for
 };
 
 /// Returns the largest condition number over the instants of a problem's reference.
