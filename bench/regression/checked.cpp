@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "bench/kit/candidate.h"
 #include "bench/kit/digests.h"
+#include "bench/kit/formulation_candidate.h"
 #include "bench/kit/record/environment.h"
 #include "bench/kit/record/record.h"
 #include "bench/regression/candidate.h"
@@ -23,7 +23,7 @@ Json verified(const std::string& name, int instants, bench::ReferenceCache& refe
   Json j = {{"case", parsed.case_name}, {"coordinates", parsed.coordinates}, {"id", parsed.id}};
   try {
     const bench::Problem problem = problem_of(parsed, instants);
-    bench::FormulationCandidate candidate(problem, parsed.id, Settings{});
+    bench::ProblemCandidate candidate(problem, parsed.id, Settings{});
     candidate.verify(references);
     if (!candidate.is_verified()) {
       j["status"] = candidate.is_failed() ? "failed" : "not_run";

@@ -35,10 +35,12 @@ TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
   ReferenceCache references;
   CaseCandidate candidate(find_case("truck_suspension"), 225, *c.variant, options, c.settings);
   candidate.verify(references);
-  ASSERT_EQ(candidate.readiness(), Candidate::Readiness::verified) << candidate.message();
+  ASSERT_TRUE(candidate.is_verified()) << candidate.message();
   EXPECT_EQ(candidate.clock, Clock::wall);
-  candidate.add_sample(candidate.time_afresh());
-  EXPECT_GT(candidate.seconds().front(), 0);
+  candidate.measure(
+      [](VerifiedCandidate& verified) { verified.add_sample(verified.time_afresh()); });
+  ASSERT_TRUE(candidate.is_timed()) << candidate.message();
+  EXPECT_GT(candidate.verified()->seconds().front(), 0);
   const std::string record = lists_of({&candidate}).dump();
   EXPECT_NE(record.find("\"threads\":2"), std::string::npos);
   EXPECT_NE(record.find("\"time\":{\"clock\":\"wall\","), std::string::npos);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "bench/experiments/size/series.h"
-#include "bench/kit/candidate.h"
+#include "bench/kit/formulation_candidate.h"
 #include "bench/kit/problem.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
@@ -19,10 +19,10 @@
 namespace desmo::size::size_test {
 namespace {
 
-using bench::FormulationCandidate;
 using bench::make_problem;
 using bench::moving_unknowns;
 using bench::Problem;
+using bench::ProblemCandidate;
 
 TimeGrid instants(int count) { return {0, 0.01, count}; }
 
@@ -34,38 +34,37 @@ TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
   const Problem problem = problem_of("truck_suspension", 114);
   EXPECT_STREQ(problem.checked_against, "quadruple");
   EXPECT_EQ(problem.reference.instants.size(), 3u);
-  FormulationCandidate right(problem, "group_symbolic_explicit/lanes:4",
-                             {.tolerance = problem.tolerance});
+  ProblemCandidate right(problem, "group_symbolic_explicit/lanes:4",
+                         {.tolerance = problem.tolerance});
   right.sample_afresh(0);
-  EXPECT_TRUE(right.seconds().empty());
+  EXPECT_FALSE(right.is_timed());
   right.verify();
-  EXPECT_TRUE(right.is_verified()) << right.message();
+  ASSERT_TRUE(right.is_verified()) << right.message();
   EXPECT_EQ(right.verifying_run().errors.instants, 3);
   right.sample_afresh(0);
   right.sample_afresh(0);
-  EXPECT_EQ(right.seconds().size(), 2u);
-  EXPECT_GT(right.seconds()[0], 0);
+  EXPECT_EQ(right.verified()->seconds().size(), 2u);
+  EXPECT_GT(right.verified()->seconds()[0], 0);
   EXPECT_GT(right.verifying_run().iterations_per_step, 1);
 }
 
 TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   const Problem problem = problem_of("truck_suspension", 114);
   // One iteration is not enough; the tolerance is not asked of a fixed number of them.
-  FormulationCandidate inexact(problem, "group_symbolic_inlined/iterations:1",
-                               {.tolerance = problem.tolerance});
+  ProblemCandidate inexact(problem, "group_symbolic_inlined/iterations:1",
+                           {.tolerance = problem.tolerance});
   inexact.verify();
   inexact.sample_afresh(0);
   EXPECT_FALSE(inexact.is_verified());
   EXPECT_NE(inexact.message().find("differs from the reference"), std::string::npos)
       << inexact.message();
-  EXPECT_TRUE(inexact.seconds().empty());
+  EXPECT_FALSE(inexact.is_timed());
   Problem undefined = problem;
   undefined.plan.model.drivers.front().motion = Polynomial{{NAN}};
-  FormulationCandidate failing(undefined, "global_automatic_klu",
-                               {.tolerance = undefined.tolerance});
+  ProblemCandidate failing(undefined, "global_automatic_klu", {.tolerance = undefined.tolerance});
   failing.verify();
   EXPECT_NE(failing.message().find("not finite"), std::string::npos) << failing.message();
-  EXPECT_THROW(FormulationCandidate(problem, "global_automatic_abacus", Settings{}),
+  EXPECT_THROW(ProblemCandidate(problem, "global_automatic_abacus", Settings{}),
                std::invalid_argument);
 }
 
@@ -73,8 +72,7 @@ TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
   const Problem problem =
       make_problem(make_model(describe(find_case("four_bar"), 12'003)), instants(3), 1e-10);
   EXPECT_STREQ(problem.checked_against, "double");
-  FormulationCandidate candidate(problem, "group_symbolic_inlined",
-                                 {.tolerance = problem.tolerance});
+  ProblemCandidate candidate(problem, "group_symbolic_inlined", {.tolerance = problem.tolerance});
   candidate.verify();
   EXPECT_TRUE(candidate.is_verified()) << candidate.message();
 }
@@ -93,7 +91,7 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
       last = found;
       const Problem problem = make_problem(cut, instants(3), 1e-12);
       for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
-        FormulationCandidate candidate(problem, id, {.tolerance = problem.tolerance});
+        ProblemCandidate candidate(problem, id, {.tolerance = problem.tolerance});
         candidate.verify();
         EXPECT_TRUE(candidate.is_verified())
             << c.name << ' ' << least << ' ' << candidate.message();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "formulations/verification/condition.h"
 
@@ -18,27 +17,30 @@ double max_condition(const Problem& problem) {
 }
 
 Trial::Trial(const Problem& problem, const Configuration& configuration)
-    : FormulationCandidate(problem, configuration) {
+    : ProblemCandidate(problem, configuration) {
   if (std::string why = unsupported_reason(variant(), settings()); !why.empty())
-    leave_out(std::move(why));
+    refuse(not_run(std::move(why)));
 }
 
 void Trial::compare() {
-  verify_by([&](bench::VerifyingRun& found) -> std::string {
+  verify_by([&](bench::VerifyingRun& found) -> Checked {
     const Plan& plan = problem().plan;
-    build();
+    formulation_ = make_formulation();
     const Reference& reference = problem().reference;
     ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
     const Summary summary = formulation_->run(grid, asked_, errors);
     error = errors.error();
     found.iterations_per_step = static_cast<double>(summary.iterations) /
                                 static_cast<double>(std::max(1L, summary.instants));
-    return summary.ok() ? "" : describe(summary, plan.model);
+    if (summary.ok()) return {};
+    return failed(describe(summary, plan.model));
   });
 }
 
 void Trial::time(double duration) {
-  measure([&] { add_sample(step_seconds(duration)); });
+  measure([&](bench::VerifiedCandidate& verified) {
+    verified.add_sample(step_seconds(*formulation_, duration));
+  });
 }
 
 }  // namespace desmo::accuracy

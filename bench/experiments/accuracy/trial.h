@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/kit/candidate.h"
+#include "bench/kit/formulation_candidate.h"
 #include "bench/kit/problem.h"
 #include "formulations/verification/error.h"
 
@@ -10,7 +10,7 @@ using bench::Problem;
 
 /// A configuration tried on a problem: how wrong it is, and what a step costs. It is verified once
 /// its error is known, whatever that is.
-class Trial final : public bench::FormulationCandidate {
+class Trial final : public bench::ProblemCandidate {
  public:
   /// The problem must outlive the trial, which is not run where its formulation does not offer the
   /// settings.
@@ -22,6 +22,9 @@ class Trial final : public bench::FormulationCandidate {
   void time(double duration);
 
   SolutionError error;  ///< of the outputs asked for
+
+ private:
+  std::unique_ptr<Formulation> formulation_;  // of all samples; null before compare()
 };
 
 /// Returns the largest condition number over the instants of a problem's reference.

@@ -1,9 +1,12 @@
 #include "bench/experiments/paper/case_candidate.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/digests.h"
+#include "bench/kit/record/record.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/structure/partition.h"
 
@@ -41,22 +44,37 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
 
 CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Options& options,
                              const Settings& s, Clock by)
-    : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n, {&v, s}, by,
-                           [&d, n] {
-                             const auto problem = std::make_shared<Problem>();
-                             problem->plan.model = make_model(describe(d, n));
-                             return problem;
-                           }),
+    : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n, id_with(v, s),
+                           {&v, s}, by, {}),
       definition(d) {
-  if (const std::string reason = too_costly(v, n, options); !reason.empty()) leave_out(reason);
+  if (std::string reason = too_costly(v, n, options); !reason.empty())
+    refuse(not_run(std::move(reason)));
 }
 
-void CaseCandidate::verify(ReferenceCache& references) {
-  verify_by([&](VerifyingRun& found) {
-    const Model& m = problem().plan.model;
-    found.model = model_digest(m);
-    return compare_with([&] { return references.get(m, grid, settings().stride); }, found);
-  });
+const Problem& CaseCandidate::problem() const {
+  if (!problem_) {
+    problem_.emplace();
+    problem_->plan.model = make_model(describe(definition, coordinates));
+  }
+  return *problem_;
+}
+
+CaseCandidate::Checked CaseCandidate::check(ReferenceCache& references, VerifyingRun& found) {
+  const Model& m = problem().plan.model;
+  found.model = model_digest(m);
+  return compare_with([&] { return references.get(m, grid, settings().stride); }, found);
+}
+
+void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {
+  const nlohmann::ordered_json key = {
+      {"case", definition.name}, {"coordinates", coordinates}, {"id", id()}};
+  lists["cells"].push_back(with_measurement(key, *this));
+  if (!phases || !is_verified()) return;
+  nlohmann::ordered_json seconds, profile = key;
+  for (int p = 0; p < phase_count; ++p) seconds[phase_names[p]] = phases->seconds[p];
+  seconds["rest"] = phases->rest;
+  profile["time_per_step"] = {{"clock", clock_name(Clock::wall)}, {"phases", seconds}};
+  lists["profiles"].push_back(std::move(profile));
 }
 
 void CaseCandidate::profile() {

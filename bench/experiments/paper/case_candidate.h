@@ -6,7 +6,7 @@
 
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/phases.h"
-#include "bench/kit/candidate.h"
+#include "bench/kit/formulation_candidate.h"
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
@@ -20,17 +20,22 @@ class CaseCandidate final : public FormulationCandidate {
   CaseCandidate(const Case& definition, int coordinates, const Variant& variant,
                 const Options& options, const Settings& settings = {}, Clock clock = Clock::cpu);
 
-  using FormulationCandidate::verify;
-  /// Compares with the quadruple-precision reference.
-  void verify(ReferenceCache& references) override;
   void profile() override;
+  void add_to(nlohmann::ordered_json& lists) const override;
 
   const Case& definition;
   std::optional<PhaseTimes> phases;
+
+ private:
+  /// Returns the whole case, which is made at the first call: those of all candidates are too many.
+  const Problem& problem() const override;
+  Checked check(ReferenceCache& references, VerifyingRun& found) override;
+
+  mutable std::optional<Problem> problem_;
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.
-/// Dense global solves above the limit are there too, as Readiness::not_run, with the reason.
+/// Dense global solves above the limit are there too, as Refusal::Kind::not_run, with the reason.
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options);
 
 }  // namespace desmo::paper

@@ -10,81 +10,13 @@
 #include <string>
 #include <utility>
 
-#include "bench/experiments/paper/case_candidate.h"
-#include "bench/experiments/paper/peer_candidate.h"
-#include "bench/experiments/paper/request.h"
 #include "bench/kit/memory.h"
-#include "bench/kit/record/environment.h"
-#include "bench/kit/record/record.h"
-#include "formulations/prediction/guess.h"
 
 namespace desmo::paper {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Completes an entry: status, the message unless it is "ok", what was solved, where, with which
-/// results, how right it is, the time, and what belongs to it. A candidate without a time has less.
-Json with_measurement(Json j, const Candidate& c, Level level = Level::acceleration) {
-  j["status"] = c.is_timed() ? "ok" : c.is_not_run() ? "not_run" : "failed";
-  if (!c.is_timed()) j["message"] = c.message().empty() ? "not timed" : c.message();
-  if (c.is_not_run()) return j;
-  j["machine"] = processor_name();
-  if (!c.verifying_run().model.empty()) j["model"] = c.verifying_run().model;
-  if (!c.verifying_run().results.empty()) j["results"] = c.verifying_run().results;
-  if (!c.is_timed()) return j;
-  if (const auto* request = dynamic_cast<const RequestCandidate*>(&c))
-    j["difference"] = request->difference;
-  j["verification"] = errors_json(c.verifying_run().errors, level);
-  if (c.threads > 1) j["threads"] = c.threads;
-  j["time"] = time_json(c.seconds(), c.clock);
-  if (c.clock == Clock::cpu) j["time"]["windows"] = windows_json(c.windows());
-  j["setup_time"] = time_json({c.verifying_run().setup_seconds});
-  j["iterations_per_step"] = c.verifying_run().iterations_per_step;
-  if (!dynamic_cast<const PeerCandidate*>(&c)) j["residual"] = c.verifying_run().residual;
-  return j;
-}
-
-Json case_json(const CaseCandidate& c) {
-  return with_measurement(
-      {{"case", c.definition.name}, {"coordinates", c.coordinates}, {"id", c.id()}}, c);
-}
-
-Json request_json(const RequestCandidate& c) {
-  const PlannedRequest& request = c.request();
-  const Level level = request.plan.level();
-  return with_measurement({{"case", request.definition.name},
-                           {"coordinates", request.whole.coordinates()},
-                           {"id", c.id()},
-                           {"request", request.name},
-                           {"title", request.title},
-                           {"level", level_names[level]},
-                           {"unknowns", request.unknowns},
-                           {"all_unknowns", request.all_unknowns}},
-                          c, level);
-}
-
-Json peer_json(const PeerCandidate& c) {
-  return with_measurement({{"case", c.definition.name},
-                           {"coordinates", c.coordinates},
-                           {"peer", c.peer.name},
-                           {"library", c.peer.library},
-                           {"library_version", c.peer.version()},
-                           {"method", c.peer.method},
-                           {"guess", guess_name(c.peer.guess)}},
-                          c);
-}
-
-Json profile_json(const CaseCandidate& c) {
-  Json seconds;
-  for (int p = 0; p < phase_count; ++p) seconds[phase_names[p]] = c.phases->seconds[p];
-  seconds["rest"] = c.phases->rest;
-  return {{"case", c.definition.name},
-          {"coordinates", c.coordinates},
-          {"id", c.id()},
-          {"time_per_step", {{"clock", clock_name(Clock::wall)}, {"phases", seconds}}}};
-}
 
 /// Returns a run as the console is to show it: the time given to Google Benchmark by hand is CPU
 /// time, and what it finds itself is that of a thread that waits.
@@ -114,9 +46,10 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
     std::vector<Run> shown;
     for (const Run& run : runs) {
       const auto it = candidates_.find(run.run_name.function_name);
-      if (it != candidates_.end() && it->second->is_verified() &&
-          run.run_type == Run::RT_Iteration && !run.error_occurred)
-        it->second->add_sample(run.real_accumulated_time / static_cast<double>(run.iterations));
+      if (it != candidates_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
+        it->second->measure([&](VerifiedCandidate& verified) {
+          verified.add_sample(run.real_accumulated_time / static_cast<double>(run.iterations));
+        });
       if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
           run.aggregate_name == "cv")
         shown.push_back(shown_as_cpu_time(run));
@@ -136,7 +69,8 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
 void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, Progress& progress) {
   if (!candidate.is_verified()) return state.SkipWithError(candidate.message().c_str());
   for (auto _ : state) {
-    state.SetIterationTime(candidate.time_afresh());
+    candidate.measure(
+        [&](VerifiedCandidate& verified) { state.SetIterationTime(verified.time_afresh()); });
     if (candidate.is_failed()) return state.SkipWithError(candidate.message().c_str());
   }
   state.counters["iterations/step"] = candidate.verifying_run().iterations_per_step;
@@ -156,19 +90,10 @@ int worth_repeating(const Candidate& candidate) {
 }  // namespace
 
 Json lists_of(const std::vector<Candidate*>& candidates) {
-  Json all;
-  for (const char* list : {"cells", "profiles", "requests"}) all[list] = Json::array();
-  for (const Candidate* one : candidates) {
-    if (const auto* request = dynamic_cast<const RequestCandidate*>(one))
-      all["requests"].push_back(request_json(*request));
-    if (const auto* peer = dynamic_cast<const PeerCandidate*>(one))
-      all["peers"].push_back(peer_json(*peer));
-    const auto* c = dynamic_cast<const CaseCandidate*>(one);
-    if (!c) continue;
-    all["cells"].push_back(case_json(*c));
-    if (c->phases && c->is_verified()) all["profiles"].push_back(profile_json(*c));
-  }
-  return all;
+  Json lists;
+  for (const char* list : {"cells", "profiles", "requests"}) lists[list] = Json::array();
+  for (const Candidate* candidate : candidates) candidate->add_to(lists);
+  return lists;
 }
 
 Json measure(const std::vector<Candidate*>& all, std::optional<int> asked_repetitions, bool first,

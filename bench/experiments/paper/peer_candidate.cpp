@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
+#include <utility>
 
+#include "bench/experiments/paper/entry_json.h"
 #include "bench/kit/digests.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/prediction/guess.h"
 
 namespace desmo::paper {
 
@@ -37,6 +40,32 @@ void compare(Differences& errors, const Peer::Answer& answer, const ReferenceIns
   }
 }
 
+class PeerAnalysis final : public Analysis {
+ public:
+  PeerAnalysis(std::unique_ptr<Peer> peer, const TimeGrid& grid, TimingWindows& windows)
+      : peer_(std::move(peer)), grid_(grid), windows_(windows) {
+    for (auto* delivered : {&q_, &qd_, &qdd_})
+      delivered->resize(peer_->answer().coordinates.size());
+  }
+
+  void run() override {
+    windows_.begin();
+    for (int i = 0; i < grid_.instants; ++i) {
+      solve(*peer_, grid_, i);
+      std::ranges::copy(peer_->answer().q, q_.begin());
+      std::ranges::copy(peer_->answer().qd, qd_.begin());
+      std::ranges::copy(peer_->answer().qdd, qdd_.begin());
+      windows_.passed();
+    }
+  }
+
+ private:
+  const std::unique_ptr<Peer> peer_;
+  const TimeGrid& grid_;
+  TimingWindows& windows_;
+  std::vector<double> q_, qd_, qdd_;  // where answers are delivered
+};
+
 template <class Make>
 void for_every_size(Make&& make) {
   for (const Case& c : cases())
@@ -58,58 +87,56 @@ std::string PeerCandidate::name() const {
          "/peer:" + std::string(peer.name);
 }
 
-void PeerCandidate::verify(ReferenceCache& references) {
-  verify_by([&](VerifyingRun& found) -> std::string {
-    scene_ = describe(definition, coordinates);
-    model_ = std::make_unique<Model>(make_model(scene_));
-    found.model = model_digest(*model_);
-    const double before_setup = cpu_now();
-    peer_ = peer.make(scene_, *model_);
-    found.setup_seconds = cpu_now() - before_setup;
-    const auto reference = references.get(*model_, grid);
-    const double start = cpu_now();
-    for (int i = 0; i < grid.instants; ++i) {
-      solve(*peer_, grid, i);
-      const std::size_t next = found.errors.instants;
-      if (next < reference.size() && reference[next].time == grid.time(i))
-        compare(found.errors, peer_->answer(), reference[next]);
-      if (i + 1 != instants_of_estimate) continue;
-      const double whole = (cpu_now() - start) / instants_of_estimate * grid.instants;
-      if (whole <= limit_) continue;
-      leave_out(
+PeerCandidate::Solved::Solved(Scene described)
+    : scene(std::move(described)), model(make_model(scene)) {}
+
+const PeerCandidate::Solved& PeerCandidate::solved() const {
+  if (!solved_) solved_ = std::make_unique<const Solved>(describe(definition, coordinates));
+  return *solved_;
+}
+
+PeerCandidate::Checked PeerCandidate::check(ReferenceCache& references, VerifyingRun& found) {
+  const auto& [scene, model] = solved();
+  found.model = model_digest(model);
+  const double before_setup = cpu_now();
+  const auto solver = peer.make(scene, model);
+  found.setup_seconds = cpu_now() - before_setup;
+
+  const auto reference = references.get(model, grid);
+  const double start = cpu_now();
+  for (int i = 0; i < grid.instants; ++i) {
+    solve(*solver, grid, i);
+    const std::size_t next = found.errors.instants;
+    if (next < reference.size() && reference[next].time == grid.time(i))
+      compare(found.errors, solver->answer(), reference[next]);
+    if (i + 1 != instants_of_estimate) continue;
+    const double whole = (cpu_now() - start) / instants_of_estimate * grid.instants;
+    if (whole > limit_)
+      return not_run(
           formatted("the whole motion would take some %.0f s; the limit is %.0f s", whole, limit_));
-      return {};
-    }
-    found.analysis_seconds = cpu_now() - start;
-    found.iterations_per_step = static_cast<double>(peer_->iterations()) / grid.instants;
-    for (auto* delivered : {&q_, &qd_, &qdd_})
-      delivered->resize(peer_->answer().coordinates.size());
-    return verification_failure(found.errors, reference.size());
-  });
-}
-
-void PeerCandidate::make() {
-  peer_ = peer.make(scene_, *model_);
-  peer_->assemble(grid.time(0));
-}
-
-Summary PeerCandidate::analyse() {
-  Summary summary;
-  measured_windows().begin();
-  try {
-    for (int i = 0; i < grid.instants; ++i) {
-      solve(*peer_, grid, i);
-      std::ranges::copy(peer_->answer().q, q_.begin());
-      std::ranges::copy(peer_->answer().qd, qd_.begin());
-      std::ranges::copy(peer_->answer().qdd, qdd_.begin());
-      measured_windows().passed();
-    }
-    summary.instants = grid.instants;
-  } catch (const std::exception& e) {
-    summary.status = Status::not_converged;
-    fail(e.what());
   }
-  return summary;
+  found.analysis_seconds = cpu_now() - start;
+  found.iterations_per_step = static_cast<double>(solver->iterations()) / grid.instants;
+  std::string wrong = verification_failure(found.errors, reference.size());
+  if (wrong.empty()) return {};
+  return failed(std::move(wrong));
+}
+
+std::unique_ptr<Analysis> PeerCandidate::make_analysis(TimingWindows& windows) const {
+  auto solver = peer.make(solved().scene, solved().model);
+  solver->assemble(grid.time(0));
+  return std::make_unique<PeerAnalysis>(std::move(solver), grid, windows);
+}
+
+void PeerCandidate::add_to(nlohmann::ordered_json& lists) const {
+  lists["peers"].push_back(with_measurement({{"case", definition.name},
+                                             {"coordinates", coordinates},
+                                             {"peer", peer.name},
+                                             {"library", peer.library},
+                                             {"library_version", peer.version()},
+                                             {"method", peer.method},
+                                             {"guess", guess_name(peer.guess)}},
+                                            *this, {.has_residual = false}));
 }
 
 std::vector<std::unique_ptr<PeerCandidate>> make_peer_candidates(const Options& options) {

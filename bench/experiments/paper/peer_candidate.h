@@ -20,24 +20,28 @@ class PeerCandidate final : public Candidate {
 
   /// <case>/<coordinates>/peer:<name>
   std::string name() const override;
-  /// Compares with the quadruple-precision reference, in the coordinates that the peer finds.
-  /// Leaves it out when the whole motion would take longer than the options allow.
-  void verify(ReferenceCache& references) override;
-  Summary analyse() override;
+  void add_to(nlohmann::ordered_json& lists) const override;
+  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
 
   const Case& definition;
   const int coordinates;
   const PeerDefinition& peer;
 
  private:
-  void make() override;
-  void discard() override { peer_.reset(); }
+  /// What peers refer to.
+  struct Solved {
+    explicit Solved(Scene described);
+    Scene scene;
+    Model model;
+  };
 
-  const double limit_;  // CPU seconds of the whole motion
-  Scene scene_;
-  std::unique_ptr<Model> model_;  // the peer refers to both
-  std::unique_ptr<Peer> peer_;
-  std::vector<double> q_, qd_, qdd_;  // where answers are delivered
+  const Solved& solved() const;
+  /// Compares in the coordinates that the peer finds. Leaves it out when the whole motion would
+  /// take longer than the options allow.
+  Checked check(ReferenceCache& references, VerifyingRun& found) override;
+
+  const double limit_;                            // CPU seconds of the whole motion
+  mutable std::unique_ptr<const Solved> solved_;  // made at the first call of solved()
 };
 
 /// Returns every peer of this build at every size of every case.

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/digests.h"
 #include "bench/kit/problem.h"
@@ -132,7 +133,7 @@ Differences max_differences(Formulation& whole, Formulation& kept,
 RequestCandidate::RequestCandidate(std::shared_ptr<const PlannedRequest> request, const Variant& v,
                                    const Settings& s, Clock by)
     : FormulationCandidate(request->grid, request->definition.name, request->whole.coordinates(),
-                           {&v, s}, by, [request] { return request; },
+                           id_with(v, s), {&v, s}, by,
                            {request->plan.level(), request->coordinates}),
       request_(std::move(request)) {}
 
@@ -140,22 +141,33 @@ std::string RequestCandidate::name() const {
   return FormulationCandidate::name() + "/request:" + request_->name;
 }
 
-void RequestCandidate::verify(ReferenceCache& references) {
-  verify_by([&](VerifyingRun& found) -> std::string {
-    std::string reason = unavailable_reason(settings());
-    if (reason.empty()) {
-      found.model = model_digest(request_->whole);
-      build();
-      reason = missing_code(*formulation_);
-    }
-    if (!reason.empty()) {
-      leave_out(std::move(reason));
-      return {};
-    }
-    if (std::string wrong = compare_with_whole(); !wrong.empty()) return wrong;
-    return compare_with([&] { return references.get(request_->whole, grid, settings().stride); },
-                        found);
-  });
+RequestCandidate::Checked RequestCandidate::check(ReferenceCache& references, VerifyingRun& found) {
+  std::string reason = unavailable_reason(settings());
+  if (!reason.empty()) return not_run(std::move(reason));
+  found.model = model_digest(request_->whole);
+  const auto formulation = make_formulation();
+  reason = missing_code(*formulation);
+  if (!reason.empty()) return not_run(std::move(reason));
+  compare_with_whole(parts_of(*formulation).size());
+  if (difference > allowed_request_difference)
+    return failed(
+        formatted("differs from the solution of the whole mechanism by %.1e (allowed: %.0e)",
+                  difference, allowed_request_difference));
+  return compare_with([&] { return references.get(request_->whole, grid, settings().stride); },
+                      found);
+}
+
+void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
+  lists["requests"].push_back(
+      with_measurement({{"case", request_->definition.name},
+                        {"coordinates", coordinates},
+                        {"id", id()},
+                        {"request", request_->name},
+                        {"title", request_->title},
+                        {"level", level_names[request_->plan.level()]},
+                        {"unknowns", request_->unknowns},
+                        {"all_unknowns", request_->all_unknowns}},
+                       *this, {.level = request_->plan.level(), .difference = difference}));
 }
 
 std::unique_ptr<ComparingObserver> RequestCandidate::comparing(
@@ -163,22 +175,19 @@ std::unique_ptr<ComparingObserver> RequestCandidate::comparing(
   return std::make_unique<VerifyingRequest>(reference, *request_);
 }
 
-std::string RequestCandidate::compare_with_whole() {
+void RequestCandidate::compare_with_whole(std::size_t parts) {
   Settings own = settings();
   own.tolerance = converged;
-  const auto whole = make_formulation(variant(), request_->whole, own);
+  const auto whole = desmo::make_formulation(variant(), request_->whole, own);
   // Each part stops at tolerance/√parts: the same residual in both, so that equal parts do the
   // same.
-  own.tolerance *= std::sqrt(static_cast<double>(parts_of(*formulation_).size()) /
-                             static_cast<double>(parts_of(*whole).size()));
-  const auto kept = make_formulation(variant(), request_->plan.model, own);
+  own.tolerance *=
+      std::sqrt(static_cast<double>(parts) / static_cast<double>(parts_of(*whole).size()));
+  const auto kept = desmo::make_formulation(variant(), request_->plan.model, own);
   kept->solve_only(request_->plan.levels);
   const Differences largest =
       max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid);
   difference = std::max({largest.position, largest.velocity, largest.acceleration});
-  if (difference <= allowed_request_difference) return "";
-  return formatted("differs from the solution of the whole mechanism by %.1e (allowed: %.0e)",
-                   difference, allowed_request_difference);
 }
 
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/experiments/paper/options.h"
-#include "bench/kit/candidate.h"
+#include "bench/kit/formulation_candidate.h"
 #include "cases/generators/cases.h"
 #include "cases/mechanism/motion.h"
 #include "cases/mechanism/scene.h"
@@ -56,20 +56,21 @@ class RequestCandidate final : public FormulationCandidate {
 
   /// <case>/<coordinates>/<id>/request:<name>
   std::string name() const override;
-  using FormulationCandidate::verify;
-  /// Compares with the whole mechanism, both converged as far as double precision goes, which shows
-  /// that nothing needed was left out; and, as it is timed, with the quadruple-precision reference.
-  void verify(ReferenceCache& references) override;
+  void add_to(nlohmann::ordered_json& lists) const override;
 
   const PlannedRequest& request() const { return *request_; }
 
   double difference = 0;  ///< from the whole mechanism, at any level
 
  private:
+  const Problem& problem() const override { return *request_; }
   std::unique_ptr<ComparingObserver> comparing(
       std::span<const ReferenceInstant> reference) const override;
-  /// Returns what is wrong; empty when the answers are those of the whole mechanism.
-  std::string compare_with_whole();
+  /// Compares with the whole mechanism, both converged as far as double precision goes, which shows
+  /// that nothing needed was left out; and, as it is timed, with the quadruple-precision reference.
+  Checked check(ReferenceCache& references, VerifyingRun& found) override;
+  /// Sets `difference`. parts: of the formulation that solves the request.
+  void compare_with_whole(std::size_t parts);
 
   std::shared_ptr<const PlannedRequest> request_;
 };

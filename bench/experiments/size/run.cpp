@@ -11,7 +11,7 @@
 
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/size/series.h"
-#include "bench/kit/candidate.h"
+#include "bench/kit/formulation_candidate.h"
 #include "bench/kit/problem.h"
 #include "bench/kit/process/progress.h"
 
@@ -19,7 +19,7 @@ namespace desmo::size {
 
 namespace {
 
-using bench::FormulationCandidate;
+using bench::ProblemCandidate;
 using Json = nlohmann::ordered_json;
 
 constexpr int usual_repetitions = 5;
@@ -33,7 +33,7 @@ double work_of(const SizeSeries& series) {
 /// Returns a candidate's entry in `growth` or `break_even` of the record
 /// (results/record.schema.json).
 Json entry_json(const SizeSeries& series, const bench::Problem& problem,
-                const FormulationCandidate& candidate) {
+                const ProblemCandidate& candidate) {
   const Model& m = problem.plan.model;
   Json j = {{"case", series.definition->name},       {"coordinates", m.coordinates()},
             {"unknowns", bench::moving_unknowns(m)}, {"id", candidate.id()},
@@ -51,7 +51,7 @@ Json entry_json(const SizeSeries& series, const bench::Problem& problem,
   // q, q̇ and q̈
   j["state_bytes"] = 3 * sizeof(double) * static_cast<std::size_t>(m.state_size());
   if (candidate.verifying_run().bytes > 0) j["bytes"] = candidate.verifying_run().bytes;
-  j["time_per_step"] = bench::rounded_time_json(candidate.seconds());
+  j["time_per_step"] = bench::rounded_time_json(candidate.verified()->seconds());
   return j;
 }
 
@@ -59,14 +59,14 @@ Json entry_json(const SizeSeries& series, const bench::Problem& problem,
 /// a while meets them all. Names what is wrong, and returns whether nothing is.
 bool measure(const SizeSeries& series, int repetitions, Json& list) {
   const bench::Problem problem = series.problem();
-  std::list<FormulationCandidate> candidates;
+  std::list<ProblemCandidate> candidates;
   for (const std::string_view id : series.ids)
     candidates.emplace_back(problem, id, Settings{.tolerance = problem.tolerance}).verify();
   for (int round = 0; round < repetitions; ++round)
-    for (FormulationCandidate& candidate : candidates)
+    for (ProblemCandidate& candidate : candidates)
       if (!candidate.is_sampled(dear_seconds)) candidate.sample_afresh(min_seconds);
   bool right = true;
-  for (const FormulationCandidate& candidate : candidates) {
+  for (const ProblemCandidate& candidate : candidates) {
     list.push_back(entry_json(series, problem, candidate));
     if (candidate.is_timed()) continue;
     right = false;

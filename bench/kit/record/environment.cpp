@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "bench/kit/candidate.h"
+#include "bench/kit/formulation_candidate.h"
 #include "commit.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/runtime/digest.h"

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "bench/kit/candidate.h"
+#include "cases/mechanism/level.h"
+
+namespace desmo::paper {
+
+/// Parts of an entry that only some candidates have.
+struct EntryParts {
+  Level level = Level::acceleration;      ///< up to which errors are known
+  std::optional<double> difference = {};  ///< of a request from the whole mechanism
+  bool has_residual = true;
+};
+
+/// Completes an entry of a record's list (results/record.schema.json), which names a candidate:
+/// status, the message unless it is "ok", what was solved, where, with which results, how right it
+/// is, and its times. A candidate without a time has less.
+nlohmann::ordered_json with_measurement(nlohmann::ordered_json entry,
+                                        const bench::Candidate& candidate,
+                                        const EntryParts& parts = {});
+
+}  // namespace desmo::paper

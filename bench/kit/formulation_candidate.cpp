@@ -1,0 +1,173 @@
+#include "bench/kit/formulation_candidate.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "bench/kit/memory.h"
+#include "formulations/variants.h"
+
+namespace desmo::bench {
+
+namespace {
+
+class FormulationAnalysis final : public Analysis {
+ public:
+  FormulationAnalysis(std::unique_ptr<Formulation> formulation, const TimeGrid& grid,
+                      const Request& asked, std::size_t delivered, TimingWindows& windows)
+      : formulation_(std::move(formulation)),
+        grid_(grid),
+        asked_(asked),
+        windows_(windows),
+        delivery_(delivered, asked.level, windows) {}
+
+  void run() override {
+    windows_.begin();
+    const Summary summary = formulation_->run(grid_, asked_, delivery_);
+    if (!summary.ok()) throw std::runtime_error(describe(summary, formulation_->model()));
+  }
+
+ private:
+  const std::unique_ptr<Formulation> formulation_;
+  const TimeGrid& grid_;
+  const Request& asked_;
+  TimingWindows& windows_;
+  WindowedDelivery delivery_;
+};
+
+}  // namespace
+
+FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string_view case_name,
+                                           int n, std::string_view id, const Configuration& c,
+                                           Clock by, Request asked)
+    : Candidate(instants, c.settings.threads, by),
+      coordinates(n),
+      asked_(std::move(asked)),
+      case_name_(case_name),
+      id_(id),
+      configuration_(c) {}
+
+std::string FormulationCandidate::id() const {
+  return id_ + (clock == Clock::wall && threads == 1 ? "/clock:wall" : "");
+}
+
+std::string FormulationCandidate::name() const {
+  return case_name_ + "/" + std::to_string(coordinates) + "/" + id();
+}
+
+std::unique_ptr<Formulation> FormulationCandidate::make_formulation() const {
+  auto formulation =
+      desmo::make_formulation(variant(), problem().plan.model, settings(), problem().kernels);
+  if (!problem().plan.levels.empty()) formulation->solve_only(problem().plan.levels);
+  return formulation;
+}
+
+FormulationCandidate::Checked FormulationCandidate::compare_with(
+    const std::function<std::span<const ReferenceInstant>()>& reference, VerifyingRun& found) {
+  if (std::string reason = unavailable_reason(settings()); !reason.empty())
+    return not_run(std::move(reason));
+  const Model& model = problem().plan.model;
+  const std::size_t bytes_before = heap_in_use();
+  const double before_setup = cpu_now();
+  const auto formulation = make_formulation();
+  found.setup_seconds = cpu_now() - before_setup;
+  found.bytes = static_cast<long>(heap_in_use() - bytes_before);
+  if (std::string missing = missing_code(*formulation); !missing.empty())
+    return failed(std::move(missing));
+
+  const std::span<const ReferenceInstant> right = reference();
+  const auto observer = comparing(right);
+  const double start = now(clock);
+  const Summary summary = formulation->run(grid, asked_, *observer);
+  found.analysis_seconds = now(clock) - start;
+  const Comparison comparison = observer->compare();
+  found.errors = comparison.errors;
+  found.results = comparison.results;
+  if (!summary.ok()) return failed(describe(summary, model));
+  found.iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
+  found.residual = summary.residual;
+  std::string wrong = verification_failure(
+      found.errors, right.size(), std::max(1.0, problem().tolerance / Settings{}.tolerance));
+  if (wrong.empty()) return {};
+  return failed(std::move(wrong));
+}
+
+std::unique_ptr<ComparingObserver> FormulationCandidate::comparing(
+    std::span<const ReferenceInstant> reference) const {
+  return std::make_unique<VerifyingObserver>(reference);
+}
+
+/// Threads and their processors are awake afterwards. From asleep that may take as long as a
+/// motion, and longer where the processors are not the system's own. One thread that several are
+/// compared with is treated alike.
+std::unique_ptr<Formulation> FormulationCandidate::make_assembled() const {
+  auto formulation = make_formulation();
+  formulation->assemble(grid.time(0), asked_.level);
+  Delivery elsewhere(delivered(), asked_.level);
+  const double begin = now(clock);
+  while (clock == Clock::wall && now(clock) - begin < min_wall_seconds)
+    formulation->run(grid, asked_, elsewhere);
+  return formulation;
+}
+
+std::unique_ptr<Analysis> FormulationCandidate::make_analysis(TimingWindows& windows) const {
+  return std::make_unique<FormulationAnalysis>(make_assembled(), grid, asked_, delivered(),
+                                               windows);
+}
+
+void FormulationCandidate::sample_afresh(double duration) {
+  measure([&](VerifiedCandidate& verified) {
+    on_fresh_heap([&] { verified.add_sample(step_seconds(*make_assembled(), duration)); });
+  });
+}
+
+double FormulationCandidate::step_seconds(Formulation& formulation, double duration) const {
+  Delivery delivery(delivered(), asked_.level);
+  const double start = cpu_now();
+  double spent = 0;
+  long instants = 0;
+  do {
+    const Summary summary = formulation.run(grid, asked_, delivery);
+    if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
+    instants += summary.instants;
+    spent = cpu_now() - start;
+  } while (spent < duration);
+  return spent / static_cast<double>(instants);
+}
+
+double FormulationCandidate::min_seconds() const {
+  return is_timed() ? std::ranges::min(verified()->seconds())
+                    : std::numeric_limits<double>::infinity();
+}
+
+bool FormulationCandidate::is_sampled(double dear_seconds) const {
+  return is_verified() && verified()->seconds().size() >= 2 &&
+         min_seconds() * grid.instants > dear_seconds;
+}
+
+ProblemCandidate::ProblemCandidate(const Problem& problem, const Configuration& c)
+    : ProblemCandidate(problem, id_with(*c.variant, c.settings), c) {}
+
+ProblemCandidate::ProblemCandidate(const Problem& problem, std::string_view id,
+                                   const Settings& others)
+    : ProblemCandidate(problem, id, parse_id(id, others)) {}
+
+ProblemCandidate::ProblemCandidate(const Problem& problem, std::string_view id,
+                                   const Configuration& c)
+    : FormulationCandidate(problem.grid, problem.plan.model.name, problem.plan.model.coordinates(),
+                           id, c, Clock::cpu, {problem.level(), {}}),
+      problem_(problem) {}
+
+void ProblemCandidate::verify() {
+  verify_by([&](VerifyingRun& found) {
+    return compare_with(
+        [&] { return std::span<const ReferenceInstant>(problem_.reference.instants); }, found);
+  });
+}
+
+ProblemCandidate::Checked ProblemCandidate::check(ReferenceCache& references, VerifyingRun& found) {
+  return compare_with([&] { return references.get(problem_.plan.model, grid, settings().stride); },
+                      found);
+}
+
+}  // namespace desmo::bench

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "bench/kit/candidate.h"
+#include "bench/kit/problem.h"
+#include "formulations/formulation.h"
+#include "formulations/id.h"
+
+namespace desmo::bench {
+
+/// A formulation that solves a problem.
+class FormulationCandidate : public Candidate {
+ public:
+  const Variant& variant() const { return *configuration_.variant; }
+  const Settings& settings() const { return configuration_.settings; }
+  const Configuration& configuration() const { return configuration_; }
+
+  /// Returns the formulation's id with its settings. "/clock:wall" follows where the wall clock
+  /// measures one thread, for comparison with several.
+  std::string id() const;
+  std::string name() const override;
+
+  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
+
+  /// Takes a sample of a step's CPU time by a formulation made anew on a fresh heap (see
+  /// step_seconds). Nothing unless it is verified.
+  void sample_afresh(double duration);
+  /// Returns the least of the samples; infinite when there is none.
+  double min_seconds() const;
+  /// Tells whether it has two samples and its motion takes longer than that, in seconds: no more
+  /// are worth it.
+  bool is_sampled(double dear_seconds) const;
+
+  const int coordinates;
+
+ protected:
+  /// case_name, coordinates: of the problem. id: without settings that all candidates share.
+  /// asked: is delivered.
+  FormulationCandidate(const TimeGrid& instants, std::string_view case_name, int coordinates,
+                       std::string_view id, const Configuration& configuration, Clock by,
+                       Request asked);
+
+  /// Returns the problem, which may be made when it is first needed. Throws what making it throws.
+  virtual const Problem& problem() const = 0;
+  /// Returns what compares what is delivered with the reference; by default, of all coordinates.
+  virtual std::unique_ptr<ComparingObserver> comparing(
+      std::span<const ReferenceInstant> reference) const;
+
+  /// Solves the whole motion and compares it with a reference. The allowed difference grows with a
+  /// tolerance above the usual one.
+  Checked compare_with(const std::function<std::span<const ReferenceInstant>()>& reference,
+                       VerifyingRun& found);
+
+  std::unique_ptr<Formulation> make_formulation() const;
+  /// Returns the CPU time of a step: the whole motion with its assembly, drivers and delivery into
+  /// plain vectors, divided by the number of instants delivered; repeated until that took
+  /// `duration`. Throws std::runtime_error where the motion cannot be solved.
+  double step_seconds(Formulation& formulation, double duration) const;
+
+  const Request asked_;
+
+ private:
+  std::unique_ptr<Formulation> make_assembled() const;
+  std::size_t delivered() const {
+    return asked_.coordinates.empty() ? coordinates : asked_.coordinates.size();
+  }
+
+  const std::string case_name_, id_;
+  const Configuration configuration_;
+};
+
+/// A formulation that solves a problem made beforehand.
+class ProblemCandidate : public FormulationCandidate {
+ public:
+  /// The problem must outlive the candidate.
+  ProblemCandidate(const Problem& problem, const Configuration& configuration);
+  /// id: as parse_id takes it, which throws for an unusable one. It stays the candidate's id;
+  /// `others` are the settings that it does not name.
+  ProblemCandidate(const Problem& problem, std::string_view id, const Settings& others);
+
+  using Candidate::verify;
+  /// Compares with the problem's own reference.
+  void verify();
+
+ protected:
+  const Problem& problem() const override { return problem_; }
+  Checked check(ReferenceCache& references, VerifyingRun& found) override;
+
+ private:
+  ProblemCandidate(const Problem& problem, std::string_view id, const Configuration& c);
+
+  const Problem& problem_;
+};
+
+/// Allowed difference of the answers of a request from those of the whole mechanism, both solved
+/// as far as double precision goes.
+inline constexpr double allowed_request_difference = 1e-12;
+
+}  // namespace desmo::bench
