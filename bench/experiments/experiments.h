@@ -11,16 +11,6 @@ class App;
 
 namespace desmo::bench {
 
-/// The table of experiments, the paper's first: each name with one line of help. NAME is measured
-/// by run() of namespace NAME in experiments/NAME/run.cpp.
-#define DESMO_EXPERIMENTS(X)                                                           \
-  X(paper, "CPU time of every case, size and formulation: the paper's Tables 1 and 2") \
-  X(accuracy, "Time against error of formulations and their settings")                 \
-  X(size, "How time grows with the size of a mechanism")                               \
-  X(instructions, "Instructions a step, counted by callgrind")                         \
-  X(extremes, "Every formulation where most go wrong")                                 \
-  X(promise, "Random and aimed scenes: is every number right, or flagged?")
-
 /// The arguments of an experiment.
 struct CommandLine {
   std::string experiment;
@@ -61,12 +51,26 @@ inline RecordWriter begin_record(const CommonOptions& options, const CommandLine
 
 }  // namespace desmo::bench
 
-/// Each measures, and returns the exit code: 0, or 1 where something that was measured is wrong.
-/// Throws std::invalid_argument and std::regex_error for a mistake in the command line, any other
-/// exception where something cannot be measured or written.
-#define DESMO_DECLARE(name, help)     \
-  namespace desmo::name {             \
-  int run(const bench::CommandLine&); \
-  }
-DESMO_EXPERIMENTS(DESMO_DECLARE)
-#undef DESMO_DECLARE
+// The experiments: experiments/NAME/run.cpp defines run() of namespace NAME. Each measures, and
+// returns the exit code: 0, or 1 where something that was measured is wrong. Throws
+// std::invalid_argument and std::regex_error for a mistake in the command line, any other exception
+// where something cannot be measured or written.
+
+namespace desmo::paper {
+int run(const bench::CommandLine& line);
+}
+namespace desmo::accuracy {
+int run(const bench::CommandLine& line);
+}
+namespace desmo::size {
+int run(const bench::CommandLine& line);
+}
+namespace desmo::instructions {
+int run(const bench::CommandLine& line);
+}
+namespace desmo::extremes {
+int run(const bench::CommandLine& line);
+}
+namespace desmo::promise {
+int run(const bench::CommandLine& line);
+}

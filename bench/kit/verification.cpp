@@ -64,17 +64,18 @@ Comparison VerifyingObserver::compare() const {
   ResultDigest results;
   for_each([&](const ReferenceInstant& r, const State& came) {
     ++errors.instants;
-    bench::compare(errors.position, results, came.q, r.q, allowed.position);
-    bench::compare(errors.velocity, results, came.qd, r.qd, allowed.velocity);
-    bench::compare(errors.acceleration, results, came.qdd, r.qdd, allowed.acceleration);
+    bench::compare(errors.position, results, came.q, r.q, allowed_difference.position);
+    bench::compare(errors.velocity, results, came.qd, r.qd, allowed_difference.velocity);
+    bench::compare(errors.acceleration, results, came.qdd, r.qdd, allowed_difference.acceleration);
   });
   return {errors, results.hex()};
 }
 
 std::string verification_failure(const Differences& e, std::size_t expected_instants,
                                  double times) {
-  const Differences bound{0, times * allowed.position, times * allowed.velocity,
-                          times * allowed.acceleration};
+  const PerLevel<double> bound{times * allowed_difference.position,
+                               times * allowed_difference.velocity,
+                               times * allowed_difference.acceleration};
   if (static_cast<std::size_t>(e.instants) != expected_instants)
     return "compared with the reference at " + std::to_string(e.instants) +
            " instants instead of " + std::to_string(expected_instants);

@@ -10,6 +10,7 @@
 #include "bench/kit/delivery.h"
 #include "bench/kit/digests.h"
 #include "formulations/base/part.h"
+#include "formulations/base/per_level.h"
 #include "formulations/formulation.h"
 #include "formulations/verification/reference/reference.h"
 
@@ -25,14 +26,14 @@ struct Differences {
 /// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
 void widen(double& largest, double a, double b);
 
-/// Allowed differences from the quadruple-precision reference, in units of the case: of q, q̇
-/// and q̈ (`instants` means nothing here).
-inline constexpr Differences allowed{0, 1e-9, 1e-8, 1e-7};
+/// Largest allowed differences of q, q̇ and q̈ from the quadruple-precision reference, in units of
+/// the case.
+inline constexpr PerLevel<double> allowed_difference{1e-9, 1e-8, 1e-7};
 
-/// Differences from a reference, and a digest of what was compared, in units of what is allowed.
+/// The result of a comparison with a reference.
 struct Comparison {
   Differences errors;
-  std::string results;
+  std::string results;  ///< digest of the values compared, each rounded to its allowed difference
 };
 
 /// A delivery that also copies the results q, q̇, q̈ at the times of a reference, to compare them.
@@ -70,8 +71,8 @@ class VerifyingObserver final : public ComparingObserver {
   Comparison compare() const override;
 };
 
-/// Returns the verification failure, in words; empty when errors are within so many times what is
-/// allowed.
+/// Returns the verification failure, in words. Empty when all errors are at most `times` the
+/// allowed differences, at as many instants as expected.
 std::string verification_failure(const Differences& errors, std::size_t expected_instants,
                                  double times = 1);
 

@@ -25,10 +25,10 @@ struct Excluded {
 
 struct CheckOutcome {
   CheckVerdict verdict = CheckVerdict::pass;
-  std::vector<Excluded> invalid;        ///< head's answers are wrong
-  std::vector<std::string> missing;     ///< candidates of the baseline that head has not
-  std::vector<Excluded> excluded;       ///< there is nothing to compare with
-  std::vector<Difference> differences;  ///< why times cannot be compared; then there are none
+  std::vector<Excluded> invalid;        ///< candidates whose answers in head are wrong
+  std::vector<std::string> missing;     ///< candidates of the baseline that head lacks
+  std::vector<Excluded> excluded;       ///< candidates without anything to compare with
+  std::vector<Difference> differences;  ///< why no time is compared; empty when times are
   TimeFindings time;
   WorkFindings work;
 };
@@ -44,7 +44,8 @@ struct Pending {
 };
 std::vector<Pending> pending(const CheckOutcome& found);
 
-/// The findings, candidate by candidate, and their record.
+/// Returns the verdict with its reasons, a table of times and one of instructions, and a line on
+/// what was measured where.
 Document verdict_document(const CheckRecord& check, const CheckOutcome& found);
 
 }  // namespace desmo::report

@@ -10,19 +10,20 @@
 
 namespace desmo::report {
 
-/// The seconds of an analysis that nothing disturbed, from all there were or from all but one.
+/// Returns the seconds that an analysis takes when nothing disturbs it.
 ///
-/// A window takes so much for each instant and so much for each update, and at times more, never
-/// less: of the points (updates an instant, seconds an instant) of all windows and analyses, the
-/// undisturbed ones lie on a line, which rises, but not faster than in proportion, and the others
-/// above it. So the time is that of the lower convex envelope of these points at the updates of the
-/// whole motion, or less where that is more than a single point allows.
+/// Each window of each analysis gives a point: updates an instant, seconds an instant. Undisturbed
+/// points lie on a rising line, since every update costs the same. A disturbance only adds time, so
+/// disturbed points lie above that line. The result is read off the lower convex envelope of all
+/// points, at the updates an instant of the whole motion. A single point may bound it further: more
+/// updates never take less time, nor more than in proportion.
 ///
-/// windows: with samples, two or more where one is left out.
+/// - windows: with samples, at least two when one is left out
+/// - left_out: index of the analysis that is not used
 double undisturbed(const Windows& windows, std::optional<std::size_t> left_out = std::nullopt);
 
-/// The largest that leaving out one analysis makes of it: with the best of them gone, what the
-/// others say. windows: with two samples or more.
+/// Returns the largest undisturbed() over all choices of the analysis left out: the time without
+/// the best analysis. windows: with two samples or more.
 double undisturbed_without_best(const Windows& windows);
 
 /// Repetitions below which there is no interval: two may have been disturbed alike.

@@ -5,9 +5,9 @@
 
 namespace desmo::cli {
 
-/// Pages without their data: bundle.mjs makes them from page.html when the program is built. They
-/// are empty when Node.js or a package was missing then. "@DATA@" and "@NUMBERS@" stand, in this
-/// order, where PageData belong.
+/// Two HTML pages, of plane and of spatial mechanisms. PageData take the place of "@DATA@" and then
+/// "@NUMBERS@" in the text. bundle.mjs makes the pages from page.html while the program is built;
+/// they are empty when Node.js or a package was missing then.
 struct PageTemplate {
   std::string_view planar, spatial;
 };

@@ -13,7 +13,7 @@ struct WorstError {
   double error = 0, floor = 0, allowed = 0;
 };
 
-/// Runs that others are measured by.
+/// Other runs whose errors bound those of a run: it must not be much worse than they are.
 struct Yardsticks {
   const CaseRun* first_case = nullptr;  ///< of the row, in the same formulation
   const CaseRun* new_pivots = nullptr;  ///< the same case, with pivots chosen anew

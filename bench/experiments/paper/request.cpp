@@ -82,9 +82,10 @@ class VerifyingRequest final : public ComparingObserver {
           widen(largest, value, reference[a.whole]);
           results.add(value, reference[a.whole], unit);
         };
-        compare(Level::position, errors.position, came.q, r.q, allowed.position);
-        compare(Level::velocity, errors.velocity, came.qd, r.qd, allowed.velocity);
-        compare(Level::acceleration, errors.acceleration, came.qdd, r.qdd, allowed.acceleration);
+        compare(Level::position, errors.position, came.q, r.q, allowed_difference.position);
+        compare(Level::velocity, errors.velocity, came.qd, r.qd, allowed_difference.velocity);
+        compare(Level::acceleration, errors.acceleration, came.qdd, r.qdd,
+                allowed_difference.acceleration);
       }
     });
     return {errors, results.hex()};

@@ -116,9 +116,9 @@ Json settings_json(const TimeGrid& grid) {
           {"duration_seconds", grid.time(grid.instants - 1)},
           {"instants", grid.instants},
           {"allowed",
-           {{"position", allowed.position},
-            {"velocity", allowed.velocity},
-            {"acceleration", allowed.acceleration},
+           {{"position", allowed_difference.position},
+            {"velocity", allowed_difference.velocity},
+            {"acceleration", allowed_difference.acceleration},
             {"request", allowed_request_difference}}}};
 }
 

@@ -8,8 +8,9 @@
 
 namespace desmo::bench {
 
-/// Equal windows that a motion has at most. Motions of fewer than max_windows · min_instants
-/// instants have fewer windows, but two. Reading the clock then costs little compared with solving.
+/// Largest number of windows of a motion, and smallest number of instants of a window. Short
+/// motions have fewer windows, two at least. So reading the clock costs little compared with
+/// solving.
 inline constexpr int max_windows = 25, min_instants = 20;
 
 /// Time and work of each window of a motion, analysis by analysis. The time of reading the clock is
