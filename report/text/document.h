@@ -67,7 +67,6 @@ struct Section {
 struct Document {
   std::string title;
   std::vector<Section> sections;
-  std::string home = {};  ///< address of the site's index; empty: the page stands alone
 };
 
 }  // namespace desmo::report

@@ -132,7 +132,6 @@ class Record final : public Observer {
             steps[i].flag != CaseRun::Flag::failed &&
             (t > summary.crossing->after || t >= summary.crossing->before))
           steps[i].flag = CaseRun::Flag::doubtful;
-    run_.iterations += summary.iterations;
     run_.max.condition = std::max(run_.max.condition, summary.condition);
     for (const Level l : levels) run_.max.bound[l] = std::max(run_.max.bound[l], summary.bound[l]);
     run_.gaps.insert(run_.gaps.end(), summary.gaps.begin(), summary.gaps.end());
@@ -225,7 +224,6 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
     record.begin(i);
     record.end(run_monitored(*f, grid, {}, record, options), grid, m);
   }
-  a.refactorisations = refactorisations(*f);
   return a;
 }
 

@@ -43,7 +43,6 @@ struct CaseRun {
   std::optional<CaseOutcome> unsolved;  ///< refused, not_applicable; nothing: see steps
   std::string message;                  ///< of the first flag, or why not
   std::vector<Step> steps;              ///< of the instants, or starts, tried: from the first on
-  long iterations = 0;
   /// Errors for each of the case's answers, at each instant compared; nothing where there are no
   /// numbers or nothing is known.
   std::vector<std::vector<std::optional<PerLevel<double>>>> errors;
@@ -51,7 +50,6 @@ struct CaseRun {
   Stated max{};                               ///< over all instants
   std::vector<Gap> gaps;                      ///< that it went on after
   GroupId failed_group = -1;                  ///< of the first flag
-  long refactorisations = 0;                  ///< of pivots kept that had gone bad
   /// Bytes by which the heap has grown from the first that is solved after 1000 instants, or
   /// starts, to the last; 0 where the last is not solved.
   std::int64_t heap_growth = 0;

@@ -51,14 +51,7 @@ Json result_json(const Result& r) {
             {"outcome", outcome_names[static_cast<int>(v.outcome)]},
             {"verdict", verdict_names[static_cast<int>(v.verdict)]}};
   if (!v.reason.empty()) j["reason"] = v.reason;
-  if (v.instants > 0) {
-    j["instants"] = v.instants;
-    j["iterations"] = v.iterations;
-    j["refactorisations"] = v.refactorisations;
-  }
-  if (!v.worst) return j;
-  j["condition"] = rounded(r.condition);
-  j["worst"] = worst_json(*v.worst);
+  if (v.worst) j["worst"] = worst_json(*v.worst);
   return j;
 }
 

@@ -75,7 +75,7 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
       const Yardsticks yardsticks{before == first.end() ? nullptr : &before->second,
                                   anew.contains(&other) ? &anew.at(&other) : nullptr};
       results.push_back({&row, c.name + note_on(selection.without), id_with(*v, tried.settings),
-                         known.condition(), verify(known, a, yardsticks)});
+                         verify(known, a, yardsticks)});
       if (before == first.end()) first.emplace(v, std::move(a));
     }
   }

@@ -15,8 +15,7 @@ namespace desmo::extremes {
 struct Result {
   const Extreme* row;
   std::string case_name;
-  std::string id;        ///< formulation, with the case's settings
-  double condition = 0;  ///< the largest of what was compared; 0: not known
+  std::string id;  ///< formulation, with the case's settings
   Verification verification;
 };
 

@@ -161,11 +161,8 @@ Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yard
     j.outcome = CaseOutcome::not_applicable;
     return end(ExtremeVerdict::not_applicable, "nothing to compare with: " + p.no_answer);
   }
-  j.instants = static_cast<long>(a.steps.size());
-  j.iterations = a.iterations;
-  j.refactorisations = a.refactorisations;
   if (c.is_refused)
-    return j.outcome == CaseOutcome::failed && j.instants == 1
+    return j.outcome == CaseOutcome::failed && a.steps.size() == 1
                ? j
                : end(ExtremeVerdict::defect, "numbers for what is no mechanism");
   const WorstErrors errors = errors_of(p, a, yardsticks);

@@ -48,9 +48,6 @@ struct Verification {
   /// The errors that are the most of what is allowed, where numbers were compared; at a level
   /// where no error is allowed, the largest.
   std::optional<PerLevel<WorstError>> worst;
-  long iterations = 0;        ///< of all instants
-  long instants = 0;          ///< tried
-  long refactorisations = 0;  ///< of pivots kept that had gone bad
 };
 
 /// Compares a run with what is known of the case.
