@@ -36,6 +36,7 @@ struct Common {
   const Settings settings;  // with a part's share of the tolerance
   const Magnitudes magnitudes;
   std::shared_ptr<SinglePrecisionState> single;
+  Profile* profile;
   const KernelTable& table;
 };
 
@@ -48,12 +49,12 @@ struct Draft {
 };
 
 Draft draft(const Common& common, PartDefinition d) {
-  const auto& [m, v, shared, magnitudes, single, table] = common;
+  const auto& [m, v, shared, magnitudes, single, profile, table] = common;
   PartSettings settings(shared);
   settings.tolerance = std::max(shared.tolerance, magnitudes.rounding(d));
   settings.at_rounding = settings.tolerance > shared.tolerance;
-  PartContext context{m,        d,      magnitudes.weights(d),    std::nullopt,
-                      settings, single, magnitudes.of_unknowns(d)};
+  PartContext context{m,       d,      magnitudes.weights(d),    std::nullopt, settings,
+                      profile, single, magnitudes.of_unknowns(d)};
   if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d, table);
   const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
   const Backend& backend = v.backend ? *v.backend : pivoting_backend();
@@ -101,7 +102,8 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
 
 /// Makes all of a formulation but its stride.
 std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
-                                           const Settings& settings, const KernelTable& table) {
+                                           const Settings& settings, Profile* profile,
+                                           const KernelTable& table) {
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   std::vector<int> type_ends{static_cast<int>(definitions.size())};
   if (!v.backend) type_ends = gather_types(m, definitions);
@@ -112,14 +114,14 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
   std::shared_ptr<SinglePrecisionState> single;
   if (settings.scalar == Scalar::single_precision)
     single = std::make_shared<SinglePrecisionState>(m.state_size());
-  const Common common{m, v, own, Magnitudes(m), std::move(single), table};
+  const Common common{m, v, own, Magnitudes(m), std::move(single), profile, table};
 
   std::unique_ptr<SegmentExecutor> segments;
   if (settings.threads > 1) {
     std::vector<std::unique_ptr<SegmentSolver>> workers(settings.threads);
     Settings of_worker = settings;
     of_worker.threads = of_worker.stride = 1;
-    for (auto& worker : workers) worker = make_solver(v, m, of_worker, table);
+    for (auto& worker : workers) worker = make_solver(v, m, of_worker, nullptr, table);
     segments =
         std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
   } else if (settings.segments > 1) {
@@ -134,22 +136,33 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
   return std::make_unique<Segmented>(std::move(steps), std::move(segments));
 }
 
-}  // namespace
-
-std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
-                                              const Settings& settings, const KernelTable& table) {
+/// Makes a formulation. profile: null: no phases are measured.
+std::unique_ptr<Formulation> make(const Variant& v, const Model& m, const Settings& settings,
+                                  Profile* profile, const KernelTable& table) {
   if (const std::string reason = unsupported_reason(v, settings); !reason.empty())
     throw std::invalid_argument(v.id + ": " + reason);
   if (const std::string reason = unavailable_reason(settings); !reason.empty())
     throw std::invalid_argument(id_with(v, settings) + ": " + reason);
-  std::unique_ptr<SegmentSolver> solver = make_solver(v, m, settings, table);
+  std::unique_ptr<SegmentSolver> solver = make_solver(v, m, settings, profile, table);
   if (settings.stride == 1) return solver;
   return std::make_unique<Interpolated>(std::move(solver), settings.stride);
 }
 
+}  // namespace
+
 std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
                                               const Settings& settings) {
-  return make_formulation(v, m, settings, KernelTable::built_in());
+  return make(v, m, settings, nullptr, KernelTable::built_in());
+}
+
+std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
+                                              const Settings& settings, const KernelTable& table) {
+  return make(v, m, settings, nullptr, table);
+}
+
+std::unique_ptr<Formulation> make_profiled_formulation(const Variant& v, const Model& m,
+                                                       const Settings& settings, Profile& profile) {
+  return make(v, m, settings, &profile, KernelTable::built_in());
 }
 
 }  // namespace desmo

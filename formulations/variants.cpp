@@ -66,6 +66,8 @@ std::string_view slow_reason(const Variant& v) {
   return v.backend->slow_blocks_reason;
 }
 
+bool has_phases(const Variant& v) { return v.backend != nullptr; }
+
 std::string unsupported_reason(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "

@@ -46,6 +46,10 @@ bool is_dense_global(const Variant& variant);
 /// serves instead. Empty: it is not.
 std::string_view slow_reason(const Variant& variant);
 
+/// Returns whether the phases of a variant's steps can be measured (see Phase). Generated
+/// eliminations have none.
+bool has_phases(const Variant& variant);
+
 /// Returns why a variant does not offer these settings, in a sentence without a full stop; empty
 /// when it does. Settings that are not offered are refused, never silently replaced.
 std::string unsupported_reason(const Variant& variant, const Settings& settings);

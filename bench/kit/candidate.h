@@ -89,6 +89,9 @@ class Candidate {
   /// refused before.
   void verify(ReferenceCache& references);
 
+  /// Measures where the time goes, where that is shown. Nothing unless it is verified.
+  virtual void profile() {}
+
   /// Adds what a record (results/record.schema.json) says of it, to the lists of its experiment.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 

@@ -5,6 +5,7 @@
 #include "formulations/algebra/backend.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/parts/newton_solver.h"
+#include "formulations/parts/profiled.h"
 
 namespace desmo {
 
@@ -67,6 +68,17 @@ std::unique_ptr<const Equations<double>> make_equations(const PartContext& c) {
   return std::make_unique<SymbolicEquations>(c.model, c.definition, *c.kernels);
 }
 
+template <class NewtonPart, class Real>
+std::unique_ptr<Part> make_part(const PartContext& c,
+                                std::unique_ptr<const Equations<Real>> equations,
+                                std::unique_ptr<LinearSolver<Real>> solver) {
+  if (c.profile) {
+    equations = std::make_unique<ProfiledEquations<Real>>(std::move(equations), *c.profile);
+    solver = std::make_unique<ProfiledSolver<Real>>(std::move(solver), *c.profile);
+  }
+  return std::make_unique<NewtonPart>(std::move(equations), c, std::move(solver));
+}
+
 }  // namespace
 
 std::unique_ptr<Part> make_newton_part(const PartContext& c, const Backend& backend) {
@@ -74,11 +86,11 @@ std::unique_ptr<Part> make_newton_part(const PartContext& c, const Backend& back
     std::unique_ptr<const Equations<float>> equations =
         std::make_unique<BasicAutomaticEquations<float>>(c.model, c.definition);
     auto solver = backend.make_single_solver(equations->pattern());
-    return std::make_unique<SinglePrecisionPart>(std::move(equations), c, std::move(solver));
+    return make_part<SinglePrecisionPart>(c, std::move(equations), std::move(solver));
   }
   std::unique_ptr<const Equations<double>> equations = make_equations(c);
   auto solver = backend.make_solver(equations->pattern(), c.settings.analysis);
-  return std::make_unique<DoublePrecisionPart>(std::move(equations), c, std::move(solver));
+  return make_part<DoublePrecisionPart>(c, std::move(equations), std::move(solver));
 }
 
 }  // namespace desmo

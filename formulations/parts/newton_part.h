@@ -6,6 +6,7 @@
 
 #include "formulations/base/part.h"
 #include "formulations/equations/symbolic.h"
+#include "formulations/parts/profile.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -28,6 +29,7 @@ struct PartContext {
   /// automatic.
   std::optional<std::vector<BoundKernel>> kernels;
   PartSettings settings;
+  Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
   std::shared_ptr<SinglePrecisionState> single{};  ///< where the scalar is single
   std::vector<double> magnitudes{};                ///< of the unknowns; none: all are 1
 };

@@ -12,6 +12,7 @@
 
 namespace desmo {
 
+struct Profile;  // parts/profile.h
 struct Variant;  // variants.h
 
 /// The steps of a formulation whose driver values are handed in. LiveRun is made of them; it also
@@ -67,6 +68,11 @@ const FormulationCore& core_of(const Formulation& formulation);
 inline const std::vector<DefinedPart>& parts_of(const Formulation& formulation) {
   return core_of(formulation).parts();
 }
+
+/// Makes a formulation like make_formulation(). profile: receives the time of each phase on the
+/// caller's thread; outlives the formulation.
+std::unique_ptr<Formulation> make_profiled_formulation(const Variant& variant, const Model& model,
+                                                       const Settings& settings, Profile& profile);
 
 /// Returns how often, in all parts, an order of pivots that was to be kept had gone bad and was
 /// chosen anew.

@@ -1,4 +1,4 @@
-// The paper's experiment: candidates, requests and peers.
+// The paper's experiment: candidates, requests, peers and profiles.
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -99,6 +99,14 @@ Peer read_peer(const RecordValue& node, const RecordSettings& settings) {
           .solved = read_candidate(node, settings, "a peer")};
 }
 
+Profile read_profile(const RecordValue& node) {
+  Profile profile;
+  const RecordValue time = node["time_per_step"], split = time["phases"];
+  require_clock(time, Clock::wall, "a profile");
+  for (std::size_t i = 0; i < phases.size(); ++i) profile[i] = split[phases[i]].not_negative();
+  return profile;
+}
+
 }  // namespace
 
 CandidateKey read_key(const RecordValue& node) {
@@ -125,6 +133,10 @@ void read_paper(Record& record, const RecordValue& experiment) {
     const CandidateKey key = key_of(record.peers.back());
     if (std::ranges::count(record.peers, key, key_of) > 1)
       node.complain(name_of(key) + " is given twice");
+  });
+  read_each(experiment, "profiles", [&](const RecordValue& node) {
+    const CandidateKey key = read_key(node);
+    add_once(record.profiles, node, key, read_profile(node), name_of(key));
   });
 }
 

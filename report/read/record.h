@@ -74,6 +74,14 @@ struct MeasuredCandidate {
   std::optional<double> iterations_per_step;
 };
 
+/// Phases of a step, in the order of a Profile.
+inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
+                                   "solve",    "right_hand_sides", "rest"};
+
+/// Wall-clock time of each phase of a step in an instrumented run [s], the median of several
+/// passes.
+using Profile = std::array<double, phases.size()>;
+
 /// A formulation that solves only what is asked.
 struct MeasuredRequest {
   CandidateKey key;   ///< the formulation, and the candidate that solves everything with it
@@ -116,6 +124,7 @@ struct Record {
   // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
   std::map<CandidateKey, MeasuredCandidate> candidates;  ///< CPU clock
   std::map<CandidateKey, MeasuredCandidate> wall_candidates;
+  std::map<CandidateKey, Profile> profiles;
   std::vector<MeasuredRequest> requests;  ///< CPU clock; in the record's order
   std::vector<MeasuredRequest> wall_requests;
   std::vector<Peer> peers;  ///< CPU clock; in the record's order

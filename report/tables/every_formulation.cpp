@@ -1,5 +1,5 @@
-// All that was recorded, not only what the paper compares: each formulation, and several threads by
-// the wall clock.
+// All that was recorded, not only what the paper compares: each formulation, several threads by the
+// wall clock, and where the time of a step goes.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -131,6 +131,32 @@ Section threads(const Record& record) {
     section.tables.push_back(std::move(table));
   }
   return section;
+}
+
+namespace {
+
+Entry phase_entry(double seconds, double total) {
+  const std::string microseconds = write_significant(seconds * 1e6, 3),
+                    percent = write_fixed(total > 0 ? 100 * seconds / total : 0, 0);
+  return {microseconds + " (" + percent + " %)", {microseconds, percent}, {}};
+}
+
+}  // namespace
+
+Table time_split(const Record& record) {
+  Table table = headed_table("time_split");
+  for (const char* phase : phases) table.columns.push_back({phase, {"microseconds", "percent"}});
+  for (const auto& [key, profile] : record.profiles) {
+    const bool failed = measured(record, key).mark == failed_mark;
+    double total = 0;
+    for (const double seconds : profile) total += seconds;
+    std::vector<Entry> row{key.case_name, key.coordinates, key.id,
+                           failed ? note_entry(failed_mark) : number_entry(1e6 * total, 4)};
+    for (const double seconds : profile)
+      row.push_back(failed ? note_entry(failed_mark) : phase_entry(seconds, total));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 }  // namespace desmo::report

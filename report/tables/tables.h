@@ -75,6 +75,9 @@ Section every_formulation(const Record& record);
 Table every_formulation(const Record& record, const std::string& case_name,
                         std::int64_t coordinates);
 
+/// Shows where the time of a step goes.
+Table time_split(const Record& record);
+
 // ---- accuracy ----
 
 /// Returns all that follows in sections, the front first. The record has points. What is asked of a

@@ -137,6 +137,34 @@ TEST(Candidates, SayWhyDenseGlobalSolvesAreNotRun) {
   EXPECT_NE(candidate.message().find("O(n^3)"), std::string::npos);
 }
 
+TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
+  Options o;
+  o.duration = 0.5;
+  o.step = 0.1;
+  auto candidates = make_case_candidates(o);
+  for (const Case& c : cases()) {
+    const std::string name = std::string(c.name) + "/558/global_automatic_klu/btf:off";
+    const auto found = std::ranges::find(candidates, name, &CaseCandidate::name);
+    ASSERT_NE(found, candidates.end()) << name;
+    CaseCandidate& candidate = **found;
+    EXPECT_EQ(candidate.settings().btf, BlockTriangularForm::off);
+    ReferenceCache references;
+    candidate.verify(references);
+    ASSERT_TRUE(candidate.is_verified()) << candidate.message();
+    candidate.profile();
+    ASSERT_TRUE(candidate.phases) << name;
+    EXPECT_GT(candidate.phases->total(), 0);
+  }
+}
+
+TEST(Phases, AreThoseOfTheSettings) {
+  const Case& c = find_case("truck_suspension");
+  const Model m = make_model(describe(c, 114));
+  EXPECT_THROW(measure_phases(find_variant("global_automatic_umfpack"),
+                              {.btf = BlockTriangularForm::off}, m, {.step = 0.01, .instants = 2}),
+               std::invalid_argument);
+}
+
 class Idle final : public Part {
   PartResult solve(State&, std::span<const double>, Level) override { return {}; }
 };

@@ -34,7 +34,8 @@ INSTANTIATE_TEST_SUITE_P(Records, Golden, ::testing::Values(paper, others),
 TEST(GoldenRecords, HaveEverySection) {
   const Record record = read_record(data_file(std::string(paper) + ".json"));
   EXPECT_TRUE(has_samples_of_windows(record));
-  for (const bool is_empty : {record.candidates.empty(), record.requests.empty()})
+  for (const bool is_empty :
+       {record.candidates.empty(), record.requests.empty(), record.profiles.empty()})
     EXPECT_FALSE(is_empty);
   const Record other = read_record(data_file(std::string(others) + ".json"));
   for (const bool is_empty :

@@ -10,11 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/algebra/backend.h"
 #include "formulations/algebra/blas.h"
-#include "formulations/algebra/linear_solver.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/id.h"
+#include "formulations/parts/profile.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/reference/reference.h"
@@ -255,41 +254,14 @@ TEST_P(AccuracySettings, WorkAtEveryLevel) {
 INSTANTIATE_TEST_SUITE_P(Table, AccuracySettings, testing::ValuesIn(tested_variants()),
                          EveryVariant::name);
 
-/// A solver that counts factorisations, of all that there are.
-class CountingSolver final : public LinearSolver<double> {
- public:
-  explicit CountingSolver(std::unique_ptr<LinearSolver<double>> solver)
-      : solver_(std::move(solver)) {}
-
-  static inline long count = 0;
-  static inline const Backend* counted = nullptr;
-  static std::unique_ptr<LinearSolver<double>> make(const Pattern& pattern, const Settings& s) {
-    return std::make_unique<CountingSolver>(counted->make_solver(pattern, s));
-  }
-
-  bool factor(const double* values) override {
-    ++count;
-    return solver_->factor(values);
-  }
-  void solve(double* b) override { solver_->solve(b); }
-  int break_even_solves() const override { return solver_->break_even_solves(); }
-
- private:
-  std::unique_ptr<LinearSolver<double>> solver_;
-};
-
 long factorisations(const std::string& id, const Model& m) {
   const Configuration c = parse_id(id);
-  CountingSolver::counted = c.variant->backend;
-  Backend counting = *c.variant->backend;
-  counting.make_solver = &CountingSolver::make;
-  Variant v = *c.variant;
-  v.backend = &counting;
-  const auto f = make_formulation(v, m, c.settings);
+  Profile profile;
+  const auto f = make_profiled_formulation(*c.variant, m, c.settings, profile);
   EXPECT_TRUE(f->assemble(0).ok());
-  const long before = CountingSolver::count;
+  const long before = profile.calls[static_cast<int>(Phase::factorisation)];
   for (int i = 1; i <= 100; ++i) EXPECT_TRUE(f->step(0.01 * i).ok());
-  return CountingSolver::count - before;
+  return profile.calls[static_cast<int>(Phase::factorisation)] - before;
 }
 
 TEST(Factorisations, AreAsManyAsTheSettingsSay) {

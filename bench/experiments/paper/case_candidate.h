@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/experiments/paper/options.h"
+#include "bench/experiments/paper/phases.h"
 #include "bench/kit/formulation_candidate.h"
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
@@ -19,9 +20,11 @@ class CaseCandidate final : public FormulationCandidate {
   CaseCandidate(const Case& definition, int coordinates, const Variant& variant,
                 const Options& options, const Settings& settings = {}, Clock clock = Clock::cpu);
 
+  void profile() override;
   void add_to(nlohmann::ordered_json& lists) const override;
 
   const Case& definition;
+  std::optional<PhaseTimes> phases;
 
  private:
   /// Returns the whole case, which is made at the first call: those of all candidates are too many.

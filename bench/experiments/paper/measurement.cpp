@@ -91,7 +91,7 @@ int worth_repeating(const Candidate& candidate) {
 
 Json lists_of(const std::vector<Candidate*>& candidates) {
   Json lists;
-  for (const char* list : {"cells", "requests"}) lists[list] = Json::array();
+  for (const char* list : {"cells", "profiles", "requests"}) lists[list] = Json::array();
   for (const Candidate* candidate : candidates) candidate->add_to(lists);
   return lists;
 }
@@ -104,6 +104,7 @@ Json measure(const std::vector<Candidate*>& all, std::optional<int> asked_repeti
     // The threads that it makes end with the one that it is on: those of a repetition have no
     // others next to them, for which they would have to make room.
     candidate->threads > 1 ? on_fresh_heap(verify) : verify();
+    candidate->profile();
     progress.done(candidate->is_verified() ? 1 : work_of_candidate);
     if (!candidate->is_verified()) {
       progress.clear();

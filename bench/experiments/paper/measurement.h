@@ -12,7 +12,7 @@ namespace desmo::paper {
 /// Work of a candidate on the progress line: verification, and all its repetitions.
 inline constexpr double work_of_candidate = 2;
 
-/// Verifies all, and times what is verified by Google Benchmark, whose flags have been
+/// Verifies and profiles all, and times what is verified by Google Benchmark, whose flags have been
 /// read: in turn, in an order of its own, each as often as asked for or as is worth it. Says on
 /// standard error what is wrong. first: the console has nothing yet.
 /// Returns {"failed": whether anything did, "lists": what a record says (lists_of)}.

@@ -13,6 +13,7 @@
 #include "cases/io/files.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/parts/profile.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo::promise {

@@ -17,6 +17,7 @@ TEST(RecordReader, ReadsTheCompleteSample) {
   const Record record = read_record(data_file("complete.json"));
   EXPECT_EQ(record.settings.instants, 3001);
   EXPECT_EQ(record.candidates.size(), 5u * 16 + 6 * 5);
+  EXPECT_EQ(record.profiles.size(), 3u);
   const MeasuredCandidate& candidate =
       record.candidates.at({"truck_suspension", 558, "group_symbolic_lapack"});
   EXPECT_EQ(candidate.status, Status::ok);
@@ -81,6 +82,10 @@ TEST(RecordReader, NamesTheMissingKey) {
   json = complete_record();
   json["paper"]["cells"][3]["time"].erase("clock");
   EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time: the key 'clock' is missing");
+  json = complete_record();
+  json["paper"]["profiles"][1]["time_per_step"]["phases"].erase("solve");
+  EXPECT_CONTAINS(complaint(json),
+                  "/paper/profiles/1/time_per_step/phases: the key 'solve' is missing");
 }
 
 TEST(RecordReader, RefusesNotANumberAndInfinity) {
@@ -155,6 +160,9 @@ TEST(RecordReader, RefusesWhatIsGivenTwice) {
   Json json = complete_record();
   json["paper"]["cells"].push_back(json["paper"]["cells"][0]);
   EXPECT_CONTAINS(complaint(json), "truck_suspension/114/global_automatic_cholmod is given twice");
+  json = complete_record();
+  json["paper"]["profiles"].push_back(json["paper"]["profiles"][0]);
+  EXPECT_CONTAINS(complaint(json), "/paper/profiles/3: truck_suspension/558/");
   EXPECT_CONTAINS(complaint(std::string(R"({"schema": "a", "schema": "b"})")),
                   "/schema: the key is given twice");
 }

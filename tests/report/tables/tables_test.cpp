@@ -286,6 +286,22 @@ TEST(EveryFormulation, SaysWhatExceedsTheAllowedError) {
                                       "velocity differs by 2e-06, 1e-08 is allowed"}));
 }
 
+TEST(TimeSplit, SharesOfTheTotal) {
+  Json json = complete_record();
+  json["paper"]["profiles"][0]["time_per_step"]["phases"] = {
+      {"residual", 1e-6}, {"jacobian", 2e-6}, {"factorisation", 4e-6},
+      {"solve", 2e-6},    {"rest", 0},        {"right_hand_sides", 1e-6}};
+  const Table table = time_split(record_from(json));
+  EXPECT_EQ(table.columns.back().name, "rest");
+  EXPECT_EQ(entry_at(table, {truck, "558", "global_automatic_klu"}, "total").shown, "10.00");
+  EXPECT_EQ(entry_at(table, {truck, "558", "global_automatic_klu"}, "factorisation").shown,
+            "4.00 (40 %)");
+  fail_candidate(json, truck, 558, "global_automatic_klu");
+  EXPECT_EQ(entry_at(time_split(record_from(json)), {truck, "558", "global_automatic_klu"}, "total")
+                .shown,
+            failed_mark);
+}
+
 TEST(Report, SkipsFamiliesWithoutACell) {
   Json json = complete_record();
   for (const char* family : {"cholmod", "umfpack"}) erase_family(json, family);

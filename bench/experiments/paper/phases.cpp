@@ -1,0 +1,69 @@
+#include "bench/experiments/paper/phases.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "bench/kit/delivery.h"
+#include "formulations/stepping/formulation_core.h"
+
+namespace desmo::paper {
+
+namespace {
+
+/// Returns what one measurement costs of itself.
+double clock_seconds() {
+  constexpr int calls = 20'000;
+  double best = 1;
+  for (int i = 0; i < 5; ++i) {
+    Profile empty;
+    const auto start = std::chrono::steady_clock::now();
+    for (int call = 0; call < calls; ++call) empty.measure(Phase::residual, [] {});
+    const std::chrono::duration<double> d = std::chrono::steady_clock::now() - start;
+    best = std::min(best, d.count() / calls);
+  }
+  return best;
+}
+
+/// Measures one pass over the grid.
+PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& grid,
+                    double clock) {
+  Delivery observer(formulation.model().coordinates());
+  profile = {};
+  const auto start = std::chrono::steady_clock::now();
+  const Summary summary = formulation.run(grid, {}, observer);
+  const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
+  if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
+
+  const long calls = std::accumulate(profile.calls.begin(), profile.calls.end(), 0L);
+  PhaseTimes times;
+  double measured = 0;
+  for (int p = 0; p < phase_count; ++p) {
+    // Within a measurement lies about half of what it costs.
+    const double seconds = std::max(0.0, profile.seconds[p] - profile.calls[p] * clock / 2);
+    times.seconds[p] = seconds / grid.instants;
+    measured += seconds;
+  }
+  times.rest = std::max(0.0, total.count() - calls * clock - measured) / grid.instants;
+  return times;
+}
+
+}  // namespace
+
+double PhaseTimes::total() const { return std::accumulate(seconds.begin(), seconds.end(), rest); }
+
+PhaseTimes measure_phases(const Variant& variant, const Settings& settings, const Model& model,
+                          const TimeGrid& grid) {
+  constexpr int passes = 5;
+  Profile profile;
+  const auto formulation = make_profiled_formulation(variant, model, settings, profile);
+  const double clock = clock_seconds();
+  std::vector<PhaseTimes> times;
+  for (int i = 0; i < passes; ++i) times.push_back(one_pass(*formulation, profile, grid, clock));
+  std::ranges::sort(times, {}, &PhaseTimes::total);
+  return times[passes / 2];
+}
+
+}  // namespace desmo::paper
