@@ -11,6 +11,7 @@
 #include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
+#include "report/site.h"
 #include "report/statistics/comparability.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
@@ -127,6 +128,16 @@ ExitCode compare(const CompareCommand& command) {
   return no_verdict;
 }
 
+struct SiteCommand {
+  std::string results, folder;
+};
+
+ExitCode site(const SiteCommand& command) {
+  for (const SitePage& page : make_site(command.results))
+    write_files(std::filesystem::path(command.folder) / page.folder, page.files);
+  return success;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -160,6 +171,11 @@ int main(int argc, char** argv) {
   compare_app->add_option("A", comparison.first, "The first record")->required();
   compare_app->add_option("B", comparison.second, "The second record")->required();
   add_format(compare_app, comparison.format);
+  SiteCommand filed;
+  CLI::App* site_app = app.add_subcommand("site", "A static site of all filed records");
+  site_app->add_option("results", filed.results, "The folder with records/ and history.json")
+      ->required();
+  site_app->add_option("--out", filed.folder, "Write the site into this folder")->required();
   CheckCommand check;
   CLI::App* check_app = app.add_subcommand("check", "The verdict of a check of bench/check");
   check_app->add_option("file", check.file, "The results file")->required();
@@ -177,6 +193,7 @@ int main(int argc, char** argv) {
   };
   try {
     if (check_app->parsed()) return run(check);
+    if (site_app->parsed()) return site(filed);
     return compare_app->parsed() ? compare(comparison) : tables(command);
   } catch (const std::invalid_argument& error) {
     return failed(error, usage_error);

@@ -46,7 +46,7 @@ inline std::string swinging_plates(int copies, const std::string& rest) {
     motion += comma + name("theta") + R"(: {"type": "polynomial", "coefficients": [-10, )" +
               std::to_string(30 + i) + "]}";
   }
-  return R"({"format": "desmo-scene", "version": 2, "mechanism": {
+  return R"({"format": "desmo-scene", "version": 1, "mechanism": {
     "format": "desmo-mechanism", "version": 1, "name": "plates", "title": "$(touch pwned) */ \" \\",
     "dimension": 2, "units": {"length": "1", "angle": "deg"},
     "points": {)" +

@@ -29,18 +29,21 @@ const Unit& read_unit(const JsonValue& value, std::span<const Unit> units) {
 
 }  // namespace
 
-void check_format(const JsonValue& root, std::string_view format, int version,
-                  const std::string& remedy) {
+int check_format(const JsonValue& root, std::string_view format, int latest) {
   const JsonValue given = root["format"];
   if (given.text() != format) {
     const bool known = given.text() == "desmo-scene" || given.text() == "desmo-mechanism";
     given.complain("the format is " + in_quotes(given.text()) + ", not " + in_quotes(format) +
                    "; " + (known ? "give the other kind of file here" : "correct it"));
   }
-  if (const JsonValue stated = root["version"]; stated.number() != version)
-    stated.complain("this version of the format is not read; give " + std::to_string(version) +
-                    remedy);
+  const JsonValue version = root["version"];
+  if (version.number() != 1 && version.number() != latest)
+    version.complain("this version of the format is not known; " +
+                     std::string(latest == 1
+                                     ? "version 1 is"
+                                     : "versions 1 and " + std::to_string(latest) + " are"));
   if (const auto schema = root.find("$schema")) schema->text();
+  return static_cast<int>(version.number());
 }
 
 std::string checked_name(const JsonValue& place, std::string_view name) {
@@ -58,8 +61,13 @@ Units read_units(const JsonValue& root, Units units) {
     const Unit& unit = read_unit(*value, length_units);
     units.length = unit.in_si;
     units.length_unit = unit.name == "1" ? "1" : "m";
+    units.length_name = unit.name;
   }
-  if (const auto value = given->find("angle")) units.angle = read_unit(*value, angle_units).in_si;
+  if (const auto value = given->find("angle")) {
+    const Unit& unit = read_unit(*value, angle_units);
+    units.angle = unit.in_si;
+    units.angle_name = unit.name;
+  }
   return units;
 }
 

@@ -17,6 +17,25 @@ std::vector<double> read_numbers(const JsonValue& list, double unit) {
   return numbers;
 }
 
+// What is open is refused where it would be used.
+[[noreturn]] void complain_of_open_unit(const JsonValue& value, const std::string& kind,
+                                        std::string_view name) {
+  value.complain("the mechanism has its " + kind + "s in '" + std::string(name) +
+                 "', and the scene does not say in what this is; give \"version\": 2, in which the "
+                 "mechanism's units hold, or \"units\": {\"" +
+                 kind + "\": \"" + std::string(name) + "\"}");
+}
+
+double angle_unit(const JsonValue& value, const Units& units) {
+  if (units.angle_is_open) complain_of_open_unit(value, "angle", units.angle_name);
+  return units.angle;
+}
+
+double length_unit(const JsonValue& value, const Units& units) {
+  if (units.length_is_open) complain_of_open_unit(value, "length", units.length_name);
+  return units.length;
+}
+
 Motion read_constant(const JsonValue& value, double unit) {
   value.allow({"type", "value"});
   return Polynomial{{value["value"].number() * unit}};
@@ -42,7 +61,8 @@ Motion read_harmonic(const JsonValue& value, double unit, const Units& units) {
     HarmonicSum::Term& t = sum.terms.emplace_back();
     t.amplitude = term["amplitude"].number() * unit;
     t.angular_frequency = 2 * std::numbers::pi * term["frequency"].number();
-    if (const auto phase = term.find("phase")) t.phase = phase->number() * units.angle;
+    if (const auto phase = term.find("phase"))
+      t.phase = phase->number() * angle_unit(*phase, units);
   }
   if (sum.terms.empty()) terms.complain("has no terms; give one, or a motion of type 'constant'");
   return sum;
@@ -93,7 +113,8 @@ std::vector<int> driven_coordinates(const Mechanism& mechanism) {
 
 Motion read_motion(const JsonValue& value, Mechanism::CoordinateType coordinate,
                    const Units& units) {
-  const double unit = coordinate == Mechanism::CoordinateType::angle ? units.angle : units.length;
+  const double unit = coordinate == Mechanism::CoordinateType::angle ? angle_unit(value, units)
+                                                                     : length_unit(value, units);
   constexpr std::array<std::string_view, 4> types{"constant", "polynomial", "harmonic", "table"};
   switch (value["type"].choose("type of motion", types)) {
     case 0:

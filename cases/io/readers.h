@@ -15,10 +15,9 @@ namespace desmo {
 
 // What both kinds of file have:
 
-/// Throws InputError unless a file has this format and version, and the optional `$schema` (for
-/// editors) is a text. remedy: what else another version needs, after its number.
-void check_format(const JsonValue& root, std::string_view format, int version,
-                  const std::string& remedy = {});
+/// Returns the file's version, from 1 to `latest`. Throws InputError unless `format` is the file's,
+/// the version is known, and the optional `$schema` (for editors) is a text.
+int check_format(const JsonValue& root, std::string_view format, int latest);
 
 /// Returns `name` if it is a name as cases/files.md defines it. place: its position, for errors.
 std::string checked_name(const JsonValue& place, std::string_view name);
@@ -27,7 +26,11 @@ std::string checked_name(const JsonValue& place, std::string_view name);
 struct Units {
   double length = 1;
   double angle = 1;
-  std::string length_unit = "m";  ///< "m", or "1": an unspecified unit
+  std::string length_unit = "m";                           ///< "m", or "1": an unspecified unit
+  std::string_view length_name = "m", angle_name = "rad";  ///< names in files
+  /// Ambiguity of the units. Version 1 of a scene assumed metres and radians where it named no
+  /// unit, although the mechanism may have others.
+  bool length_is_open = false, angle_is_open = false;
 };
 
 /// Reads `units` of a file; defaults hold for units that it leaves out.

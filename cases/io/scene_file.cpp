@@ -14,6 +14,8 @@ namespace {
 constexpr int max_units = 100'000;  // of a generator, from a file
 constexpr double max_instants = 1e9;
 
+constexpr int latest_version = 2;
+
 // What the mechanism brings: motions and times as well when it is a library or a scalable one.
 struct Start {
   Mechanism mechanism;
@@ -55,7 +57,7 @@ Start from_generator(const JsonValue& value) {
   try {
     Scene scene = c.describe(count.whole_number(1, max_units));
     Units units;
-    units.length_unit = scene.mechanism.length_unit;
+    units.length_unit = units.length_name = scene.mechanism.length_unit;
     return {std::move(scene.mechanism), units, std::move(scene.motions), scene.grid};
   } catch (const std::invalid_argument& error) {
     count.complain(std::string(error.what()) + "; choose another number");
@@ -89,13 +91,17 @@ Start read_start(const JsonValue& value, const std::filesystem::path& folder, Li
 }
 
 // The unit of length goes with that of the mechanism: a free one is no number of metres.
-Units units_of_motion(const JsonValue& root, const Units& mechanism) {
+Units units_of_motion(const JsonValue& root, int version, const Units& mechanism) {
   Units units = read_units(root, mechanism);
   if (units.length_unit != mechanism.length_unit)
     root["units"]["length"].complain(
         mechanism.length_unit == "1"
             ? "the mechanism's unit of length is '1', any one unit; give '1' here as well"
             : "the mechanism has lengths in metres; give 'm', 'mm', 'cm' or 'in'");
+  if (version > 1) return units;
+  const auto given = root.find("units");
+  units.length_is_open = mechanism.length != 1 && !(given && given->find("length"));
+  units.angle_is_open = mechanism.angle != 1 && !(given && given->find("angle"));
   return units;
 }
 
@@ -140,8 +146,7 @@ double read_tolerance(const JsonValue& value) {
 }
 
 Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, LibraryGives gives) {
-  check_format(root, "desmo-scene", 2,
-               ", in which motions have the mechanism's units unless \"units\" names others");
+  const int version = check_format(root, "desmo-scene", latest_version);
   root.allow({"$schema", "format", "version", "name", "mechanism", "units", "motion", "time",
               "request", "formulation", "tolerance"});
   Start start = read_start(root["mechanism"], folder, gives);
@@ -149,7 +154,7 @@ Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, Lib
   scene.mechanism = std::move(start.mechanism);
   const auto name = root.find("name");
   scene.name = name ? std::string(name->line()) : scene.mechanism.name;
-  const Units units = units_of_motion(root, start.units);
+  const Units units = units_of_motion(root, version, start.units);
   scene.motions = read_motions(root, scene.mechanism, units, std::move(start.motions));
   const auto time = root.find("time");
   scene.grid = time || !start.grid ? read_time(root["time"]) : *start.grid;

@@ -32,6 +32,14 @@ std::string to_markdown(const Document& document);
 /// "scripts", belongs to report/figures/render, which puts the figures there.
 std::string to_html(const Document& document);
 
+/// A page of a site, NAME/report.html.
+struct IndexRow {
+  std::string name, machine, date;
+};
+
+/// Writes the page of a site's index, self-contained, with a selector of machine and date.
+std::string to_index(const std::vector<IndexRow>& rows);
+
 /// Replaces some characters.
 std::string escaped(std::string_view text, const std::map<char, std::string>& escapes);
 

@@ -185,11 +185,23 @@ std::string sections_html(const Document& document) {
 }  // namespace
 
 std::string to_html(const Document& document) {
-  return filled(embedded_file("page.template.html"),
-                {{"title", html_text(document.title)},
-                 {"title", html_text(document.title)},
-                 {"style", std::string(embedded_file("page.css"))},
-                 {"sections", sections_html(document)}});
+  return filled(
+      embedded_file("page.template.html"),
+      {{"title", html_text(document.title)},
+       {"title", html_text(document.title)},
+       {"style", std::string(embedded_file("page.css"))},
+       {"home", document.home.empty() ? "" : "<a href=\"" + document.home + "\">All records</a>"},
+       {"sections", sections_html(document)}});
+}
+
+std::string to_index(const std::vector<IndexRow>& rows) {
+  std::string text;
+  for (const auto& [name, machine, date] : rows)
+    text += "<tr><th scope=\"row\"><a href=\"" + html_text(name) + "/report.html\">" +
+            html_text(name) + "</a></th>" + element("td", html_text(machine)) +
+            element("td class=\"n\"", html_text(date)) + "</tr>\n";
+  return filled(embedded_file("index.template.html"),
+                {{"style", std::string(embedded_file("page.css"))}, {"rows", text}});
 }
 
 }  // namespace desmo::report

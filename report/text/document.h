@@ -67,6 +67,7 @@ struct Section {
 struct Document {
   std::string title;
   std::vector<Section> sections;
+  std::string home = {};  ///< address of the site's index; empty: the page stands alone
 };
 
 }  // namespace desmo::report

@@ -83,7 +83,7 @@ TEST_F(Cli, SaysOfAStrideWhatItSaysOfSteps) {
 }
 
 TEST_F(Cli, BlamesRoundedDriversAtLateTimes) {
-  write("late.json", R"({"format": "desmo-scene", "version": 2,
+  write("late.json", R"({"format": "desmo-scene", "version": 1,
     "mechanism": {"library": "slider_crank"},
     "time": {"start": 67108864, "end": 67108865, "step": 0.125}})");
   ASSERT_EQ(desmo("solve late.json"), 0) << err_;

@@ -18,7 +18,7 @@ namespace desmo {
 /// rest: further members of the scene.
 inline std::string slider_crank(int rod, const std::string& rest) {
   const std::string end = std::to_string(50 + rod);
-  return R"({"format": "desmo-scene", "version": 2, "mechanism": {
+  return R"({"format": "desmo-scene", "version": 1, "mechanism": {
     "format": "desmo-mechanism", "version": 1, "name": "short", "dimension": 2,
     "units": {"length": "mm", "angle": "deg"},
     "points": {"A": [0, 0], "B": [50, 0], "C": [)" +

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 /// Steps of 2.5 rad end on another branch at first. What is told are the positions of short steps.
 TEST_F(Cli, SolvesAStepAgainThatLeavesTheBranch) {
   const auto last_row = [&](const std::string& mechanism, const std::string& time) {
-    write("leap.json", R"({"format": "desmo-scene", "version": 2, "mechanism": {"library": ")" +
+    write("leap.json", R"({"format": "desmo-scene", "version": 1, "mechanism": {"library": ")" +
                            mechanism + R"("},)" + time + "}");
     EXPECT_EQ(desmo("solve leap.json"), 0) << err_;
     EXPECT_FALSE(says("degraded") || says("jumps")) << err_;
@@ -47,7 +47,7 @@ TEST_F(Cli, SolvesAsCoarselyAsItIsAsked) {
 TEST_F(Cli, DeliversFiniteNumbersOnly) {
   std::string zeros;
   for (int i = 0; i < 50; ++i) zeros += "0, ";
-  write("far.json", R"({"format": "desmo-scene", "version": 2,
+  write("far.json", R"({"format": "desmo-scene", "version": 1,
     "mechanism": {"library": "slider_crank"}, "units": {"angle": "rad"},
     "motion": {"theta": {"type": "polynomial", "coefficients": [)" +
                         zeros + R"(1e99]}},

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST_F(Cli, SolvesAnAngleThatIsMeasuredTwice) {
-  write("back.json", R"({"format": "desmo-scene", "version": 2, "mechanism": {
+  write("back.json", R"({"format": "desmo-scene", "version": 1, "mechanism": {
     "format": "desmo-mechanism", "version": 1, "name": "crank", "dimension": 2,
     "points": {"A": [0, 0], "B": [0.6, 0.8]}, "ground": {"points": ["A"]},
     "bodies": {"crank": {"points": ["A", "B"]}},
@@ -164,7 +164,7 @@ TEST_F(Cli, DeliversOnlyWhatIsAskedFor) {
 }
 
 TEST_F(Cli, ExplainsWhatIsNotSolved) {
-  write("scene.json", R"({"format": "desmo-scene", "version": 2,
+  write("scene.json", R"({"format": "desmo-scene", "version": 1,
     "mechanism": {"generator": "truck_suspension", "axles": 2}, "time": {"end": 0.1, "step": 0.1},
     "request": [{"points": ["axle1/S"], "level": "velocity"}]})");
   ASSERT_EQ(desmo("solve scene.json --explain"), 0) << err_;

@@ -17,10 +17,9 @@ TEST(SceneFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
   const Change changes[] = {
       {"[50, 0]", "[50]", "/mechanism/points/B: wrong dimension: "},
       {"desmo-scene", "desmo-mechanism", "/format: the format is 'desmo-mechanism', not"},
-      {"\"version\": 2", "\"version\": 1",
-       "/version: this version of the format is not read; give 2, in which motions have the "
-       "mechanism's units unless \"units\" names others"},
-      {"\"version\": 2", "\"version\": 1.5", "/version: this version of the format is not read"},
+      {"\"version\": 2", "\"version\": 3",
+       "/version: this version of the format is not known; versions 1 and 2 are"},
+      {"\"version\": 2", "\"version\": 1.5", "/version: this version of the format is not known"},
       {"\"motion\"", "\"motions\"", "/motions: unknown key 'motions'; did you mean 'motion'?"},
       {driven, time_of_one_second, "top level: the driven coordinate 'theta' has no motion; "},
       {"{\"theta\": {\"type", "{\"s\": {\"type", "/motion/s: the coordinate 's' is not driven; "},

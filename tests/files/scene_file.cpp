@@ -65,6 +65,44 @@ TEST(SceneFile, HasTheMechanismsUnitsWhereItSaysNone) {
   EXPECT_DOUBLE_EQ(std::get<Polynomial>(s.motions[1]).coefficients[0], 0.2);
 }
 
+std::string of_version_1(const std::string& scene) {
+  return replaced(scene, "\"version\": 2", "\"version\": 1");
+}
+
+/// Version 1 took metres and radians; where the mechanism has others, nobody meant that.
+TEST(SceneFile, OfVersion1SaysTheUnitsThatItNeeds) {
+  const std::string good = scene_of(slider_crank, driven);
+  const std::string remedy =
+      " the mechanism has its angles in 'deg', and the scene does not say in what this is; give "
+      "\"version\": 2, in which the mechanism's units hold, or \"units\": {\"angle\": \"deg\"}";
+  EXPECT_EQ(scene_complaint(of_version_1(good)), "s.json: /motion/theta:" + remedy);
+  for (const char* units : {R"("units": {})", R"("units": {"length": "mm"})"})
+    EXPECT_EQ(scene_complaint(of_version_1(scene_of(slider_crank, driven + ", " + units))),
+              "s.json: /motion/theta:" + remedy);
+  const std::string angles = driven + R"(, "units": {"angle": "deg"})";
+  EXPECT_EQ(scene_complaint(of_version_1(scene_of(slider_crank, angles))), "accepted");
+  expect_start(scene_complaint(of_version_1(scene_of(R"({"library": "slider_crank"})", motion))),
+               "s.json: /motion/theta: the mechanism has its angles in 'deg'");
+  EXPECT_EQ(scene_complaint(of_version_1(scene_of(R"({"library": "slider_crank"})", ""))),
+            "accepted")
+      << "it brings its own motion";
+  EXPECT_EQ(scene_complaint(of_version_1(scene_of(R"({"library": "rssr"})", motion))), "accepted")
+      << "its mechanism is in metres and radians";
+
+  const std::string slides = replaced(slider_crank, "[\"theta\"]", "[\"s\"]");
+  const auto sliding = [&](const std::string& term, const std::string& units) {
+    return of_version_1(scene_of(
+        slides, units + R"("motion": {"s": {"type": "harmonic", "terms": [{"amplitude": 1, )" +
+                    term + "}]}}, " + time_of_one_second));
+  };
+  expect_start(scene_complaint(sliding(R"("frequency": 1)", "")),
+               "s.json: /motion/s: the mechanism has its lengths in 'mm'");
+  const std::string millimetres = R"("units": {"length": "mm"}, )";
+  EXPECT_EQ(scene_complaint(sliding(R"("frequency": 1)", millimetres)), "accepted");
+  expect_start(scene_complaint(sliding(R"("frequency": 1, "phase": 90)", millimetres)),
+               "s.json: /motion/s/terms/0/phase: the mechanism has its angles in 'deg'");
+}
+
 TEST(SceneFile, MayNameItsSchema) {
   const std::string schema = R"({"$schema": "cases/scene.schema.json", "format")";
   const std::string named = replaced(slider_crank, "{\n  \"format\"", schema);

@@ -49,7 +49,7 @@ TEST(Fuzz, SizesBeyondTheLimitsAreRefused) {
                             R"({"generator": "four_bar", "dyads": 1e99})",
                             R"({"generator": "truck_suspension", "axles": 4294967297})"}) {
     const std::string scene =
-        R"({"format": "desmo-scene", "version": 2, "mechanism": )" + std::string(model) + "}";
+        R"({"format": "desmo-scene", "version": 1, "mechanism": )" + std::string(model) + "}";
     EXPECT_EQ(attempt(scene, corpus, variants().front()), TrialOutcome::refused_as_file) << model;
   }
 }

@@ -147,6 +147,31 @@ TEST_F(Program, WhatStandsBesideMeasuredTheSameOnAnotherMachine) {
   EXPECT_NE(err_.find("no_such.json: there is no such file"), std::string::npos) << err_;
 }
 
+TEST_F(Program, WritesASiteOfAllRecords) {
+  const fs::path results = folder_ / "results", out = folder_ / "site";
+  fs::create_directories(results / "records");
+  fs::copy_file(data_file("origins.json"), results / "records/one-paper.json");
+  std::ofstream(results / "records/two-paper.json") << of_other_machine("Other CPU");
+  std::ofstream(results / "history.json")
+      << R"({"schema": 1, "cells": ["a"], "points": [{"commit": "1", "date": "2026-01-01T00:00:00Z",
+             "subject": "s", "compiler": "c", "instructions": [null]}]})";
+  const std::string command = "site " + results.string() + " --out " + out.string();
+  ASSERT_EQ(report(command), 0) << err_;
+  const std::string index = files_in(out).at("index.html");
+  for (const std::string name : {"one-paper", "two-paper", "history"}) {
+    EXPECT_NE(index.find("href=\"" + name + "/report.html\""), std::string::npos) << name;
+    EXPECT_EQ(files_in(out / name).count("machines.vl.json"), name != "history") << name;
+    EXPECT_NE(files_in(out / name).at("report.html").find("../index.html"), std::string::npos);
+  }
+  EXPECT_NE(index.find("<td>Other CPU</td>"), std::string::npos);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 4);
+  std::ofstream(results / "history.json") << R"({"schema": 2})";
+  fs::remove_all(out);
+  EXPECT_EQ(report(command), 65);
+  EXPECT_NE(err_.find("history.json: /schema: only schema 1 is read"), std::string::npos) << err_;
+  EXPECT_FALSE(fs::exists(out));
+}
+
 TEST_F(Program, UsageErrors) {
   EXPECT_EQ(shell(DESMO_REPORT_PROGRAM), 64);
   EXPECT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables"), 64);

@@ -17,7 +17,7 @@ namespace {
 /// block, the direction of the slide has one component that is all but zero.
 Model oscillating_block() {
   return make_model(parse_scene(R"({
-    "format": "desmo-scene", "version": 2,
+    "format": "desmo-scene", "version": 1,
     "mechanism": {
       "format": "desmo-mechanism", "version": 1, "name": "block", "dimension": 2,
       "points": {"O": [0, 0], "A": [0, 1], "D": [2.5, 0]},

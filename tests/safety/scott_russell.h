@@ -9,7 +9,7 @@ namespace desmo {
 /// (t = 2 s) C meets O: a change point, from which on C could also rest at O. step: [s].
 inline Scene scott_russell(double step) {
   Scene scene = parse_scene(R"({
-    "format": "desmo-scene", "version": 2,
+    "format": "desmo-scene", "version": 1,
     "mechanism": {
       "format": "desmo-mechanism", "version": 1, "name": "scott_russell", "dimension": 2,
       "units": {"angle": "deg"},

@@ -1,0 +1,45 @@
+#include "report/site.h"
+
+#include <map>
+
+#include "report/figures/figures.h"
+#include "report/formats/formats.h"
+#include "report/read/record_file.h"
+#include "report/report.h"
+#include "report/tables/tables.h"
+#include "report/text/texts.h"
+
+namespace desmo::report {
+
+std::vector<SitePage> make_site(const std::filesystem::path& results) {
+  const std::filesystem::path folder = results / "records", history_file = results / "history.json";
+  if (!is_directory(folder)) throw UnreadableRecord(folder.string() + ": there is no folder");
+  std::map<std::string, Record> records;  // by name of the file, without endings
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    const std::string name = file.path().filename().string();
+    if (const std::size_t end = name.find(".json"); end != name.npos)
+      records.emplace(name.substr(0, end), read_record(file.path()));
+  }
+  std::vector<SitePage> pages;
+  std::vector<IndexRow> rows;
+  const auto add = [&](const IndexRow& row, Document document) {
+    document.home = "../index.html";
+    std::vector<NewFile> files = figures(document);
+    files.push_back({"report.html", to_html(document)});
+    rows.push_back(row);
+    pages.push_back({row.name, std::move(files)});
+  };
+  std::vector<const Record*> all;
+  for (const auto& [name, record] : records) all.push_back(&record);
+  for (const auto& [name, record] : records)
+    add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report({&record}, all));
+  if (exists(history_file)) {
+    const History history = read_history(history_file);
+    add({"history", "", history.points.empty() ? "" : history.points.back().date.substr(0, 10)},
+        {sentence("history_section.document"), {history_section(history)}});
+  }
+  pages.push_back({"", {{"index.html", to_index(rows)}}});
+  return pages;
+}
+
+}  // namespace desmo::report
