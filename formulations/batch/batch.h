@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -75,6 +76,12 @@ class Batch {
   void restore(std::size_t subsystem, std::span<double> q) const;
 
  private:
+  Subsystem& subsystem_in(std::size_t lane) const;
+  std::set<int> add_parts(const SubsystemKernels& kernels,
+                          std::span<const ExplicitPart* const> first, std::span<const int> of_first,
+                          std::set<int>& unknowns, std::set<int>& unwrapped);
+  std::vector<int> gather(const std::set<int>& read, const std::set<int>& unknowns,
+                          const std::vector<StateKind>& kinds);
   Scatter targets(std::span<const int> numbers, std::span<int> places) const;
   template <std::size_t lanes>
   void write_drivers(MotionRow row);
@@ -84,7 +91,7 @@ class Batch {
   void for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& visit) const;
 
   std::span<Subsystem> subsystems_;
-  std::vector<KernelBatch> stages_;
+  std::vector<KernelBatch> parts_;
   std::size_t lanes_;
   LanePlaces places_;  // in the state, of all that a subsystem reads and writes: local inputs
   std::vector<int> unknowns_, driven_;  // local inputs, ascending
@@ -94,7 +101,7 @@ class Batch {
   Gather starts_;                       // unknowns and drivers from which a step starts
   Scatter observed_, delivered_;
   BatchState state_;
-  LaneValues residuals2_;  // of each stage, for the most lanes
+  LaneValues residuals2_;  // of each part, for the most lanes
   Step step_;
   bool assembled_ = false;  // every part has found a position since forget()
   bool kept_ = false, predicted_ = false, is_driven_ = false;
