@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// A request: what a run is to deliver.
+/// A request: the results that a run is to deliver.
 struct Request {
   Level level = Level::acceleration;  ///< highest level
   /// Coordinates to deliver, each once; empty means all. All others are unspecified.

@@ -52,10 +52,11 @@ class Part {
  public:
   virtual ~Part() = default;
 
-  /// Solves position, velocity and acceleration of the part's unknowns, up to `level`. Overwrites
-  /// these in `state`; on failure they are unspecified. Of its unknowns it reads in state.q what
-  /// inputs() names, as predicted or last. last: positions as in state.q, of the instant before or
-  /// of an estimate, from which a part starts that has to start anew.
+  /// Solves position, velocity and acceleration of the part's unknowns, up to `level`.
+  /// - state: its unknowns are overwritten; on failure they are unspecified. On entry state.q has
+  ///   those unknowns that inputs() names, predicted or as at the instant before.
+  /// - last: positions of the instant before, or of an estimate, laid out like state.q. A part that
+  ///   finds no solution from the prediction starts anew from these.
   virtual PartResult solve(State& state, std::span<const double> last, Level level) = 0;
 
   /// Returns what solve() reads. equations: all unknowns, as predicted, and what the equations read

@@ -17,7 +17,7 @@ namespace desmo {
 
 /// The parts of a subsystem of a mechanism (an axle), in the order of solution.
 using Subsystem = std::vector<std::unique_ptr<ExplicitPart>>;
-/// The kernels of the types of these parts, all for as many lanes.
+/// The kernels of a subsystem's parts, in their order, all for the same number of lanes.
 using SubsystemKernels = std::vector<const LaneKernel*>;
 
 /// The origin of a number in the state: it never moves, a driver gives it, a part finds it.
@@ -59,20 +59,20 @@ class Batch {
   /// Solves positions, velocities and accelerations of all subsystems, where the kernels may go on;
   /// otherwise none is accepted. Positions and rates that are not accepted are unspecified.
   const Step& solve(const State& state);
-  /// Takes from the state what the subsystems have found by themselves.
+  /// Copies from the state the solutions of subsystems that were solved alone.
   void take(const State& state);
 
   void deliver(const OutputView& output, Level level) const;
 
-  /// Writes what is observed in the state, as far as `level`; without prediction all positions.
+  /// Writes the observed numbers to the state, up to `level`; without a prediction all positions.
   void write_observed(State& state, Level level) const;
-  /// Writes all of one subsystem.
+  /// Writes the solution of one subsystem to the state: its unknowns and drivers.
   void store(std::size_t subsystem, State& state) const { store(own_, subsystem, state); }
-  /// Writes its drivers, which it reads in the state when it is solved alone.
+  /// Writes the drivers of one subsystem, which it reads in the state when it is solved alone.
   void store_drivers(std::size_t subsystem, State& state) const {
     store(driven_, subsystem, state);
   }
-  /// Writes its positions of the instant before.
+  /// Writes the positions that a subsystem had at the instant before.
   void restore(std::size_t subsystem, std::span<double> q) const;
 
  private:

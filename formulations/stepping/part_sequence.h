@@ -53,7 +53,7 @@ class PartSequence {
 
   const std::vector<DefinedPart>& parts() const { return parts_; }
 
-  /// Leaves out the levels of parts that nobody asks for (see Formulation::solve_only).
+  /// Leaves out levels that nobody asks for (see Formulation::solve_only).
   void solve_only(std::span<const Level> needed);
 
   /// Solves the constant parts, or the moving ones, one after the other up to `level`; see
@@ -70,8 +70,9 @@ class PartSequence {
   /// Returns the driven coordinates that parts take from the driver row, in its order.
   std::span<const int> drivers() const { return drivers_; }
 
-  /// Fixes where results go (see PartOutputs). observed: what others than parts read in the state;
-  /// what parts read there is added.
+  /// Fixes where results go (see PartOutputs).
+  /// - observed: on entry, whether each position in the state is read outside the parts; on return,
+  ///   whether anybody reads it
   void bind(std::vector<bool>& observed, std::span<int> places);
   /// Do as ResidentPart says, with every moving part that is resident.
   void begin_step(const StepHistory& history, const MotionRow& row);

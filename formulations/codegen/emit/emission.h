@@ -27,8 +27,8 @@ class Emitter {
   Emitter(std::ostream& out, std::string indent, const std::vector<Expr>& outputs,
           EmissionStyle style = {});
 
-  /// Redirects the output. declarations_apart: variables are assigned but not declared there;
-  /// declared() returns their names.
+  /// Redirects the output. declarations_apart: variables are assigned and not declared; declared()
+  /// returns their names, so that they can be declared elsewhere.
   void write_to(std::ostream& out, std::string indent, bool declarations_apart = false);
   const std::vector<std::string>& declared() const { return names_apart_; }
   /// Writes a variable with the value of e. An input of that name then has its arrival.
