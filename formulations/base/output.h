@@ -22,7 +22,7 @@ struct OutputView {
   double *q = nullptr, *qd = nullptr, *qdd = nullptr;
 };
 
-/// Says whether a run goes on.
+/// The answer of an observer: whether the run goes on.
 enum class Flow { go_on, stop };
 
 struct Instant;

@@ -59,8 +59,8 @@ class Part {
   ///   finds no solution from the prediction starts anew from these.
   virtual PartResult solve(State& state, std::span<const double> last, Level level) = 0;
 
-  /// Returns what solve() reads. equations: all unknowns, as predicted, and what the equations read
-  /// of others.
+  /// Returns the coordinates that solve() reads. equations: those of Newton's method, that is, all
+  /// unknowns of the part, predicted, and all other coordinates in its equations.
   virtual PartInputs inputs(PartInputs equations) const { return equations; }
 
   /// Returns the part as one that keeps what it finds; null: it leaves all in the state.
@@ -77,8 +77,7 @@ class Part {
   /// generated code, had gone bad, and pivots were chosen anew.
   virtual long refactorisations() const { return 0; }
 
-  /// Returns whether its rates may come from an order of pivots that was chosen at another
-  /// position.
+  /// Returns whether rates may come from an order of pivots that was chosen at another position.
   virtual bool reuses_pivots() const { return false; }
 
   /// Voids what earlier steps left behind: the next solve() starts from an estimate.

@@ -34,9 +34,8 @@ class ResidentPart {
   virtual void bind(const PartOutputs& outputs) = 0;
   /// Begins a step.
   /// - history: of the instants solved; the part keeps the last one. Where that is unknown, as
-  /// after
-  ///   a failure, the positions in the state are complete: solve() starts from these, and leaves
-  ///   all results there.
+  ///   after a failure, the positions in the state are complete: solve() starts from these, and
+  ///   leaves all results there.
   /// - row: begins with PartInputs::drivers at the instant to come
   virtual void begin_step(const StepHistory& history, const MotionRow& row) = 0;
   /// Writes the instant solved last to an output, up to `level`, as bound.

@@ -56,8 +56,8 @@ class Batch {
   bool predicted() const { return predicted_; }
   void forget() { assembled_ = kept_ = predicted_ = is_driven_ = false; }
 
-  /// Solves positions, velocities and accelerations of all subsystems, where the kernels may go on;
-  /// otherwise none is accepted. Positions and rates that are not accepted are unspecified.
+  /// Solves positions, velocities and accelerations of all subsystems. Accepts none where a part
+  /// has no branch yet (see assembled_). Results that are not accepted are unspecified.
   const Step& solve(const State& state);
   /// Copies from the state the solutions of subsystems that were solved alone.
   void take(const State& state);

@@ -23,7 +23,7 @@ struct EmissionStyle {
 /// variable, declared before its first use. The caller declares the inputs.
 class Emitter {
  public:
-  /// Counts the uses of expressions. outputs: every expression that will be written.
+  /// Counts how often each expression is used. outputs: every expression that will be written.
   Emitter(std::ostream& out, std::string indent, const std::vector<Expr>& outputs,
           EmissionStyle style = {});
 
