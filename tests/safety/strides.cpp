@@ -145,28 +145,26 @@ TEST(Strides, AreHalvedWhereNoneIsShortEnough) {
   }
 }
 
-/// A crank that swings through a quarter of a turn, once in ten seconds to where all is fast.
+/// A crank that creeps, but for a kick of 2 ms at 1 s.
 TEST(Strides, AreLongAgainAfterwards) {
-  const Model m = make_model(library_scene("slider_crank"));
+  Model m = make_model(library_scene("slider_crank"));
+  m.drivers[0].motion =
+      make_spline({0, 0.999, 1.0, 1.001, 2}, {0, 0.01, 0.02, 0.03, 0.04}, SplineEnds::natural);
   std::vector<int> solved;
   MonitoredRunOptions options;
   options.monitored = [&](const MonitoredInstant& i) {
     if (!i.instant.interpolated) solved.push_back(i.instant.index);
   };
-  Model slow = m;
-  // Jumps by a radian at t = 1 s within a millisecond, as tanh would; slow otherwise.
-  slow.drivers[0].motion =
-      make_spline({0, 0.999, 1.0, 1.001, 2}, {0, 0.01, 0.02, 0.03, 0.04}, SplineEnds::natural);
   Discard observer;
-  const MonitoredSummary s = run_with_stride(
-      slow, {0, 1e-4, 20001}, "group_symbolic_explicit/stride:16", observer, options);
+  const MonitoredSummary s =
+      run_with_stride(m, {0, 1e-4, 20001}, "group_symbolic_explicit/stride:16", observer, options);
   EXPECT_EQ(s.outcome(), Outcome::converged);
   EXPECT_LT(s.shortest_stride, 16);
   const auto between = [&](int first, int last) {
     return std::ranges::count_if(solved, [&](int i) { return first <= i && i < last; });
   };
   EXPECT_EQ(between(16, 9600), (9600 - 16) / 16);
-  EXPECT_GT(between(9900, 10100), 30);
+  EXPECT_GE(between(9900, 10100), 20);  // 13 would be 16 apart
   EXPECT_LE(between(16000, 20000), 4000 / 16 + 1);
 }
 
