@@ -97,8 +97,8 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     assessor(j.instant, scales.with(j.instant));  // its factors again
   }
   since = 0;
-  const bool tries =
-      has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
+  const bool tries = has(Monitor::bounds) && !j.instant.interpolated &&
+                     exceeds(given.bound, limits.worth_correcting(given.condition));
   const bool is_better = tries && improve(j);
   const Assessment wide = last;
   if (has(Monitor::bounds)) measure(last, j.instant);
@@ -129,13 +129,11 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
   last_time = j.instant.time;
 }
 
-/// Whether an interpolated instant is not as accurate as solved ones are to be, or not where the
-/// instant before leads. a: its assessment, whose factors are overwritten.
-bool AccuracyMonitor::State::is_too_coarse(const Instant& instant, Assessment a, bool in_doubt) {
-  if (has(Monitor::bounds)) {
-    measure(a, instant);
-    if (exceeds(a.bound, limits.degraded)) return true;
-  }
+/// Whether an interpolated instant exceeds the limits, or is not where the instant before leads. a:
+/// its assessment, whose factors are overwritten.
+bool AccuracyMonitor::State::is_too_coarse(const Instant& instant, const Assessment& a,
+                                           bool in_doubt) {
+  if (has(Monitor::bounds) && exceeds(a.bound, limits.degraded)) return true;
   return in_doubt && continuity.find_jump(instant, means());
 }
 
@@ -148,8 +146,7 @@ void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
 
 /// Corrects an instant.
 bool AccuracyMonitor::State::improve(MonitoredInstant& j) {
-  const Instant start = j.instant.interpolated ? continuity.driven(j.instant) : j.instant;
-  return take_if_better(j.instant, assessor.corrected(start));
+  return take_if_better(j.instant, assessor.corrected(j.instant));
 }
 
 bool AccuracyMonitor::State::take_if_better(Instant& instant, const Instant& better) {

@@ -37,6 +37,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
   const Expectation::Signals signals = signals_of(instant);
   const Assessment expected = expectation(signals);
   const Statement statement = state(instant, expected);
+  // A shorter stride costs less than an assessment.
+  if (j.too_coarse = instant.interpolated && !statement.holds; j.too_coarse) return j;
   const bool in_doubt = is_in_doubt(instant, signals);
   j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
   std::optional<Continuity::Jump> jump;

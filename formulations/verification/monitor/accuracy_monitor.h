@@ -85,10 +85,10 @@ struct MonitoredInstant {
 ///   residual     ‖Φ‖, to which the error of position is proportional; where pivots are reused,
 ///                the residuals of Φ̇ and Φ̈ as well (BackwardError)
 ///
+/// If an expected bound exceeds the limits of *degraded*, the monitor assesses the instant.
 /// Interpolated instants are checked by the residuals of Φ, Φ̇ and Φ̈, too. One that exceeds the
-/// limits of *degraded*, or to which the instant before it does not lead, is refused
-/// (MonitoredInstant::too_coarse). If an expected bound exceeds these limits, the monitor assesses
-/// the instant.
+/// limits, or to which the instant before it does not lead, is refused
+/// (MonitoredInstant::too_coarse).
 ///
 /// The monitor corrects an instant with factors at its own position, and assesses it again, when
 /// its bounds are too large. The limits are 10, 10² and 10³ times the tolerance in position,

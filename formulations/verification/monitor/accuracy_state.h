@@ -55,7 +55,7 @@ struct AccuracyMonitor::State {
 
   void assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected,
               bool in_doubt);
-  bool is_too_coarse(const Instant& instant, Assessment a, bool in_doubt);
+  bool is_too_coarse(const Instant& instant, const Assessment& a, bool in_doubt);
   void measure(Assessment& a, const Instant& instant);
   bool improve(MonitoredInstant& j);
   bool take_if_better(Instant& instant, const Instant& better);
