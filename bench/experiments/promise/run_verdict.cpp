@@ -182,7 +182,7 @@ PerLevel<double> errors_of(const Model& m, const ReferenceInstant& truth, const 
                            const Scales& scales) {
   ErrorMeasure measure(m, {&truth, 1}, scales);
   measure.observe({0, truth.time, d.q, d.qd, d.qdd});
-  const Error e = measure.error();
+  const SolutionError e = measure.error();
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
