@@ -115,7 +115,7 @@ Judged judge(const Model& m, const TimeGrid& grid, const std::string& id) {
   const Reference reference = make_reference(m, sampled(grid, grid.instants));
   ErrorMeasure measure(m, reference.instants, reference.scales);
   const MonitoredSummary s = run_with_stride(m, grid, id, measure);
-  const Error e = measure.error();
+  const auto e = measure.error();
   EXPECT_EQ(e.instants, grid.instants) << id;
   return {s, {e.position.max, e.velocity.max, e.acceleration.max}};
 }
