@@ -29,6 +29,12 @@ class DenseOutput final : public Observer {
   /// The index counts solved instants. Allocates nothing.
   Flow observe(const Instant& solved) noexcept override;
 
+  /// Hand on instants whose index is that in the grid: a solved one from which to interpolate, and
+  /// those up to the next solved one. They may be any number of steps apart. Where an interpolated
+  /// instant stops the run, the solved ones are as they were.
+  Flow start_at(const Instant& solved) noexcept;
+  Flow go_to(const Instant& solved) noexcept;
+
   /// Returns how many instants the observer was given.
   int delivered() const { return delivered_; }
 

@@ -145,8 +145,8 @@ void solve_motion(const Task& task, Formulation& formulation, const SeriesHeadin
   task.output.finish();
   if (!o.quiet)
     say(note_on_tolerance(formulation, tolerance) + note_on_refusals(formulation) +
-        note_on_steps(formulation) + note_on_gaps(summary, plan.model) +
-        note_on_accuracy(summary, plan.level(), plan.model) +
+        note_on_steps(formulation) + note_on_stride(summary, formulation) +
+        note_on_gaps(summary, plan.model) + note_on_accuracy(summary, plan.level(), plan.model) +
         (proof ? proof->note(plan.level()) : ""));
 }
 

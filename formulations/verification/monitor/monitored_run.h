@@ -40,6 +40,7 @@ struct [[nodiscard]] MonitoredSummary : Summary {
   long assessed = 0;         ///< instants assessed
   long corrected = 0;        ///< instants corrected
   long degraded = 0;         ///< instants degraded
+  int shortest_stride = 0;   ///< to which a stride was halved; 0: it was not
   std::optional<Degradation> first_degraded{};
   std::optional<SingularityCrossing> crossing{};  ///< first crossing
   std::optional<AssemblyError> assembly_error{};  ///< on failure, where no position was found
