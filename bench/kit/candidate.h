@@ -89,7 +89,7 @@ class Candidate {
   /// refused before.
   void verify(ReferenceCache& references);
 
-  /// Adds what a record (results/record.schema.json) says of it, to the lists of its experiment.
+  /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 
   /// Makes what is timed, and assembles it once. The windows take its times; they outlive it.
