@@ -92,7 +92,7 @@ class Candidate {
   /// Measures where the time goes, where that is shown. Nothing unless it is verified.
   virtual void profile() {}
 
-  /// Adds what a record (results/record.schema.json) says of it, to the lists of its experiment.
+  /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 
   /// Makes what is timed, and assembles it once. The windows take its times; they outlive it.
