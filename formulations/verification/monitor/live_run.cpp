@@ -203,10 +203,8 @@ bool LiveRun::set_drivers(const LiveRow& row) {
 }
 
 void LiveRun::go_back() {
-  steps_of(formulation_)
-      .return_to(
-          has_position_ ? std::span<const double>(good_.position) : std::span<const double>(),
-          time_);
+  const std::span<const double> none;
+  steps_of(formulation_).return_to(has_position_ ? good_.position : none, time_);
   monitors_->accuracy->resume();
 }
 
