@@ -119,7 +119,7 @@ void solve_motion(const Task& task, Formulation& formulation, const SeriesHeadin
   if (!o.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
   SeriesWriter writer(heading, std::move(format), task.output, progress ? &*progress : nullptr);
   MonitoredRunOptions monitoring{
-      {.tolerance = tolerance, .levels = plan.levels}, o.strict, o.past_failures};
+      .levels = plan.levels, .strict = o.strict, .past_failures = o.past_failures};
   std::optional<Proof> proof;
   if (o.certify) {
     proof.emplace(plan.model, grid, plan.levels);

@@ -18,9 +18,9 @@
 
 namespace desmo {
 
-/// The monitors of one motion, what they know of its instants, and the counts. Of its functions,
-/// those for the way of an instant stand in accuracy_monitor.cpp. Those that tell whether it is to
-/// be assessed, and that assess it, stand in accuracy_assessment.cpp.
+/// The monitors of one motion, what they know of its instants, and the counts. accuracy_monitor.cpp
+/// has the steps that an instant goes through. accuracy_assessment.cpp decides whether it is
+/// assessed, and assesses it.
 struct AccuracyMonitor::State {
   /// The statement about an instant that is not assessed, and whether it holds.
   struct Statement {

@@ -19,17 +19,17 @@ namespace {
 AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
                                        std::span<const Level> levels, std::span<const Level> asked,
                                        const Formulation& f) {
-  AccuracyMonitorOptions result = options;
-  result.tolerance = f.settings().tolerance;
-  result.levels = levels;
-  result.asked = asked;
+  AccuracyMonitorOptions result{.tolerance = f.settings().tolerance,
+                                .levels = levels,
+                                .asked = asked,
+                                .every = options.strict ? 1 : options.every,
+                                .without = options.without};
   for (const DefinedPart& part : parts_of(f))
     if (part.solver->reuses_pivots()) {
       result.reuses_pivots = true;
       const auto* pivots = dynamic_cast<const PivotReuse*>(part.solver.get());
       if (core_of(f).live() && pivots) result.parts.push_back(pivots);  // else others do the work
     }
-  if (options.strict) result.every = 1;
   return result;
 }
 
@@ -224,7 +224,11 @@ class Run final : Observer {
   const std::vector<Level> asked_, levels_;  // of each coordinate: asked for, solved
   const Request request_;
   const MonitoredRunOptions options_;
-  MonitoredSummary summary_{};
+  /// The summary so far.
+  struct Progress : MonitoredSummary {
+    bool ok() const { return status == Status::solved; }  // the last instant tried
+  };
+  Progress summary_{};
   std::optional<AccuracyMonitor> accuracy_;
   BranchMonitor branch_;
   StridedSteps steps_;
