@@ -15,6 +15,7 @@
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/monitored_run.h"
 #include "tests/discard.h"
+#include "tests/safety/recipes.h"
 #include "tests/safety/scott_russell.h"
 
 namespace desmo::change_points_test {
@@ -86,37 +87,6 @@ TEST(ChangePoints, FailWhereTheMotionStartsThere) {
   EXPECT_EQ(run(m, scene.grid, "global_automatic_klu", Level::acceleration, observer).outcome(),
             Outcome::failed);
 }
-
-/// A parallelogram with cranks of 1 whose base is 2.
-Scene parallelogram(const Motion& crank, const TimeGrid& grid) {
-  DyadChain chain{.crank = 1, .start = sample(crank, grid.start).position, .dyads = {}};
-  const Mechanism::Vec pin = crank_pin(chain);
-  chain.dyads = {closed_dyad(pin, {2, 0, 0}, 2, 1, -1)};
-  chain.dyads[0].joint = {pin[0] + 2, pin[1], 0};
-  chain.dyads[0].angle = chain.start;
-  return extremes::case_of("parallelogram", {chain}, {crank}, grid).scene;
-}
-
-/// Compares the rocker with the crank, to which it is parallel.
-class RockerError final : public Observer {
- public:
-  explicit RockerError(const Model& m)
-      : crank_(m.entities[m.find("crank/theta")].first),
-        rocker_(m.entities[m.find("dyad1/psi")].first) {}
-  Flow observe(const Instant& i) noexcept override {
-    const auto add = [&](std::span<const double> values, double& error) {
-      if (!values.empty()) error = std::max(error, std::abs(values[rocker_] - values[crank_]));
-    };
-    add(i.q, error.position);
-    add(i.qd, error.velocity);
-    add(i.qdd, error.acceleration);
-    return Flow::go_on;
-  }
-  PerLevel<double> error{};
-
- private:
-  int crank_, rocker_;
-};
 
 TEST(ChangePoints, ShowInTheConditionStatedAMillionthBesideThem) {
   const Scene scene =
