@@ -38,26 +38,6 @@ std::vector<std::string> every_id() {
   return ids;
 }
 
-/// Compares C of the Scott Russell linkage with x = 2 cos θ.
-class SliderError final : public Observer {
- public:
-  explicit SliderError(const Model& m) : first_(m.entities[m.find("C")].first) {}
-  Flow observe(const Instant& i) noexcept override {
-    const double theta = (30 + 30 * i.time) * std::numbers::pi / 180, rate = std::numbers::pi / 6;
-    const bool is_there = std::abs(i.time - 2) < 1e-9;
-    double& error = is_there ? there : elsewhere;
-    error = std::max(error, std::abs(i.q[first_] - 2 * std::cos(theta)));
-    if (!i.qd.empty()) error = std::max(error, std::abs(i.qd[first_] + 2 * rate * std::sin(theta)));
-    if (!i.qdd.empty())
-      error = std::max(error, std::abs(i.qdd[first_] + 2 * rate * rate * std::cos(theta)));
-    return Flow::go_on;
-  }
-  double there = 0, elsewhere = 0;
-
- private:
-  int first_;
-};
-
 TEST(ChangePoints, ArePassedSmoothlyAndFlagged) {
   for (const double degrees : {2, 1}) {
     const Scene scene = scott_russell(degrees / 30);
