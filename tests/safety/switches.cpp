@@ -146,7 +146,10 @@ std::map<std::string, std::string> filed() {
 
 TEST(Recipes, AreRightWithAllMonitors) {
   int row = 0;
-  for (const auto& is_right : recipes()) EXPECT_TRUE(is_right(0)) << "row " << ++row;
+  for (const auto& is_right : recipes()) {
+    ++row;
+    EXPECT_TRUE(is_right(0)) << "row " << row;
+  }
 }
 
 TEST(Recipes, FailAsTheTableSaysWithoutEachMonitor) {

@@ -193,6 +193,7 @@ long AccuracyMonitor::assessed() const { return state_->assessed; }
 long AccuracyMonitor::corrected() const { return state_->corrected; }
 double AccuracyMonitor::condition() const { return state_->condition; }
 const PerLevel<double>& AccuracyMonitor::bound() const { return state_->worst; }
+const Scales& AccuracyMonitor::scales() const { return state_->scales.current(); }
 long AccuracyMonitor::degraded() const { return state_->degradations.count(); }
 std::optional<Degradation> AccuracyMonitor::first_degraded() const {
   return state_->degradations.first();

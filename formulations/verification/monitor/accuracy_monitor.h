@@ -148,8 +148,10 @@ class AccuracyMonitor {
   long corrected() const;
   /// Returns the largest condition number of all instants; between assessments it is expected.
   double condition() const;
-  /// Returns the largest bounds so far, relative to the scales of the motion so far.
+  /// Return the largest bounds so far, and the scales of the motion so far that they are relative
+  /// to.
   const PerLevel<double>& bound() const;
+  const Scales& scales() const;
   /// Return the number of degraded instants, relative to the motion so far, and the first of them.
   /// Instants at rest, early in a motion, may stop counting when rates have grown.
   long degraded() const;

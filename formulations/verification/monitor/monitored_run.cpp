@@ -103,6 +103,7 @@ class Run final : Observer {
       go_on(pass_gap(), From::estimate);
     summary_.condition = accuracy_->condition();
     summary_.bound = accuracy_->bound();
+    summary_.scales = accuracy_->scales();
     summary_.assessed = accuracy_->assessed();
     summary_.corrected = accuracy_->corrected();
     summary_.degraded = accuracy_->degraded();

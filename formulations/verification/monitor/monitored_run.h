@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formulations/formulation.h"
+#include "formulations/scaling/scales.h"
 #include "formulations/verification/assessment/assembly_error.h"
 #include "formulations/verification/assessment/assessment.h"
 
@@ -36,7 +37,8 @@ struct [[nodiscard]] MonitoredSummary : Summary {
   int violated = -1;     ///< constraint that the last instant violates, since it lies on another
                          ///< branch (BranchMonitor); that instant was not delivered
   double condition = 0;  ///< largest condition number (see Assessment)
-  PerLevel<double> bound{};  ///< error bounds, relative to the scales of the motion
+  PerLevel<double> bound{};  ///< error bounds, relative to …
+  Scales scales{};           ///< … the scales of the motion
   long assessed = 0;         ///< instants assessed
   long corrected = 0;        ///< instants corrected
   long degraded = 0;         ///< instants degraded
@@ -103,5 +105,8 @@ std::string describe(const MonitoredSummary& summary, const Model& model);
 
 /// Returns "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration"
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level);
+
+/// Returns "relative to 0.2 m or 1 rad, 1.3 m/s or 6.3 rad/s, 8 m/s^2 or 39 rad/s^2"
+std::string describe_scales(const Scales& scales, Level level, const Model& model);
 
 }  // namespace desmo
