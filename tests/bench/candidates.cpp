@@ -12,7 +12,6 @@
 
 #include "bench/experiments/paper/case_candidate.h"
 #include "bench/experiments/paper/options.h"
-#include "bench/experiments/paper/phases.h"
 #include "bench/kit/problem.h"
 #include "bench/kit/record/record.h"
 #include "bench/kit/time/clock.h"
