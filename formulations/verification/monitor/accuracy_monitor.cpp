@@ -34,6 +34,7 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
 
 MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
   MonitoredInstant j{instant};
+  if (instant.interpolated && !has(Monitor::rows)) return j;
   const Expectation::Signals signals = signals_of(instant);
   const Assessment expected = expectation(signals);
   const Statement statement = state(instant, expected);
@@ -87,7 +88,7 @@ std::optional<Continuity::Jump> AccuracyMonitor::State::find_jump(MonitoredInsta
                                                                   bool from_noise) {
   const auto jump = continuity.find_jump(j.instant, means());
   if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
-  if (from_noise) return jump;  // from where shorter steps lead anywhere
+  if (from_noise || !has(Monitor::repair)) return jump;  // from where shorter steps lead anywhere
   if (const auto solved = continuity.solve_anew(j.instant, means())) {
     const Assessment a = assessor(*solved, scales.with(*solved));
     if (!a.singular && !exceeds(a.bound, {unusable_rate, unusable_rate, unusable_rate})) {
@@ -126,6 +127,7 @@ std::optional<Instant> AccuracyMonitor::State::solve_alone(const Instant& instan
 }
 
 std::optional<MonitoredInstant> AccuracyMonitor::State::pass(const Instant& singular) {
+  if (!has(Monitor::passage)) return {};
   const auto p = continuity.pass(singular, means());
   if (!p) return {};
   MonitoredInstant j{p->instant};
@@ -191,6 +193,7 @@ long AccuracyMonitor::assessed() const { return state_->assessed; }
 long AccuracyMonitor::corrected() const { return state_->corrected; }
 double AccuracyMonitor::condition() const { return state_->condition; }
 const PerLevel<double>& AccuracyMonitor::bound() const { return state_->worst; }
+const Scales& AccuracyMonitor::scales() const { return state_->scales.current(); }
 long AccuracyMonitor::degraded() const { return state_->degradations.count(); }
 std::optional<Degradation> AccuracyMonitor::first_degraded() const {
   return state_->degradations.first();
