@@ -19,7 +19,7 @@ inline Scene driven_slider(double distance) {
   const double reach = std::hypot(x, 0.1), along = (1 - 9 + reach * reach) / (2 * reach),
                beside = std::sqrt(1 - along * along);
   Scene scene = parse_scene(R"({
-    "format": "desmo-scene", "version": 1,
+    "format": "desmo-scene", "version": 2,
     "mechanism": {
       "format": "desmo-mechanism", "version": 1, "name": "driven_slider", "dimension": 2,
       "points": {"O": [0, 0], "A": [1, 0], "C": [4, 0.1], "P": [0, 0.1]}, "vectors": {"x": [1, 0]},
@@ -48,7 +48,7 @@ inline Scene driven_slider(double distance) {
 /// block, the direction of the slide has one component that is all but zero.
 inline Model oscillating_block() {
   return make_model(parse_scene(R"({
-    "format": "desmo-scene", "version": 1,
+    "format": "desmo-scene", "version": 2,
     "mechanism": {
       "format": "desmo-mechanism", "version": 1, "name": "block", "dimension": 2,
       "points": {"O": [0, 0], "A": [0, 1], "D": [2.5, 0]},

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "bench/experiments/paper/options.h"
 #include "bench/kit/memory.h"
 
 namespace desmo::paper {
