@@ -12,12 +12,6 @@ std::span<const double> coordinates(const Model& m, const std::vector<double>& v
 
 }  // namespace
 
-// Only FormulationCore may derive from Formulation.
-FormulationCore& core_of(Formulation& f) { return static_cast<FormulationCore&>(f); }
-const FormulationCore& core_of(const Formulation& f) {
-  return static_cast<const FormulationCore&>(f);
-}
-
 long refactorisations(const Formulation& f) {
   long sum = 0;
   for (const DefinedPart& part : parts_of(f)) sum += part.solver->refactorisations();

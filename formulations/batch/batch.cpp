@@ -70,11 +70,6 @@ Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
   bind({std::vector<bool>(kinds.size(), true), {}, Level::acceleration});
 }
 
-/// Returns the subsystem in a lane. The first fills lanes that are left.
-Subsystem& Batch::subsystem_in(std::size_t lane) const {
-  return subsystems_[lane < subsystems_.size() ? lane : 0];
-}
-
 /// Makes the parts of the batch. Returns the numbers that they read before any of them has written
 /// these; adds those that they solve, and angles that they unwrap.
 std::set<int> Batch::add_parts(const SubsystemKernels& kernels,

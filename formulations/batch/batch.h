@@ -76,7 +76,9 @@ class Batch {
   void restore(std::size_t subsystem, std::span<double> q) const;
 
  private:
-  Subsystem& subsystem_in(std::size_t lane) const;
+  Subsystem& subsystem_in(std::size_t lane) const {
+    return subsystems_[lane < subsystems_.size() ? lane : 0];
+  }
   std::set<int> add_parts(const SubsystemKernels& kernels,
                           std::span<const ExplicitPart* const> first, std::span<const int> of_first,
                           std::set<int>& unknowns, std::set<int>& unwrapped);

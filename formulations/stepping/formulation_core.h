@@ -61,8 +61,14 @@ class FormulationCore : public Formulation {
       : Formulation(model, settings, tolerance) {}
 };
 
-FormulationCore& core_of(Formulation& formulation);
-const FormulationCore& core_of(const Formulation& formulation);
+/// Return the interface of a formulation to the library. Only FormulationCore derives from
+/// Formulation, so every formulation has it.
+inline FormulationCore& core_of(Formulation& formulation) {
+  return static_cast<FormulationCore&>(formulation);
+}
+inline const FormulationCore& core_of(const Formulation& formulation) {
+  return static_cast<const FormulationCore&>(formulation);
+}
 
 /// Returns the parts of a formulation in the order of solution.
 inline const std::vector<DefinedPart>& parts_of(const Formulation& formulation) {
