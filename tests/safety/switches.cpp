@@ -85,9 +85,9 @@ bool change_points_are_right(unsigned without) {
          is_flagged(parallelogram(), {0, 0.01, 300}, "group_symbolic_inlined", without);
 }
 
-/// A crank that turns 0.1 s after an instant, 5e-4 rad from it and beyond its dead point.
+/// A crank that turns half-way between two instants, 1e-6 rad beyond its dead point.
 bool turns_are_flagged(unsigned without) {
-  const Model m = locking_four_bar(Polynomial{{dead_point - 1e-10 - 0.84, 0.41, -0.05}});
+  const Model m = locking_four_bar(Polynomial{{dead_point + 1e-6 - 0.2025, 0.09, -0.01}});
   return is_flagged(m, {0, 1, 9}, "global_automatic_klu", without) &&
          is_flagged(m, {0, 1, 9}, "block_symbolic_explicit", without);
 }
@@ -142,9 +142,10 @@ std::vector<std::function<bool(unsigned)>> recipes() {
        {"global_automatic_klu", "group_symbolic_inlined"}}};
   static const std::vector<Followed> flags{
       {make_model(library_scene("whitworth")), {0, 1. / 6, 19}, {"group_automatic_klu"}},
-      {locking_four_bar(HarmonicSum{dead_point - 1e-6 - 0.5, {{0.5, 2 * std::numbers::pi, 0}}}),
+      {locking_four_bar(HarmonicSum{dead_point - 1e-8 - 0.5, {{0.5, 2 * std::numbers::pi, 0}}}),
        {0, 0.01, 101},
-       {"global_automatic_klu", "group_symbolic_explicit"}}};
+       {"global_automatic_klu"}},
+      {make_model(driven_slider(1e-10)), {0, 1. / 37, 38}, {"group_symbolic_explicit"}}};
   const auto of = [](const std::vector<Followed>& motions) {
     return [&motions](unsigned without) { return all_right(motions, without); };
   };
