@@ -42,7 +42,6 @@ TEST_P(EveryMonitor, FindsWhatNoOtherDoes) {
 }
 
 constexpr Found all[] = {
-    {Monitor::sensitivity, 14, "^approaching a dead point$", "^group_automatic_eigen$"},
     {Monitor::condition, 14, "^approaching a dead point$", "^global_automatic_klu$"},
     {Monitor::residual, 14, "^1e-6$", "^global_automatic_klu$"},
     {Monitor::bounds, 3, "^dead point$", "^global_automatic_klu$"},
