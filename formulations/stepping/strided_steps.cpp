@@ -6,13 +6,13 @@ namespace desmo {
 
 void StrideControl::halve() {
   if (std::exchange(is_tried_, false))
-    patience_ = good_ < patience_ ? std::min(2 * patience_, many) : few;
+    enough_ = good_ < enough_ ? std::min(2 * enough_, many) : few;
   now_ = std::max(1, now_ / 2);
   good_ = 0;
 }
 
 void StrideControl::keep() {
-  if (++good_ < patience_ || now_ == longest_) return;
+  if (++good_ < enough_ || now_ == longest_) return;
   now_ = std::min(2 * now_, longest_);
   good_ = 0;
   is_tried_ = true;

@@ -24,7 +24,7 @@ class StrideControl {
 
   int longest_, now_;
   int good_ = 0;           // intervals since the last change
-  int patience_ = few;     // intervals after which the stride is doubled
+  int enough_ = few;       // intervals after which the stride is doubled
   bool is_tried_ = false;  // the last change doubled it
 };
 
