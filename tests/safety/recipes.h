@@ -8,7 +8,9 @@
 #include "cases/extremes/rows.h"
 #include "cases/io/files.h"
 #include "formulations/base/observer.h"
+#include "formulations/constraints/constraints.h"
 #include "formulations/modelling/modelling.h"
+#include "tests/mechanisms.h"
 
 namespace desmo {
 
@@ -100,5 +102,19 @@ class RockerError final : public Observer {
  private:
   int crank_, rocker_;
 };
+
+/// A parallelogram turns through its change points with rates that are as ever.
+inline Model parallelogram() {
+  Model m = four_bar_model(1);
+  for (Constraint& c : m.constraints)
+    if (c.group == 1 && c.kind == kind_index<PlanarAngle>()) c.constants[0] = 2;  // the rocker
+  std::ranges::find(m.constraints, "dyad1/rocker: dyad1/D-dyad1/C length", &Constraint::name)
+      ->constants[0] = 4;  // its length squared
+  const auto at = [&](const char* name) { return m.entities[m.find(name)].first; };
+  m.estimate[at("dyad1/C")] = 7;
+  m.estimate[at("dyad1/C") + 1] = std::sqrt(3.0);
+  m.estimate[at("dyad1/psi")] = std::numbers::pi / 3;
+  return m;
+}
 
 }  // namespace desmo

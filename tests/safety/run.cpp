@@ -15,6 +15,7 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
+#include "tests/safety/recipes.h"
 
 namespace desmo::run_test {
 namespace {
@@ -165,20 +166,6 @@ TEST(MonitoredRun, EndsAtAnIntervalThatCannotBeAssembledAndSaysByHowMuch) {
   const double lacking = std::hypot(8 - 2 * std::cos(theta), 2 * std::sin(theta)) - 9;
   EXPECT_GT(s.assembly_error->amount, lacking / 5);
   EXPECT_LT(s.assembly_error->amount, lacking);
-}
-
-/// A parallelogram turns through its change points with rates that are as ever.
-Model parallelogram() {
-  Model m = four_bar_model(1);
-  for (Constraint& c : m.constraints)
-    if (c.group == 1 && c.kind == kind_index<PlanarAngle>()) c.constants[0] = 2;  // the rocker
-  std::ranges::find(m.constraints, "dyad1/rocker: dyad1/D-dyad1/C length", &Constraint::name)
-      ->constants[0] = 4;  // its length squared
-  const auto at = [&](const char* name) { return m.entities[m.find(name)].first; };
-  m.estimate[at("dyad1/C")] = 7;
-  m.estimate[at("dyad1/C") + 1] = std::sqrt(3.0);
-  m.estimate[at("dyad1/psi")] = std::numbers::pi / 3;
-  return m;
 }
 
 TEST(MonitoredRun, SaysThatAChangePointWasPassed) {

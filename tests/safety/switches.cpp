@@ -16,6 +16,7 @@
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
+#include "tests/discard.h"
 #include "tests/safety/recipes.h"
 #include "tests/safety/scott_russell.h"
 
@@ -72,6 +73,25 @@ bool scott_russell_is_right(unsigned without) {
       });
 }
 
+bool is_flagged(const Model& m, const TimeGrid& grid, const std::string& id, unsigned without) {
+  Discard observer;
+  return run(m, grid, id, Level::acceleration, observer, without).outcome() != Outcome::converged;
+}
+
+bool change_points_are_right(unsigned without) {
+  return scott_russell_is_right(without) &&
+         is_flagged(parallelogram(), {0, 0.01, 400}, "group_symbolic_inlined/guess:quadratic",
+                    without) &&
+         is_flagged(parallelogram(), {0, 0.01, 300}, "group_symbolic_inlined", without);
+}
+
+/// A crank that turns half-way between two instants, 1e-6 rad beyond its dead point.
+bool turns_are_flagged(unsigned without) {
+  const Model m = locking_four_bar(Polynomial{{dead_point + 1e-6 - 0.2025, 0.09, -0.01}});
+  return is_flagged(m, {0, 1, 9}, "global_automatic_klu", without) &&
+         is_flagged(m, {0, 1, 9}, "block_symbolic_explicit", without);
+}
+
 /// Errors are within the bounds stated; of the higher levels a condition number of 1e6 leaves
 /// little.
 bool rocker_is_right(const Motion& crank, const TimeGrid& grid, const Ids& ids, unsigned without) {
@@ -97,6 +117,46 @@ bool all_right(const std::vector<Followed>& motions, unsigned without) {
   return std::ranges::all_of(motions, [&](const Followed& f) { return f.is_right(without); });
 }
 
+/// Keeps by how much the last instant differs from the first.
+class Difference final : public Observer {
+ public:
+  Flow observe(const Instant& i) noexcept override {
+    if (i.index == 0) first_.assign(i.q.begin(), i.q.end());
+    difference = 0;
+    for (std::size_t k = 0; k < first_.size(); ++k)
+      difference = std::max(difference, std::abs(i.q[k] - first_[k]));
+    return Flow::go_on;
+  }
+  double difference = INFINITY;
+
+ private:
+  std::vector<double> first_;
+};
+
+/// Motions to a dead point, but for 1e-8 rad and 1e-10, and back to where they began.
+bool returns_are_right(unsigned without) {
+  const auto returns = [&](const Model& m, const TimeGrid& grid, const char* id) {
+    Difference end;
+    const MonitoredSummary s = run(m, grid, id, Level::acceleration, end, without);
+    return s.outcome() == Outcome::converged && end.difference <= 1e-10;
+  };
+  const HarmonicSum crank{dead_point - 1e-8 - 0.5, {{0.5, 2 * std::numbers::pi, 0}}};
+  return returns(locking_four_bar(crank), {0, 0.01, 101}, "global_automatic_klu") &&
+         returns(make_model(driven_slider(1e-10)), {0, 1. / 37, 38}, "group_symbolic_explicit");
+}
+
+/// No reference begins there.
+bool starts_are_right(unsigned without) {
+  const auto is_right = [&](const char* scene, double time, const char* id) {
+    Discard observer;
+    const MonitoredSummary s = run(make_model(library_scene(scene)), {time, 0.0025, 20}, id,
+                                   Level::acceleration, observer, without);
+    return s.outcome() == Outcome::converged && s.instants == 20;
+  };
+  return is_right("jansen_leg", 0.5, "block_automatic_lapack") &&
+         is_right("andrews", 0.3, "global_automatic_klu");
+}
+
 /// The rows of the table of recipes, each with what makes it right.
 std::vector<std::function<bool(unsigned)>> recipes() {
   const double radian = 0.5 / std::numbers::pi;  // s
@@ -108,23 +168,18 @@ std::vector<std::function<bool(unsigned)>> recipes() {
       {locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 0.5}}),
        {0, 0.01, 101},
        {"global_automatic_klu", "group_symbolic_inlined"}}};
-  static const std::vector<Followed> flags{
-      {locking_four_bar(HarmonicSum{dead_point - 1e-8 - 0.5, {{0.5, 2 * std::numbers::pi, 0}}}),
-       {0, 0.0625, 17},
-       {"global_automatic_klu", "group_symbolic_explicit"}},
-      {make_model(library_scene("whitworth")), {0, 1. / 6, 19}, {"group_automatic_klu"}}};
-  static const std::vector<Followed> starts{
-      {make_model(library_scene("jansen_leg")), {0.5, 0.01, 20}, {"block_automatic_lapack"}},
-      {make_model(library_scene("andrews")), {0.3, 0.0025, 20}, {"global_automatic_klu"}}};
+  static const Followed jumps{
+      make_model(library_scene("whitworth")), {0, 1. / 6, 19}, {"group_automatic_klu"}};
   const auto of = [](const std::vector<Followed>& motions) {
     return [&motions](unsigned without) { return all_right(motions, without); };
   };
-  return {&scott_russell_is_right,
+  return {&change_points_are_right,
           &parallelograms_are_right,
           of(strides),
           of(bounds),
-          of(flags),
-          of(starts)};
+          [](unsigned without) { return jumps.is_right(without) && returns_are_right(without); },
+          &starts_are_right,
+          &turns_are_flagged};
 }
 
 /// "|`clock`|2,3|14|" gives "2,3".

@@ -93,7 +93,8 @@ class Run final : Observer {
     }
     if (is_coarse_) steps_.halve();
     // A stride was too long, or the formulation could not go on, or has gone elsewhere.
-    if (is_coarse_ || is_astray_ || !summary_.ok()) {
+    const bool goes_on = !summary_.ok() && (tried_ > 0 || has(Monitor::continuation));
+    if (is_coarse_ || is_astray_ || goes_on) {
       summary_.status = Status::solved;
       is_astray_ = true;
       go_on(tried_, From::last);
