@@ -55,16 +55,16 @@ double largest_symbol(const ErrorBasis& basis, const std::vector<std::array<doub
   return 1 + static_cast<double>(excess);
 }
 
-/// Returns the basis of errors G t.
+/// Returns the basis of errors G t. rank: of each error after the first.
 template <std::size_t n>
-ErrorBasis basis_of(const std::vector<std::array<double, n>>& columns) {
+ErrorBasis basis_of(const std::vector<std::array<double, n>>& columns, int rank = 0) {
   const int count = static_cast<int>(columns.size());
   ErrorBasis basis(n, count);
   basis.start(n, count);
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<double> row;
     for (const std::array<double, n>& g : columns) row.push_back(g[i]);
-    basis.set(static_cast<int>(i), row.data(), 0, 0);
+    basis.set(static_cast<int>(i), row.data(), 0, i > 0 ? rank : 0);
   }
   basis.enclose();
   return basis;
@@ -92,27 +92,29 @@ TEST(ErrorBasis, CountsRoundingAlongExactDirections) {
 /// Directions that are not quite at right angles: the second is what is left of a unit vector that
 /// nearly agrees with the first.
 TEST(ErrorBasis, CountsWhatItsDirectionsAreOff) {
-  constexpr double unit = 0x1p-53;
+  constexpr double unit = 0x1p-53, of_rank = 0x1p-10;
   int oblique = 0;
-  for (int trial = 0; trial < 400; ++trial) {
-    const std::array<double, 2> first{0.2, 0.2 * (0.002 + 1e-5 * trial)};
+  for (int trial = 0; trial < 200; ++trial) {
     using Columns = std::vector<std::array<double, 2>>;
-    const ErrorBasis of_first = basis_of(Columns{first});
-    // The second direction, of length 1 up to rounding, and what the first has along it.
-    std::array<long double, 2> second{of_first.generator(0, 1), of_first.generator(1, 1)};
+    const std::array<double, 2> first{0.2, 0.2 * (1.01 + 0.0009 * trial)};
+    const ErrorBasis of_first = basis_of(Columns{first}, 1);
+    // The second direction, of length 1, and what the first has along it.
+    std::array<long double, 2> second{of_first.generator(0, 1), of_first.generator(1, 1) * of_rank};
     const long double length = std::hypot(second[0], second[1]);
     for (long double& component : second) component /= length;
-    const long double along = (first[0] * second[0] + first[1] * second[1]) /
-                              std::hypot(static_cast<long double>(first[0]), first[1]);
+    std::array<long double, 2> direction{of_first.generator(0, 0),
+                                         of_first.generator(1, 0) * of_rank};
+    const long double along = (direction[0] * second[0] + direction[1] * second[1]) /
+                              std::hypot(direction[0], direction[1]);
     const double share = static_cast<double>(7 * unit / std::abs(along));
-    if (!(share < 0.2)) continue;
+    if (!(share < 0.07)) continue;
     ++oblique;
-    // Columns at right angles to the second direction have a part along it in terms of both.
+    // Columns at right angles to the second direction: in terms of both, they have parts along it.
     Columns all{first};
-    for (int k = 0; k < static_cast<int>(0.8 / share); ++k)
-      all.push_back(
-          {static_cast<double>(share * -second[1]), static_cast<double>(share * second[0])});
-    EXPECT_LE(largest_symbol(basis_of(all), all), 1.0) << trial;
+    for (int k = 0; k < static_cast<int>(0.5 / share); ++k)
+      all.push_back({static_cast<double>(share * std::abs(second[1])),
+                     static_cast<double>(share * std::abs(second[0]) / of_rank)});
+    EXPECT_LE(largest_symbol(basis_of(all, 1), all), 1.0) << trial;
   }
   EXPECT_GE(oblique, 20);
 }
