@@ -14,7 +14,7 @@ set(assessment_h formulations/verification/monitor/monitored_run.h)
 set(certificate_h formulations/verification/certificate/certificate.h)
 set(live_run_h formulations/verification/monitor/live_run.h)
 set(range_h formulations/verification/range/driver_range.h)
-set(generated_code_h formulations/runtime/own_kernels.h)
+set(generated_code_h formulations/runtime/generated_code.h)
 set(reference_h formulations/verification/condition.h formulations/verification/error.h
   formulations/verification/reference/reference.h)
 # What these include.
@@ -22,8 +22,7 @@ set(installed_headers cases/io/input_error.h cases/mechanism/level.h
   formulations/base/lane_values.h formulations/base/live_row.h formulations/base/output.h
   formulations/base/per_level.h formulations/base/reference_instant.h formulations/scaling/scales.h
   formulations/verification/assessment/assembly_error.h
-  formulations/verification/assessment/assessment.h
-  formulations/verification/monitor/accuracy_monitor.h)
+  formulations/verification/assessment/assessment.h)
 
 set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)
 foreach(name mechanism scene files cases model settings summary observer formulation assessment

@@ -8,6 +8,7 @@
 #include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/parts/guarded_part.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::cli {
@@ -162,12 +163,20 @@ std::string note_on_refusals(const Formulation& f) {
 }
 
 std::string note_on_steps(const Formulation& f) {
-  if (f.run_by_steps() == 0) return "";
+  if (core_of(f).run_by_steps() == 0) return "";
   return "note: solved step by step, for the motion is short or could not be solved in segments\n";
 }
 
+std::string note_on_stride(const MonitoredSummary& s, const Formulation& f) {
+  if (s.shortest_stride == 0) return "";
+  return "note: in places a stride of " + std::to_string(f.settings().stride) +
+         " is too long for the tolerance; it was halved, down to " +
+         std::to_string(s.shortest_stride) + "\n";
+}
+
 std::string note_on_accuracy(const MonitoredSummary& s, Level level, const Model& m) {
-  std::string note = "accuracy: " + describe_accuracy(s.condition, s.bound, level) + '\n';
+  std::string note = "accuracy: " + describe_accuracy(s.condition, s.bound, level) + "; " +
+                     describe_scales(s.scales, level, m) + '\n';
   if (s.first_degraded)
     note += "accuracy: degraded: " + count(s.degraded, "instant") + " of " +
             std::to_string(s.instants) + ", the first at " +

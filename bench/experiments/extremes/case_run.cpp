@@ -11,8 +11,10 @@
 #include "bench/kit/memory.h"
 #include "bench/kit/verification.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes {
 
@@ -71,7 +73,7 @@ PerLevel<double> error_of(const Instant& instant, const KnownCase& known, std::s
   const std::vector<double> qd = part(instant.qd), qdd = part(instant.qdd);
   ErrorMeasure measure(answers.model, {&right, 1}, answers.scales);
   measure.observe({0, right.time, q, qd, qdd});
-  const Error e = measure.error();
+  const SolutionError e = measure.error();
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
@@ -212,8 +214,6 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
 
   Record record(known, *f, a);
   MonitoredRunOptions options;
-  options.tolerance = configuration.settings.tolerance;
-  options.without = without;
   options.past_failures = c.goes_on;
   options.monitored = [&](const MonitoredInstant& instant) { record.note(instant); };
   const std::size_t runs = c.starts ? known.starts.size() : 1;
@@ -222,9 +222,9 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
   for (std::size_t i = 0; i < runs; ++i) {
     if (started) started->estimate = known.starts[i];
     record.begin(i);
-    record.end(run_monitored(*f, grid, {}, record, options), grid, m);
+    record.end(run_monitored_without(without, *f, grid, {}, record, options), grid, m);
   }
-  a.refactorisations = f->refactorisations();
+  a.refactorisations = refactorisations(*f);
   return a;
 }
 

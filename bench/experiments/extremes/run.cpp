@@ -12,6 +12,7 @@
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
 #include "cases/generators/cases.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes {
 
@@ -83,7 +84,7 @@ bool measure(const Options& options, const bench::CommandLine& line) {
                       .formulations = std::regex(options.filter),
                       .cases = std::regex(options.cases),
                       .without = options.without};
-  bench::Recording recording = begin_record(options, line);
+  bench::RecordWriter recording = begin_record(options, line);
   Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   std::size_t defects = 0;
   for (const Extreme* row : rows) {

@@ -182,7 +182,7 @@ PerLevel<double> errors_of(const Model& m, const ReferenceInstant& truth, const 
                            const Scales& scales) {
   ErrorMeasure measure(m, {&truth, 1}, scales);
   measure.observe({0, truth.time, d.q, d.qd, d.qdd});
-  const Error e = measure.error();
+  const SolutionError e = measure.error();
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
@@ -206,7 +206,6 @@ RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
   SolvedScene solved{{}, {}, c->settings.tolerance};
   Collector collector(solved);
   MonitoredRunOptions options;
-  options.tolerance = c->settings.tolerance;
   options.monitored = [&](const MonitoredInstant& m) { collector.degraded = m.degraded; };
   solved.summary = run_monitored(*f, scene.scene.grid, {}, collector, options);
   // What the motion's scales excuse in the end is no flag.

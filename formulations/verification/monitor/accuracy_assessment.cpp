@@ -10,11 +10,11 @@ namespace desmo {
 namespace {
 
 /// By how much the gain may grow before an instant is assessed.
-constexpr double factor = 4;
+constexpr double growth_to_assess = 4;
 /// By how much pivots may shrink before residuals of rates are looked at.
-constexpr double shrunk = 20;
+constexpr double doubtful_pivot_loss = 20;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
-constexpr double shown_by = 10;
+constexpr double error_over_shown = 10;
 
 }  // namespace
 
@@ -33,10 +33,11 @@ Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant,
                                                         const std::optional<StepMeasures>& step) {
   Expectation::Signals signals;
   if (has(Monitor::residual)) signals.residual = instant.residual;
-  if (!has(Monitor::sensitivity)) return signals;
-  signals.growth = sensitivity.growth(instant, step ? std::optional(step->rate) : std::nullopt);
-  signals.drivers = sensitivity.driver_growth();
-  if (!has(Monitor::clock)) return signals;
+  if (has(Monitor::sensitivity)) {
+    signals.growth = sensitivity.growth(instant, step ? std::optional(step->rate) : std::nullopt);
+    signals.drivers = sensitivity.driver_growth();
+  }
+  if (!has(Monitor::condition)) return signals;
   conditioning.go_on(instant, step ? step->way : INFINITY);
   if (conditioning.is_due()) conditioning.look(instant, assessor.system());
   signals.growth = std::max(signals.growth, conditioning.growth());
@@ -45,8 +46,8 @@ Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant,
 
 bool AccuracyMonitor::State::is_due(const Expectation::Signals& signals) const {
   return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
-         !(signals.growth <= factor) || !(signals.drivers.velocity <= factor) ||
-         !(signals.drivers.acceleration <= factor);
+         !(signals.growth <= growth_to_assess) || !(signals.drivers.velocity <= growth_to_assess) ||
+         !(signals.drivers.acceleration <= growth_to_assess);
 }
 
 AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& instant,
@@ -56,12 +57,12 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
   PerLevel<double>& bound = s.assessment.bound;
   if (instant.interpolated || has_bad_pivots()) {
     const PerLevel<double> shown =
-        backward_error(instant, assessor.system(), scales.now(), expected.condition);
-    if (instant.interpolated) bound.position += shown_by * shown.position;
+        backward_error(instant, assessor.system(), scales.current(), expected.condition);
+    if (instant.interpolated) bound.position += error_over_shown * shown.position;
     // Of solved positions the residual tells, with what they make of rates.
     double before = instant.interpolated ? bound.position : 0;
     for (const Level l : {Level::velocity, Level::acceleration}) {
-      before = shown_by * shown[l] + expected.condition * before;
+      before = error_over_shown * shown[l] + expected.condition * before;
       bound[l] += before;
     }
   }
@@ -71,9 +72,9 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
 
 /// Whether pivots of earlier positions may spoil the rates.
 bool AccuracyMonitor::State::has_bad_pivots() const {
-  if (!options.reuses_pivots || !has(Monitor::residual)) return false;
+  if (!options.reuses_pivots || !has(Monitor::pivots)) return false;
   return options.parts.empty() || std::ranges::any_of(options.parts, [](const PivotReuse* part) {
-           return !(part->pivot_shrinkage() <= shrunk);
+           return !(part->pivot_shrinkage() <= doubtful_pivot_loss);
          });
 }
 
@@ -81,7 +82,8 @@ bool AccuracyMonitor::State::is_in_doubt(const Instant& instant,
                                          const Expectation::Signals& signals,
                                          const std::optional<StepMeasures>& step) {
   if (!has(Monitor::continuity)) return false;
-  const bool in_doubt = continuity.in_doubt(instant, weights, min_excursion(signals.growth), step);
+  const bool in_doubt = continuity.in_doubt(instant, weights, min_excursion(signals.growth), step,
+                                            has(Monitor::turns));
   return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
 }
 
@@ -93,35 +95,40 @@ double AccuracyMonitor::State::min_excursion(double growth) const {
 }
 
 /// Assesses an instant, and corrects it where that helps. expected: what would have been stated.
-/// Returns whether no short steps lead to the instant, which was interpolated.
-bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Signals& signals,
-                                    const Assessment& expected) {
+/// An interpolated instant that is too coarse leaves no trace.
+void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Signals& signals,
+                                    const Assessment& expected, bool in_doubt) {
   if (!started && has(Monitor::orientation)) signs.declare(j.instant);
-  last = assessor(j.instant, scales.with(j.instant));
-  const Assessment given = last;
+  const Assessment given = assessor(j.instant, scales.with(j.instant));
   ++assessed;
+  if (j.instant.interpolated) {
+    j.too_coarse = is_too_coarse(j.instant, given, in_doubt);
+    if (j.too_coarse) return;
+    assessor(j.instant, scales.with(j.instant));  // its factors again
+  }
+  last = given;
   if (started && !j.instant.interpolated && exceeds(given.bound, expected.bound)) {
     look_back(j.instant);
     assessor(j.instant, scales.with(j.instant));  // its factors again
   }
   since = 0;
-  const bool tries =
-      has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
-  const Improvement improved = tries ? improve(j) : Improvement{};
+  const bool tries = has(Monitor::bounds) && has(Monitor::repair) && !j.instant.interpolated &&
+                     exceeds(given.bound, limits.worth_correcting(given.condition));
+  const bool is_better = tries && improve(j);
   const Assessment wide = last;
-  if (has(Monitor::bounds)) measure(last, j.instant);
+  if (has(Monitor::bounds) && has(Monitor::measurement)) measure(last, j.instant);
   degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
   if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
-    rescale(last.bound, scales.with(j.instant), scales.now());
+    rescale(last.bound, scales.with(j.instant), scales.current());
   else
     look_at_scales(j.instant);
   if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
     expectation.learn(last, {.growth = INFINITY});
   else
     expectation.learn(given, signals);
-  if (improved.is_better) expectation.learn(wide, {});
+  if (is_better) expectation.learn(wide, {});
   if (degraded && last.condition < INFINITY)
-    last.limit = assessor.limit(j.instant, scales.now(), last);
+    last.limit = assessor.limit(j.instant, scales.current(), last);
   if (!has(Monitor::bounds)) last.singular = false;
   j.degraded = degraded;
   j.assessment = last;
@@ -135,7 +142,14 @@ bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
   }
   after_gap = false;
   last_time = j.instant.time;
-  return improved.is_lost;
+}
+
+/// Whether an interpolated instant exceeds the limits, or is not where the instant before leads. a:
+/// its assessment, whose factors are overwritten.
+bool AccuracyMonitor::State::is_too_coarse(const Instant& instant, const Assessment& a,
+                                           bool in_doubt) {
+  if (has(Monitor::bounds) && exceeds(a.bound, limits.degraded)) return true;
+  return in_doubt && continuity.find_jump(instant, means());
 }
 
 /// Measures errors where bounds would flag an instant. Leaves its factors.
@@ -145,19 +159,9 @@ void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
   for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
 }
 
-/// Corrects an instant. What was interpolated, and is not even near a solution, is solved.
-AccuracyMonitor::State::Improvement AccuracyMonitor::State::improve(MonitoredInstant& j) {
-  const bool is_far = j.instant.interpolated && exceeds(last.bound, limits.degraded);
-  if (is_far) {
-    if (const auto solved = continuity.solve_anew(j.instant, means())) {
-      j.solved_anew = take_if_better(j.instant, *solved);
-      return {.is_better = j.solved_anew};
-    }
-    assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
-  }
-  const Instant start = j.instant.interpolated ? continuity.driven(j.instant) : j.instant;
-  // Where no short steps led to it, the nearest solution may be on another branch.
-  return {.is_better = take_if_better(j.instant, assessor.corrected(start)), .is_lost = is_far};
+/// Corrects an instant.
+bool AccuracyMonitor::State::improve(MonitoredInstant& j) {
+  return take_if_better(j.instant, assessor.corrected(j.instant));
 }
 
 bool AccuracyMonitor::State::take_if_better(Instant& instant, const Instant& better) {
@@ -187,10 +191,11 @@ std::optional<SingularityCrossing> AccuracyMonitor::State::crossing(const Instan
 }
 
 void AccuracyMonitor::State::look_back(const Instant& like) {
+  if (!has(Monitor::look_back)) return;
   RecentInstants& recent = continuity.recent();
   for (int back = 0; back < recent.count() && !recent[back].is_assessed; ++back) {
     RecentInstants::Node& node = recent[back];
-    Assessment a = assessor(view_of(node, like), scales.now());
+    Assessment a = assessor(view_of(node, like), scales.current());
     ++assessed;
     node.is_assessed = true;
     if (!exceeds(a.bound, node.stated)) return;
@@ -202,11 +207,11 @@ void AccuracyMonitor::State::look_back(const Instant& like) {
 }
 
 void AccuracyMonitor::State::look_at_scales(const Instant& instant) {
-  const Scales before = scales.now();
+  const Scales before = scales.current();
   if (!scales.take(instant)) return;
-  rescale(worst, before, scales.now());
-  expectation.rescale(before, scales.now());
-  degradations.rescale(before, scales.now());
+  rescale(worst, before, scales.current());
+  expectation.rescale(before, scales.current());
+  degradations.rescale(before, scales.current());
 }
 
 }  // namespace desmo

@@ -34,34 +34,34 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
 
 MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
   MonitoredInstant j{instant};
+  if (instant.interpolated && !has(Monitor::rows)) return j;
   const std::optional<StepMeasures> step = measure_step(instant);
   const Expectation::Signals signals = signals_of(instant, step);
   const Assessment expected = expectation(signals);
   const Statement statement = state(instant, expected);
+  // A shorter stride costs less than an assessment.
+  if (j.too_coarse = instant.interpolated && !statement.holds; j.too_coarse) return j;
   const bool in_doubt = is_in_doubt(instant, signals, step);
   j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
   std::optional<Continuity::Jump> jump;
   const bool known_before = rates_are_known(), from_noise = degraded && !known_before;
   // Accelerations that are noise raise doubts; where velocities are known, shorter steps settle
   // them.
-  const bool is_blind = in_doubt && degraded && exceeds(last.bound, {noise, noise, INFINITY});
+  const bool is_blind =
+      in_doubt && degraded && exceeds(last.bound, {unusable_rate, unusable_rate, INFINITY});
   if (in_doubt && !instant.interpolated) jump = find_jump(j, from_noise);
   // A doubt remains one even where shorter steps agree: next to where solutions meet, they too
   // may end on another branch.
   const bool is_assessed = in_doubt || !statement.holds || is_due(signals);
-  bool is_lost = false;
   if (is_assessed)
-    is_lost = assess(j, signals, statement.assessment);
+    assess(j, signals, statement.assessment, in_doubt);
   else
     j.assessment = statement.assessment;
-  if (in_doubt && instant.interpolated && !j.solved_anew) {
-    jump = find_jump(j, from_noise);
-    if (j.solved_anew) is_lost |= assess(j, signals, j.assessment);
-  }
+  if (j.too_coarse) return j;
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
     j.crossing = jump->crossing;
-  else if ((is_blind || is_lost) && continuity.is_known() && !j.crossing)
+  else if (is_blind && continuity.is_known() && !j.crossing)
     j.crossing = {continuity.recent()[0].time, instant.time, last.group,
                   SingularityCrossing::Kind::jumped};
   if (j.assessment.singular) return j;  // which is not delivered
@@ -89,10 +89,10 @@ std::optional<Continuity::Jump> AccuracyMonitor::State::find_jump(MonitoredInsta
                                                                   bool from_noise) {
   const auto jump = continuity.find_jump(j.instant, means());
   if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
-  if (from_noise) return jump;  // from where shorter steps lead anywhere
+  if (from_noise || !has(Monitor::repair)) return jump;  // from where shorter steps lead anywhere
   if (const auto solved = continuity.solve_anew(j.instant, means())) {
     const Assessment a = assessor(*solved, scales.with(*solved));
-    if (!a.singular && !exceeds(a.bound, {noise, noise, noise})) {
+    if (!a.singular && !exceeds(a.bound, {unusable_rate, unusable_rate, unusable_rate})) {
       j.instant = *solved;
       j.solved_anew = true;
       ++corrected;
@@ -107,7 +107,7 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& ins
   if (!solved) return {};
   MonitoredInstant j{*solved};
   j.solved_anew = true;
-  assess(j, signals_of(j.instant, {}), {});
+  assess(j, signals_of(j.instant, {}), {}, false);
   if (j.assessment.singular) return {};
   deliver(j, true);
   ++corrected;
@@ -128,6 +128,7 @@ std::optional<Instant> AccuracyMonitor::State::solve_alone(const Instant& instan
 }
 
 std::optional<MonitoredInstant> AccuracyMonitor::State::pass(const Instant& singular) {
+  if (!has(Monitor::passage)) return {};
   const auto p = continuity.pass(singular, means());
   if (!p) return {};
   MonitoredInstant j{p->instant};
@@ -148,7 +149,7 @@ PerLevel<double> AccuracyMonitor::State::difference(const Instant& a, const Inst
   PerLevel<double> result{};
   const auto add = [&](Level level, std::span<const double> x, std::span<const double> y) {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const double scale = scales.now().of(model.entities[entity[i]].kind, level);
+      const double scale = scales.current().of(model.entities[entity[i]].kind, level);
       if (asked[i] >= level && scale > 0)
         result[level] = std::max(result[level], std::abs(x[i] - y[i]) / scale);
     }
@@ -193,6 +194,7 @@ long AccuracyMonitor::assessed() const { return state_->assessed; }
 long AccuracyMonitor::corrected() const { return state_->corrected; }
 double AccuracyMonitor::condition() const { return state_->condition; }
 const PerLevel<double>& AccuracyMonitor::bound() const { return state_->worst; }
+const Scales& AccuracyMonitor::scales() const { return state_->scales.current(); }
 long AccuracyMonitor::degraded() const { return state_->degradations.count(); }
 std::optional<Degradation> AccuracyMonitor::first_degraded() const {
   return state_->degradations.first();

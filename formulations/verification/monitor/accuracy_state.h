@@ -18,28 +18,22 @@
 
 namespace desmo {
 
-/// The monitors of one motion, what they know of its instants, and the counts. Of its functions,
-/// those for the way of an instant stand in accuracy_monitor.cpp. Those that tell whether it is to
-/// be assessed, and that assess it, stand in accuracy_assessment.cpp.
+/// The monitors of one motion, what they know of its instants, and the counts. accuracy_monitor.cpp
+/// has the steps that an instant goes through. accuracy_assessment.cpp decides whether it is
+/// assessed, and assesses it.
 struct AccuracyMonitor::State {
   /// The statement about an instant that is not assessed, and whether it holds.
   struct Statement {
     Assessment assessment;
     bool holds;
   };
-  /// The outcome of an attempt to improve an instant.
-  struct Improvement {
-    bool is_better = false;
-    bool is_lost = false;  // no short steps lead to the instant, which was interpolated
-  };
-
   /// Bounds of rates above which it cannot be told whether they lead on.
-  static constexpr double noise = 1e-3;
+  static constexpr double unusable_rate = 1e-3;
 
   State(const Model& m, const TimeGrid& grid, const AccuracyMonitorOptions& o);
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
-  Continuity::Means means() { return {assessor, scales.now(), weights, signs}; }
+  Continuity::Means means() { return {assessor, scales.current(), weights, signs}; }
 
   MonitoredInstant examine(const Instant& instant);
   std::optional<Continuity::Jump> find_jump(MonitoredInstant& j, bool from_noise);
@@ -56,14 +50,18 @@ struct AccuracyMonitor::State {
   bool is_due(const Expectation::Signals& signals) const;
   Statement state(const Instant& instant, const Assessment& expected);
   bool has_bad_pivots() const;
-  bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
+  bool rates_are_known() const {
+    return !exceeds(last.bound, {unusable_rate, unusable_rate, unusable_rate});
+  }
   bool is_in_doubt(const Instant& instant, const Expectation::Signals& signals,
                    const std::optional<StepMeasures>& step);
   double min_excursion(double growth) const;
 
-  bool assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected);
+  void assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected,
+              bool in_doubt);
+  bool is_too_coarse(const Instant& instant, const Assessment& a, bool in_doubt);
   void measure(Assessment& a, const Instant& instant);
-  Improvement improve(MonitoredInstant& j);
+  bool improve(MonitoredInstant& j);
   bool take_if_better(Instant& instant, const Instant& better);
   double worst_share(const Assessment& a) const;
   std::optional<SingularityCrossing> crossing(const Instant& instant);

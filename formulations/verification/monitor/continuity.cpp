@@ -137,11 +137,12 @@ bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::A
 }
 
 bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
-                          double min_excursion, const std::optional<StepMeasures>& measures) {
+                          double min_excursion, const std::optional<StepMeasures>& measures,
+                          bool with_turns) {
   const double least = std::min(min_excursion, std::exchange(min_excursion_, min_excursion));
   angles_follow_ = is_known() && do_angles_follow(instant);
   if (!is_known() || weights.size() == 0) return false;
-  if (turns_.find(recent_[0], instant, least)) return true;
+  if (with_turns && turns_.find(recent_[0], instant, least)) return true;
   const Instant last = view_of(recent_[0], instant);
   const auto measured = [&] {
     const double fastest = std::max(fastest_at_last_, fastest_driver(instant));

@@ -24,8 +24,10 @@ namespace desmo {
 /// not lead to its end, that lies on another assembly branch.
 class Continuity {
  public:
-  /// grid: of the motion, which tells how fast drivers will be. magnitudes: of each coordinate.
-  /// max_steps: shorter steps that one is gone again in. The mechanism must outlive it.
+  /// - grid: of the motion; it tells how fast drivers will be
+  /// - magnitudes: of each coordinate
+  /// - max_steps: largest number of shorter steps in which a step is repeated
+  /// The model must outlive this object.
   Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes,
              int max_steps = 4096);
 
@@ -41,13 +43,14 @@ class Continuity {
 
   /// Returns whether the step from the instant taken last is in doubt. min_excursion: how far
   /// drivers may turn beyond this instant before a position may be singular (DriverTurns).
-  /// measures: of the step by these weights, where they are known.
+  /// measures: of the step by these weights, where they are known. with_turns: turning points of
+  /// the drivers within the step count.
   bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights, double min_excursion,
-                const std::optional<StepMeasures>& measures);
+                const std::optional<StepMeasures>& measures, bool with_turns = true);
   /// Returns whether all unknown angles turned in that step as their rates say, so closely that
   /// none is half a turn from where they lead.
   bool angles_follow() const { return angles_follow_; }
-  /// Prepares the step to an instant of which only the time is known.
+  /// Prepares the step to an instant whose time is known, and nothing else.
   void expect(const Instant& instant);
 
   /// Interval in which a step in doubt is not continuous, or passes a singular position.
@@ -66,18 +69,19 @@ class Continuity {
   /// Returns the instant with its drivers evaluated at its time; valid until the next call.
   Instant driven(const Instant& instant);
 
-  /// Instant at a singular position, between two regular ones near it to which the motion leads.
+  /// The passage of a singular position: an instant there, interpolated between two regular
+  /// positions of the motion, one on either side.
   struct Passage {
-    Instant instant;                 ///< on the polynomial through q, q̇ and q̈ of the two
-    Instant wide;                    ///< the same with the next two: it is off by more
-    double after, before;            ///< times of the two [s]
-    std::span<const double> beyond;  ///< q of the later one
-    Assessment assessment;           ///< of the later one
+    Instant instant;                 ///< on the polynomial through q, q̇ and q̈ of both positions
+    Instant wide;                    ///< interpolated over a wider interval: shows the error
+    double after, before;            ///< times of the two positions [s]
+    std::span<const double> beyond;  ///< q of the later position
+    Assessment assessment;           ///< of the later position
   };
-  /// Passes a singular position at which the motion is smooth: goes from the instant taken last to
-  /// a regular position near it, and from there by Taylor's polynomial to one beyond, whose rates
-  /// have to agree. Returns nothing where rates are not solved, or no such way leads on. The result
-  /// is valid until the next call.
+  /// Passes a singular position at which the motion is smooth. Reaches a regular position before
+  /// it, in steps from the instant taken last, and one beyond it by Taylor's polynomial. Tries
+  /// nearer positions until the rates of both agree. Returns nothing where rates are not solved, or
+  /// none of these positions leads on. The result is valid until the next call.
   std::optional<Passage> pass(const Instant& singular, const Means& means);
 
   /// Makes this instant the one to continue from; it says what was stated of it.

@@ -2,12 +2,14 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "formulations/formulation.h"
+#include "formulations/scaling/scales.h"
 #include "formulations/verification/assessment/assembly_error.h"
-#include "formulations/verification/monitor/accuracy_monitor.h"
+#include "formulations/verification/assessment/assessment.h"
 
 namespace desmo {
 
@@ -28,32 +30,57 @@ struct Gap {
 };
 
 /// Outcome of a monitored run and accuracy of its instants. outcome() says whether its answers may
-/// be used; ok() says only whether the last instant tried was solved.
-struct MonitoredSummary : Summary {
-  bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
+/// be used.
+struct [[nodiscard]] MonitoredSummary : Summary {
+  bool ok() const = delete;  // it tells neither degraded instants nor another branch
+  bool refused = false;      ///< a strict run ended at `first_degraded` or `crossing`
   int violated = -1;     ///< constraint that the last instant violates, since it lies on another
                          ///< branch (BranchMonitor); that instant was not delivered
   double condition = 0;  ///< largest condition number (see Assessment)
-  PerLevel<double> bound{};  ///< error bounds, relative to the scales of the motion
+  PerLevel<double> bound{};  ///< error bounds, relative to …
+  Scales scales{};           ///< … the scales of the motion
   long assessed = 0;         ///< instants assessed
   long corrected = 0;        ///< instants corrected
   long degraded = 0;         ///< instants degraded
+  int shortest_stride = 0;   ///< to which a stride was halved; 0: it was not
   std::optional<Degradation> first_degraded{};
   std::optional<SingularityCrossing> crossing{};  ///< first crossing
   std::optional<AssemblyError> assembly_error{};  ///< on failure, where no position was found
   std::vector<Gap> gaps{};                        ///< gaps after which the run went on
 
   Outcome outcome() const {
-    return !ok() || refused || violated >= 0           ? Outcome::failed
-           : degraded > 0 || crossing || !gaps.empty() ? Outcome::degraded
-                                                       : Outcome::converged;
+    return status != Status::solved || refused || violated >= 0 ? Outcome::failed
+           : degraded > 0 || crossing || !gaps.empty()          ? Outcome::degraded
+                                                                : Outcome::converged;
   }
 };
 
-/// Settings of a monitored run.
-struct MonitoredRunOptions : AccuracyMonitorOptions {
+/// An instant and its accuracy.
+struct MonitoredInstant {
+  Instant instant;        ///< corrected where that helped; valid until the next instant
+  bool degraded = false;  ///< conditioning keeps it from meeting the limits
+  /// It jumped to another branch, or lies in a singular position, and was then solved from the
+  /// instant before it.
+  bool solved_anew = false;
+  /// It was interpolated, and is not as accurate as solved instants are to be. It counts nowhere:
+  /// the caller solves it, or hands in one of a shorter stride.
+  bool too_coarse = false;
+  /// No angle is half a turn from where the instant before leads it: see BranchMonitor.
+  bool angles_follow = false;
+  std::optional<SingularityCrossing> crossing{};
+  Assessment assessment{};  ///< assessed, or an expectation with margin (Expectation)
+};
+
+/// Longest interval between assessments, in instants.
+inline constexpr int usual_assessment_interval = 2000;
+
+/// Settings of a monitored run. The tolerance is that of the formulation.
+struct MonitoredRunOptions {
+  /// Level asked for of each coordinate (Plan::levels); empty: that of the request.
+  std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled
+  int every = usual_assessment_interval;  ///< instants from one assessment to the next, at most
   /// Callback that receives each instant before the observer does; empty: none.
   std::function<void(const MonitoredInstant&)> monitored{};
 };
@@ -78,5 +105,8 @@ std::string describe(const MonitoredSummary& summary, const Model& model);
 
 /// Returns "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration"
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level);
+
+/// Returns "relative to 0.2 m or 1 rad, 1.3 m/s or 6.3 rad/s, 8 m/s^2 or 39 rad/s^2"
+std::string describe_scales(const Scales& scales, Level level, const Model& model);
 
 }  // namespace desmo
