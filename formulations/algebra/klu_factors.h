@@ -50,19 +50,25 @@ class KluFactors final : public LinearSolver<double> {
     return true;
   }
 
-  void solve(double* b) override { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
-
-  /// Overwrite b with D⁻¹ b and D⁻ᵀ b, D being the irreducible blocks of A without what couples
-  /// them.
-  void solve_blocks(double* b) {
-    uncoupled([&] { solve(b); });
-  }
-  void solve_blocks_transposed(double* b) {
-    uncoupled([&] { solve_transposed(b); });
+  void solve(double* b) override { solve_all(b, 1); }
+  /// Overwrites B (n × right_sides, column by column) with A⁻¹ B.
+  void solve_all(double* b, int right_sides) {
+    klu_solve(symbolic_, numeric_, n_, right_sides, b, &common_);
   }
 
-  /// Overwrites b with A⁻ᵀ b.
-  void solve_transposed(double* b) { klu_tsolve(symbolic_, numeric_, n_, 1, b, &common_); }
+  /// Overwrite B (n × right_sides) with D⁻¹ B and D⁻ᵀ B, D being the irreducible blocks of A
+  /// without what couples them.
+  void solve_blocks(double* b, int right_sides = 1) {
+    uncoupled([&] { solve_all(b, right_sides); });
+  }
+  void solve_blocks_transposed(double* b, int right_sides = 1) {
+    uncoupled([&] { solve_transposed(b, right_sides); });
+  }
+
+  /// Overwrites B (n × right_sides) with A⁻ᵀ B.
+  void solve_transposed(double* b, int right_sides = 1) {
+    klu_tsolve(symbolic_, numeric_, n_, right_sides, b, &common_);
+  }
 
   bool reuses_pivots() const override { return true; }
 

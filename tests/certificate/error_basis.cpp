@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <random>
+#include <vector>
 
 namespace desmo::error_basis_test {
 namespace {
@@ -15,22 +18,105 @@ using Exact = boost::multiprecision::cpp_rational;
 constexpr int size = 3, columns = 3;
 using Row = std::array<Exact, size + 1>;
 
-/// Solves three equations, whose right sides come last.
-std::array<Exact, size> solve(std::array<Row, size> a) {
-  for (int k = 0; k < size; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < size; ++i)
+/// Solves equations whose right sides come last.
+template <std::size_t columns, std::size_t n = columns - 1>
+std::array<Exact, n> solve(std::array<std::array<Exact, columns>, n> a) {
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i)
       if (abs(a[i][k]) > abs(a[pivot][k])) pivot = i;
     std::swap(a[k], a[pivot]);
-    for (int i = 0; i < size; ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       if (i == k) continue;
       const Exact factor = a[i][k] / a[k][k];
-      for (int j = k; j <= size; ++j) a[i][j] -= factor * a[k][j];
+      for (std::size_t j = k; j <= n; ++j) a[i][j] -= factor * a[k][j];
     }
   }
-  std::array<Exact, size> x;
-  for (int k = 0; k < size; ++k) x[k] = a[k][size] / a[k][k];
+  std::array<Exact, n> x;
+  for (std::size_t k = 0; k < n; ++k) x[k] = a[k][n] / a[k][k];
   return x;
+}
+
+/// Returns the largest symbol that corners of G t have in a basis: 1 where it holds them.
+template <std::size_t n>
+double largest_symbol(const ErrorBasis& basis, const std::vector<std::array<double, n>>& columns) {
+  std::array<Exact, n> sums;
+  for (const std::array<double, n>& g : columns) {
+    std::array<std::array<Exact, n + 1>, n> equations;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t s = 0; s < n; ++s)
+        equations[i][s] = Exact(basis.generator(static_cast<int>(i), static_cast<int>(s)));
+      equations[i][n] = Exact(g[i]);
+    }
+    const std::array<Exact, n> symbols = solve(equations);
+    for (std::size_t s = 0; s < n; ++s) sums[s] += abs(symbols[s]);
+  }
+  const Exact excess = *std::ranges::max_element(sums) - 1;
+  return 1 + static_cast<double>(excess);
+}
+
+/// Returns the basis of errors G t. rank: of each error after the first.
+template <std::size_t n>
+ErrorBasis basis_of(const std::vector<std::array<double, n>>& columns, int rank = 0) {
+  const int count = static_cast<int>(columns.size());
+  ErrorBasis basis(n, count);
+  basis.start(n, count);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<double> row;
+    for (const std::array<double, n>& g : columns) row.push_back(g[i]);
+    basis.set(static_cast<int>(i), row.data(), 0, i > 0 ? rank : 0);
+  }
+  basis.enclose();
+  return basis;
+}
+
+/// In directions that are exact, what rounding of Qᵀ G adds to short ones.
+TEST(ErrorBasis, CountsRoundingAlongExactDirections) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform(0.1, 0.2);
+  for (int trial = 0; trial < 40; ++trial) {
+    std::vector<std::array<double, 4>> g;
+    for (int s = 0; s < 4; ++s) {
+      const double size = std::ldexp(0.25, -12 * s);
+      const double other = s % 2 == 0 ? size : -size, sign = s < 2 ? 1 : -1;
+      g.push_back({size, other, sign * size, sign * other});
+    }
+    const double x = uniform(generator);
+    std::array<double, 4> noisy;
+    for (double& component : noisy) component = x * (1 + 0x1p-50 * uniform(generator) * 40);
+    g.push_back(noisy);
+    EXPECT_LE(largest_symbol(basis_of(g), g), 1.0);
+  }
+}
+
+/// Directions that are not quite at right angles: the second is what is left of a unit vector that
+/// nearly agrees with the first.
+TEST(ErrorBasis, CountsWhatItsDirectionsAreOff) {
+  constexpr double unit = 0x1p-53, of_rank = 0x1p-10;
+  int oblique = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    using Columns = std::vector<std::array<double, 2>>;
+    const std::array<double, 2> first{0.2, 0.2 * (1.01 + 0.0009 * trial)};
+    const ErrorBasis of_first = basis_of(Columns{first}, 1);
+    // The second direction, of length 1, and what the first has along it.
+    std::array<long double, 2> second{of_first.generator(0, 1), of_first.generator(1, 1) * of_rank};
+    const long double length = std::hypot(second[0], second[1]);
+    for (long double& component : second) component /= length;
+    std::array<long double, 2> direction{of_first.generator(0, 0),
+                                         of_first.generator(1, 0) * of_rank};
+    const long double along = (direction[0] * second[0] + direction[1] * second[1]) /
+                              std::hypot(direction[0], direction[1]);
+    const double share = static_cast<double>(7 * unit / std::abs(along));
+    if (!(share < 0.07)) continue;
+    ++oblique;
+    // Columns at right angles to the second direction: in terms of both, they have parts along it.
+    Columns all{first};
+    for (int k = 0; k < static_cast<int>(0.5 / share); ++k)
+      all.push_back({static_cast<double>(share * std::abs(second[1])),
+                     static_cast<double>(share * std::abs(second[0]) / of_rank)});
+    EXPECT_LE(largest_symbol(basis_of(all, 1), all), 1.0) << trial;
+  }
+  EXPECT_GE(oblique, 20);
 }
 
 TEST(ErrorBasis, HoldsNearlyDependentErrors) {

@@ -18,7 +18,9 @@ constexpr double missed = 3;
 struct Blocks {
   ScaledSystem& system;
   void solve(double* x) { system.solve_blocks(x); }
-  void solve_transposed(double* x) { system.solve_blocks_transposed(x); }
+  void solve_transposed(double* x, int right_sides) {
+    system.solve_blocks_transposed(x, right_sides);
+  }
 };
 
 Assessment undetermined(Assessment a, GroupId group) {
@@ -52,6 +54,7 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<cons
       off_(system_.size()),
       unknown_(system_.size()),
       change_(system_.size()),
+      signs_(system_.size(), 2),
       row_(system_.size()),
       row_magnitudes_(system_.size()),
       error_(system_.size()),
@@ -68,10 +71,7 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<cons
       if (!(m.constraints[c].left_out >> r & 1)) row_magnitudes_[row++] = magnitudes.of({c, r});
   for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
   std::mt19937 bits;
-  for (Eigen::ArrayXd& signs : signs_) {
-    signs.resize(system_.size());
-    for (double& sign : signs) sign = bits() >> 31 ? -1 : 1;
-  }
+  for (double& sign : signs_.reshaped()) sign = bits() >> 31 ? -1 : 1;
 }
 
 Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
@@ -202,10 +202,10 @@ double Assessor::of_residuals() {
 /// signs without a pattern show of each, and as many times that as it takes.
 void Assessor::enclose(Level level) {
   std::ranges::fill(max_, 0.0);
-  for (std::size_t probe = 0; probe < signs_.size() && system_.size() > 0; ++probe) {
-    change_ = signs_[probe] * unknown_;
-    system_.solve(change_.data());
-    at_least(change_);
+  if (system_.size() > 0) {
+    probes_ = signs_.colwise() * unknown_;
+    system_.solve(probes_.data(), static_cast<int>(probes_.cols()));
+    for (const auto& probe : probes_.colwise()) at_least(probe);
   }
   for (int j = 0; j < system_.size(); ++j) error_[j] = max_[group_[j]];
   error_ *= missed * to_errors_[level](system_, inverse(error_), unknown_).value;
@@ -214,7 +214,7 @@ void Assessor::enclose(Level level) {
   for (int j = 0; j < system_.size(); ++j) error_[j] += max_[group_[j]];
 }
 
-void Assessor::at_least(const Eigen::ArrayXd& errors) {
+void Assessor::at_least(const Eigen::Ref<const Eigen::ArrayXd>& errors) {
   for (int j = 0; j < system_.size(); ++j)
     max_[group_[j]] = std::max(max_[group_[j]], std::abs(errors[j]));
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -62,7 +61,7 @@ class Assessor {
   Bound of_outputs(Level level, const Scales& scales);
   double of_residuals();
   void enclose(Level level);
-  void at_least(const Eigen::ArrayXd& errors);
+  void at_least(const Eigen::Ref<const Eigen::ArrayXd>& errors);
   const Eigen::ArrayXd& inverse(const Eigen::ArrayXd& errors);
   double contraction();
   void widen(Level level, double times);
@@ -76,9 +75,9 @@ class Assessor {
   InverseNorm of_residuals_;
   PerLevel<InverseNorm> to_outputs_, to_errors_;
   Eigen::ArrayXd weights_, off_, unknown_, change_;
-  std::array<Eigen::ArrayXd, 2> signs_;  // without a pattern
-  Eigen::ArrayXd row_;                   // of the inverse
-  Eigen::ArrayXd row_magnitudes_;        // of the equations, as in their residuals
+  Eigen::ArrayX2d signs_, probes_;  // signs_: without a pattern
+  Eigen::ArrayXd row_;              // of the inverse
+  Eigen::ArrayXd row_magnitudes_;   // of the equations, as in their residuals
   Eigen::ArrayXd error_;  // error bound of each unknown in its magnitude, equal within a group
   std::vector<GroupId> group_;  // group of each unknown
   std::vector<double> max_;     // error bound of each group

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 namespace desmo {
@@ -17,44 +18,45 @@ struct WorstCase {
 /// last worst unknown, which mostly is the worst again.
 class InverseNorm {
  public:
-  explicit InverseNorm(int n) : x_(n), sign_(n) {}
+  explicit InverseNorm(int n) : x_(n, 2), sign_(n) {}
 
-  /// Returns the estimate. factors: solve(x) and solve_transposed(x) overwrite x with A⁻¹ x and
-  /// A⁻ᵀ x.
+  /// Returns the estimate. factors: solve(x) overwrites x with A⁻¹ x, and
+  /// solve_transposed(x, columns) overwrites an array of columns with A⁻ᵀ of each.
   template <class Factors>
   WorstCase operator()(Factors& factors, const Eigen::ArrayXd& w, const Eigen::ArrayXd& f) {
-    const Eigen::Index n = x_.size();
+    const Eigen::Index n = sign_.size();
     WorstCase worst;
     if (n == 0) return worst;
-    const auto row = [&] {  // x = F A⁻ᵀ W x; turns eⱼ into row j of W A⁻¹ F
-      x_ *= w;
-      factors.solve_transposed(x_.data());
-      x_ *= f;
-      return x_.abs().sum();
-    };
-    const auto row_of = [&](Eigen::Index j) {
-      x_.setZero();
-      x_[j] = 1;
-      return row();
+    auto x = x_.col(0), alternating = x_.col(1);
+    const auto solve_rows = [&](int count) {  // F A⁻ᵀ W x; turns eⱼ into row j of W A⁻¹ F
+      x_.leftCols(count).colwise() *= w;
+      factors.solve_transposed(x_.data(), count);
+      x_.leftCols(count).colwise() *= f;
     };
     int tried = last_worst_;
     bool is_attained = tried >= 0;
-    if (is_attained) {
-      worst = {row_of(tried), tried};
-    } else {
-      x_.setConstant(1.0 / static_cast<double>(n));
-      worst.value = row();
-    }
+    x.setConstant(is_attained ? 0 : 1.0 / static_cast<double>(n));
+    if (is_attained) x[tried] = 1;
+    for (Eigen::Index i = 0; i < n; ++i)
+      alternating[i] =
+          (i % 2 == 0 ? 1 : -1) * (1 + static_cast<double>(i) / static_cast<double>(n));
+    solve_rows(2);
+    worst = {x.abs().sum(), std::max(tried, 0)};
+    // Alternating, growing numbers reveal a large row that cancellation has hidden from the search.
+    const double hidden = 2 * alternating.abs().sum() / (3 * static_cast<double>(n));
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
-      sign_ = (x_ < 0).select(Eigen::ArrayXd::Constant(n, -1.0), 1.0);
-      x_ = f * sign_;
+      sign_ = (x < 0).select(Eigen::ArrayXd::Constant(n, -1.0), 1.0);
+      x = f * sign_;
       factors.solve(x_.data());
-      x_ *= w;
+      x *= w;
       Eigen::Index j = 0;
-      x_.abs().maxCoeff(&j);
+      x.abs().maxCoeff(&j);
       if (j == tried) break;
       tried = static_cast<int>(j);
-      const double value = row_of(j);
+      x.setZero();
+      x[j] = 1;
+      solve_rows(1);
+      const double value = x.abs().sum();
       const bool grows = !(value <= worst.value);
       if (!is_attained || grows) worst.unknown = tried;
       if (grows) worst.value = value;
@@ -62,18 +64,15 @@ class InverseNorm {
       is_attained = true;
     }
     last_worst_ = worst.unknown;
-    // Alternating, growing numbers reveal a large row that cancellation has hidden from the search.
-    for (Eigen::Index i = 0; i < n; ++i)
-      x_[i] = (i % 2 == 0 ? 1 : -1) * (1 + static_cast<double>(i) / static_cast<double>(n));
-    const double value = 2 * row() / (3 * static_cast<double>(n));
-    if (!(value <= worst.value)) worst.value = value;
+    if (!(hidden <= worst.value)) worst.value = hidden;
     return worst;
   }
 
  private:
   static constexpr int max_attempts = 5;
 
-  Eigen::ArrayXd x_, sign_;
+  Eigen::ArrayX2d x_;
+  Eigen::ArrayXd sign_;
   int last_worst_ = -1;
 };
 

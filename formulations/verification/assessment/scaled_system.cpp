@@ -48,10 +48,16 @@ ScaledSystem::ScaledSystem(const Model& m)
 
 ScaledSystem::~ScaledSystem() = default;
 
-void ScaledSystem::solve(double* x) { factors_->solve(x); }
-void ScaledSystem::solve_blocks(double* x) { factors_->solve_blocks(x); }
-void ScaledSystem::solve_blocks_transposed(double* x) { factors_->solve_blocks_transposed(x); }
-void ScaledSystem::solve_transposed(double* x) { factors_->solve_transposed(x); }
+void ScaledSystem::solve(double* x, int right_sides) { factors_->solve_all(x, right_sides); }
+void ScaledSystem::solve_blocks(double* x, int right_sides) {
+  factors_->solve_blocks(x, right_sides);
+}
+void ScaledSystem::solve_transposed(double* x, int right_sides) {
+  factors_->solve_transposed(x, right_sides);
+}
+void ScaledSystem::solve_blocks_transposed(double* x, int right_sides) {
+  factors_->solve_blocks_transposed(x, right_sides);
+}
 
 GroupId ScaledSystem::group_of_block(int block) const {
   return row_groups_[factors_->block_rows()[factors_->block_start()[block]]];

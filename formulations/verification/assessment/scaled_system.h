@@ -52,13 +52,13 @@ class ScaledSystem {
   /// W⁻¹.
   const Array& unknown_shares() const { return unknown_shares_; }
   const Array& row_shares() const { return row_shares_; }
-  /// Overwrite x with A⁻¹ x and A⁻ᵀ x.
-  void solve(double* x);
-  void solve_transposed(double* x);
-  /// Overwrite x with D⁻¹ x and D⁻ᵀ x, D being the irreducible blocks of A without what couples
-  /// them.
-  void solve_blocks(double* x);
-  void solve_blocks_transposed(double* x);
+  /// Overwrite X (unknowns × right_sides, column by column) with A⁻¹ X and A⁻ᵀ X.
+  void solve(double* x, int right_sides = 1);
+  void solve_transposed(double* x, int right_sides = 1);
+  /// Overwrite X (unknowns × right_sides) with D⁻¹ X and D⁻ᵀ X, D being the irreducible blocks of A
+  /// without what couples them.
+  void solve_blocks(double* x, int right_sides = 1);
+  void solve_blocks_transposed(double* x, int right_sides = 1);
   /// Returns the change of each unknown, in its magnitude and up to sign, when every driver moves
   /// by plus or minus its own magnitude. Solves in place: may be called once after each
   /// factor().

@@ -6,7 +6,8 @@
 namespace desmo {
 
 /// Finds the errors of the unknowns but for those that X causes: −Y Φ − Y Φ_h δ, and at higher
-/// levels −Y times the lower terms.
+/// levels −Y times the lower terms. The rounding of Y Φ needs no term: |Φ| is at most
+/// |Φ_φ| |X| + |Φ_h| |δ| and the lower terms, whose rounding is counted here and in contract().
 template <int N>
 void BlockProof::find_image(Level level) {
   const BlockShape& s = *shape_;
@@ -16,7 +17,7 @@ void BlockProof::find_image(Level level) {
   ErrorColumns& e = errors_[level];
   for (int r = 0; r < n; ++r) {
     const LaneInterval& f = phi_[level][r];
-    Lanes center = f.mid, uncertain = fma(rounding, abs(f.mid), f.radius);
+    Lanes center = f.mid, uncertain = f.radius;
     const int row_end = s.row_begins[r + 1];
     for (int k = s.input_begins[r]; k < row_end; ++k) {
       const int j = s.entries[k];

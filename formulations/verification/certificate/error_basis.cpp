@@ -69,7 +69,7 @@ void ErrorBasis::find_directions() {
   }
 }
 
-/// Returns a bound on ‖I − QᵀQ‖∞.
+/// Returns a bound on ‖I − QᵀQ‖∞, and on the rounding of Qᵀ G relative to the widest radius.
 double ErrorBasis::deviation() const {
   const int d = size_;
   double worst = 0;
@@ -82,7 +82,10 @@ double ErrorBasis::deviation() const {
     }
     worst = std::max(worst, sum);
   }
-  // Each product is a sum of d + 1 terms, whose magnitudes add up to little more than 2.
+  // Each product is a sum of d + 1 terms, whose magnitudes add up to little more than 2. That takes
+  // half of this; the other half covers the rounding of Qᵀ G. The error of each of its columns is
+  // at most d unit |Qᵀ| |G|, and the rows of |G| have sums of at most √d times the widest radius,
+  // since all errors are Q s; so those of a column of Q add up to d² unit times it.
   return worst + 4 * d * (d + 2) * Interval::unit;
 }
 
@@ -94,11 +97,11 @@ void ErrorBasis::enclose() {
   double widest = 0;
   for (int s = 0; s < d; ++s) {
     std::fill_n(sums_.begin(), n, 0);
-    double own = 0;  // |Qᵀ| own, and the rounding of Qᵀ G
+    double own = 0;
     for (int i = 0; i < d; ++i) {
       const double q = basis_[i * d + s];
       for (int k = 0; k < n; ++k) sums_[k] += q * generators_[i * n + k];
-      own += std::abs(q) * (own_[i] + rounding);  // rows have sums of at most 1
+      own += std::abs(q) * own_[i];
     }
     for (int k = 0; k < n; ++k) own += std::abs(sums_[k]);
     radii_[s] = own * (1 + rounding) + Interval::tiny;

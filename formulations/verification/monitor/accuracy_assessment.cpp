@@ -18,15 +18,27 @@ constexpr double error_over_shown = 10;
 
 }  // namespace
 
-Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant) {
+/// Measures the step to an instant that has velocities, once there is something to measure by.
+std::optional<StepMeasures> AccuracyMonitor::State::measure_step(const Instant& instant) {
+  RecentInstants& recent = continuity.recent();
+  if (!started || recent.count() == 0 || instant.qd.empty()) {
+    recent.forget_copy();
+    return {};
+  }
+  return recent.measure(instant,
+                        {sensitivity.weights().data(), conditioning.weights(), weights.data()});
+}
+
+Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant,
+                                                        const std::optional<StepMeasures>& step) {
   Expectation::Signals signals;
   if (has(Monitor::residual)) signals.residual = instant.residual;
   if (has(Monitor::sensitivity)) {
-    signals.growth = sensitivity.growth(instant);
+    signals.growth = sensitivity.growth(instant, step ? std::optional(step->rate) : std::nullopt);
     signals.drivers = sensitivity.driver_growth();
   }
   if (!has(Monitor::condition)) return signals;
-  conditioning.go_on(instant);
+  conditioning.go_on(instant, step ? step->way : INFINITY);
   if (conditioning.is_due()) conditioning.look(instant, assessor.system());
   signals.growth = std::max(signals.growth, conditioning.growth());
   return signals;
@@ -67,10 +79,11 @@ bool AccuracyMonitor::State::has_bad_pivots() const {
 }
 
 bool AccuracyMonitor::State::is_in_doubt(const Instant& instant,
-                                         const Expectation::Signals& signals) {
+                                         const Expectation::Signals& signals,
+                                         const std::optional<StepMeasures>& step) {
   if (!has(Monitor::continuity)) return false;
-  const bool in_doubt =
-      continuity.in_doubt(instant, weights, min_excursion(signals.growth), has(Monitor::turns));
+  const bool in_doubt = continuity.in_doubt(instant, weights, min_excursion(signals.growth), step,
+                                            has(Monitor::turns));
   return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
 }
 

@@ -35,12 +35,13 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
 MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
   MonitoredInstant j{instant};
   if (instant.interpolated && !has(Monitor::rows)) return j;
-  const Expectation::Signals signals = signals_of(instant);
+  const std::optional<StepMeasures> step = measure_step(instant);
+  const Expectation::Signals signals = signals_of(instant, step);
   const Assessment expected = expectation(signals);
   const Statement statement = state(instant, expected);
   // A shorter stride costs less than an assessment.
   if (j.too_coarse = instant.interpolated && !statement.holds; j.too_coarse) return j;
-  const bool in_doubt = is_in_doubt(instant, signals);
+  const bool in_doubt = is_in_doubt(instant, signals, step);
   j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
   std::optional<Continuity::Jump> jump;
   const bool known_before = rates_are_known(), from_noise = degraded && !known_before;
@@ -106,7 +107,7 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& ins
   if (!solved) return {};
   MonitoredInstant j{*solved};
   j.solved_anew = true;
-  assess(j, signals_of(j.instant), {}, false);
+  assess(j, signals_of(j.instant, {}), {}, false);
   if (j.assessment.singular) return {};
   deliver(j, true);
   ++corrected;

@@ -45,14 +45,16 @@ struct AccuracyMonitor::State {
   std::optional<MonitoredInstant> pass(const Instant& singular);
   PerLevel<double> difference(const Instant& a, const Instant& b) const;
 
-  Expectation::Signals signals_of(const Instant& instant);
+  std::optional<StepMeasures> measure_step(const Instant& instant);
+  Expectation::Signals signals_of(const Instant& instant, const std::optional<StepMeasures>& step);
   bool is_due(const Expectation::Signals& signals) const;
   Statement state(const Instant& instant, const Assessment& expected);
   bool has_bad_pivots() const;
   bool rates_are_known() const {
     return !exceeds(last.bound, {unusable_rate, unusable_rate, unusable_rate});
   }
-  bool is_in_doubt(const Instant& instant, const Expectation::Signals& signals);
+  bool is_in_doubt(const Instant& instant, const Expectation::Signals& signals,
+                   const std::optional<StepMeasures>& step);
   double min_excursion(double growth) const;
 
   void assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected,

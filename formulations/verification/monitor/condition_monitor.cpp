@@ -23,8 +23,12 @@ constexpr double at_once = 1e300;
 constexpr int max_looks = 128, max_look_numbers = 1 << 20;
 /// Way in magnitudes that does not count: an instant has been corrected.
 constexpr double negligible = 1e-6;
+/// Instants after which coordinates are compared with those of the look.
+constexpr int max_unmeasured = 8;
+/// By how much rates between two instants may exceed those at both.
+constexpr double rate_margin = 1.25;
 /// Coordinates after which it is asked whether the rest matters.
-constexpr Eigen::Index chunk = 64;
+constexpr Eigen::Index chunk = 32;
 
 Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
@@ -45,7 +49,8 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
       unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
       per_turn_(Eigen::ArrayXd::Zero(m.coordinates())),
-      x_(system.size()),
+      right_(system.size(), 4),
+      x_(system.size(), 4),
       way_(m.coordinates()),
       share_before_(m.groups.size()),
       way_of_group_(m.groups.size()),
@@ -55,14 +60,13 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   const std::vector<EntityId> entity = entity_of_coordinate(m);
   std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to all
-  for (Eigen::ArrayXd& right : right_) right.resize(system.size());
   for (int j = 0; j < system.size(); ++j) {
     group_.push_back(m.entities[entity[system.unknowns()[j]]].group);
     block_.push_back(system.block(j));
-    for (Eigen::ArrayXd& right : right_) {
+    for (int k = 0; k < right_.cols(); ++k) {
       const std::uint_fast32_t drawn = bits();
       const double size = 0.5 + (drawn & 0x7fffffffu) * 0x1p-32;
-      right[j] = drawn >> 31 ? -size : size;
+      right_(j, k) = drawn >> 31 ? -size : size;
     }
   }
   const int blocks = system.size() > 0 ? std::ranges::max(block_) + 1 : 0;
@@ -104,18 +108,28 @@ double ConditionMonitor::used(const Look& look, std::span<const double> q) {
 /// away if so.
 bool ConditionMonitor::turn_to(Look& look, std::span<const double> q) const {
   const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
-  const double part = max_of_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
+  Eigen::Index last = 0;
+  const auto find = [&](Eigen::Index i, Eigen::Index n) {
     const auto way = now.segment(i, n) - look.q.segment(i, n);
     const auto turns = (way * per_turn_.segment(i, n)).round() * (2 * std::numbers::pi);
+    last = i;
     return ((way - turns).abs() * look.per_way.segment(i, n)).maxCoeff();
-  });
-  if (part >= 1) return false;
+  };
+  const Eigen::Index first = look.decisive, few = std::min(chunk, now.size() - first);
+  if (few > 0 && find(first, few) >= 1) return false;
+  if (max_of_chunks(now.size(), find) >= 1) {
+    look.decisive = last;
+    return false;
+  }
   look.q += ((now - look.q) * per_turn_).round() * (2 * std::numbers::pi);
   return true;
 }
 
-void ConditionMonitor::go_on(const Instant& instant) {
+void ConditionMonitor::go_on(const Instant& instant, double way) {
   if (count_ == 0) return;
+  used_ += rate_margin * way;
+  if (used_ < 1 && ++unmeasured_ < max_unmeasured && !instant.interpolated) return;
+  unmeasured_ = 0;
   used_ = used(looks_[current_], instant.q);
   if (used_ < 1) return;
   for (int k = 1; k < count_; ++k) {  // first the one that followed last time
@@ -188,16 +202,16 @@ ConditionMonitor::Look& ConditionMonitor::add(const Instant& instant) {
 void ConditionMonitor::measure(Look& look, ScaledSystem& system) {
   look.share.setZero();
   look.distance.setZero();
-  for (const Eigen::ArrayXd& right : right_) {
-    if (system.size() == 0) break;
-    x_ = right;
-    system.solve(x_.data());
+  if (system.size() > 0) {
+    const auto largest = [&](int j) { return x_.row(j).abs().maxCoeff(); };
+    x_ = right_;
+    system.solve(x_.data(), static_cast<int>(x_.cols()));
     for (int j = 0; j < system.size(); ++j)
-      look.share[group_[j]] = std::max(look.share[group_[j]], std::abs(x_[j]));
-    x_ = right;
-    system.solve_blocks(x_.data());
+      look.share[group_[j]] = std::max(look.share[group_[j]], largest(j));
+    x_ = right_;
+    system.solve_blocks(x_.data(), static_cast<int>(x_.cols()));
     for (int j = 0; j < system.size(); ++j)
-      look.distance[block_[j]] = std::max(look.distance[block_[j]], std::abs(x_[j]));
+      look.distance[block_[j]] = std::max(look.distance[block_[j]], largest(j));
   }
   look.share = look.share.max(min_part * look.share.maxCoeff());
   look.distance = look.distance.inverse();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -24,13 +24,20 @@ namespace desmo {
 /// entries of D change by their own size when coordinates move by their magnitudes. The next look
 /// is due where neither the last one nor an earlier one holds, so a motion that returns is not
 /// looked at again. Away from a look the growth counts as if d had halved.
+///
+/// Coordinates are compared with the look's only now and then. In between, their rates bound how
+/// far they have gone.
 class ConditionMonitor {
  public:
   /// system: the one of the model.
   ConditionMonitor(const Model& model, const ScaledSystem& system);
 
-  /// Moves on to an instant.
-  void go_on(const Instant& instant);
+  /// Moves on to an instant. way: of the step to it, by weights() (StepMeasures); infinity: not
+  /// known.
+  void go_on(const Instant& instant, double way = INFINITY);
+  /// Returns, for each coordinate, 1 over the way on which the current look holds; null: there is
+  /// no look.
+  const double* weights() const { return count_ > 0 ? looks_[current_].per_way.data() : nullptr; }
   /// Returns whether the instant should be looked at.
   bool is_due() const { return used_ >= 1; }
   void look(const Instant& instant, ScaledSystem& system);
@@ -45,10 +52,11 @@ class ConditionMonitor {
  private:
   struct Look {
     Eigen::ArrayXd q;
-    Eigen::ArrayXd per_way;   // 1 / change of each coordinate up to which it holds
-    double max_per_way = 0;   // the largest, by magnitudes
-    Eigen::ArrayXd share;     // ‖x‖∞ of each group
-    Eigen::ArrayXd distance;  // d of each block
+    Eigen::ArrayXd per_way;     // 1 / change of each coordinate up to which it holds
+    double max_per_way = 0;     // the largest, by magnitudes
+    Eigen::Index decisive = 0;  // the first of those that ruled it out last
+    Eigen::ArrayXd share;       // ‖x‖∞ of each group
+    Eigen::ArrayXd distance;    // d of each block
     std::vector<signed char> signs;
   };
   static double used(const Look& look, std::span<const double> q);
@@ -68,8 +76,8 @@ class ConditionMonitor {
   std::vector<GroupId> group_;           // group of each unknown
   std::vector<int> block_;               // irreducible block of each unknown
   std::vector<GroupId> of_block_;        // group of each block
-  std::array<Eigen::ArrayXd, 4> right_;  // b
-  Eigen::ArrayXd x_;                     // A⁻¹ b
+  Eigen::ArrayX4d right_;                // b
+  Eigen::ArrayX4d x_;                    // A⁻¹ b
   Eigen::ArrayXd way_;                   // of each coordinate since the look before, in magnitudes
   Eigen::ArrayXd share_before_, distance_before_;  // of that look
   std::vector<double> way_of_group_;               // the largest of what each group reads
@@ -79,7 +87,8 @@ class ConditionMonitor {
   Eigen::ArrayXd then_;             // shares at the assessment
   std::vector<signed char> signs_;  // of the assessment
   double growth_ = 1;               // of the current look
-  double used_ = 0;                 // part of the way on which it holds
+  double used_ = 0;                 // part of the way on which it holds, at most
+  int unmeasured_ = 0;              // instants since coordinates were compared
 };
 
 }  // namespace desmo

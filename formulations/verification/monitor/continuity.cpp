@@ -64,7 +64,9 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
 void Continuity::take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated) {
   recent_.take(instant, is_assessed, stated);
   turns_.forget();
-  if (!instant.qd.empty()) fastest_ = std::max(fastest_, fastest_driver(instant));
+  if (instant.qd.empty()) return;
+  fastest_at_last_ = fastest_driver(instant);
+  fastest_ = std::max(fastest_, fastest_at_last_);
 }
 
 double Continuity::fastest_driver(const Instant& instant) const {
@@ -77,19 +79,26 @@ void Continuity::expect(const Instant& instant) {
   if (is_known()) turns_.find(recent_[0], instant, 0);
 }
 
+/// Returns 1 over what groups move by the measure of a mismatch. fastest: of the drivers at the
+/// ends of the step.
+double Continuity::per_movement(const Instant& to, double step, double fastest) const {
+  const double rate = std::max(fastest, at_rest * fastest_);
+  const double movement = to.qdd.empty() ? std::abs(step) * rate : rate;
+  return movement > 0 ? 1 / movement : 0;
+}
+
 /// found(what the trapezoid rule is off by, relative to what groups move).
 template <class Found>
 auto Continuity::mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights,
                           Found&& found) const {
   const double h = to.time - from.time;
-  const double fastest = std::max({fastest_driver(from), fastest_driver(to), at_rest * fastest_});
+  const double unit = per_movement(to, h, std::max(fastest_driver(from), fastest_driver(to)));
   const auto off = [&](std::span<const double> x0, std::span<const double> x1,
-                       std::span<const double> rate0, std::span<const double> rate1, double unit) {
+                       std::span<const double> rate0, std::span<const double> rate1) {
     return found((array(x1) - array(x0) - h / 2 * (array(rate0) + array(rate1))).abs() * weights *
-                 (unit > 0 ? 1 / unit : 0));
+                 unit);
   };
-  return to.qdd.empty() ? off(from.q, to.q, from.qd, to.qd, std::abs(h) * fastest)
-                        : off(from.qd, to.qd, from.qdd, to.qdd, fastest);
+  return to.qdd.empty() ? off(from.q, to.q, from.qd, to.qd) : off(from.qd, to.qd, from.qdd, to.qdd);
 }
 
 double Continuity::mismatch(const Instant& from, const Instant& to,
@@ -128,13 +137,19 @@ bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::A
 }
 
 bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
-                          double min_excursion, bool with_turns) {
+                          double min_excursion, const std::optional<StepMeasures>& measures,
+                          bool with_turns) {
   const double least = std::min(min_excursion, std::exchange(min_excursion_, min_excursion));
   angles_follow_ = is_known() && do_angles_follow(instant);
   if (!is_known() || weights.size() == 0) return false;
-  return (with_turns && turns_.find(recent_[0], instant, least)) ||
-         mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
-         (!angles_follow_ && turns_further(view_of(recent_[0], instant), instant, weights));
+  if (with_turns && turns_.find(recent_[0], instant, least)) return true;
+  const Instant last = view_of(recent_[0], instant);
+  const auto measured = [&] {
+    const double fastest = std::max(fastest_at_last_, fastest_driver(instant));
+    return measures->mismatch * per_movement(instant, instant.time - last.time, fastest);
+  };
+  const double off = measures ? measured() : mismatch(last, instant, weights);
+  return off > smooth || (!angles_follow_ && turns_further(last, instant, weights));
 }
 
 /// Returns whether every unknown angle turns as its rates say, to `closely_turned`, and by half a

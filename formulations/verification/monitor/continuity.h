@@ -43,9 +43,10 @@ class Continuity {
 
   /// Returns whether the step from the instant taken last is in doubt. min_excursion: how far
   /// drivers may turn beyond this instant before a position may be singular (DriverTurns).
-  /// with_turns: turning points of the drivers within the step count.
+  /// measures: of the step by these weights, where they are known. with_turns: turning points of
+  /// the drivers within the step count.
   bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights, double min_excursion,
-                bool with_turns = true);
+                const std::optional<StepMeasures>& measures, bool with_turns = true);
   /// Returns whether all unknown angles turned in that step as their rates say, so closely that
   /// none is half a turn from where they lead.
   bool angles_follow() const { return angles_follow_; }
@@ -99,6 +100,7 @@ class Continuity {
  private:
   using Node = RecentInstants::Node;
   double fastest_driver(const Instant& instant) const;
+  double per_movement(const Instant& to, double step, double fastest) const;
   template <class Found>
   auto mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights,
                 Found&& found) const;
@@ -127,6 +129,7 @@ class Continuity {
   DriverTurns turns_;           // of the step to the next instant
   double min_excursion_ = 0;    // at the last instant
   double fastest_ = 0;          // largest rate of the drivers so far [magnitudes/s]
+  double fastest_at_last_ = 0;  // the same of the last instant
   RecentInstants recent_;
   Node reached_, next_;
   std::array<Node, 6> passage_;  // two before, two beyond, two between

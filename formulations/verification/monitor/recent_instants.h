@@ -9,6 +9,19 @@
 
 namespace desmo {
 
+/// Weights of coordinates, (coordinates) each, by which a step is measured.
+struct StepWeights {
+  const double *rate, *way, *mismatch;
+};
+
+/// Measures of a step of length h: each the largest over all coordinates, times a weight.
+struct StepMeasures {
+  double rate = 0;  ///< |q̇| at the end
+  double way = 0;   ///< |h q̇|, at the faster end
+  double mismatch = 0;  ///< error of the trapezoid rule: |v₁ − v₀ − h/2 (a₀ + a₁)|, v the highest
+                        ///< level but one, a the highest
+};
+
 /// Copies of the last few instants, and what was stated of them. What follows may show that they
 /// were worse.
 class RecentInstants {
@@ -24,8 +37,17 @@ class RecentInstants {
 
   explicit RecentInstants(int coordinates);
 
+  /// Measures the step from the last instant to one with velocities. Copies it on the way, which
+  /// take() then need not do.
+  StepMeasures measure(const Instant& to, const StepWeights& weights);
+
   void take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated);
-  void forget() { count_ = 0; }
+  void forget() {
+    count_ = 0;
+    forget_copy();
+  }
+  /// Forgets the copy of an instant that measure() made and take() did not get.
+  void forget_copy() { copied_ = nullptr; }
   void shift_time(double by);
 
   int count() const { return count_; }
@@ -35,9 +57,11 @@ class RecentInstants {
 
  private:
   int size() const { return static_cast<int>(nodes_.size()); }
+  Node& next() { return nodes_[(newest_ + 1) % size()]; }
 
-  std::vector<Node> nodes_;
+  std::vector<Node> nodes_;  // one more than are kept
   int newest_ = 0, count_ = 0;
+  const double* copied_ = nullptr;  // q of the instant that next() is a copy of
 };
 
 /// Returns a view of a node, as far as `like` is solved.

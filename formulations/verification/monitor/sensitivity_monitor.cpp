@@ -32,7 +32,7 @@ SensitivityMonitor::SensitivityMonitor(const Model& m, std::span<const Level> le
     group_[i] = m.entities[entity[i]].group;
     if (has_rates && levels[i] == Level::position) continue;
     if (driven[i])
-      drivers_.push_back({i, magnitude[i]});
+      drivers_.push_back({i, 1 / magnitude[i]});
     else
       unit_[i] = 1 / magnitude[i];
   }
@@ -45,12 +45,11 @@ std::span<const double> SensitivityMonitor::rates(const Instant& instant) const 
 
 double SensitivityMonitor::of_drivers(std::span<const double> rates) const {
   double largest = 0;
-  for (const Driven& d : drivers_)
-    largest = std::max(largest, std::abs(rates[d.coordinate]) / d.magnitude);
+  for (const auto& [i, unit] : drivers_) largest = std::max(largest, std::abs(rates[i]) * unit);
   return largest;
 }
 
-double SensitivityMonitor::growth(const Instant& instant) {
+double SensitivityMonitor::growth(const Instant& instant, std::optional<double> fastest) {
   if (unit_.size() == 0) return 1;
   if (instant.qd.empty()) {
     if (last_.size() > 0) difference_ = as_array(instant.q) - last_;
@@ -64,7 +63,8 @@ double SensitivityMonitor::growth(const Instant& instant) {
   const bool moved = moves_;
   moves_ = drivers > sensitivity_at_rest * fastest_;
   if (!moves_) return moved ? INFINITY : 1;
-  return std::max(1.0, (as_array(rate).abs() * weight_).maxCoeff() / drivers);
+  if (!fastest) fastest = (as_array(rate).abs() * weight_).maxCoeff();
+  return std::max(1.0, *fastest / drivers);
 }
 
 void SensitivityMonitor::compare_drivers(double rates, double second) {

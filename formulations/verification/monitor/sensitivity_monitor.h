@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,10 +20,11 @@ class SensitivityMonitor {
   SensitivityMonitor(const Model& model, std::span<const Level> levels,
                      std::span<const double> magnitudes);
 
-  /// Returns the growth since reset(), at least 1; instants come in order of time. Drivers that
+  /// Returns the growth since reset(), at least 1; instants come in order of time. fastest: the
+  /// largest rate, times weights(), where it is known (StepMeasures). Drivers that
   /// stop leave nothing to compare with: the first instant at which none moves has infinite growth.
   /// Later ones have 1, since they equal it.
-  double growth(const Instant& instant);
+  double growth(const Instant& instant, std::optional<double> fastest = {});
   /// Returns the growth of the drivers' motion since reset(), at least 1:
   /// - position: 1
   /// - velocity: growth of their rates
@@ -43,7 +45,7 @@ class SensitivityMonitor {
 
   struct Driven {
     int coordinate;
-    double magnitude;
+    double unit;  // 1 / magnitude
   };
   std::vector<Driven> drivers_;
   std::vector<GroupId> group_;  // group of each coordinate
