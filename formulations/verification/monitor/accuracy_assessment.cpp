@@ -128,7 +128,8 @@ bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
 /// Measures errors where bounds would flag an instant. Leaves its factors.
 void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
   if (a.singular || !exceeds(a.bound, limits.degraded)) return;
-  const PerLevel<double> error = measured(instant, scales.with(instant), a.condition);
+  const PerLevel<double> error =
+      measured(instant, scales.with(instant), a.condition, limits.degraded);
   for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
 }
 
