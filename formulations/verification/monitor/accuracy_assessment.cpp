@@ -68,8 +68,26 @@ bool AccuracyMonitor::State::has_bad_pivots() const {
 bool AccuracyMonitor::State::is_in_doubt(const Instant& instant,
                                          const Expectation::Signals& signals) {
   if (!has(Monitor::continuity)) return false;
-  const bool in_doubt = continuity.in_doubt(instant, weights, min_excursion(signals.growth));
+  const bool in_doubt =
+      continuity.in_doubt(with_known_rates(instant), weights, min_excursion(signals.growth));
   return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
+}
+
+/// Solves an instant in short steps from the last one, as far as rates are known there.
+std::optional<Instant> AccuracyMonitor::State::solve_anew(const Instant& instant) {
+  const Instant known = with_known_rates(instant);
+  const auto solved = continuity.solve_anew(known, means());
+  if (!solved || known.qdd.size() == instant.qdd.size()) return solved;
+  Instant whole = *solved;
+  whole.qdd = instant.qdd;
+  return assessor.corrected(whole);
+}
+
+/// Leaves out accelerations that are noise at the last instant, where velocities tell more.
+Instant AccuracyMonitor::State::with_known_rates(const Instant& instant) const {
+  Instant known = instant;
+  if (!(last.bound.acceleration <= noise) && last.bound.velocity <= noise) known.qdd = {};
+  return known;
 }
 
 /// How far drivers may go, in magnitudes, before a position may be singular. Near a dead point
@@ -137,7 +155,7 @@ void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
 AccuracyMonitor::State::Improvement AccuracyMonitor::State::improve(MonitoredInstant& j) {
   const bool is_far = j.instant.interpolated && exceeds(last.bound, limits.degraded);
   if (is_far) {
-    if (const auto solved = continuity.solve_anew(j.instant, means())) {
+    if (const auto solved = solve_anew(j.instant)) {
       j.solved_anew = take_if_better(j.instant, *solved);
       return {.is_better = j.solved_anew};
     }
@@ -154,10 +172,20 @@ bool AccuracyMonitor::State::take_if_better(Instant& instant, const Instant& bet
     assessor(instant, scales.with(instant));  // its factors again: better has none if singular
     return false;
   }
-  instant = better;
+  instant = kept(better);
   last = then;
   ++corrected;
   return true;
+}
+
+/// Copies an instant that others would overwrite before it is delivered.
+Instant AccuracyMonitor::State::kept(const Instant& instant) {
+  improved.q.assign(instant.q.begin(), instant.q.end());
+  improved.qd.assign(instant.qd.begin(), instant.qd.end());
+  improved.qdd.assign(instant.qdd.begin(), instant.qdd.end());
+  Instant result = instant;
+  result.q = improved.q, result.qd = improved.qd, result.qdd = improved.qdd;
+  return result;
 }
 
 /// The largest bound over its limit.
@@ -169,9 +197,11 @@ double AccuracyMonitor::State::worst_share(const Assessment& a) const {
 
 std::optional<SingularityCrossing> AccuracyMonitor::State::crossing(const Instant& instant) {
   if (!has(Monitor::orientation)) return {};
-  return !started    ? signs.at_first(instant, last, sensitivity.largest())
-         : after_gap ? signs.after_gap(instant)
-                     : signs.since(last_time, instant);
+  if (!started) {
+    const auto other = signs.at_first(instant, last, sensitivity.largest());
+    return is_declared ? std::nullopt : other;
+  }
+  return after_gap ? signs.after_gap(instant) : signs.since(last_time, instant);
 }
 
 void AccuracyMonitor::State::look_back(const Instant& like) {

@@ -108,6 +108,8 @@ class AccuracyMonitor {
   std::optional<MonitoredInstant> pass(const Instant& singular);
   /// Solves an instant that could not be solved otherwise, in short steps from the one before it.
   std::optional<MonitoredInstant> solve(const Instant& instant);
+  /// Solves the instant examined last again, from the one before it: it is on another branch.
+  std::optional<MonitoredInstant> solve_again(const Instant& instant);
   /// Returns positions from which the motion goes on, and their time [s]: of the last instant, or
   /// beyond the singular position that it lies in. Empty: there was none.
   struct Start {

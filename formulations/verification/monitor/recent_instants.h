@@ -26,6 +26,8 @@ class RecentInstants {
 
   void take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated);
   void forget() { count_ = 0; }
+  /// Drops the last instant, if there is one.
+  void drop();
   void shift_time(double by);
 
   int count() const { return count_; }
