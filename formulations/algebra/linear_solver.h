@@ -33,7 +33,7 @@ class LinearSolver {
   virtual bool reuses_pivots() const { return false; }
 
   /// Returns by how much a pivot has shrunk, at most, since the order was chosen; rounding grows as
-  /// much.
+  /// much. Infinity where normal equations square the condition number.
   virtual double pivot_shrinkage() const { return 1; }
 
   /// Makes the next factor() choose its pivots anew.

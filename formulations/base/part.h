@@ -136,7 +136,7 @@ class Part {
   virtual long refactorisations() const { return 0; }
 
   /// Returns whether its rates may come from an order of pivots that was chosen at another
-  /// position.
+  /// position, or from normal equations.
   virtual bool reuses_pivots() const { return false; }
 
   /// Voids what earlier steps left behind: the next solve() starts from an estimate.

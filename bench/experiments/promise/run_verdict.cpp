@@ -23,6 +23,25 @@ bool has_answer(const TrueInstant& t) { return !t.instant.q.empty(); }
 /// Returns the error that the truth itself may have: quadruple precision, near a singular position.
 PerLevel<double> floor_of(const TrueInstant& t) { return accuracy_limit(t.condition, 1e-32); }
 
+/// Returns the least scales of rates: what hardly moves is judged by its drivers, as monitors do.
+Scales scales_of_drivers(const DrawnScene& scene) {
+  const double size = nominal_size(scene.model);
+  PerLevel<double> length{}, rotation{};
+  for (const Driver& d : scene.model.drivers)
+    for (int i = 0; i < scene.scene.grid.instants; ++i) {
+      const MotionSample<double> z = sample(d.motion, scene.scene.grid.time(i));
+      PerLevel<double>& s = is_length(scene.model.entities[d.coordinate].kind) ? length : rotation;
+      s.velocity = std::max(s.velocity, std::abs(z.velocity));
+      s.acceleration = std::max(s.acceleration, std::abs(z.acceleration));
+    }
+  Scales result;
+  for (const Level l : {Level::velocity, Level::acceleration}) {
+    result.length[l] = min_scale * size * rotation[l];
+    result.rotation[l] = min_scale * length[l] / size;
+  }
+  return result;
+}
+
 /// Returns the scales of the delivered instants: of the truth, or larger where a degraded instant
 /// has larger numbers, since stated bounds are relative to these.
 Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
@@ -34,9 +53,11 @@ Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
   }
   Scales scales = make_scales(scene.model, truth);
   const Scales others = make_scales(scene.model, degraded);
+  const Scales drivers = scales_of_drivers(scene);
   for (const auto column : {&Scales::length, &Scales::rotation}) {
     PerLevel<double>& s = scales.*column;
-    for (const Level level : levels) s[level] = std::max(s[level], (others.*column)[level]);
+    for (const Level level : levels)
+      s[level] = std::max({s[level], (others.*column)[level], (drivers.*column)[level]});
     s.acceleration = std::max(s.acceleration, min_scale * s.velocity * s.velocity / s.position);
   }
   return scales;
@@ -55,6 +76,18 @@ bool is_regular(const DrawnScene& scene, int from, int to) {
     if (!has_answer(t) || condition * scene.rounding >= well_conditioned) return false;
   }
   return true;
+}
+
+/// Returns the first instant that either of two motions may be the continuation of: paths that come
+/// so near each other that the rounding of the scene's own numbers decides which leads where.
+int decided_until(const DrawnScene& scene) {
+  constexpr double undecided = 1e9;
+  for (int i = 1; i < std::ssize(scene.truth); ++i) {
+    const TrueInstant& t = scene.truth[i];
+    const double ends = std::max(t.condition, scene.truth[i - 1].condition);
+    if (t.path_condition > std::max(undecided, 100 * ends) && t.path_condition < INFINITY) return i;
+  }
+  return static_cast<int>(std::ssize(scene.truth));
 }
 
 struct Worst {
@@ -80,9 +113,10 @@ std::optional<RunVerdict> find_wrong(const DrawnScene& scene, const SolvedScene&
   const PerLevel<double> limit = Limits(solved.tolerance).degraded;
   const bool failed = solved.summary.outcome() == Outcome::failed;
   Worst promise, bound;
+  const int decided = decided_until(scene);
   for (const Delivered& d : solved.instants) {
     const TrueInstant& truth = scene.truth[d.index];
-    if (is_doubtful(solved.summary, truth.instant.time)) continue;
+    if (is_doubtful(solved.summary, truth.instant.time) || d.index >= decided) continue;
     if (!has_answer(truth)) {
       if (d.degraded || scene.overconstrained) continue;
       return RunVerdict{PromiseVerdict::wrong, "no answer",    Level::position, INFINITY, 0,

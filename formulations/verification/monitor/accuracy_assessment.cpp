@@ -139,7 +139,6 @@ bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     started = true;
   }
   after_gap = false;
-  last_time = j.instant.time;
   return improved.is_lost;
 }
 

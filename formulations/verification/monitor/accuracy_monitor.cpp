@@ -76,6 +76,10 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
 /// Counts an instant that is delivered, and keeps it to go on from.
 void AccuracyMonitor::State::deliver(const MonitoredInstant& j, bool is_assessed) {
   continuity.take(j.instant, is_assessed, j.assessment.bound);
+  if (is_assessed) {
+    signs.accept();
+    last_time = j.instant.time;
+  }
   beyond = {};
   condition = std::max(condition, j.assessment.condition);
   add({j.instant.index, j.instant.time, j.assessment}, j.degraded);
@@ -123,7 +127,9 @@ std::optional<Instant> AccuracyMonitor::State::solve_from_last(const Instant& in
 }
 
 std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instant& instant) {
-  continuity.recent().drop();
+  RecentInstants& recent = continuity.recent();
+  if (recent.count() > 0 && recent[0].is_assessed) signs.take_back();
+  recent.drop();
   return continuity.is_known() ? solve(instant) : std::nullopt;
 }
 

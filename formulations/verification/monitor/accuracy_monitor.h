@@ -49,7 +49,7 @@ struct AccuracyMonitorOptions {
   std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
   std::span<const Level> asked{};        ///< to which it is judged; empty: as far as solved
   int every = usual_interval;            ///< longest interval between assessments, in instants
-  bool reuses_pivots = false;            ///< pivots of earlier positions may spoil rates
+  bool reuses_pivots = false;            ///< Part::reuses_pivots: rates may be spoilt
   /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
   std::vector<const PivotReuse*> parts{};
   unsigned without = 0;            ///< Monitor bits left out, for tests of what each finds
