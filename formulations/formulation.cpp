@@ -1,9 +1,6 @@
 #include "formulations/formulation.h"
 
-#include <stdexcept>
-
-#include "formulations/base/part.h"
-#include "formulations/structure/partition.h"
+#include "formulations/stepping/formulation_core.h"
 
 namespace desmo {
 
@@ -13,25 +10,28 @@ std::span<const double> coordinates(const Model& m, const std::vector<double>& v
   return {values.data(), static_cast<std::size_t>(m.coordinates())};
 }
 
-[[noreturn]] void refuse_live_drivers() {
-  throw std::logic_error("this formulation needs a motion known in advance (see is_live)");
-}
-
 }  // namespace
 
-Summary Formulation::step_to_row(const LiveRow&, Level, int) { refuse_live_drivers(); }
-void Formulation::return_to(std::span<const double>, double) { refuse_live_drivers(); }
+// Only FormulationCore may derive from Formulation.
+FormulationCore& core_of(Formulation& f) { return static_cast<FormulationCore&>(f); }
+const FormulationCore& core_of(const Formulation& f) {
+  return static_cast<const FormulationCore&>(f);
+}
 
-const std::vector<DefinedPart>& parts_of(const Formulation& f) { return f.parts(); }
-
-long Formulation::refactorisations() const {
+long refactorisations(const Formulation& f) {
   long sum = 0;
-  for (const DefinedPart& part : parts()) sum += part.solver->refactorisations();
+  for (const DefinedPart& part : parts_of(f)) sum += part.solver->refactorisations();
   return sum;
 }
 
-std::span<const double> Formulation::q() const { return coordinates(model_, state().q); }
-std::span<const double> Formulation::qd() const { return coordinates(model_, state().qd); }
-std::span<const double> Formulation::qdd() const { return coordinates(model_, state().qdd); }
+std::span<const double> Formulation::q() const {
+  return coordinates(model_, core_of(*this).state().q);
+}
+std::span<const double> Formulation::qd() const {
+  return coordinates(model_, core_of(*this).state().qd);
+}
+std::span<const double> Formulation::qdd() const {
+  return coordinates(model_, core_of(*this).state().qdd);
+}
 
 }  // namespace desmo

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "formulations/base/live_row.h"
 #include "formulations/base/observer.h"
 #include "formulations/base/settings.h"
 #include "formulations/base/summary.h"
@@ -11,18 +9,16 @@
 
 namespace desmo {
 
-// Not installed: users of the library only see their names.
-struct DefinedPart;
-struct State;
-
 /// A way of solving the kinematics of a mechanism: an ordered list of parts, and the order in which
 /// they solve the instants of a motion. make_formulation() makes one:
 ///
 ///   const Model model = make_model(scene);
 ///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
-///   formulation->assemble(0);
+///   if (!formulation->assemble(0).ok()) return;
 ///   for (int i = 1; i <= 100; ++i)
 ///     if (formulation->step(0.01 * i).ok()) use(formulation->q(), formulation->qd());
+///
+/// run_monitored() and LiveRun also say how accurate the answers are.
 ///
 /// Rule of threads, in all of desmo:
 /// - Threads may share whatever is const: a Model, Settings, generated code and all tables, such as
@@ -48,22 +44,6 @@ class Formulation {
   /// were solved to lower levels than Settings::guess needs, a simpler guess replaces it.
   Summary step(double t, Level level = Level::acceleration) { return step_to(t, level); }
 
-  /// Returns whether drivers may be handed in step by step. Settings that need a motion known in
-  /// advance (segments, threads, stride) do not allow it: both functions below then throw
-  /// std::logic_error.
-  virtual bool is_live() const { return false; }
-  /// Solves an instant like step(t), with driver values from a row instead of the motions. Takes at
-  /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
-  /// row. Takes nothing from the heap; so a failure names the group at most, and no constraint.
-  /// The row is not checked: LiveRun checks rows and assesses results.
-  Summary step(const LiveRow& row, Level level, int max_sub_steps) {
-    return step_to_row(row, level, max_sub_steps);
-  }
-  /// Returns to positions q that were solved before, at time t [s]; the next live step starts
-  /// there. Rates become unknown. q: Model::coordinates() values or more; empty: the next step
-  /// assembles.
-  virtual void return_to(std::span<const double> q, double t);
-
   /// Runs through the motion that the model's drivers have: assembles at the first instant of the
   /// grid, solves the others as the settings say, and hands each to the observer. Stops at the
   /// first failure, after it handed on all earlier instants, or where the observer says so. A
@@ -72,20 +52,11 @@ class Formulation {
   /// twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
-  /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
-  /// move linearly from the positions q to where they are at t. q: Model::coordinates() values or
-  /// more, solved at another instant. A step goes on from there, in sub-steps where it has to.
-  /// Returns false where the position cannot be reached; the next step then assembles.
-  virtual bool start_at(std::span<const double> q, double t) = 0;
-
   /// Solves each part only to the highest level that is needed of its unknowns. needed: the level
   /// of each coordinate, as Plan::levels has them: a coordinate that a part reads must have the
   /// part's level or a higher one. Values above these levels are unspecified. A stride solves all
   /// levels, since it interpolates with them.
   virtual void solve_only(std::span<const Level> needed) = 0;
-
-  /// Returns how often a motion that was to be solved in segments was solved step by step instead.
-  virtual long run_by_steps() const { return 0; }
 
   const Model& model() const { return model_; }
 
@@ -96,31 +67,21 @@ class Formulation {
   /// or what rounding leaves if that is more, as in long chains and far from the origin.
   double tolerance() const { return tolerance_; }
 
-  /// Returns how often, in all parts, an order of pivots that was to be kept had gone bad and was
-  /// chosen anew.
-  long refactorisations() const;
-
   /// Return the instant solved last, in coordinate order (Model::coordinates() values). During a
   /// run whose request names coordinates, all others are unspecified.
   std::span<const double> q() const;
   std::span<const double> qd() const;
   std::span<const double> qdd() const;
 
- protected:
+ private:
+  // The rest of the library sees more of a formulation; its header is not installed.
+  friend class FormulationCore;
   Formulation(const Model& model, const Settings& settings, double tolerance)
       : model_(model), settings_(settings), tolerance_(tolerance) {}
 
   virtual Summary assemble_at(double t, Level level) = 0;
   virtual Summary step_to(double t, Level level) = 0;
-  virtual Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps);
 
-  /// Returns the instant solved last, the fixed entities included.
-  virtual const State& state() const = 0;
-  /// Returns the parts in the order of solution.
-  virtual const std::vector<DefinedPart>& parts() const = 0;
-  friend const std::vector<DefinedPart>& parts_of(const Formulation& formulation);
-
- private:
   const Model& model_;
   const Settings settings_;
   double tolerance_;

@@ -7,9 +7,9 @@
 
 #include "formulations/algebra/backend.h"
 #include "formulations/batch/batch_part.h"
-#include "formulations/batch/lane_executor.h"
 #include "formulations/batch/segmented.h"
-#include "formulations/batch/thread_executor.h"
+#include "formulations/batch/segments_in_lanes.h"
+#include "formulations/batch/segments_on_threads.h"
 #include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/parts/inlined_part.h"
@@ -123,11 +123,11 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
     of_worker.threads = of_worker.stride = 1;
     for (auto& worker : workers) worker = make_solver(v, m, of_worker, nullptr, table);
     segments =
-        std::make_unique<ThreadExecutor>(std::move(workers), min_segment * settings.segments);
+        std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
   } else if (settings.segments > 1) {
-    std::vector<LaneExecutor::Parts> lanes(settings.segments);
-    for (LaneExecutor::Parts& parts : lanes) parts = make_parts(common, definitions);
-    segments = std::make_unique<LaneExecutor>(m, std::move(lanes), settings, table);
+    std::vector<SegmentsInLanes::Parts> lanes(settings.segments);
+    for (SegmentsInLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
+    segments = std::make_unique<SegmentsInLanes>(m, std::move(lanes), settings, table);
   }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
   if (settings.lanes > 1) parts = make_batches(m, std::move(parts), type_ends, settings, table);
@@ -136,19 +136,33 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
   return std::make_unique<Segmented>(std::move(steps), std::move(segments));
 }
 
-}  // namespace
-
-std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
-                                              const Settings& settings, Profile* profile,
-                                              const KernelTable* table) {
+/// Makes a formulation. profile: null: no phases are measured.
+std::unique_ptr<Formulation> make(const Variant& v, const Model& m, const Settings& settings,
+                                  Profile* profile, const KernelTable& table) {
   if (const std::string reason = unsupported_reason(v, settings); !reason.empty())
     throw std::invalid_argument(v.id + ": " + reason);
   if (const std::string reason = unavailable_reason(settings); !reason.empty())
     throw std::invalid_argument(id_with(v, settings) + ": " + reason);
-  std::unique_ptr<SegmentSolver> solver =
-      make_solver(v, m, settings, profile, table ? *table : KernelTable::built_in());
+  std::unique_ptr<SegmentSolver> solver = make_solver(v, m, settings, profile, table);
   if (settings.stride == 1) return solver;
   return std::make_unique<Interpolated>(std::move(solver), settings.stride);
+}
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
+                                              const Settings& settings) {
+  return make(v, m, settings, nullptr, KernelTable::built_in());
+}
+
+std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
+                                              const Settings& settings, const KernelTable& table) {
+  return make(v, m, settings, nullptr, table);
+}
+
+std::unique_ptr<Formulation> make_profiled_formulation(const Variant& v, const Model& m,
+                                                       const Settings& settings, Profile& profile) {
+  return make(v, m, settings, &profile, KernelTable::built_in());
 }
 
 }  // namespace desmo

@@ -15,7 +15,6 @@ namespace desmo {
 // Users of the library see their names alone.
 enum class Partition;
 enum class Evaluation;
-struct Profile;
 struct Backend;
 class KernelTable;
 
@@ -66,17 +65,17 @@ std::string unavailable_reason(std::string_view id);
 /// variants that are missing, and why. Libraries that are not installed are not listed.
 std::vector<std::string> faulty_libraries();
 
-/// Makes a formulation: analyses the model and allocates everything. Parts without generated code
-/// are evaluated automatically, and are not DefinedPart::as_named.
-/// - model: outlives the formulation
-/// - profile: receives the time of each phase on the caller's thread; null: none is measured
-/// - table: generated code in addition to what desmo was built with; null: none
-/// Throws std::invalid_argument, naming the place, for a model that it cannot solve, and with the
-/// reason for settings that it does not offer (unsupported_reason, unavailable_reason).
+/// Makes a formulation: analyses the model, which must outlive it, and allocates everything. Parts
+/// for which desmo was built without generated code are evaluated automatically. Throws
+/// std::invalid_argument, naming the place, for a model that it cannot solve, and with the reason
+/// for settings that it does not offer (unsupported_reason, unavailable_reason).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
-                                              const Settings& settings = {},
-                                              Profile* profile = nullptr,
-                                              const KernelTable* table = nullptr);
+                                              const Settings& settings = {});
+
+/// Makes a formulation with code that was generated for the model (generate_code). table: outlives
+/// the formulation.
+std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
+                                              const Settings& settings, const KernelTable& table);
 
 /// Returns the libraries of linear algebra that are present, by backend name, and their versions.
 std::vector<std::pair<std::string, std::string>> library_versions();

@@ -22,7 +22,7 @@ int report_current_exception() noexcept {
   } catch (const OutputError& error) {
     // Where the reader of a pipe is gone, nobody waits for a message.
     return error.code() == EPIPE ? output_closed : complain(error.what(), unwritable_output);
-  } catch (const Error& error) {
+  } catch (const CommandError& error) {
     return complain(error.what(), error.code());
   } catch (const InputError& error) {
     return complain(error.what(), bad_input);

@@ -22,9 +22,10 @@ enum ExitCode {
 
 /// Error with a message for people, safe on terminals: "<file>: <place>: <what is wrong>;
 /// <remedy>".
-class Error : public std::runtime_error {
+class CommandError : public std::runtime_error {
  public:
-  Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  CommandError(ExitCode code, const std::string& message)
+      : std::runtime_error(message), code_(code) {}
   ExitCode code() const { return code_; }
 
  private:

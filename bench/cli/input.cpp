@@ -27,12 +27,12 @@ std::string read_standard_input(const std::string& source) {
     const ssize_t size = ::read(STDIN_FILENO, buffer.data(), buffer.size());
     if (size < 0 && errno == EINTR) continue;
     if (size < 0)
-      throw Error(unreadable_input, source + ": cannot be read (" + std::strerror(errno) +
-                                        "); send a scene or give a file");
+      throw CommandError(unreadable_input, source + ": cannot be read (" + std::strerror(errno) +
+                                               "); send a scene or give a file");
     if (size == 0) return text;
     text.append(buffer.data(), static_cast<std::size_t>(size));
     if (text.size() > max_file)
-      throw Error(unreadable_input, source + ": is larger than 64 MiB; divide it");
+      throw CommandError(unreadable_input, source + ": is larger than 64 MiB; divide it");
   }
 }
 
@@ -67,7 +67,7 @@ Input from_file(const std::string& name, bool mechanism_will_do) {
   try {
     text = read_text(name);
   } catch (const UnreadableFile& error) {
-    throw Error(unreadable_input, source + ": " + error.what());
+    throw CommandError(unreadable_input, source + ": " + error.what());
   }
   return from_text(text, source, true, std::filesystem::path(name).parent_path(),
                    mechanism_will_do);
@@ -83,13 +83,13 @@ std::optional<Scene> scalable_case(const std::string& argument) {
     const char* const begin = colon == std::string::npos ? end : argument.data() + colon + 1;
     const auto [last, error] = std::from_chars(begin, end, units);
     if (error != std::errc{} || last != end || begin == end)
-      throw Error(usage_error, desmo::in_quotes(argument) + ": how many " +
-                                   std::string(c.unit_name) + " there are is missing; write " +
-                                   std::string(c.name) + ":5");
+      throw CommandError(usage_error,
+                         desmo::in_quotes(argument) + ": how many " + std::string(c.unit_name) +
+                             " there are is missing; write " + std::string(c.name) + ":5");
     try {
       return c.describe(units);
     } catch (const std::invalid_argument& wrong) {
-      throw Error(usage_error, desmo::in_quotes(argument) + ": " + wrong.what());
+      throw CommandError(usage_error, desmo::in_quotes(argument) + ": " + wrong.what());
     }
   }
   return std::nullopt;
@@ -110,9 +110,9 @@ Input load(const std::string& argument, bool mechanism_will_do) {
   if (std::filesystem::exists(argument, ignored)) return from_file(argument, mechanism_will_do);
   std::vector<std::string_view> names = library_names();
   for (const Case& c : cases()) names.push_back(c.name);
-  throw Error(unreadable_input, desmo::in_quotes(argument) +
-                                    ": there is no such file, library mechanism or " +
-                                    "scalable case; " + suggestion(argument, names));
+  throw CommandError(unreadable_input, desmo::in_quotes(argument) +
+                                           ": there is no such file, library mechanism or " +
+                                           "scalable case; " + suggestion(argument, names));
 }
 
 }  // namespace

@@ -27,9 +27,10 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   if (std::ranges::find(names, argv[1]) != names.end()) return;
-  throw cli::Error(cli::usage_error, "unknown command " + in_quotes(argv[1]) + "; " +
-                                         suggestion(argv[1], std::vector<std::string_view>(
-                                                                 names.begin(), names.end())));
+  throw cli::CommandError(
+      cli::usage_error,
+      "unknown command " + in_quotes(argv[1]) + "; " +
+          suggestion(argv[1], std::vector<std::string_view>(names.begin(), names.end())));
 }
 
 void run(int argc, char** argv) {
@@ -54,8 +55,8 @@ void run(int argc, char** argv) {
     program.exit(wanted, text, unused);
     write_standard_output(text.str());
   } catch (const CLI::ParseError& error) {
-    throw cli::Error(cli::usage_error,
-                     printable(error.what(), 300) + "; 'desmo --help' shows what there is");
+    throw cli::CommandError(cli::usage_error,
+                            printable(error.what(), 300) + "; 'desmo --help' shows what there is");
   }
 }
 

@@ -14,14 +14,14 @@ namespace {
 
 /// Returns a note on the code generated for a formulation and the time it took, or on why there is
 /// none. It is empty when the program's own code sufficed.
-std::string note_on(const load::GenerationOutcome& own) {
+std::string note_on(const GenerationOutcome& own) {
   std::string note;
   if (own.parts_too_large > 0)
     note = "note: " + count(own.parts_too_large, "part") + " too large to generate code for\n";
   if (own.types.empty())
     return note + (own.problem.empty() ? "" : "note: " + printable(own.problem, 600) + "\n");
   std::vector<std::string> types;
-  for (const load::TypeUse& t : own.types)
+  for (const TypeUse& t : own.types)
     types.push_back(printable(t.group) + " (" + count(t.unknowns, "unknown") +
                     (t.parts > 1 ? ", " + count(t.parts, "part") : "") + ")");
   const std::string of = " for " + enumerate(types, 8) + ": ";
@@ -50,7 +50,7 @@ void add_missing_code(KernelTable& table, const Configuration& formulation, cons
                       const TimeGrid& grid, const GenerationOptions& wanted, bool quiet) {
   if (wanted.none) return;
   const std::chrono::duration<double> limit(wanted.compile_limit);
-  const load::GenerationOutcome own =
+  const GenerationOutcome own =
       load::add_generated_code(table, *formulation.variant, formulation.settings, model, grid,
                                std::chrono::ceil<std::chrono::milliseconds>(limit));
   if (!quiet) std::fputs(note_on(own).c_str(), stderr);

@@ -70,7 +70,7 @@ std::string evidence(const accuracy::Found& found) {
     text += "; conditioning sets a floor of the order of " +
             formatted("%.1g", accuracy_limit(accuracy::max_condition(whole),
                                              std::ldexp(1, -53))[options.level]);
-  throw Error(not_solved, text + "; ask for " + (budget ? "more time" : "a larger error"));
+  throw CommandError(not_solved, text + "; ask for " + (budget ? "more time" : "a larger error"));
 }
 
 void write_scene(const std::string& path, const std::string& id) {
@@ -90,17 +90,18 @@ KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptio
 
 void tune(const TuneOptions& options) {
   if ((options.max_error > 0) == (options.budget > 0))
-    throw Error(usage_error, "give either --max-error or --budget");
+    throw CommandError(usage_error, "give either --max-error or --budget");
   const Input input = load_scene(options.scene);
   if (options.write && !input.is_file)
-    throw Error(usage_error, "--write: " + input.source + " is not a scene file; save it first " +
-                                 "('desmo show NAME --scene') and tune that");
+    throw CommandError(usage_error, "--write: " + input.source +
+                                        " is not a scene file; save it first " +
+                                        "('desmo show NAME --scene') and tune that");
   const Model whole_model = model_mechanism(input).model;
   const Plan plan = make_plan(whole_model, asked_by(input.scene, whole_model));
   const accuracy::Goal goal = options.goal();
   if (plan.level() < goal.level)
-    throw Error(usage_error, "--level " + std::string(bench::level_names[options.level]) +
-                                 ": the scene does not ask for any");
+    throw CommandError(usage_error, "--level " + std::string(bench::level_names[options.level]) +
+                                        ": the scene does not ask for any");
   const auto say = [&](const std::string& what) {
     if (!options.quiet) std::fprintf(stderr, "tune: %s\n", what.c_str());
   };

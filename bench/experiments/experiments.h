@@ -54,8 +54,8 @@ std::string refuse_not_positive(const std::string& text);
 /// std::invalid_argument for an argument that is unknown or unusable.
 bool read(CLI::App& parser, const std::vector<std::string>& arguments);
 
-/// Begins the record of an experiment. Throws what Recording throws.
-inline Recording begin_record(const CommonOptions& options, const CommandLine& line) {
+/// Begins the record of an experiment. Throws what RecordWriter throws.
+inline RecordWriter begin_record(const CommonOptions& options, const CommandLine& line) {
   return {options.record, line.text, line.experiment};
 }
 

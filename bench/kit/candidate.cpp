@@ -112,8 +112,7 @@ std::string FormulationCandidate::name() const {
 }
 
 void FormulationCandidate::build() {
-  formulation_ =
-      make_formulation(variant(), problem().plan.model, settings(), nullptr, &problem().kernels);
+  formulation_ = make_formulation(variant(), problem().plan.model, settings(), problem().kernels);
   if (!problem().plan.levels.empty()) formulation_->solve_only(problem().plan.levels);
 }
 

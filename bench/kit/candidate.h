@@ -22,7 +22,7 @@ namespace desmo::bench {
 struct VerifyingRun {
   std::string model{};          ///< digest of the model that was solved; empty: there is none
   std::string results{};        ///< digest of what was compared with the reference, or empty
-  Errors errors{};              ///< from the reference
+  Differences errors{};         ///< from the reference
   double setup_seconds = 0;     ///< CPU: analysis, ordering, allocation
   double analysis_seconds = 0;  ///< of the analysis that was verified, by the candidate's clock
   double iterations_per_step = 0, residual = 0;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::bench {
@@ -59,7 +60,7 @@ VerifyingObserver::VerifyingObserver(std::span<const ReferenceInstant> reference
                         reference) {}
 
 Comparison VerifyingObserver::compare() const {
-  Errors errors;
+  Differences errors;
   ResultDigest results;
   for_each([&](const ReferenceInstant& r, const State& came) {
     ++errors.instants;
@@ -70,9 +71,10 @@ Comparison VerifyingObserver::compare() const {
   return {errors, results.hex()};
 }
 
-std::string verification_failure(const Errors& e, std::size_t expected_instants, double times) {
-  const Errors bound{0, times * allowed.position, times * allowed.velocity,
-                     times * allowed.acceleration};
+std::string verification_failure(const Differences& e, std::size_t expected_instants,
+                                 double times) {
+  const Differences bound{0, times * allowed.position, times * allowed.velocity,
+                          times * allowed.acceleration};
   if (static_cast<std::size_t>(e.instants) != expected_instants)
     return "compared with the reference at " + std::to_string(e.instants) +
            " instants instead of " + std::to_string(expected_instants);

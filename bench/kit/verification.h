@@ -17,7 +17,7 @@ namespace desmo::bench {
 
 /// Largest differences over all coordinates and compared instants, absolute, in units of the case,
 /// unlike the relative errors of formulations/verification.
-struct Errors {
+struct Differences {
   int instants = 0;
   double position = 0, velocity = 0, acceleration = 0;
 };
@@ -27,11 +27,11 @@ void widen(double& largest, double a, double b);
 
 /// Allowed differences from the quadruple-precision reference, in units of the case: of q, q̇
 /// and q̈ (`instants` means nothing here).
-inline constexpr Errors allowed{0, 1e-9, 1e-8, 1e-7};
+inline constexpr Differences allowed{0, 1e-9, 1e-8, 1e-7};
 
 /// Differences from a reference, and a digest of what was compared, in units of what is allowed.
 struct Comparison {
-  Errors errors;
+  Differences errors;
   std::string results;
 };
 
@@ -72,7 +72,7 @@ class VerifyingObserver final : public ComparingObserver {
 
 /// Returns the verification failure, in words; empty when errors are within so many times what is
 /// allowed.
-std::string verification_failure(const Errors& errors, std::size_t expected_instants,
+std::string verification_failure(const Differences& errors, std::size_t expected_instants,
                                  double times = 1);
 
 /// Throws std::runtime_error, naming the mechanism, where `floor` exceeds 1e-20: neither solution

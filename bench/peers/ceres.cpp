@@ -15,6 +15,7 @@
 #include "formulations/prediction/driver_source.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 
@@ -122,7 +123,7 @@ class CeresPeer final : public Peer {
     const std::vector<bool> driven = independent_coordinates(m);
     is_unknown_.resize(m.entities.size());
     for (std::size_t e = 0; e < m.entities.size(); ++e)
-      is_unknown_[e] = !m.rests(static_cast<EntityId>(e)) && !driven[m.entities[e].first];
+      is_unknown_[e] = !m.is_at_rest(static_cast<EntityId>(e)) && !driven[m.entities[e].first];
     const Magnitudes magnitudes(m);
     for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
       if (!m.groups[m.constraints[c].group].constant) add(c, magnitudes);

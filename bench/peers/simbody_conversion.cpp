@@ -225,7 +225,8 @@ class Conversion {
   void follow(const std::string& name, int body, bool is_point, const Vec& in_body) {
     const EntityId id = model_.find(name);
     const Entity& entity = model_.entities[id];
-    if (model_.rests(id) || std::ranges::count(tree.followed, entity.first, &Followed::coordinate))
+    if (model_.is_at_rest(id) ||
+        std::ranges::count(tree.followed, entity.first, &Followed::coordinate))
       return;
     tree.followed.push_back({placed_[body].in_tree, is_point, in_body, entity.first, entity.size});
   }

@@ -71,9 +71,11 @@ std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int d
 
 // Sections of a scene file:
 
-/// Reads `motion`: one for each driven coordinate, in the mechanism's order, in metres (or the
-/// mechanism's free unit) or radians. Throws InputError where it needs an ambiguous unit. known:
-/// motions, for all driven coordinates or none, that the scene may leave out.
+/// Reads `motion`. Returns one motion for each driven coordinate, in the mechanism's order, in
+/// metres (or the mechanism's free unit) or radians.
+/// - known: the motions of coordinates that `motion` leaves out, one for each driven coordinate;
+///   empty: it may leave out none
+/// Throws InputError, also for a length whose unit the file leaves open.
 std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechanism,
                                  const Units& units, std::vector<Motion> known);
 
@@ -83,6 +85,6 @@ void check_tables(const JsonValue& root, const Mechanism& mechanism,
 
 /// Reads `request`, in the order of first mention. An entity requested at several levels is listed
 /// once, at the highest. Returns an empty list when the file has no request.
-std::vector<Wanted> read_request(const JsonValue& root, const Mechanism& mechanism);
+std::vector<RequestedEntity> read_request(const JsonValue& root, const Mechanism& mechanism);
 
 }  // namespace desmo

@@ -12,7 +12,7 @@
 namespace desmo {
 namespace {
 
-using Kind = Wanted::Kind;
+using Kind = RequestedEntity::Kind;
 
 constexpr int max_patterns = 100;  // each is compared with every name
 
@@ -53,7 +53,7 @@ class RequestReader {
     fill_selections();
   }
 
-  std::vector<Wanted> read(const JsonValue& list) {
+  std::vector<RequestedEntity> read(const JsonValue& list) {
     const std::vector<JsonValue> entries = list.elements();
     if (entries.empty()) list.complain("asks for nothing; leave it out to ask for everything");
     for (const JsonValue& entry : entries) read_entry(entry);
@@ -173,7 +173,7 @@ class RequestReader {
   std::vector<std::optional<Level>> body_levels_;
   std::optional<Level> everything_level_;
   int patterns_ = 0;
-  std::vector<Wanted> wanted_;
+  std::vector<RequestedEntity> wanted_;
   std::map<std::pair<Kind, int>, std::size_t> places_;  // in it, of what is wanted
   Selection points_{"points", "point"}, vectors_{"vectors", "vector"}, angles_{"angles", "angle"},
       distances_{"distances", "distance"}, bodies_{"bodies", "body"};
@@ -181,7 +181,7 @@ class RequestReader {
 
 }  // namespace
 
-std::vector<Wanted> read_request(const JsonValue& root, const Mechanism& mechanism) {
+std::vector<RequestedEntity> read_request(const JsonValue& root, const Mechanism& mechanism) {
   const auto list = root.find("request");
   if (!list) return {};
   return RequestReader(mechanism).read(*list);

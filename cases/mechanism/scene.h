@@ -10,7 +10,7 @@
 namespace desmo {
 
 /// A requested entity, and the highest level requested of it.
-struct Wanted {
+struct RequestedEntity {
   enum class Kind { point, vector, coordinate };
   Kind kind;
   int index;  ///< index in the mechanism's points, vectors or coordinates
@@ -32,7 +32,7 @@ struct Scene {
   std::vector<Motion> motions;  ///< one for each driven coordinate, in the mechanism's order
   TimeGrid grid;
   /// Requested entities, without duplicates; empty: everything, at the level of acceleration.
-  std::vector<Wanted> request;
+  std::vector<RequestedEntity> request;
   std::string formulation;  ///< id; empty: the program chooses
   double tolerance = default_tolerance;
 };

@@ -5,16 +5,14 @@
 #include <vector>
 
 #include "cases/mechanism/level.h"
+#include "formulations/base/part_chain.h"
 #include "formulations/base/settings.h"
+#include "formulations/base/state.h"
 #include "formulations/base/summary.h"
 
 namespace desmo {
 
-/// The state (q, then the components of the fixed entities) and its time derivatives; those of
-/// the fixed entities are zero. All three have Model::state_size() components.
-struct State {
-  std::vector<double> q, qd, qdd;
-};
+class ResidentPart;  // base/resident_part.h
 
 /// Settings of one part.
 struct PartSettings {
@@ -48,65 +46,8 @@ struct PartInputs {
   std::vector<int> drivers;
 };
 
-/// Places where the results of the parts go in a run.
-struct PartOutputs {
-  /// For each position in the state, whether it is read there by other parts, by the prediction, or
-  /// by an observer that lends no memory.
-  const std::vector<bool>& observed;
-  /// For each position in the state its place in the outputs that an observer lends, or −1. A part
-  /// sets to −1 what it delivers itself. Empty: none are lent.
-  std::span<int> places;
-  Level level;  ///< the highest at which anyone asks for the part's unknowns
-};
-
-/// Parts of one formulation that follow each other, of which many are solved in one call as long as
-/// each finds its solution at once.
-class PartChain {
- public:
-  struct Result {
-    int solved = 0;      ///< members, up to the first that has to be solved by itself
-    int iterations = 0;  ///< the most of any of them …
-    long all = 0;        ///< … and of all together
-    double residual2 = 0;
-  };
-
-  virtual ~PartChain() = default;
-  virtual int size() const = 0;
-  /// Solves members from `first` on, each as its own solve() would.
-  virtual Result solve(State& state, int first, Level level) = 0;
-  /// Voids what members keep from earlier steps; each of them is told, too.
-  virtual void forget() = 0;
-};
-
-struct MotionRow;
-struct OutputView;
-struct StepHistory;
-
-/// The further duties of a part, such as a batch, that keeps what it finds in a layout of its own
-/// from one instant to the next. It predicts from there, and writes to the state only what is
-/// observed there.
-class ResidentPart {
- public:
-  virtual ~ResidentPart() = default;
-
-  /// Fixes, before a run, where results go. Until then all are written to the state.
-  virtual void bind(const PartOutputs& outputs) = 0;
-  /// Begins a step. history: of the instants solved, the last of which the part keeps; where it is
-  /// unknown, as after a failure, solve() starts from the positions in the state, which are then
-  /// complete, and leaves all of them there. row: begins with PartInputs::drivers at the instant to
-  /// come.
-  virtual void begin_step(const StepHistory& history, const MotionRow& row) = 0;
-  /// Writes the instant solved last to an output, up to `level`, as bound.
-  virtual void deliver(const OutputView& output, Level level) const = 0;
-  /// Writes the instant solved last to the state: unknowns, and drivers taken from the row.
-  virtual void store(State& state) const = 0;
-  /// Writes positions of the instant before the one solved last, or tried; nothing where that one
-  /// was not predicted from it.
-  virtual void restore(std::span<double> q) const = 0;
-};
-
-/// Solves its unknowns, given those of all earlier parts. Owns its workspace; never touches the
-/// heap after its construction, apart from what a library does inside.
+/// A solver of some unknowns, given those of all earlier parts. It owns its workspace. After its
+/// construction it takes nothing from the heap; a library inside may.
 class Part {
  public:
   virtual ~Part() = default;

@@ -9,12 +9,12 @@ struct ReferenceInstant {
   double time;                     ///< s
   std::vector<double> q, qd, qdd;  ///< rounded to double
 
-  /// Rests of the rounding, themselves rounded: value = q + rest.q to 1e-32 of it. Empty: not
-  /// known.
-  struct Rests {
+  /// Remainders of the rounding, themselves rounded: value = q + remainder.q to 1e-32 of it. Empty:
+  /// not known.
+  struct Remainders {
     std::vector<double> q, qd, qdd;
   };
-  Rests rest = {};
+  Remainders remainder = {};
 };
 
 }  // namespace desmo

@@ -20,7 +20,7 @@ Members members_of(const Subsystem& subsystem) {
 
 /// Returns the states of all parts of a subsystem, ascending: components of an entity then follow
 /// each other.
-std::vector<int> states_of(std::span<const ExplicitPart* const> subsystem) {
+std::vector<int> places_of(std::span<const ExplicitPart* const> subsystem) {
   std::set<int> states;
   for (const ExplicitPart* const part : subsystem)
     states.insert(part->places().begin(), part->places().end());
@@ -47,27 +47,27 @@ std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> o
 
 bool are_alike(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b) {
   const auto type = [](const ExplicitPart* part) { return part->kernel().fingerprint; };
-  return std::ranges::equal(a, b, {}, type, type) && places_in(b, a, states_of(a)) &&
-         places_in(a, b, states_of(b));
+  return std::ranges::equal(a, b, {}, type, type) && places_in(b, a, places_of(a)) &&
+         places_in(a, b, places_of(b));
 }
 
 Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
              const std::vector<StateKind>& kinds, Guess guess)
     : subsystems_(subsystems), lanes_(static_cast<std::size_t>(kernels.front()->lanes)) {
   const Members first = members_of(subsystems.front());
-  const std::vector<int> states = states_of(first);
+  const std::vector<int> of_first = places_of(first);
   const auto subsystem_in = [&](std::size_t lane) -> Subsystem& {
     return subsystems[lane < subsystems.size() ? lane : 0];
   };
   for (std::size_t l = 0; l < lanes_; ++l)
-    places_.push_back(places_in(members_of(subsystem_in(l)), first, states).value());
+    places_.push_back(places_in(members_of(subsystem_in(l)), first, of_first).value());
 
   std::set<int> read, unknowns, unwrapped;  // before any part has written them; written
   for (std::size_t j = 0; j < kernels.size(); ++j) {
     std::vector<ExplicitPart*> members;
     for (std::size_t l = 0; l < lanes_; ++l) members.push_back(subsystem_in(l)[j].get());
     std::vector<int> in;
-    for (const int state : first[j]->places()) in.push_back(position_in(states, state));
+    for (const int place : first[j]->places()) in.push_back(position_in(of_first, place));
     for (const int i : kernels[j]->read)
       if (!unknowns.contains(in[i])) read.insert(in[i]);
     for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
@@ -93,7 +93,7 @@ Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
   unknowns_.assign(unknowns.begin(), unknowns.end());
   std::ranges::set_union(unknowns_, driven_, std::back_inserter(own_));
   std::erase_if(starts, [&](int n) { return unwrapped.contains(n); });
-  state_ = BatchState(states.size(), lanes_, guess, starts, {unwrapped.begin(), unwrapped.end()});
+  state_ = BatchState(of_first.size(), lanes_, guess, starts, {unwrapped.begin(), unwrapped.end()});
   residuals2_.resize(stages_.size() * max_lanes);
   bind({std::vector<bool>(kinds.size(), true), {}, Level::acceleration});
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formulations/base/output.h"
+#include "formulations/base/resident_part.h"
 #include "formulations/batch/kernel_batch.h"
 #include "formulations/batch/layout.h"
 #include "formulations/prediction/guess.h"

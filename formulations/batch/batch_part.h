@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/resident_part.h"
 #include "formulations/batch/batch.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/parts/guarded_part.h"

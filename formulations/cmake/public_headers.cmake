@@ -14,7 +14,7 @@ set(assessment_h formulations/verification/monitor/monitored_run.h)
 set(certificate_h formulations/verification/certificate/certificate.h)
 set(live_run_h formulations/verification/monitor/live_run.h)
 set(range_h formulations/verification/range/driver_range.h)
-set(generated_code_h formulations/runtime/own_kernels.h)
+set(generated_code_h formulations/runtime/generated_code.h)
 set(reference_h formulations/verification/condition.h formulations/verification/error.h
   formulations/verification/reference/reference.h)
 # What these include.

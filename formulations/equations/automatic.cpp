@@ -41,7 +41,7 @@ void pick(const std::array<int, N>& rows, const std::array<S, N>& all, S* to) {
 
 template <class S>
 template <class Kind>
-struct BasicAutomaticEquations<S>::Batch {
+struct BasicAutomaticEquations<S>::SameKind {
   struct Object {
     std::array<int, Kind::operand_sizes.size()> operands;  // positions in the state
     std::array<S, Kind::constants> constants;
@@ -54,37 +54,37 @@ struct BasicAutomaticEquations<S>::Batch {
 };
 
 template <class S>
-struct BasicAutomaticEquations<S>::Batches {
+struct BasicAutomaticEquations<S>::AllKinds {
   template <class... Kinds>
-  static std::tuple<Batch<Kinds>...> of(std::tuple<Kinds...>);
+  static std::tuple<SameKind<Kinds>...> of(std::tuple<Kinds...>);
   decltype(of(std::declval<ConstraintKinds>())) of_kinds;
 };
 
 template <class S>
 struct BasicAutomaticEquations<S>::Loops {
-  void (*constant_jacobian)(const Batches&, S* values);
-  void (*residual)(const Batches&, const S* state, S* phi);
-  void (*jacobian)(const Batches&, const S* state, S* values);
-  void (*quadratic)(const Batches&, const S* state, const S* rate, S* gamma);
+  void (*constant_jacobian)(const AllKinds&, S* values);
+  void (*residual)(const AllKinds&, const S* state, S* phi);
+  void (*jacobian)(const AllKinds&, const S* state, S* values);
+  void (*quadratic)(const AllKinds&, const S* state, const S* rate, S* gamma);
 };
 
 template <class S>
 template <class Kind, bool Whole>
 struct BasicAutomaticEquations<S>::LoopsOf {
-  static const auto& objects(const Batches& batches) {
-    const Batch<Kind>& batch = std::get<Batch<Kind>>(batches.of_kinds);
-    return Whole ? batch.whole : batch.cut;
+  static const auto& objects(const AllKinds& all_kinds) {
+    const SameKind<Kind>& same_kind = std::get<SameKind<Kind>>(all_kinds.of_kinds);
+    return Whole ? same_kind.whole : same_kind.cut;
   }
 
-  static void constant_jacobian(const Batches& batches, S* values) {
+  static void constant_jacobian(const AllKinds& all_kinds, S* values) {
     if constexpr (Kind::linear)
-      for (const auto& o : objects(batches))
+      for (const auto& o : objects(all_kinds))
         automatic_equations::write_jacobian<Kind>(o, automatic_equations::Operands<Kind, S>{},
                                                   values);  // they read no state
   }
 
-  static void residual(const Batches& batches, const S* state, S* phi) {
-    for (const auto& o : objects(batches)) {
+  static void residual(const AllKinds& all_kinds, const S* state, S* phi) {
+    for (const auto& o : objects(all_kinds)) {
       const auto x = automatic_equations::pointers(state, o.operands);
       if constexpr (Whole) {
         Kind::residual(x.data(), o.constants.data(), phi + o.row);
@@ -96,15 +96,15 @@ struct BasicAutomaticEquations<S>::LoopsOf {
     }
   }
 
-  static void jacobian(const Batches& batches, const S* state, S* values) {
+  static void jacobian(const AllKinds& all_kinds, const S* state, S* values) {
     if constexpr (!Kind::linear)
-      for (const auto& o : objects(batches))
+      for (const auto& o : objects(all_kinds))
         automatic_equations::write_jacobian<Kind>(
             o, automatic_equations::pointers(state, o.operands), values);
   }
 
-  static void quadratic(const Batches& batches, const S* state, const S* rate, S* gamma) {
-    for (const auto& o : objects(batches)) {
+  static void quadratic(const AllKinds& all_kinds, const S* state, const S* rate, S* gamma) {
+    for (const auto& o : objects(all_kinds)) {
       const auto x = automatic_equations::pointers(state, o.operands);
       const auto v = automatic_equations::pointers(rate, o.operands);
       if constexpr (Whole) {
@@ -122,14 +122,14 @@ struct BasicAutomaticEquations<S>::LoopsOf {
 
 template <class S>
 BasicAutomaticEquations<S>::BasicAutomaticEquations(const Model& m, const PartDefinition& part)
-    : batches_(std::make_unique<Batches>()) {
+    : all_kinds_(std::make_unique<AllKinds>()) {
   std::vector<JacobianEntry> entries;
   const int n = static_cast<int>(part.equations.size());
   for (int row = 0; row < n;) {
     const int position = part.equations[row].constraint;
     const Constraint& constraint = m.constraints[position];
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      typename Batch<Kind>::Object o;
+      typename SameKind<Kind>::Object o;
       for (std::size_t k = 0; k < o.operands.size(); ++k)
         o.operands[k] = m.state_index(constraint.operands[k]);
       std::ranges::copy(constraint.constants, o.constants.begin());
@@ -144,24 +144,24 @@ BasicAutomaticEquations<S>::BasicAutomaticEquations(const Model& m, const PartDe
       x.fill(any.data());
       Kind::jacobian(x.data(), o.constants.data(), [&](int r, int operand, int component, S) {
         o.slots[i++] = static_cast<int>(entries.size());  // its place in `entries`, for now
-        entries.push_back(
-            {o.rows[r], o.operands[operand] + component, m.rests(constraint.operands[operand])});
+        entries.push_back({o.rows[r], o.operands[operand] + component,
+                           m.is_at_rest(constraint.operands[operand])});
       });
-      Batch<Kind>& batch = std::get<Batch<Kind>>(batches_->of_kinds);
-      (row - o.row == Kind::rows ? batch.whole : batch.cut).push_back(o);
+      SameKind<Kind>& same_kind = std::get<SameKind<Kind>>(all_kinds_->of_kinds);
+      (row - o.row == Kind::rows ? same_kind.whole : same_kind.cut).push_back(o);
     });
   }
 
   PatternWithSlots made = make_pattern(m, part, entries);
   pattern_ = std::move(made.pattern);
-  const auto assign = [&]<class Kind>(Batch<Kind>& batch) {
-    for (auto* objects : {&batch.whole, &batch.cut})
+  const auto assign = [&]<class Kind>(SameKind<Kind>& same_kind) {
+    for (auto* objects : {&same_kind.whole, &same_kind.cut})
       for (auto& o : *objects)
         for (int& slot : o.slots) slot = made.slots[slot];
-    if (!batch.whole.empty()) loops_.push_back(&LoopsOf<Kind, true>::table);
-    if (!batch.cut.empty()) loops_.push_back(&LoopsOf<Kind, false>::table);
+    if (!same_kind.whole.empty()) loops_.push_back(&LoopsOf<Kind, true>::table);
+    if (!same_kind.cut.empty()) loops_.push_back(&LoopsOf<Kind, false>::table);
   };
-  std::apply([&](auto&... batch) { (assign(batch), ...); }, batches_->of_kinds);
+  std::apply([&](auto&... same_kind) { (assign(same_kind), ...); }, all_kinds_->of_kinds);
 }
 
 template <class S>
@@ -169,22 +169,22 @@ BasicAutomaticEquations<S>::~BasicAutomaticEquations() = default;
 
 template <class S>
 void BasicAutomaticEquations<S>::constant_jacobian(S* values) const {
-  for (const Loops* l : loops_) l->constant_jacobian(*batches_, values);
+  for (const Loops* l : loops_) l->constant_jacobian(*all_kinds_, values);
 }
 
 template <class S>
 void BasicAutomaticEquations<S>::residual(const S* state, S* phi) const {
-  for (const Loops* l : loops_) l->residual(*batches_, state, phi);
+  for (const Loops* l : loops_) l->residual(*all_kinds_, state, phi);
 }
 
 template <class S>
 void BasicAutomaticEquations<S>::jacobian(const S* state, S* values) const {
-  for (const Loops* l : loops_) l->jacobian(*batches_, state, values);
+  for (const Loops* l : loops_) l->jacobian(*all_kinds_, state, values);
 }
 
 template <class S>
 void BasicAutomaticEquations<S>::quadratic(const S* state, const S* rate, S* gamma) const {
-  for (const Loops* l : loops_) l->quadratic(*batches_, state, rate, gamma);
+  for (const Loops* l : loops_) l->quadratic(*all_kinds_, state, rate, gamma);
 }
 
 template class BasicAutomaticEquations<double>;

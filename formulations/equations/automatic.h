@@ -28,14 +28,14 @@ class BasicAutomaticEquations final : public Equations<Real> {
 
  private:
   template <class Kind>
-  struct Batch;    // objects of one kind
-  struct Batches;  // a Batch for every kind
-  struct Loops;    // loops over the objects of one Batch
+  struct SameKind;  // objects of one kind
+  struct AllKinds;  // a SameKind for every kind
+  struct Loops;     // loops over the objects of one SameKind
   template <class Kind, bool Whole>
   struct LoopsOf;
 
   Pattern pattern_;
-  std::unique_ptr<Batches> batches_;
+  std::unique_ptr<AllKinds> all_kinds_;
   std::vector<const Loops*> loops_;  // loops of the batches that have objects; a part has few kinds
 };
 

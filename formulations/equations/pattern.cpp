@@ -19,9 +19,9 @@ PatternWithSlots make_pattern(const Model& m, const PartDefinition& part,
   const auto rank = [&](const JacobianEntry& e) {
     constexpr std::array unread{2, 0, 0};
     if (e.row < 0) return unread;
-    if (const int column = position_in(p.unknowns, e.state); column >= 0)
+    if (const int column = position_in(p.unknowns, e.place); column >= 0)
       return std::array{0, column, e.row};
-    return e.resting ? unread : std::array{1, e.row, e.state};
+    return e.resting ? unread : std::array{1, e.row, e.place};
   };
   std::vector<std::array<int, 3>> ranks;
   for (const JacobianEntry& e : entries) ranks.push_back(rank(e));

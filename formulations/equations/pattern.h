@@ -11,7 +11,7 @@ namespace desmo {
 /// Partial derivative that a set of equations can emit.
 struct JacobianEntry {
   int row;               ///< equation of the part; -1: of another part
-  int state;             ///< component of the state (q, then the fixed entities)
+  int place;             ///< component of the state (q, then the fixed entities)
   bool resting = false;  ///< the component never moves, unless it is an unknown
 };
 

@@ -14,14 +14,14 @@ class Settling {
  public:
   /// Takes the relative size of a correction just made. Returns whether it was the last useful one.
   bool operator()(double correction) {
-    const bool stagnates = correction < std::sqrt(epsilon) && correction > before_ / 2;
-    before_ = correction;
+    const bool stagnates = correction < std::sqrt(epsilon) && correction > last_correction_ / 2;
+    last_correction_ = correction;
     return correction < 1000 * epsilon || stagnates;
   }
 
  private:
   static inline const double epsilon = static_cast<double>(std::numeric_limits<S>::epsilon());
-  double before_ = INFINITY;
+  double last_correction_ = INFINITY;
 };
 
 }  // namespace desmo

@@ -66,13 +66,16 @@ void Model::drive(EntityId coordinate, Motion motion) {
   drivers.push_back({coordinate, motion});
 }
 
-void Model::add_constraint(Constraint constraint, std::span<const int> operand_sizes) {
+void Model::add(Constraint constraint) {
   const std::string where = "constraint '" + constraint.name + "'";
-  for (std::size_t k = 0; k < operand_sizes.size(); ++k) {
-    const Entity& e = entities.at(constraint.operands[k]);
-    require(e.size == operand_sizes[k], where + ": '" + e.name + "' has " + std::to_string(e.size) +
-                                            " components, not " + std::to_string(operand_sizes[k]));
-  }
+  visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+    for (std::size_t k = 0; k < Kind::operand_sizes.size(); ++k) {
+      const Entity& e = entities.at(constraint.operands.at(k));
+      require(e.size == Kind::operand_sizes[k], where + ": '" + e.name + "' has " +
+                                                    std::to_string(e.size) + " components, not " +
+                                                    std::to_string(Kind::operand_sizes[k]));
+    }
+  });
   require(all_finite(constraint.constants), where + ": a dimension is not finite");
   constraints.push_back(std::move(constraint));
 }

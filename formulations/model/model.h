@@ -1,19 +1,13 @@
 #pragma once
 
-#include <array>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "cases/mechanism/motion.h"
 
 namespace desmo {
-
-template <class Kind>
-constexpr int kind_index();  // constraints/constraints.h, which is not installed
 
 using EntityId = int;  ///< position in Model::entities
 using GroupId = int;   ///< position in Model::groups
@@ -81,7 +75,9 @@ struct Model {
   }
 
   /// Returns whether an entity never moves: it is fixed, or its group is constant.
-  bool rests(EntityId e) const { return entities[e].fixed || groups[entities[e].group].constant; }
+  bool is_at_rest(EntityId e) const {
+    return entities[e].fixed || groups[entities[e].group].constant;
+  }
 
   /// Returns the number of structural groups without the constant ones, as the paper counts.
   int structural_groups() const;
@@ -99,24 +95,12 @@ struct Model {
   /// Prescribes the motion of a scalar coordinate.
   void drive(EntityId coordinate, Motion motion);
 
-  /// Adds a constraint to a group. Throws std::invalid_argument, naming the constraint, when an
+  /// Adds a constraint to its group. Throws std::invalid_argument, naming the constraint, when an
   /// operand has another size than the kind needs or a constant is not finite.
-  template <class Kind>
-  void constrain(GroupId group, std::string constraint_name,
-                 const std::array<EntityId, Kind::operand_sizes.size()>& operands,
-                 const std::array<double, Kind::constants>& constants = {}) {
-    add_constraint({std::move(constraint_name),
-                    kind_index<Kind>(),
-                    {operands.begin(), operands.end()},
-                    {constants.begin(), constants.end()},
-                    group,
-                    0},
-                   Kind::operand_sizes);
-  }
+  void add(Constraint constraint);
 
  private:
   EntityId add_entity(Entity entity);
-  void add_constraint(Constraint constraint, std::span<const int> operand_sizes);
 
   std::unordered_map<std::string, EntityId> by_name_;  // first entity of each name
 };

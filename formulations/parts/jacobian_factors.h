@@ -59,14 +59,14 @@ class JacobianFactors {
 
   /// Begins the iterations of a position.
   void begin_position(JacobianUpdate update) {
-    now_ = update;
+    update_now_ = update;
     corrected_with_old_ = false;
     is_first_ = true;
   }
 
   /// Returns whether the last correction came from old factors and led away from the solution.
   bool led_away(double residual) const {
-    return corrected_with_old_ && !(residual < tolerance_) && !(residual < before_);
+    return corrected_with_old_ && !(residual < tolerance_) && !(residual < last_residual_);
   }
 
   /// Gives the factors up that led away.
@@ -75,10 +75,10 @@ class JacobianFactors {
   /// Chooses the factors of the next correction: those at hand, or new ones at q. Returns false
   /// where Φ_φ is singular.
   [[gnu::always_inline]] bool prepare_correction(const Real* q, double residual) {
-    corrected_with_old_ =
-        now_ != JacobianUpdate::newton && has_factors_ && (is_first_ || are_fast_enough(residual));
+    corrected_with_old_ = update_now_ != JacobianUpdate::newton && has_factors_ &&
+                          (is_first_ || are_fast_enough(residual));
     is_first_ = false;
-    before_ = residual;
+    last_residual_ = residual;
     return corrected_with_old_ || factor_at(q);
   }
   /// Returns whether the correction comes from old factors.
@@ -86,12 +86,12 @@ class JacobianFactors {
 
   /// Ends a step at the level of positions: factors of JacobianUpdate::step serve one step.
   void end_at_position() {
-    if (now_ == JacobianUpdate::step) has_factors_ = false;
+    if (update_now_ == JacobianUpdate::step) has_factors_ = false;
   }
 
   /// Prepares solve_rates() at the solved position. Returns false where Φ_φ is singular.
   bool prepare_rates(const Real* q) {
-    if (now_ != JacobianUpdate::chord || !has_factors_) return factor_at(q);
+    if (update_now_ != JacobianUpdate::chord || !has_factors_) return factor_at(q);
     equations_.jacobian(q, values_.data());
     factors_are_old_ = true;
     return true;
@@ -134,7 +134,7 @@ class JacobianFactors {
 
   /// Returns whether corrections as slow as the last one still meet the tolerance in good time.
   bool are_fast_enough(double residual) const {
-    return residual * std::pow(residual / before_, break_even_solves_) < tolerance_;
+    return residual * std::pow(residual / last_residual_, break_even_solves_) < tolerance_;
   }
 
   [[gnu::always_inline]] bool factor() {
@@ -153,13 +153,13 @@ class JacobianFactors {
   std::unique_ptr<LinearSolver<Real>> solver_;
   int break_even_solves_;
   bool rounds_;  // see LinearSolver::rounds_factors
-  JacobianUpdate update_, now_{};
+  JacobianUpdate update_, update_now_{};
   double tolerance_;
   std::vector<Real> values_;
   bool has_factors_ = false;
   bool factors_are_old_ = false;  // the values are of another position than the factors
   bool corrected_with_old_ = false, is_first_ = true;
-  double before_ = 0;  // ‖Φ‖ an iteration ago
+  double last_residual_ = 0;  // ‖Φ‖ an iteration ago
   Refinement<Real> refinement_;
 };
 

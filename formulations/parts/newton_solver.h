@@ -178,7 +178,7 @@ class NewtonSolver {
 
   void subtract_known_product(const Real* rate) {
     const Real* value = factors_.values() + pattern_.dependent_entries();
-    for (const JacobianEntry& e : pattern_.known) b_[e.row] -= *value++ * rate[e.state];
+    for (const JacobianEntry& e : pattern_.known) b_[e.row] -= *value++ * rate[e.place];
   }
 
   [[gnu::always_inline]] void scatter(Real* target) const {

@@ -189,11 +189,11 @@ Plan make_plan(const Model& whole, std::span<const Asked> asked) {
 
 std::vector<Asked> asked_by(const Scene& scene, const Model& whole) {
   std::vector<Asked> result;
-  for (const Wanted& w : scene.request) {
-    const std::string& name = w.kind == Wanted::Kind::point ? scene.mechanism.points[w.index].name
-                              : w.kind == Wanted::Kind::vector
-                                  ? scene.mechanism.vectors[w.index].name
-                                  : scene.mechanism.coordinates[w.index].name;
+  for (const RequestedEntity& w : scene.request) {
+    const std::string& name =
+        w.kind == RequestedEntity::Kind::point    ? scene.mechanism.points[w.index].name
+        : w.kind == RequestedEntity::Kind::vector ? scene.mechanism.vectors[w.index].name
+                                                  : scene.mechanism.coordinates[w.index].name;
     result.push_back({whole.find(name), w.level});
   }
   return result;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/base/part.h"
+#include "formulations/base/state.h"
 #include "formulations/model/model.h"
 #include "formulations/prediction/live_drivers.h"
 #include "formulations/prediction/motions_ahead.h"

@@ -5,7 +5,7 @@
 
 #include "formulations/base/lane_values.h"
 #include "formulations/base/live_row.h"
-#include "formulations/base/part.h"
+#include "formulations/base/state.h"
 #include "formulations/prediction/motions_ahead.h"
 
 namespace desmo {

@@ -9,17 +9,20 @@
 
 namespace desmo {
 
-/// Motions, and the place of each in arrays of their values.
+/// Motions, and where the values of each are written: motion k at z[places[k]], and likewise in ż
+/// and z̈.
 struct PlacedMotions {
   std::vector<const Motion*> motions;
   std::vector<int> places;
 };
-/// Returns the motions of the drivers of a model, which outlives them, placed in its state.
+/// Returns the motions of a model's drivers, each placed at its coordinate in the state. The model
+/// outlives the result.
 PlacedMotions driver_motions(const Model& model);
-/// Returns motions placed one after the other.
+/// Returns motions placed one after the other, from place 0.
 PlacedMotions in_order(std::vector<const Motion*> motions);
 
-/// Strides of samples at several times: time l goes to place · of_place + l · of_time.
+/// Strides of samples at several times. The sample of time number l, of a motion at `place`, goes
+/// to index place · of_place + l · of_time.
 struct SampleStrides {
   int of_place = 1, of_time = 1;  ///< one of them is 1
 };

@@ -9,19 +9,22 @@
 
 namespace desmo {
 
-/// Predicts some coordinates: by the guess that is wanted or, where the history does not allow it,
-/// the best that it does (best_guess). Called once for every step.
+/// A predictor of some coordinates, called once in every step. It uses the guess that is wanted.
+/// Where too few instants are known for that guess, it uses the best one that they allow
+/// (best_guess).
 class Predictor {
  public:
-  Predictor() = default;  ///< of no coordinate
+  Predictor() = default;  ///< predicts no coordinate
   /// ranges: of coordinates, ascending.
   Predictor(Guess wanted, std::vector<IndexRange> ranges)
       : wanted_(wanted), ranges_(std::move(ranges)) {
     if (wanted_ == Guess::adams8) history_.emplace(ranges_);
   }
 
-  /// Writes the predicted coordinates into q, which may be that of `last` or of `before`. Earlier
-  /// instants are remembered from the steps in which they were `last`.
+  /// Writes the predicted coordinates into q.
+  /// - last, before: the two instants before the one sought; q may be the q of either. The
+  /// predictor
+  ///   keeps what it needs of earlier instants itself, each from the call in which it was `last`.
   template <class States>
   void operator()(const StepHistory& history, const States& last, const States& before, double* q) {
     if (history_) {

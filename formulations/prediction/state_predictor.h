@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "formulations/base/part.h"
 #include "formulations/base/settings.h"
+#include "formulations/base/state.h"
 #include "formulations/prediction/predictor.h"
 #include "formulations/structure/partition.h"
 

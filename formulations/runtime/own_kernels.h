@@ -1,65 +1,20 @@
+// Code is generated, compiled and loaded at run time for a user's mechanism: desmo was built
+// without kernels for its part types.
 #pragma once
 
 #include <chrono>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "cases/mechanism/motion.h"
 #include "formulations/model/model.h"
+#include "formulations/runtime/generated_code.h"
 #include "formulations/variants.h"
 
 namespace desmo::load {
 
-// Code is generated, compiled and loaded at run time for a user's mechanism: desmo was built
-// without kernels for its part types.
-
-/// The parts of one type in a formulation.
-struct TypeUse {
-  std::string group;  ///< first group with such a part
-  int unknowns = 0;   ///< unknowns of one part
-  int parts = 0;      ///< number of parts
-};
-
-/// The outcome of add_generated_code.
-struct GenerationOutcome {
-  std::vector<TypeUse> types;    ///< part types that code was wanted for
-  int parts_too_large = 0;       ///< number of parts too large for generated code
-  bool compiled = false;         ///< compiled in this call, not found in the cache
-  std::string compiler;          ///< its file and version
-  std::string folder;            ///< folder of the cache
-  double seconds = 0;            ///< total time [s]
-  double seconds_compiling = 0;  ///< time of the compiler [s], included in `seconds`
-  std::string problem;           ///< reason why there is no code for `types`; empty: there is
-};
-
-/// Adds kernels to the table for the part types of a formulation that it lacks. Loads them from
-/// the user's cache, or generates and compiles them from samples of the motion over `grid`. Errors
-/// are reported in the result and leave the table unchanged. compile_time: limit for the compiler.
-/// The mechanism's names do not occur in the code; file names and arguments contain digests only.
+/// Adds kernels to the table for the part types of a formulation that it lacks: generate_code(),
+/// into a table that there is already. Errors leave the table unchanged.
 GenerationOutcome add_generated_code(KernelTable& table, const Variant& variant,
                                      const Settings& settings, const Model& model,
                                      const TimeGrid& grid, std::chrono::milliseconds compile_time);
 
 }  // namespace desmo::load
-
-namespace desmo {
-
-/// Code that was generated for a mechanism, compiled and loaded:
-///
-///   const Configuration c = parse_id("group_symbolic_explicit/guess:hermite5");
-///   const GeneratedCode code = generate_code(*c.variant, c.settings, model, scene.grid);
-///   if (!code.problem.empty()) std::fprintf(stderr, "%s\n", code.problem.c_str());
-///   const auto f = make_formulation(*c.variant, model, c.settings, nullptr, code.table.get());
-struct GeneratedCode : load::GenerationOutcome {
-  /// The code, and what desmo was built with. It outlives the formulations that are made with it.
-  std::shared_ptr<const KernelTable> table;
-};
-
-/// Generates the code that a formulation needs for a model, as the program desmo does; see
-/// load::add_generated_code. grid: of a motion that is typical, which decides pivots.
-GeneratedCode generate_code(const Variant& variant, const Settings& settings, const Model& model,
-                            const TimeGrid& grid,
-                            std::chrono::milliseconds compile_time = std::chrono::seconds(60));
-
-}  // namespace desmo

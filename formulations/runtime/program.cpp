@@ -83,14 +83,14 @@ class Uninterrupted {
     sigset_t interruptions;
     ::sigemptyset(&interruptions);
     for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&interruptions, s);
-    ::pthread_sigmask(SIG_BLOCK, &interruptions, &before_);
+    ::pthread_sigmask(SIG_BLOCK, &interruptions, &old_mask_);
   }
   Uninterrupted(const Uninterrupted&) = delete;
   Uninterrupted& operator=(const Uninterrupted&) = delete;
-  ~Uninterrupted() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  ~Uninterrupted() { ::pthread_sigmask(SIG_SETMASK, &old_mask_, nullptr); }
 
  private:
-  sigset_t before_;
+  sigset_t old_mask_;
 };
 
 /// Starts a program, which from then on is `running`.

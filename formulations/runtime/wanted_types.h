@@ -7,7 +7,7 @@
 #include "formulations/codegen/emit/library_source.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/model/model.h"
-#include "formulations/runtime/own_kernels.h"
+#include "formulations/runtime/generated_code.h"
 #include "formulations/variants.h"
 
 namespace desmo::load {

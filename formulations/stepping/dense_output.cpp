@@ -119,7 +119,7 @@ void DenseOutput::keep(const Instant& solved) {
 }
 
 Interpolated::Interpolated(std::unique_ptr<SegmentSolver> inner, int stride)
-    : Formulation(inner->model(), inner->settings(), inner->tolerance()),
+    : FormulationCore(inner->model(), inner->settings(), inner->tolerance()),
       inner_(std::move(inner)),
       stride_(stride) {}
 

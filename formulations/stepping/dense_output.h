@@ -7,7 +7,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/base/index_range.h"
 #include "formulations/base/observer.h"
-#include "formulations/base/part.h"
+#include "formulations/base/state.h"
 #include "formulations/stepping/segment_solver.h"
 
 namespace desmo {
@@ -61,7 +61,7 @@ class DenseOutput final : public Observer {
 
 /// A formulation that, in a motion, solves every stride-th instant and the last one, and
 /// interpolates the others (see DenseOutput). Single instants are solved by the formulation inside.
-class Interpolated final : public Formulation {
+class Interpolated final : public FormulationCore {
  public:
   /// stride: 2 … max_stride.
   Interpolated(std::unique_ptr<SegmentSolver> inner, int stride);
@@ -73,10 +73,9 @@ class Interpolated final : public Formulation {
   void solve_only(std::span<const Level>) override {}
   long run_by_steps() const override { return inner_->run_by_steps(); }
   const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }
-
- private:
   const State& state() const override { return inner_->state(); }
 
+ private:
   std::unique_ptr<SegmentSolver> inner_;
   int stride_;
 };

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/base/part.h"
+#include "formulations/base/state.h"
 #include "formulations/model/model.h"
 
 namespace desmo {

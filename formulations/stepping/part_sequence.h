@@ -8,6 +8,7 @@
 
 #include "formulations/base/output.h"
 #include "formulations/base/part.h"
+#include "formulations/base/resident_part.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/prediction/motions_ahead.h"
 #include "formulations/structure/partition.h"

@@ -2,14 +2,12 @@
 
 #include <optional>
 
-#include "formulations/base/part.h"
-#include "formulations/formulation.h"
-#include "formulations/structure/partition.h"
+#include "formulations/stepping/formulation_core.h"
 
 namespace desmo {
 
 /// A formulation that can also solve a segment in the middle of a motion.
-class SegmentSolver : public Formulation {
+class SegmentSolver : public FormulationCore {
  public:
   /// Runs like run(), but starts at the position that start_at() reached. Returns nothing where an
   /// instant could not be solved or segments do not meet; all that the observer was given is then
@@ -17,11 +15,8 @@ class SegmentSolver : public Formulation {
   virtual std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                         Observer& observer) = 0;
 
-  const State& state() const override = 0;
-  const std::vector<DefinedPart>& parts() const override = 0;
-
  protected:
-  using Formulation::Formulation;
+  using FormulationCore::FormulationCore;
 };
 
 }  // namespace desmo

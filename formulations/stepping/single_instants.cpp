@@ -16,12 +16,12 @@ void clear_rates(State& state) {
 }  // namespace
 
 Summary TimeStepping::step_to(double t, Level level) {
-  want({});
+  set_read_outside({});
   return assemble_or_step(t, level);
 }
 
 Summary TimeStepping::step_to_row(const LiveRow& row, Level level, int max_sub_steps) {
-  want({});
+  set_read_outside({});
   const double start = now_.time;
   drivers_.hand_in(row, start, now_.state);
   const Summary summary = assemble_or_step(row.time, level, max_sub_steps);
@@ -41,7 +41,7 @@ void TimeStepping::return_to(std::span<const double> q, double t) {
 }
 
 Summary TimeStepping::assemble_at(double t, Level level) {
-  want({});
+  set_read_outside({});
   return assemble_alone(t, level);
 }
 
@@ -80,7 +80,7 @@ Summary TimeStepping::assemble_alone(double t, Level level) {
 }
 
 bool TimeStepping::start_at(std::span<const double> q, double t) {
-  want({});
+  set_read_outside({});
   State &state = now_.state, &last = before_.state;
   for (State* s : {&state, &last}) {
     std::ranges::copy(q.first(std::min(q.size(), s->q.size())), s->q.begin());

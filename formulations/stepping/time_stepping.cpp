@@ -32,7 +32,7 @@ TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const
 void TimeStepping::prepare() {
   predict_ = StatePredictor(settings().guess, parts());
   drivers_ = DriverSource(model(), sequence_.drivers());
-  wanted_.reset();
+  read_outside_.reset();
 }
 
 void TimeStepping::solve_only(std::span<const Level> needed) {
@@ -60,7 +60,7 @@ std::optional<Summary> TimeStepping::run_on(const TimeGrid& grid, const Request&
 
 Summary TimeStepping::take_steps(const TimeGrid& grid, const Request& request, Observer& observer) {
   Summary total;
-  want(request, observer.lent_at_once() > 0);
+  set_read_outside(request, observer.lent_at_once() > 0);
   drivers_.expect(grid);
   for (int i = 0; i < grid.instants; ++i) {
     const double t = grid.time(i);
@@ -162,12 +162,12 @@ void TimeStepping::find_culprit_of_failure(Summary& summary) const {
 
 // ---- What is read of each instant ----
 
-void TimeStepping::want(const Request& request, bool lent) {
-  if (wanted_ && lent == wanted_->lent &&
-      std::ranges::equal(request.coordinates, wanted_->coordinates))
+void TimeStepping::set_read_outside(const Request& request, bool lent) {
+  if (read_outside_ && lent == read_outside_->lent &&
+      std::ranges::equal(request.coordinates, read_outside_->coordinates))
     return;
   const std::vector<int> requested = requested_coordinates(request, model().coordinates());
-  wanted_ = {{request.coordinates.begin(), request.coordinates.end()}, lent};
+  read_outside_ = {{request.coordinates.begin(), request.coordinates.end()}, lent};
   std::vector<bool> observed(model().state_size(), false);
   std::vector<int> places(model().state_size(), -1);
   for (std::size_t n = 0; n < requested.size(); ++n) {
@@ -191,7 +191,7 @@ Flow TimeStepping::deliver(int index, double t, const Summary& step, Level level
                   .residual = step.residual};
   if (level >= Level::velocity) instant.qd = qd();
   if (level >= Level::acceleration) instant.qdd = qdd();
-  if (wanted_->lent) {
+  if (read_outside_->lent) {
     observer.lend({&index, 1}, {&instant.output, 1});
     sequence_.deliver(instant.output, level);
     output_.write(instant);

@@ -13,21 +13,19 @@
 namespace desmo {
 
 /// The paper's Fig. 2a: instant after instant, drivers, prediction, and the parts in order.
-class TimeStepping final : public SegmentSolver {
+class TimeStepping final : public SegmentSolver, private LiveSteps {
  public:
   /// settings: those that the parts were made with. The model outlives this.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
 
   Summary assemble_at(double t, Level level) override;
   Summary step_to(double t, Level level) override;
-  bool is_live() const override { return true; }
-  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
-  void return_to(std::span<const double> q, double t) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override;
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
   void solve_only(std::span<const Level> needed) override;
+  const LiveSteps* live() const override { return this; }
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }
 
@@ -52,14 +50,17 @@ class TimeStepping final : public SegmentSolver {
   };
 
   /// The coordinates of each instant that others than parts read.
-  struct Wanted {
+  struct ReadCoordinates {
     std::vector<int> coordinates;  // empty: all …
     bool lent;                     // … in memory that the observer lends, or in the state
   };
 
+  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
+  void return_to(std::span<const double> q, double t) override;
+
   void prepare();
   void forget();
-  void want(const Request& request, bool lent = false);
+  void set_read_outside(const Request& request, bool lent = false);
   Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
   Summary solve_at(double t, Level level);
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
@@ -72,7 +73,7 @@ class TimeStepping final : public SegmentSolver {
   PartSequence sequence_;
   DriverSource drivers_;
   StatePredictor predict_;
-  std::optional<Wanted> wanted_;
+  std::optional<ReadCoordinates> read_outside_;
   OutputWriter output_;        // of what no part delivers
   SolvedState now_, before_;   // the instant solved last, and the one before it
   std::vector<double> start_;  // positions from which a step is tried again

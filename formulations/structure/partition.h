@@ -57,11 +57,6 @@ struct DefinedPart {
   double tolerance = 0;
 };
 
-class Formulation;
-
-/// Returns the parts of a formulation in the order of solution.
-const std::vector<DefinedPart>& parts_of(const Formulation& formulation);
-
 /// Returns the parts of a partition in solution order. Constant groups come first, each a part of
 /// its own; groups of drivers only are omitted. Throws std::invalid_argument when a group needs a
 /// coordinate of a later group, or (Partition::block) is structurally singular.

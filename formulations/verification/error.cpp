@@ -49,21 +49,21 @@ Flow ErrorMeasure::observe(const Instant& instant) noexcept {
   if (next_ == reference_.size() || reference_[next_].time != instant.time) return Flow::go_on;
   const ReferenceInstant& r = reference_[next_++];
   ++instants_;
-  compare(Level::position, instant.q, r.q, r.rest.q);
-  compare(Level::velocity, instant.qd, r.qd, r.rest.qd);
-  compare(Level::acceleration, instant.qdd, r.qdd, r.rest.qdd);
+  compare(Level::position, instant.q, r.q, r.remainder.q);
+  compare(Level::velocity, instant.qd, r.qd, r.remainder.qd);
+  compare(Level::acceleration, instant.qdd, r.qdd, r.remainder.qdd);
   return Flow::go_on;
 }
 
 void ErrorMeasure::compare(Level level, std::span<const double> found,
-                           std::span<const double> reference, std::span<const double> rest) {
+                           std::span<const double> reference, std::span<const double> remainder) {
   if (found.empty()) return;  // beyond the level requested
   for (const Output& o : outputs_) {
     if (o.level < level) continue;
     double squares = 0;
     for (int i = o.first; i < o.first + o.size; ++i) {
       // Neighbours subtract exactly, so that the rest of the reference still counts.
-      const double difference = (found[i] - reference[i]) - (rest.empty() ? 0 : rest[i]);
+      const double difference = (found[i] - reference[i]) - (remainder.empty() ? 0 : remainder[i]);
       const double error = relative(difference, o.scale[level]);
       squares += error * error;
     }
@@ -71,8 +71,8 @@ void ErrorMeasure::compare(Level level, std::span<const double> found,
   }
 }
 
-Error ErrorMeasure::error() const {
-  Error e;
+SolutionError ErrorMeasure::error() const {
+  SolutionError e;
   for (const Level level : levels) e[level] = sums_[level].result();
   e.instants = instants_;
   return e;

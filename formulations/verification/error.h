@@ -19,7 +19,7 @@ struct LevelError {
 };
 
 /// Errors of a solution at each level.
-struct Error : PerLevel<LevelError> {
+struct SolutionError : PerLevel<LevelError> {
   int instants = 0;  ///< instants compared
 };
 
@@ -34,14 +34,14 @@ class ErrorSum {
   long compared_ = 0;
 };
 
-/// Observer that compares instants with a reference, where the reference has them. Hand it to
-/// Formulation::run; instants come in order of time. Each skipped instant costs one comparison; no
-/// heap memory is allocated.
+/// Observer that compares the instants of a run (Formulation::run) with a reference. Instants that
+/// the reference does not have are skipped. No heap memory is allocated.
 ///
-/// Outputs are the points, directions, angles and distances of the model, driven ones included,
-/// fixed ones left out. The error of an output is the Euclidean norm of the difference over its
-/// scale. Angles are compared as they are, so a whole turn counts as an error. Where the reference
-/// has rests they are used, so that an error of 1e-20 shows as 1e-20.
+/// Outputs are the points, directions, angles and distances of the model. Driven outputs are
+/// included, fixed ones are not. The error of an output is the Euclidean norm of its difference,
+/// divided by its scale (Scales). Angles are compared as they are, so a whole turn counts as an
+/// error. Differences include the remainders of the reference, if it has any: an error of 1e-20
+/// then shows as 1e-20.
 class ErrorMeasure final : public Observer {
  public:
   /// Compares all outputs at all levels. The reference must outlive the measure.
@@ -52,9 +52,9 @@ class ErrorMeasure final : public Observer {
                const Scales& scales, std::span<const Asked> outputs);
 
   Flow observe(const Instant& instant) noexcept override;
-  /// Returns the errors of the instants observed so far. Error::instants counts the compared ones;
-  /// after a complete run it is the size of the reference.
-  Error error() const;
+  /// Returns the errors of the instants observed so far. SolutionError::instants counts the
+  /// compared ones; after a complete run it is the size of the reference.
+  SolutionError error() const;
 
  private:
   struct Output {
@@ -63,7 +63,7 @@ class ErrorMeasure final : public Observer {
     PerLevel<double> scale;
   };
   void compare(Level level, std::span<const double> found, std::span<const double> reference,
-               std::span<const double> rest);
+               std::span<const double> remainder);
 
   std::span<const ReferenceInstant> reference_;
   std::vector<Output> outputs_;

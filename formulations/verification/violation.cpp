@@ -9,12 +9,12 @@
 
 namespace desmo {
 
-struct ViolationMeasure::Equations {
+struct ViolationMeasure::WideEquations {
   WholeSystem system;
   std::vector<Jet<Quadruple>> state, phi;
   std::vector<double> positions;  // of the state
 
-  explicit Equations(const Model& m)
+  explicit WideEquations(const Model& m)
       : system(m), state(m.state_size()), phi(system.rows()), positions(m.state_size()) {
     for (std::size_t i = 0; i < m.fixed_values.size(); ++i) {
       positions[m.coordinates() + i] = m.fixed_values[i];
@@ -33,7 +33,7 @@ struct ViolationMeasure::Equations {
 
 ViolationMeasure::ViolationMeasure(const Model& m, const Scales& scales,
                                    std::span<const double> times)
-    : equations_(std::make_unique<Equations>(m)), times_(times) {
+    : equations_(std::make_unique<WideEquations>(m)), times_(times) {
   for (const Level level : levels) {
     coordinate_scales_[level].assign(m.state_size(), 0);
     row_scales_[level].resize(equations_->system.rows());
@@ -50,7 +50,7 @@ Flow ViolationMeasure::observe(const Instant& instant) noexcept {
   if (next_ == times_.size() || times_[next_] != instant.time) return Flow::go_on;
   ++next_;
   ++instants_;
-  Equations& e = *equations_;
+  WideEquations& e = *equations_;
   e.set(instant);
   e.system.residual<Jet<Quadruple>>(e.state, e.phi);
   for (const Level level : levels) std::ranges::fill(row_scales_[level], 0.0);
@@ -69,8 +69,8 @@ Flow ViolationMeasure::observe(const Instant& instant) noexcept {
   return Flow::go_on;
 }
 
-Error ViolationMeasure::violation() const {
-  Error result;
+SolutionError ViolationMeasure::violation() const {
+  SolutionError result;
   for (const Level level : levels) result[level] = sums_[level].result();
   result.instants = instants_;
   return result;

@@ -26,11 +26,11 @@ class ViolationMeasure final : public Observer {
   Flow observe(const Instant& instant) noexcept override;
   /// Returns maximum and root mean square over all equations of the instants observed so far.
   /// Levels that the run did not deliver have nothing compared.
-  Error violation() const;
+  SolutionError violation() const;
 
  private:
-  struct Equations;  // in quadruple precision
-  std::unique_ptr<Equations> equations_;
+  struct WideEquations;  // in quadruple precision
+  std::unique_ptr<WideEquations> equations_;
   std::span<const double> times_;
   std::size_t next_ = 0;  // index of the next time in times_
   int instants_ = 0;

@@ -58,7 +58,7 @@ int run(const CertificateCommand& command) {
       add_trial(command.file, command.added);
       return code(CheckVerdict::pass);
     }
-    const Certificate certificate = read_certificate(command.file);
+    const CheckCertificate certificate = read_certificate(command.file);
     write_standard_output(printed(certificate.document, {command.format}));
     if (certificate.holds) return code(CheckVerdict::pass);
     return code(certificate.refuted ? CheckVerdict::regression : CheckVerdict::inconclusive);

@@ -32,7 +32,8 @@ Pass first_pass(const CheckRecord& check) {
     if (head.status != Status::ok) continue;
     if (!check.base) {
       pass[name_of(key)] = {{}, head.time.seconds};
-    } else if (const Candidate& base = check.base->candidates.at(key); base.status == Status::ok) {
+    } else if (const MeasuredCandidate& base = check.base->candidates.at(key);
+               base.status == Status::ok) {
       pass[name_of(key)] = {base.time.seconds, head.time.seconds};
     }
   }

@@ -180,10 +180,10 @@ Tallies tallied(const std::vector<Trial>& trials, const std::string& file) {
 
 }  // namespace
 
-Certificate read_certificate(const std::filesystem::path& file) {
+CheckCertificate read_certificate(const std::filesystem::path& file) {
   const Trials trials = read_trials(read_record_text(file), file.string());
   const Tallies tallies = tallied(trials.all, file.string());
-  Certificate certificate{true, false, {}};
+  CheckCertificate certificate{true, false, {}};
   Table table = headed_table("certificate");
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const Claim& c = claims[i];

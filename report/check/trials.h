@@ -40,7 +40,7 @@ Trials read_trials(const std::string& text, const std::string& file = "trials");
 /// Throws InputError; MixedRecord for a trial of another machine or compiler; OutputError.
 void add_trial(const std::filesystem::path& certificate, const std::filesystem::path& trial);
 
-struct Certificate {
+struct CheckCertificate {
   bool holds = false;    ///< every claim, with all its trials
   bool refuted = false;  ///< some claim, whatever trials are missing
   Document document;
@@ -48,6 +48,6 @@ struct Certificate {
 
 /// Reads the trials (report/check/trials.h) and counts what they show. Throws InputError, naming
 /// the line, and UnreadableRecord.
-Certificate read_certificate(const std::filesystem::path& file);
+CheckCertificate read_certificate(const std::filesystem::path& file);
 
 }  // namespace desmo::report

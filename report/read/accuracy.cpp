@@ -21,7 +21,7 @@ Floor read_floor(const RecordValue& node) {
   return floor;
 }
 
-Errors read_errors(const RecordValue& node) {
+LargestErrors read_errors(const RecordValue& node) {
   const auto max = [](const RecordValue& error) { return error["max"].not_negative(); };
   return {node.maybe("position", max), node.maybe("velocity", max),
           node.maybe("acceleration", max)};

@@ -17,13 +17,13 @@ TimedSize failed(TimedSize entry, std::string why) {
 }
 
 /// It grows as the tolerance does beyond the record's.
-PerLevel allowed_of(const TimedSize& entry, const Settings& settings) {
+LevelNumbers allowed_of(const TimedSize& entry, const RecordSettings& settings) {
   const double times = std::max(1.0, entry.tolerance / settings.tolerance);
-  const PerLevel& allowed = settings.allowed->levels;
+  const LevelNumbers& allowed = settings.allowed->levels;
   return {times * allowed.position, times * allowed.velocity, times * allowed.acceleration};
 }
 
-TimedSize read_entry(const RecordValue& node, const Settings& settings) {
+TimedSize read_entry(const RecordValue& node, const RecordSettings& settings) {
   TimedSize entry{.status = read_status(node["status"]),
                   .message = node.maybe("message", &RecordValue::text).value_or(""),
                   .unknowns = node["unknowns"].integer(1),

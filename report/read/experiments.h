@@ -26,14 +26,14 @@ struct SeriesKey {
 
 /// Errors below which nothing is to be expected in a series. Relative, as errors are.
 struct Floor {
-  PerLevel reference;               ///< how far its two solutions differ
+  LevelNumbers reference;           ///< how far its two solutions differ
   std::optional<double> condition;  ///< κ, the largest; nothing where a position is singular
-  std::optional<PerLevel> in_double = {},
-                          in_float = {};  ///< errors that κ lets be expected; with κ
+  std::optional<LevelNumbers> in_double = {},
+                              in_float = {};  ///< errors that κ lets be expected; with κ
 };
 
 /// The largest errors of a motion. Empty for a level whose error is beyond all measure.
-struct Errors {
+struct LargestErrors {
   std::optional<double> position, velocity, acceleration;
 };
 
@@ -49,9 +49,9 @@ struct Point {
 
   Configuration configuration;
   Status status = Status::failed;
-  std::string message;    ///< why it failed or is not applicable
-  Errors error = {};      ///< relative; of position always when ok
-  Errors violation = {};  ///< of the equations
+  std::string message;           ///< why it failed or is not applicable
+  LargestErrors error = {};      ///< relative; of position always when ok
+  LargestErrors violation = {};  ///< of the equations
   double iterations_per_step = 0;
   std::vector<double> seconds_per_step =
       {};  ///< samples of CPU time; never empty when ok, else always
@@ -82,7 +82,7 @@ struct TimedSize {
   std::int64_t unknowns = 0;
   double tolerance = 0;
   std::string checked_against = {};  ///< "quadruple", "double": the reference's precision; when ok
-  std::optional<PerLevel> verification = {};  ///< always when ok
+  std::optional<LevelNumbers> verification = {};  ///< always when ok
   double iterations_per_step = 0;
   double state_bytes = 0;                     ///< q, q', q''
   std::optional<double> bytes = {};           ///< that the formulation keeps in memory

@@ -24,7 +24,7 @@ Solver read_solver(const RecordValue& node) {
   return {node["algebra"].text(), node["parts"].integer(1), {range[0], range[1]}};
 }
 
-void turn_into_failure(Candidate& candidate, std::string reason) {
+void turn_into_failure(MeasuredCandidate& candidate, std::string reason) {
   if (reason.empty()) return;
   candidate.status = Status::failed;
   candidate.message = std::move(reason);
@@ -32,8 +32,9 @@ void turn_into_failure(Candidate& candidate, std::string reason) {
 }
 
 /// Reads what requests have, too. Times of a wrong answer are not times.
-Candidate read_solved(const RecordValue& node, const Settings& settings, std::string_view id) {
-  Candidate candidate{
+MeasuredCandidate read_solved(const RecordValue& node, const RecordSettings& settings,
+                              std::string_view id) {
+  MeasuredCandidate candidate{
       .status = read_status(node["status"]),
       .message = node.maybe("message", &RecordValue::text).value_or(""),
       .origin = {node.maybe("machine", &RecordValue::text),
@@ -44,8 +45,9 @@ Candidate read_solved(const RecordValue& node, const Settings& settings, std::st
   return candidate;
 }
 
-Candidate read_candidate(const RecordValue& node, const Settings& settings, std::string_view id) {
-  Candidate candidate = read_solved(node, settings, id);
+MeasuredCandidate read_candidate(const RecordValue& node, const RecordSettings& settings,
+                                 std::string_view id) {
+  MeasuredCandidate candidate = read_solved(node, settings, id);
   candidate.setup_seconds = node.maybe("setup_time", read_setup);
   if (const auto solvers = node.find("solvers")) candidate.solvers = solvers->list(read_solver);
   if (const auto checked = node.find("verification"))
@@ -63,26 +65,26 @@ std::string request_excess(const RecordValue& verification, double difference,
   const auto level = [&](const char* name) {
     return verification.maybe(name, &RecordValue::not_negative).value_or(0);
   };
-  const PerLevel found{verification["position"].not_negative(), level("velocity"),
-                       level("acceleration")};
+  const LevelNumbers found{verification["position"].not_negative(), level("velocity"),
+                           level("acceleration")};
   std::string reason = excess(found, allowed.levels);
   if (reason.empty() && allowed.request)
     reason = excess("the answer beside the whole mechanism's", difference, *allowed.request);
   return reason;
 }
 
-Request read_request(const RecordValue& node, const Settings& settings) {
+MeasuredRequest read_request(const RecordValue& node, const RecordSettings& settings) {
   const CandidateKey key = read_key(node);
   const RecordValue level = node["level"];
   level.one_of({"position", "velocity", "acceleration"});
-  Request request{.key = key,
-                  .name = node["request"].name(),
-                  .title = node["title"].text(),
-                  .level = level.text(),
-                  .unknowns = node["unknowns"].integer(1),
-                  .all_unknowns = node["all_unknowns"].integer(1),
-                  .solved = read_solved(node, settings, key.id),
-                  .difference = node.maybe("difference", &RecordValue::not_negative)};
+  MeasuredRequest request{.key = key,
+                          .name = node["request"].name(),
+                          .title = node["title"].text(),
+                          .level = level.text(),
+                          .unknowns = node["unknowns"].integer(1),
+                          .all_unknowns = node["all_unknowns"].integer(1),
+                          .solved = read_solved(node, settings, key.id),
+                          .difference = node.maybe("difference", &RecordValue::not_negative)};
   if (request.unknowns > request.all_unknowns)
     node["unknowns"].complain("more unknowns than the whole mechanism has");
   if (request.solved.status != Status::ok) return request;
@@ -94,7 +96,7 @@ Request read_request(const RecordValue& node, const Settings& settings) {
   return request;
 }
 
-Peer read_peer(const RecordValue& node, const Settings& settings) {
+Peer read_peer(const RecordValue& node, const RecordSettings& settings) {
   return {.case_name = node["case"].name(),
           .coordinates = node["coordinates"].integer(1),
           .name = node["peer"].name(),
@@ -120,7 +122,7 @@ CandidateKey read_key(const RecordValue& node) {
 }
 
 void read_paper(Record& record, const RecordValue& experiment) {
-  const Settings& settings = record.settings;
+  const RecordSettings& settings = record.settings;
   read_each(experiment, "cells", [&](const RecordValue& node) {
     const CandidateKey key = read_key(node);
     add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
@@ -128,7 +130,7 @@ void read_paper(Record& record, const RecordValue& experiment) {
   });
   std::set<std::pair<CandidateKey, std::string>> seen;
   read_each(experiment, "requests", [&](const RecordValue& node) {
-    Request request = read_request(node, settings);
+    MeasuredRequest request = read_request(node, settings);
     if (!seen.emplace(request.key, request.name).second)
       node.complain("the request " + request.name + " of " + request.key.id + " is given twice");
     (is_by_wall(request.key.id) ? record.wall_requests : record.requests)

@@ -46,19 +46,19 @@ CandidateKey read_key(const RecordValue& node);
 Status read_status(const RecordValue& node);
 
 /// Reads the numbers of a position, velocity and acceleration.
-PerLevel read_levels(const RecordValue& node, double (RecordValue::*read)() const);
+LevelNumbers read_levels(const RecordValue& node, double (RecordValue::*read)() const);
 
 /// Says what exceeds its limit: "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing
 /// does.
 std::string excess(const std::string& what, double difference, double limit);
-std::string excess(const PerLevel& found, const PerLevel& allowed);
+std::string excess(const LevelNumbers& found, const LevelNumbers& allowed);
 
 /// Throws InputError when the clock of a time is another; `what` is measured by it.
 void require_clock(const RecordValue& time, Clock clock, std::string_view what);
 
 /// Reads the time of a whole analysis: its clock, which `id` decides, its samples, and by the CPU
 /// clock its timing windows, where the settings have some.
-Time read_time(const RecordValue& node, const Settings& settings, std::string_view id);
+Time read_time(const RecordValue& node, const RecordSettings& settings, std::string_view id);
 
 /// Reads the samples of a time that has to be of the CPU clock, at least one.
 std::vector<double> read_cpu_seconds(const RecordValue& node);

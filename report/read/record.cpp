@@ -32,16 +32,17 @@ Build read_build(const RecordValue& node) {
   return build;
 }
 
-Settings read_settings(const RecordValue& node) {
-  Settings settings{.tolerance = node["tolerance"].positive(),
-                    .max_iterations = node["max_iterations"].integer(1),
-                    .guess = node["guess"].text(),
-                    .step_seconds = node["step_seconds"].positive(),
-                    .duration_seconds = node["duration_seconds"].positive(),
-                    .instants = node["instants"].integer(1),
-                    .allowed = node.maybe("allowed", read_allowed),
-                    .windows = node.maybe(
-                        "windows", [](const RecordValue& windows) { return windows.integer(2); })};
+RecordSettings read_settings(const RecordValue& node) {
+  RecordSettings settings{.tolerance = node["tolerance"].positive(),
+                          .max_iterations = node["max_iterations"].integer(1),
+                          .guess = node["guess"].text(),
+                          .step_seconds = node["step_seconds"].positive(),
+                          .duration_seconds = node["duration_seconds"].positive(),
+                          .instants = node["instants"].integer(1),
+                          .allowed = node.maybe("allowed", read_allowed),
+                          .windows = node.maybe("windows", [](const RecordValue& windows) {
+                            return windows.integer(2);
+                          })};
   const double steps = settings.duration_seconds / settings.step_seconds;
   if (std::abs(steps - static_cast<double>(settings.instants - 1)) > 0.01)
     node["instants"].complain(std::to_string(settings.instants) + " instants do not make " +
@@ -83,7 +84,8 @@ void require_one_origin(const Record& record) {
             .first->second;
     if (other != *digest) throw MixedRecord(name_of(key) + ": " + problem + " than " + name);
   };
-  const auto take = [&](CandidateKey key, const std::string& request, const Candidate& solved) {
+  const auto take = [&](CandidateKey key, const std::string& request,
+                        const MeasuredCandidate& solved) {
     const Origin& origin = solved.origin;
     key.id += request;
     if (origin.machine && *origin.machine != record.machine.cpu)
@@ -97,7 +99,7 @@ void require_one_origin(const Record& record) {
   for (const auto* candidates : {&record.candidates, &record.wall_candidates})
     for (const auto& [key, candidate] : *candidates) take(key, "", candidate);
   for (const auto* requests : {&record.requests, &record.wall_requests})
-    for (const Request& request : *requests)
+    for (const MeasuredRequest& request : *requests)
       take(request.key, "/request:" + request.name, request.solved);
   for (const Peer& peer : record.peers) take(key_of(peer), "", peer.solved);
 }

@@ -39,7 +39,7 @@ struct Blas {
   std::int64_t threads = 0;
 };
 
-struct Settings {
+struct RecordSettings {
   double tolerance = 0;  ///< of the norm of the constraint equations, whole mechanism
   std::int64_t max_iterations = 0;
   std::string guess;
@@ -70,13 +70,13 @@ struct Solver {
   std::array<std::int64_t, 2> unknowns{};  ///< least, most
 };
 
-struct Candidate {
+struct MeasuredCandidate {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
   Time time = {};  ///< of the whole analysis; has samples when ok only
   /// Largest absolute differences from the reference; always when ok.
-  std::optional<PerLevel> verification = {};
+  std::optional<LevelNumbers> verification = {};
   std::optional<double> setup_seconds = {};
   std::optional<double> iterations_per_step;
   std::vector<Solver> solvers = {};  ///< where they were chosen by measurement
@@ -91,14 +91,14 @@ inline constexpr std::array phases{"residual", "jacobian",         "factorisatio
 using Profile = std::array<double, phases.size()>;
 
 /// A formulation that solves only what is asked.
-struct Request {
+struct MeasuredRequest {
   CandidateKey key;   ///< the formulation, and the candidate that solves everything with it
   std::string name;   ///< unique for a candidate
   std::string title;  ///< what is asked, for people
   std::string level;  ///< "position", "velocity", "acceleration"
   std::int64_t unknowns = 0;
   std::int64_t all_unknowns = 0;     ///< of the whole mechanism
-  Candidate solved;                  ///< without verification
+  MeasuredCandidate solved;          ///< without verification
   std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
 };
 
@@ -110,7 +110,7 @@ struct Peer {
   std::string library, library_version;
   std::string method;  ///< how it is used, in a sentence
   std::string guess;   ///< "previous", "quadratic": as in the ids of ours
-  Candidate solved;
+  MeasuredCandidate solved;
 };
 
 /// Returns the key of a peer among candidates: its id is "peer:<name>".
@@ -127,14 +127,14 @@ struct Record {
   Build build;
   std::map<std::string, std::string> libraries;
   Blas blas;
-  Settings settings;
+  RecordSettings settings;
   std::vector<std::pair<std::string, std::string>> provenance;  ///< all of the head, as text
   // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
-  std::map<CandidateKey, Candidate> candidates;  ///< CPU clock
-  std::map<CandidateKey, Candidate> wall_candidates;
+  std::map<CandidateKey, MeasuredCandidate> candidates;  ///< CPU clock
+  std::map<CandidateKey, MeasuredCandidate> wall_candidates;
   std::map<CandidateKey, Profile> profiles;
-  std::vector<Request> requests;  ///< CPU clock; in the record's order
-  std::vector<Request> wall_requests;
+  std::vector<MeasuredRequest> requests;  ///< CPU clock; in the record's order
+  std::vector<MeasuredRequest> wall_requests;
   std::vector<Peer> peers;  ///< CPU clock; in the record's order
   // accuracy
   std::map<SeriesKey, Floor> floors;  ///< of every series with points

@@ -42,7 +42,7 @@ std::vector<double> least_of(const std::vector<std::vector<double>>& samples, st
 
 // Several threads deliver in another order every time: a piece of the motion has no time of its
 // own, and the whole motion is the only window.
-Windows one_window(const Settings& settings, const std::vector<double>& seconds) {
+Windows one_window(const RecordSettings& settings, const std::vector<double>& seconds) {
   Windows whole{.least = {std::ranges::min(seconds)},
                 .instants = {static_cast<double>(settings.instants)},
                 .updates = {0},
@@ -51,7 +51,7 @@ Windows one_window(const Settings& settings, const std::vector<double>& seconds)
   return whole;
 }
 
-Windows read_windows(const RecordValue& node, const Settings& settings) {
+Windows read_windows(const RecordValue& node, const RecordSettings& settings) {
   const auto count = static_cast<std::size_t>(*settings.windows);
   Windows windows;
   const auto samples = node.find("samples");
@@ -87,7 +87,7 @@ void require_clock(const RecordValue& time, Clock clock, std::string_view what) 
                   (clock == Clock::cpu ? "cpu" : "wall") + "\"");
 }
 
-Time read_time(const RecordValue& node, const Settings& settings, std::string_view id) {
+Time read_time(const RecordValue& node, const RecordSettings& settings, std::string_view id) {
   const Clock clock = is_by_wall(id) ? Clock::wall : Clock::cpu;
   require_clock(node, clock, id);
   Time time{clock, read_samples(node["seconds"]), {}};
@@ -111,7 +111,7 @@ Status read_status(const RecordValue& node) {
   return static_cast<Status>(node.one_of({"ok", "failed", "not_run"}));
 }
 
-PerLevel read_levels(const RecordValue& node, double (RecordValue::*read)() const) {
+LevelNumbers read_levels(const RecordValue& node, double (RecordValue::*read)() const) {
   return {(node["position"].*read)(), (node["velocity"].*read)(), (node["acceleration"].*read)()};
 }
 
@@ -122,7 +122,7 @@ std::string excess(const std::string& what, double difference, double limit) {
                                                {"limit", write_shortest(limit)}});
 }
 
-std::string excess(const PerLevel& found, const PerLevel& allowed) {
+std::string excess(const LevelNumbers& found, const LevelNumbers& allowed) {
   std::string text;
   for (const std::string& one : {excess("position", found.position, allowed.position),
                                  excess("velocity", found.velocity, allowed.velocity),

@@ -38,13 +38,13 @@ inline bool is_by_wall(std::string_view id) {
 enum class Status { ok, failed, not_run };
 
 /// A number for each level.
-struct PerLevel {
+struct LevelNumbers {
   double position = 0, velocity = 0, acceleration = 0;
 };
 
 /// Largest differences from the reference that a verification may find.
 struct Allowed {
-  PerLevel levels;
+  LevelNumbers levels;
   std::optional<double> request;  ///< of a request from the whole mechanism
 };
 

@@ -92,14 +92,14 @@ void compare_environment(Comparison& all, const Record& a, const Record& b) {
                    static_cast<double>(b.blas.threads));
 }
 
-void compare_settings(Comparison& all, const Settings& a, const Settings& b) {
+void compare_settings(Comparison& all, const RecordSettings& a, const RecordSettings& b) {
   all.require_same("tolerance", a.tolerance, b.tolerance);
   all.require_same("iterations at most", static_cast<double>(a.max_iterations),
                    static_cast<double>(b.max_iterations));
   all.require_same("first guess", a.guess, b.guess);
 }
 
-void compare_motions(Comparison& all, const Settings& a, const Settings& b) {
+void compare_motions(Comparison& all, const RecordSettings& a, const RecordSettings& b) {
   all.require_same("step", a.step_seconds, b.step_seconds);
   all.require_same("duration", a.duration_seconds, b.duration_seconds);
 }

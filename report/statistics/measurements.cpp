@@ -15,7 +15,7 @@ Measured measured(const Record& record, const CandidateKey& key) {
   return measured(candidate->second);
 }
 
-Measured measured(const Candidate& candidate) {
+Measured measured(const MeasuredCandidate& candidate) {
   if (candidate.status != Status::ok)
     return {std::nullopt, candidate.status == Status::failed ? failed_mark : not_run_mark};
   const Time& time = candidate.time;
@@ -25,12 +25,12 @@ Measured measured(const Candidate& candidate) {
 std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
   const bool by_wall = clock == Clock::wall;
   std::map<CandidateKey, Timing> all;
-  const auto add = [&](const CandidateKey& key, const Candidate& candidate) {
+  const auto add = [&](const CandidateKey& key, const MeasuredCandidate& candidate) {
     all[key] = {measured(candidate), remark(candidate), candidate.origin};
   };
   for (const auto& [key, candidate] : by_wall ? record.wall_candidates : record.candidates)
     add(key, candidate);
-  for (const Request& request : by_wall ? record.wall_requests : record.requests) {
+  for (const MeasuredRequest& request : by_wall ? record.wall_requests : record.requests) {
     CandidateKey key = request.key;
     key.id += "/request:" + request.name;
     add(key, request.solved);
@@ -112,7 +112,7 @@ std::set<std::string> recorded_cases(const Record& record) {
   return cases;
 }
 
-std::string remark(const Candidate& candidate) {
+std::string remark(const MeasuredCandidate& candidate) {
   if (candidate.status == Status::ok) return {};
   return candidate.message.empty() ? sentence("common.no_reason") : candidate.message;
 }

@@ -18,14 +18,14 @@ namespace desmo::report {
 
 /// A measurement, or the mark that stands in its place.
 struct Measured {
-  std::optional<Summary> seconds;  ///< of one analysis
+  std::optional<SampleSummary> seconds;  ///< of one analysis
   std::string mark;  ///< failed_mark, not_run_mark or missing_mark; empty when measured
   Clock clock = Clock::cpu;
 };
 
 /// The time of a candidate that the CPU clock measured.
 Measured measured(const Record& record, const CandidateKey& key);
-Measured measured(const Candidate& candidate);
+Measured measured(const MeasuredCandidate& candidate);
 
 /// The time of a candidate, request or peer, and a remark where there is none.
 struct Timing {
@@ -80,6 +80,6 @@ std::vector<std::string_view> recorded_families(const Record& record);
 std::set<std::string> recorded_cases(const Record& record);
 
 /// Says why there is no time; empty when there is one.
-std::string remark(const Candidate& candidate);
+std::string remark(const MeasuredCandidate& candidate);
 
 }  // namespace desmo::report

@@ -93,20 +93,20 @@ double undisturbed_without_best(const Windows& s) {
   return largest;
 }
 
-Summary summarise(std::span<const double> samples, const Windows& windows) {
+SampleSummary summarise(std::span<const double> samples, const Windows& windows) {
   std::vector<double> sorted(samples.begin(), samples.end());
   std::sort(sorted.begin(), sorted.end());
   const std::size_t n = sorted.size();
   const double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
-  Summary s{.value = median,
-            .low = sorted.front(),
-            .high = sorted.back(),
-            .median = median,
-            .least = sorted.front(),
-            .largest = sorted.back(),
-            .count = n,
-            .windows = windows.least,
-            .without_best = {}};
+  SampleSummary s{.value = median,
+                  .low = sorted.front(),
+                  .high = sorted.back(),
+                  .median = median,
+                  .least = sorted.front(),
+                  .largest = sorted.back(),
+                  .count = n,
+                  .windows = windows.least,
+                  .without_best = {}};
   if (windows.least.empty()) return s;
   s.value = s.low = windows.samples.empty() ? sum(windows.least) : undisturbed(windows);
   s.high = std::max(s.value, median);
@@ -114,7 +114,7 @@ Summary summarise(std::span<const double> samples, const Windows& windows) {
   return s;
 }
 
-SpeedUp speed_up(const Summary& reference, const Summary& variant) {
+SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant) {
   const bool sampled = reference.without_best && variant.without_best;
   const bool paired =
       reference.windows.size() > 1 && reference.windows.size() == variant.windows.size();

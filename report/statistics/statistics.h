@@ -29,7 +29,7 @@ double undisturbed_without_best(const Windows& windows);
 inline constexpr std::size_t min_for_interval = 3;
 
 /// The repetitions of one measurement.
-struct Summary {
+struct SampleSummary {
   /// The time and its interval. With windows the undisturbed time (see windows.h; the sum of
   /// their least times where their samples are not known), and from there to the median; without,
   /// the median, between the least and the largest.
@@ -48,7 +48,7 @@ struct Summary {
 };
 
 /// Summarises one sample or more, with the windows that they consist of, where known.
-Summary summarise(std::span<const double> samples, const Windows& windows = {});
+SampleSummary summarise(std::span<const double> samples, const Windows& windows = {});
 
 /// Relative half-width of a speed-up's interval beyond which it is called inconclusive. An idle
 /// machine reaches 0.02.
@@ -75,7 +75,7 @@ struct SpeedUp {
 
 /// Returns the ratio of undisturbed times, where both have samples of windows or as many least
 /// times; otherwise the ratio of medians.
-SpeedUp speed_up(const Summary& reference, const Summary& variant);
+SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant);
 
 /// Each member the arithmetic mean over the sizes, as in the last row of the paper's table 2; the
 /// percentage too is the mean of the percentages. Of one or more.

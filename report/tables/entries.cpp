@@ -29,7 +29,7 @@ void add_note(Entry& entry, const std::string& note) {
 
 Entry seconds_entry(const Measured& measured, Spread spread) {
   if (!measured.seconds) return note_entry(measured.mark);
-  const Summary& s = *measured.seconds;
+  const SampleSummary& s = *measured.seconds;
   const DigitStyle style = significant_digits(s.value, 4);
   const std::string value = write(s.value, style), count = std::to_string(s.count);
   const bool is_range = spread == Spread::range;
@@ -65,10 +65,10 @@ Entry instant_entry(const Record& record, const Measured& measured, int signific
                       significant);
 }
 
-void add_errors(std::vector<Entry>& row, const Candidate& candidate) {
+void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate) {
   const auto& checked = candidate.verification;
-  for (double PerLevel::*level :
-       {&PerLevel::position, &PerLevel::velocity, &PerLevel::acceleration})
+  for (double LevelNumbers::*level :
+       {&LevelNumbers::position, &LevelNumbers::velocity, &LevelNumbers::acceleration})
     row.push_back(number_entry(checked ? std::optional((*checked).*level) : std::nullopt, 2));
 }
 

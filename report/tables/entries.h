@@ -42,7 +42,7 @@ Entry seconds_entry(const Measured& measured, Spread spread = Spread::half_range
 Entry instant_entry(const Record& record, const Measured& measured, int significant = 4);
 
 /// Adds the errors of position, velocity and acceleration to a row.
-void add_errors(std::vector<Entry>& row, const Candidate& candidate);
+void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate);
 
 /// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, with inconclusive_mark where the interval is
 /// too wide; or the mark. with_percent: "1.24 [1.21, 1.27] (19.4 %)", and a quantity more; without
@@ -61,10 +61,12 @@ Entry compared(Entry published, const Entry& ours);
 
 // ---- points of the experiment accuracy ----
 
-/// "12.34 – 12.41", quantities {microseconds, again}; of null the mark.
+/// Returns the time of a step [µs], measured twice: "12.34 – 12.41", quantities {microseconds,
+/// again}. Null: returns the mark of a missing value.
 Entry step_time_entry(const NamedPoint* point);
 Entry step_time_entry(const std::vector<double>& samples);
-/// "2.31 [2.28, 2.35]", quantities {speed_up, low, high}; of null the mark.
+/// Returns a speed-up with its interval: "2.31 [2.28, 2.35]", quantities {speed_up, low, high}.
+/// Null: returns the mark of a missing value.
 Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant);
 /// "8.0e-10", quantities {error}; of nothing the mark.
 Entry error_entry(const std::optional<double>& error);
@@ -75,7 +77,8 @@ Entry stop_entry(const NamedPoint* point);
 
 // ---- the few rows of a table that stand in front of an experiment ----
 
-/// Returns the first 14 rows to be kept of a table, in the columns that a block of the texts names.
+/// Returns an excerpt of a table: its first 14 rows for which `keep` is true, in the columns of
+/// `head`, which a block of the texts defines.
 Table excerpt(
     const Table& table, Table head,
     const std::function<bool(const std::vector<Entry>&)>& keep = [](const auto&) { return true; });

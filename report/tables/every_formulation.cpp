@@ -70,7 +70,7 @@ Table every_formulation(const Record& record, const std::string& case_name,
     return is_reference(id) && !has_settings(without_setting(std::string(id), "btf"));
   });
   for (const CandidateKey& key : keys) {
-    const Candidate& candidate = record.candidates.at(key);
+    const MeasuredCandidate& candidate = record.candidates.at(key);
     const Measured time = measured(candidate);
     std::vector<Entry> row{key.id,
                            seconds_entry(time, Spread::range),

@@ -43,7 +43,7 @@ Entry times_ours(const Record& record, const std::optional<CandidateKey>& ours,
 }
 
 void add_solver(Table& table, const Record& record, const Ours& ours, const CandidateKey& key,
-                const std::string& name, const Candidate& candidate) {
+                const std::string& name, const MeasuredCandidate& candidate) {
   const Measured time = measured(candidate);
   std::vector<Entry> row{
       key.coordinates,

@@ -17,11 +17,12 @@ Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
 }
 
 /// The row of a request; of null, of what solves everything with the formulation of a key.
-std::vector<Entry> row_of(const Record& record, const Request& like, const Request* request) {
+std::vector<Entry> row_of(const Record& record, const MeasuredRequest& like,
+                          const MeasuredRequest* request) {
   const auto whole = record.candidates.find(like.key);
-  const Candidate* solved = request                            ? &request->solved
-                            : whole != record.candidates.end() ? &whole->second
-                                                               : nullptr;
+  const MeasuredCandidate* solved = request                            ? &request->solved
+                                    : whole != record.candidates.end() ? &whole->second
+                                                                       : nullptr;
   const Measured all = measured(record, like.key), time = request ? measured(*solved) : all;
   return {request ? request->title : "everything",
           request ? request->level : "acceleration",
@@ -40,8 +41,8 @@ std::vector<Entry> row_of(const Record& record, const Request& like, const Reque
 
 Section requests(const Record& record) {
   Section section = headed_section("requests");
-  std::map<std::pair<std::string, std::int64_t>, std::vector<const Request*>> places;
-  for (const Request& request : record.requests)
+  std::map<std::pair<std::string, std::int64_t>, std::vector<const MeasuredRequest*>> places;
+  for (const MeasuredRequest& request : record.requests)
     places[{request.key.case_name, request.key.coordinates}].push_back(&request);
   const auto& allowed = record.settings.allowed;
   for (const auto& [place, asked] : places) {
@@ -53,10 +54,11 @@ Section requests(const Record& record) {
          {"allowed", allowed && allowed->request ? write_shortest(*allowed->request) : "any"}});
     define_time(table, record);
     std::set<std::string> ids;
-    for (const Request* request : asked)
+    for (const MeasuredRequest* request : asked)
       if (ids.insert(request->key.id).second)
         table.rows.push_back(row_of(record, *request, nullptr));
-    for (const Request* request : asked) table.rows.push_back(row_of(record, *request, request));
+    for (const MeasuredRequest* request : asked)
+      table.rows.push_back(row_of(record, *request, request));
     section.tables.push_back(std::move(table));
   }
   return section;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "formulations/constraints/constraints.h"
+#include "formulations/model/constrain.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/reference/reference.h"
@@ -26,8 +26,8 @@ struct Dyad {
     const EntityId a = m.add_fixed(EntityKind::point, "A", std::array{0.0, 0.0});
     const EntityId b = m.add_fixed(EntityKind::point, "B", std::array{2 * q[0], 0.0});
     const EntityId c = m.add(EntityKind::point, "C", q, g);
-    m.constrain<Length<2>>(g, "left", {a, c}, {1});
-    m.constrain<Length<2>>(g, "right", {b, c}, {1});
+    constrain<Length<2>>(m, g, "left", {a, c}, {1});
+    constrain<Length<2>>(m, g, "right", {b, c}, {1});
   }
 };
 
@@ -79,7 +79,7 @@ TEST(Condition, PredictsWhatDoubleReaches) {
     for (const ReferenceInstant& at : r.instants)
       condition = std::max(condition, condition_number(at.q));
     const PerLevel<double> limit = accuracy_limit(condition, 0x1p-53);
-    const Error e = measure.error();
+    const SolutionError e = measure.error();
     std::cout << l.name << ": condition " << condition;
     for (const Level level : levels) std::cout << ", " << e[level].max << " <~ " << limit[level];
     std::cout << '\n';

@@ -57,7 +57,7 @@ TEST_F(SliderCrank, SaysMaximumAndRmsOfAKnownError) {
 
   ErrorMeasure measure(model(), reference().instants, scales);
   for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
-  const Error e = measure.error();
+  const SolutionError e = measure.error();
   EXPECT_EQ(e.instants, 4);
   const double n = 4.0 * outputs();
   EXPECT_EQ(e.position.compared, 4 * outputs());
@@ -75,7 +75,7 @@ TEST_F(SliderCrank, ResolvesWhatRoundingToDoubleLoses) {
   for (int i = 0; i < 4; ++i) {
     const ReferenceInstant& r = reference().instants[i];
     measure.observe(instant(i, r));
-    expected = std::max(expected, std::abs(r.rest.q[first("phi")]));
+    expected = std::max(expected, std::abs(r.remainder.q[first("phi")]));
   }
   EXPECT_GT(expected, 0);
   EXPECT_GE(measure.error().position.max, expected);
@@ -139,7 +139,7 @@ TEST_F(SliderCrank, SkipsInstantsThatTheReferenceHasNot) {
 }
 
 TEST(ErrorMeasure, IsTheSameInMetresAndMillimetres) {
-  Error errors[2];
+  SolutionError errors[2];
   for (int unit = 0; unit < 2; ++unit) {
     const double factor = unit == 0 ? 1 : 1000;
     const Scene scene = enlarged(library_scene("double_wishbone"), factor);

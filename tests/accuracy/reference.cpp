@@ -93,8 +93,8 @@ TEST(Reference, KeepsWhatRoundingLeft) {
   const auto r = reference_solution(m, std::vector{0.0, 0.1}, Precision::quadruple)[1];
   double largest = 0;
   for (std::size_t i = 0; i < r.q.size(); ++i) {
-    EXPECT_EQ(r.q[i] + r.rest.q[i], r.q[i]) << "not the nearest double";
-    largest = std::max(largest, std::abs(r.rest.q[i]));
+    EXPECT_EQ(r.q[i] + r.remainder.q[i], r.q[i]) << "not the nearest double";
+    largest = std::max(largest, std::abs(r.remainder.q[i]));
   }
   EXPECT_GT(largest, 1e-18);
   EXPECT_TRUE(reference_solution(m, std::vector{0.0}, Precision::standard)[0].rest.q.empty());
@@ -107,8 +107,8 @@ using WideJet = exact::BasicJet<Quadruple>;
 /// A coordinate with all digits the reference has, at each level.
 WideJet found(const ReferenceInstant& r, const Model& m, const std::string& name, int i = 0) {
   const int at = m.entities[m.find(name)].first + i;
-  return {Quadruple(r.q[at]) + r.rest.q[at], Quadruple(r.qd[at]) + r.rest.qd[at],
-          Quadruple(r.qdd[at]) + r.rest.qdd[at]};
+  return {Quadruple(r.q[at]) + r.remainder.q[at], Quadruple(r.qd[at]) + r.remainder.qd[at],
+          Quadruple(r.qdd[at]) + r.remainder.qdd[at]};
 }
 
 void expect_near(const WideJet& a, const WideJet& b, const std::string& what) {

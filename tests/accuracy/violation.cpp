@@ -18,7 +18,7 @@ struct Violated {
         times(sampled(scene.grid, 5)),
         reference(make_reference(m, times)) {}
 
-  Error of(const std::vector<ReferenceInstant>& instants) const {
+  SolutionError of(const std::vector<ReferenceInstant>& instants) const {
     ViolationMeasure measure(m, reference.scales, times);
     for (const ReferenceInstant& r : instants) measure.observe({0, r.time, r.q, r.qd, r.qdd});
     return measure.violation();
@@ -32,7 +32,7 @@ struct Violated {
 
 TEST(Violation, OfTheReferenceIsThatOfRounding) {
   const Violated v(1);
-  const Error e = v.of(v.reference.instants);
+  const SolutionError e = v.of(v.reference.instants);
   EXPECT_EQ(e.instants, 5);
   EXPECT_EQ(e.position.compared, 5L * (v.m.coordinates() - v.m.degrees_of_freedom()));
   for (const Level level : levels) {
@@ -54,7 +54,7 @@ TEST(Violation, StartsAtTheLevelThatIsWrong) {
     while (v.m.entities[changed].kind != EntityKind::point || v.m.entities[changed].fixed)
       ++changed;
     values[v.m.entities[changed].first] += 1e-6 * v.reference.scales.length[wrong];
-    const Error e = v.of(instants);
+    const SolutionError e = v.of(instants);
     for (const Level level : levels) {
       if (level < wrong) {
         EXPECT_LT(e[level].max, 4e-16);
@@ -67,7 +67,7 @@ TEST(Violation, StartsAtTheLevelThatIsWrong) {
 }
 
 TEST(Violation, IsTheSameInMetresAndMillimetres) {
-  Error errors[2];
+  SolutionError errors[2];
   for (int unit = 0; unit < 2; ++unit) {
     const double factor = unit == 0 ? 1 : 1000;
     const Violated v(factor);

@@ -15,6 +15,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"

@@ -21,6 +21,7 @@
 #include "formulations/id.h"
 #include "formulations/prediction/motion_sampler.h"
 #include "formulations/prediction/motions_ahead.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"

@@ -89,7 +89,7 @@ TEST_F(Requests, DifferWhereSomethingNeededIsLeftOut) {
 
 TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
   Scene scene = truck_suspension(1);
-  scene.request = {{Wanted::Kind::point, 0, Level::position}};
+  scene.request = {{RequestedEntity::Kind::point, 0, Level::position}};
   scene.motions.front() = HarmonicSum{5, {}};  // out of the axle's reach
   RequestCandidate candidate(std::make_shared<const PlannedRequest>("far", scene, options),
                              find_variant("global_automatic_klu"));

@@ -71,9 +71,9 @@ TEST(Compensated, AddsProductsAsSumAndProductDo) {
 
 TEST(Compensated, CancelsWhatDoublesLose) {
   const double a = 1 + 0x1p-30;
-  const Number rest = Number(a) * Number(a) - Number(1 + 0x1p-29);
-  EXPECT_EQ(rest.value + rest.correction, 0x1p-60);
-  EXPECT_LT(rest.radius, 0x1p-100);
+  const Number remainder = Number(a) * Number(a) - Number(1 + 0x1p-29);
+  EXPECT_EQ(remainder.value + remainder.correction, 0x1p-60);
+  EXPECT_LT(remainder.radius, 0x1p-100);
 }
 
 TEST(Compensated, HoldsSinesAndCosines) {

@@ -34,18 +34,18 @@ struct Containment {
                                              .qdd = delivered.qdd});
     ++instants;
     proven += c.proven;
-    compare(Level::position, c, delivered.q, exact.q, exact.rest.q);
-    compare(Level::velocity, c, delivered.qd, exact.qd, exact.rest.qd);
-    compare(Level::acceleration, c, delivered.qdd, exact.qdd, exact.rest.qdd);
+    compare(Level::position, c, delivered.q, exact.q, exact.remainder.q);
+    compare(Level::velocity, c, delivered.qd, exact.qd, exact.remainder.qd);
+    compare(Level::acceleration, c, delivered.qdd, exact.qdd, exact.remainder.qdd);
     return c;
   }
 
  private:
   void compare(Level level, const Certificate& c, const std::vector<double>& value,
-               const std::vector<double>& nearest, const std::vector<double>& rest) {
+               const std::vector<double>& nearest, const std::vector<double>& remainder) {
     for (std::size_t i = 0; i < value.size(); ++i) {
       const double radius = c.radius[level][i];
-      const double error = std::abs((value[i] - nearest[i]) - rest[i]);
+      const double error = std::abs((value[i] - nearest[i]) - remainder[i]);
       EXPECT_LE(error, radius) << "level " << static_cast<int>(level) << ", coordinate " << i
                                << ", time " << instants;
       EXPECT_TRUE(!c.proven || std::isfinite(radius));

@@ -7,9 +7,10 @@
 #include <random>
 
 #include "cases/generators/cases.h"
-#include "formulations/constraints/constraints.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
+#include "formulations/model/constrain.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/part_type.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
@@ -80,7 +81,7 @@ void expect_derivative(const E& equations, const Model& m, const PartDefinition&
   const Eigen::MatrixXd dense = jacobian(equations, state);
   const std::vector<EntityId> owner = entity_of_coordinate(m);
   for (int j = 0; j < m.coordinates(); ++j) {
-    if (m.rests(owner[j]) && !part.constant) continue;
+    if (m.is_at_rest(owner[j]) && !part.constant) continue;
     const double h = 1e-5;
     std::vector<double> plus = state, minus = state;
     plus[j] += h;
@@ -104,7 +105,7 @@ TEST_P(Equations, SymbolicAndAutomaticAgreeToRounding) {
   std::fill(rate.begin() + m.coordinates(), rate.end(), 0.0);
   const std::vector<EntityId> owner = entity_of_coordinate(m);
   for (int i = 0; i < m.coordinates(); ++i)
-    if (m.rests(owner[i])) rate[i] = 0;
+    if (m.is_at_rest(owner[i])) rate[i] = 0;
   for (const PartDefinition& part : parts) {
     const AutomaticEquations a(m, part);
     const SymbolicEquations s = symbolic(m, part);
@@ -156,9 +157,9 @@ TEST(Kernels, AreMissingVisibly) {
   const EntityId p = m.add(EntityKind::point, "p", at, 0);
   const EntityId v = m.add(EntityKind::point, "v", at, 0);
   const EntityId a = m.add_fixed(EntityKind::point, "a", std::array{0.0, 0.0});
-  m.constrain<Length<2>>(0, "to a", {a, p}, {4});
-  m.constrain<Length<2>>(0, "to v", {v, p}, {4});
-  m.constrain<Rigid<2, 0>>(0, "place", {v, a}, {});
+  constrain<Length<2>>(m, 0, "to a", {a, p}, {4});
+  constrain<Length<2>>(m, 0, "to v", {v, p}, {4});
+  constrain<Rigid<2, 0>>(m, 0, "place", {v, a}, {});
   const PartDefinition part = make_partition(m, Partition::group).front();
   EXPECT_EQ(KernelTable::built_in().find_kernel(describe_type(m, part).fingerprint), nullptr);
   EXPECT_FALSE(bind_kernel(m, part));

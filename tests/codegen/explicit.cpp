@@ -21,6 +21,7 @@
 #include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"

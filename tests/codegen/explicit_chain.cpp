@@ -9,6 +9,7 @@
 #include "formulations/equations/kernel_table.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/stepping/time_stepping.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"

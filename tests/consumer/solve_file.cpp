@@ -39,8 +39,7 @@ int solve(const char* scene_file, const char* motion_file) {
   const auto code = desmo::generate_code(*variant, settings, model, scene.grid);
   std::printf("code for %zu types, %s\n", code.types.size(),
               code.problem.empty() ? "as named" : code.problem.c_str());
-  const auto formulation =
-      desmo::make_formulation(*variant, model, settings, nullptr, code.table.get());
+  const auto formulation = desmo::make_formulation(*variant, model, settings, *code.table);
 
   std::FILE* const file = std::fopen(motion_file, "w");
   if (!file) return 1;

@@ -34,8 +34,9 @@ Moving moving(const Model& m, const ReferenceInstant& r, const std::string& poin
   const auto wide = [&](const std::vector<double>& high, const std::vector<double>& rest, int i) {
     return Quadruple(high[e.first + i]) + rest[e.first + i];
   };
-  return {wide(r.q, r.rest.q, 0),   wide(r.q, r.rest.q, 1),     wide(r.qd, r.rest.qd, 0),
-          wide(r.qd, r.rest.qd, 1), wide(r.qdd, r.rest.qdd, 0), wide(r.qdd, r.rest.qdd, 1)};
+  return {wide(r.q, r.remainder.q, 0),     wide(r.q, r.remainder.q, 1),
+          wide(r.qd, r.remainder.qd, 0),   wide(r.qd, r.remainder.qd, 1),
+          wide(r.qdd, r.remainder.qdd, 0), wide(r.qdd, r.remainder.qdd, 1)};
 }
 
 /// The square of the distance of two points is that of the length, and stays so.
@@ -89,7 +90,7 @@ TEST(ChainSolution, AgreesWithTheQuadrupleReference) {
     const ReferenceInstant found = solution.instant();
     errors.observe({0, t, found.q, found.qd, found.qdd});
   }
-  const Error e = errors.error();
+  const SolutionError e = errors.error();
   ASSERT_EQ(e.instants, c.scene.grid.instants);
   for (const Level level : levels) EXPECT_LT(e[level].max, 1e-14);
 }

@@ -163,11 +163,11 @@ TEST(SceneFile, FindsItsMechanismBesideIt) {
 std::vector<std::string> requested(const std::string& request) {
   const Scene s = parse_scene(scene_of(slider_crank, driven + ", \"request\": " + request), "", "");
   std::vector<std::string> names;
-  for (const Wanted& w : s.request) {
+  for (const RequestedEntity& w : s.request) {
     const Mechanism& d = s.mechanism;
-    names.push_back((w.kind == Wanted::Kind::point    ? d.points[w.index].name
-                     : w.kind == Wanted::Kind::vector ? d.vectors[w.index].name
-                                                      : d.coordinates[w.index].name) +
+    names.push_back((w.kind == RequestedEntity::Kind::point    ? d.points[w.index].name
+                     : w.kind == RequestedEntity::Kind::vector ? d.vectors[w.index].name
+                                                               : d.coordinates[w.index].name) +
                     " " + std::to_string(static_cast<int>(w.level)));
   }
   return names;

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "tests/load/loading.h"
 
@@ -143,8 +144,7 @@ TEST_F(CacheTest, ServesSeveralProcessesAtOnce) {
   const auto solve = [&] {
     KernelTable table;
     const bool good = load(table).problem.empty();
-    const auto f =
-        make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table);
+    const auto f = make_formulation(find_variant("group_symbolic_inlined"), model_, {}, table);
     return good && parts_of(*f).back().as_named && f->assemble(0).ok();
   };
   std::vector<pid_t> children;

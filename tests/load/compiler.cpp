@@ -10,6 +10,7 @@
 
 #include "formulations/runtime/descriptor.h"
 #include "formulations/runtime/program.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "tests/load/loading.h"
 
@@ -22,8 +23,7 @@ struct CompilerTest : Loading {
     const GenerationOutcome own = load(table);
     EXPECT_NE(own.problem.find(what), std::string::npos) << own.problem;
     EXPECT_FALSE(own.types.empty());
-    const auto f =
-        make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table);
+    const auto f = make_formulation(find_variant("group_symbolic_inlined"), model_, {}, table);
     EXPECT_FALSE(parts_of(*f).back().as_named);
     EXPECT_TRUE(f->assemble(0).ok());
     if (fs::exists(cache())) {

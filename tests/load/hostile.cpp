@@ -69,8 +69,7 @@ struct Folders : Loading {
     EXPECT_NE(own.problem.find(why), std::string::npos) << own.problem;
     EXPECT_NE(own.problem.find(folder_.string()), std::string::npos) << own.problem;
     EXPECT_EQ(compilations(), 0);
-    const auto f =
-        make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table);
+    const auto f = make_formulation(find_variant("group_symbolic_inlined"), model_, {}, table);
     EXPECT_TRUE(f->assemble(0).ok());
   }
 };

@@ -4,6 +4,7 @@
 
 #include "formulations/batch/batch_part.h"
 #include "formulations/parts/explicit_part.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "tests/load/loading.h"
 
@@ -44,7 +45,7 @@ struct OwnKernelsTest : Loading {
     const Configuration c = parse_id(id, exact);
     const GenerationOutcome own = load(table_, id);
     EXPECT_EQ(own.problem, "") << id;
-    auto f = make_formulation(*c.variant, model_, c.settings, nullptr, &table_);
+    auto f = make_formulation(*c.variant, model_, c.settings, table_);
     EXPECT_TRUE(is_as_named(*f)) << id;
     const std::vector<double> found = run(*f, scene_.grid);
     const std::vector<double> expected =
@@ -91,7 +92,7 @@ TEST_F(OwnKernelsTest, SolveTwinsInLanes) {
 
 TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
   const auto f = compare("group_symbolic_explicit/segments:4");
-  EXPECT_EQ(f->run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
   for (const DefinedPart& part : parts_of(*f))
     if (const auto* solver = dynamic_cast<const ExplicitPart*>(part.solver.get())) {
       EXPECT_NE(table_.find_lane_kernel(solver->kernel().fingerprint, 4), nullptr);
@@ -103,7 +104,7 @@ TEST_F(OwnKernelsTest, SolveInWiderRegistersWhereThereAreAny) {
   take(8);
   EXPECT_TRUE(has<BatchPart>(*compare("group_symbolic_explicit/lanes:8")));
   scene_.grid = time_grid(2, 0.01);
-  EXPECT_EQ(compare("group_symbolic_explicit/segments:8")->run_by_steps(), 0);
+  EXPECT_EQ(core_of(*compare("group_symbolic_explicit/segments:8")).run_by_steps(), 0);
 }
 
 TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {
@@ -130,8 +131,8 @@ TEST_F(OwnKernelsTest, AreCompiledOnce) {
   EXPECT_FALSE(again.compiled);
   EXPECT_EQ(again.problem, "");
   EXPECT_EQ(compilations(), 1);
-  EXPECT_TRUE(is_as_named(
-      *make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table_)));
+  EXPECT_TRUE(
+      is_as_named(*make_formulation(find_variant("group_symbolic_inlined"), model_, {}, table_)));
 }
 
 TEST_F(OwnKernelsTest, FollowTheCompilerAndWhatIsAskedOfThem) {

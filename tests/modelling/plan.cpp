@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cases/generators/cases.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
@@ -323,7 +324,7 @@ TEST(Plan, TakesWhatASceneAsksFor) {
       if (list[i].name == name) return i;
     return -1;
   };
-  using enum Wanted::Kind;
+  using enum RequestedEntity::Kind;
   s.request = {{point, index(s.mechanism.points, "axle1/B6"), Level::velocity},
                {vector, index(s.mechanism.vectors, "axle1/e6"), Level::position},
                {coordinate, index(s.mechanism.coordinates, "axle1/s12"), Level::acceleration}};

@@ -4,6 +4,7 @@
 
 #include "cases/library/library.h"
 #include "formulations/parts/guarded_part.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/monitored_run.h"

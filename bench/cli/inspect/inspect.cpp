@@ -26,12 +26,13 @@ struct InspectOptions {
 void check(const InspectOptions& options) {
   const std::string& file = options.diagram;
   if (!file.empty() && !options.draws() && !options.diagram_only() && !file.ends_with(".dot"))
-    throw Error(usage_error, "--diagram " + desmo::in_quotes(file) +
-                                 ": the kind of file cannot be told; end its name in .svg or .dot");
+    throw CommandError(usage_error,
+                       "--diagram " + desmo::in_quotes(file) +
+                           ": the kind of file cannot be told; end its name in .svg or .dot");
   if (options.json && options.diagram_only())
-    throw Error(usage_error,
-                "--json and --diagram - both need standard output; write the diagram "
-                "to a file");
+    throw CommandError(usage_error,
+                       "--json and --diagram - both need standard output; write the diagram "
+                       "to a file");
 }
 
 /// Lets the dot program of Graphviz draw a graph as SVG to `output`.
@@ -41,9 +42,10 @@ void draw_svg(const std::string& graph, const OutputFile& output) {
   std::FILE* const dot = ::popen(command.c_str(), "w");
   const bool is_read = dot && std::fputs(graph.c_str(), dot) >= 0;
   if (!dot || ::pclose(dot) != 0 || !is_read)
-    throw Error(unavailable,
-                "the program 'dot' cannot be run, or has failed; install Graphviz (Debian: apt-get "
-                "install graphviz), or let --diagram write a .dot file");
+    throw CommandError(
+        unavailable,
+        "the program 'dot' cannot be run, or has failed; install Graphviz (Debian: apt-get "
+        "install graphviz), or let --diagram write a .dot file");
 }
 
 void write_diagram(const std::string& dot, const InspectOptions& options) {

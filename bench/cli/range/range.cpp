@@ -95,7 +95,7 @@ void range(const RangeOptions& options) {
   Ranges ranges{m, input.scene.grid.time(0), {}};
   const Start start = start_at(m, ranges.time, input.scene.tolerance);
   if (start.summary.violated >= 0)
-    throw Error(not_solved, input.source + ": " + failure_text(start.summary, m));
+    throw CommandError(not_solved, input.source + ": " + failure_text(start.summary, m));
   if (start.summary.crossing)
     std::fputs(note_on_accuracy(start.summary, Level::position, m).c_str(), stderr);
   for (int i = 0; i < m.degrees_of_freedom(); ++i) {
@@ -108,9 +108,10 @@ void range(const RangeOptions& options) {
     try {
       named.range = find_range(m, start.q, i);
     } catch (const std::runtime_error& error) {
-      throw Error(not_solved, input.source + ": " + error.what() +
-                                  (start.summary.ok() ? "" : ": " + describe(start.summary, m)) +
-                                  "; choose a start that can be assembled");
+      throw CommandError(not_solved,
+                         input.source + ": " + error.what() +
+                             (start.summary.ok() ? "" : ": " + describe(start.summary, m)) +
+                             "; choose a start that can be assembled");
     }
     const DriverRange& r = named.range;
     named.ends = {with_names(r.down, "down", m, d), with_names(r.up, "up", m, d)};

@@ -49,7 +49,7 @@ std::vector<Column> columns_of(const Model& m, const Asked& asked) {
 std::vector<Column> make_columns(const Plan& plan, const Scene& scene) {
   std::vector<Column> columns;
   for (const Asked& asked : plan.outputs)
-    if (!scene.request.empty() || !plan.model.rests(asked.entity))
+    if (!scene.request.empty() || !plan.model.is_at_rest(asked.entity))
       std::ranges::copy(columns_of(plan.model, asked), std::back_inserter(columns));
   return columns;
 }

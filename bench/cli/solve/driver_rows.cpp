@@ -51,8 +51,8 @@ DriverRows::DriverRows(const std::string& path, const Model& whole, const Model&
       units_(3),
       level_(static_cast<int>(level)) {
   if (!file_)
-    throw Error(unreadable_input, source_ + ": cannot be read (" + std::strerror(errno) +
-                                      "); give a file of driver values, or -");
+    throw CommandError(unreadable_input, source_ + ": cannot be read (" + std::strerror(errno) +
+                                             "); give a file of driver values, or -");
   for (const Driver& d : whole.drivers) {
     const std::vector<Column> columns = columns_of(whole, {d.coordinate, Level::acceleration});
     for (int order = 0; order < 3; ++order) {
@@ -84,7 +84,8 @@ bool DriverRows::read_line(std::string& line) {
     }
   }
   if (std::ferror(file_.get()))
-    throw Error(unreadable_input, source_ + ": cannot be read (" + std::strerror(errno) + ")");
+    throw CommandError(unreadable_input,
+                       source_ + ": cannot be read (" + std::strerror(errno) + ")");
   if (line.empty() && std::feof(file_.get())) return false;
   ++line_;
   return true;

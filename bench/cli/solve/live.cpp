@@ -38,7 +38,7 @@ std::string reason_of(const LiveSummary& s, const LiveRun& run, const Plan& plan
     return formatted(
         "t = %.9g s is not after the last row that was solved, t = %.9g s; let time go on", s.time,
         run.time());
-  if (s.ok()) return refusal_text(as_motion(s), plan.level(), plan.model);
+  if (s.outcome() != Outcome::failed) return refusal_text(as_motion(s), plan.level(), plan.model);
   MonitoredSummary failure = as_motion(s);
   if (s.violated >= 0) return failure_text(failure, plan.model);
   const LiveRun::Obstacle obstacle = run.explain();
@@ -65,19 +65,20 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
   std::string text;
   for (LiveRow row{}; rows.next(row);) {
     const LiveSummary s = run.step(row);
-    const bool is_good = s.ok() && !(request.strict && s.outcome() == Outcome::degraded);
+    const bool is_solved = s.outcome() != Outcome::failed;
+    const bool is_good = is_solved && !(request.strict && s.outcome() == Outcome::degraded);
     if (!is_good) {
       ++failed;
       const std::string what = rows.place() + ": " + reason_of(s, run, plan);
-      if (!request.past_failures) throw Error(not_solved, request.source + ": " + what);
+      if (!request.past_failures) throw CommandError(not_solved, request.source + ": " + what);
       if (!request.quiet) std::fprintf(stderr, "note: %s\n", what.c_str());
     }
     text.clear();
     Instant instant{.index = 0, .time = row.time, .q = {}, .qd = {}, .qdd = {}};
-    if (s.ok()) instant.q = run.q(), instant.qd = run.qd(), instant.qdd = run.qdd();
+    if (is_solved) instant.q = run.q(), instant.qd = run.qd(), instant.qdd = run.qdd();
     format.append(heading, instant, text, outcome_name(s));
     output.write(text);
-    if (!s.ok()) continue;
+    if (!is_solved) continue;
     const MonitoredSummary one = as_motion(s);
     total.add(s);
     total.condition = std::max(total.condition, one.condition);

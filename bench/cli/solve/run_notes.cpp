@@ -8,6 +8,7 @@
 #include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/parts/guarded_part.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::cli {
@@ -162,7 +163,7 @@ std::string note_on_refusals(const Formulation& f) {
 }
 
 std::string note_on_steps(const Formulation& f) {
-  if (f.run_by_steps() == 0) return "";
+  if (core_of(f).run_by_steps() == 0) return "";
   return "note: solved step by step, for the motion is short or could not be solved in segments\n";
 }
 

@@ -39,9 +39,9 @@ std::string format_name(const SolveOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   if (ending.empty() || ending == ".csv") return "csv";
   if (ending == ".jsonl") return "jsonl";
-  throw Error(usage_error, "--output " + desmo::in_quotes(options.output) + ": the ending " +
-                               desmo::in_quotes(ending) +
-                               " is not known; known are .csv and .jsonl (or say --format)");
+  throw CommandError(usage_error, "--output " + desmo::in_quotes(options.output) + ": the ending " +
+                                      desmo::in_quotes(ending) +
+                                      " is not known; known are .csv and .jsonl (or say --format)");
 }
 
 Configuration choose_formulation(const SolveOptions& options, const Input& input) {
@@ -49,7 +49,7 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
                           : !input.scene.formulation.empty() ? input.scene.formulation
                                                              : default_formulation;
   const auto refuse = [&](const std::string& what) {
-    if (!options.formulation.empty()) throw Error(usage_error, what);
+    if (!options.formulation.empty()) throw CommandError(usage_error, what);
     throw InputError(input.source + ": /formulation: " + what);
   };
   const std::string variant = id.substr(0, id.find('/'));
@@ -90,8 +90,8 @@ std::unique_ptr<Formulation> make_solver(const Task& task, KernelTable& kernels)
   if (task.named)
     add_missing_code(kernels, task.chosen, task.plan.model, task.input.scene.grid,
                      task.options.own_code, task.options.quiet);
-  auto formulation = make_formulation(*task.chosen.variant, task.plan.model, task.chosen.settings,
-                                      nullptr, &kernels);
+  auto formulation =
+      make_formulation(*task.chosen.variant, task.plan.model, task.chosen.settings, kernels);
   formulation->solve_only(task.plan.levels);
   if (!task.options.quiet) say(note_on_code(*formulation, task.named));
   return formulation;
@@ -101,7 +101,7 @@ void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading&
                 const SeriesFormat& format) {
   const SolveOptions& o = task.options;
   if (const std::string reason = unsupported_live_reason(formulation); !reason.empty())
-    throw Error(usage_error, "--drivers with " + heading.formulation + ": " + reason);
+    throw CommandError(usage_error, "--drivers with " + heading.formulation + ": " + reason);
   solve_live(
       {task.input.source, o.drivers, task.whole, task.plan, o.strict, o.past_failures, o.quiet},
       formulation, heading, format, task.output);
@@ -133,7 +133,7 @@ void solve_motion(const Task& task, Formulation& formulation, const SeriesHeadin
     std::string text = task.input.source + ": " + what;
     if (task.output.is_standard_output())
       text += "\ndesmo: instants before it, on standard output: " + std::to_string(instants);
-    throw Error(not_solved, text);
+    throw CommandError(not_solved, text);
   };
   const bool all = summary.outcome() != Outcome::failed && overflow.empty();
   if (all || task.output.is_standard_output()) writer.flush();
@@ -152,7 +152,8 @@ void solve_motion(const Task& task, Formulation& formulation, const SeriesHeadin
 
 void solve(const SolveOptions& options) {
   if (options.scene == "-" && options.drivers == "-")
-    throw Error(usage_error, "scene and drivers both on standard input; give a file for one");
+    throw CommandError(usage_error,
+                       "scene and drivers both on standard input; give a file for one");
   std::unique_ptr<SeriesFormat> format = series_format(format_name(options));
   const Input input = load_scene(options.scene);
   const Configuration chosen = choose_formulation(options, input);

@@ -187,7 +187,7 @@ class Writer {
       for (const Mechanism::Coordinate& c : scene_.mechanism.coordinates)
         asked.push_back({m_.find(c.name), Level::acceleration});
       for (const EntityId point : points_)
-        if (!m_.rests(point)) asked.push_back({point, Level::acceleration});
+        if (!m_.is_at_rest(point)) asked.push_back({point, Level::acceleration});
     }
     for (const Driver& driver : m_.drivers)
       json_["driven"].push_back(plot(columns_of(m_, {driver.coordinate, Level::position})[0]));

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bench/cli/view/recording.h"
+#include "bench/cli/view/motion_recorder.h"
 #include "cases/mechanism/scene.h"
 
 namespace desmo::cli {
@@ -12,7 +12,7 @@ namespace desmo::cli {
 struct ShownMotion {
   const Scene& scene;
   const Model& model;
-  const Recording& recording;
+  const MotionRecorder& recording;
   const MonitoredSummary& summary;
   std::string formulation;
 };

@@ -32,9 +32,10 @@ std::string_view template_of(const Mechanism& mechanism) {
   const std::string_view page =
       mechanism.dimension == 2 ? page_template.planar : page_template.spatial;
   if (page.empty())
-    throw Error(unavailable,
-                "this program was built without the scripts of the page; build it where Node.js 18 "
-                "or later and npm are installed and packages can be fetched");
+    throw CommandError(
+        unavailable,
+        "this program was built without the scripts of the page; build it where Node.js 18 "
+        "or later and npm are installed and packages can be fetched");
   return page;
 }
 
@@ -71,7 +72,7 @@ void view(const ViewOptions& options) {
   const std::string_view page = template_of(input.scene.mechanism);
   OutputFile output(options.output, remove_when_interrupted);
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
-    throw Error(usage_error, "a page is nothing for a terminal; give --output FILE.html");
+    throw CommandError(usage_error, "a page is nothing for a terminal; give --output FILE.html");
   const Model model = model_mechanism(input).model;
   if (model.coordinates() > max_coordinates) refuse_size(input.source, model);
   const TimeGrid& grid = input.scene.grid;
@@ -79,23 +80,24 @@ void view(const ViewOptions& options) {
       make_formulation(find_variant(formulation_id), model, {.tolerance = input.scene.tolerance});
   std::optional<bench::Progress> progress;
   if (!options.quiet) progress.emplace("instants", grid.instants, true);
-  Recording recording(
+  MotionRecorder recording(
       model, grid,
       std::min(max_instants, max_numbers / (3 * static_cast<std::size_t>(model.coordinates()) + 1)),
       progress ? &*progress : nullptr);
   const MonitoredSummary summary = recording.run(*formulation, input.scene.tolerance);
   progress.reset();
   if (recording.overflowed())
-    throw Error(not_solved, input.source + ": a number is not finite; choose another motion");
+    throw CommandError(not_solved,
+                       input.source + ": a number is not finite; choose another motion");
   output.write(
       page_of(page, {input.scene, model, recording, summary, formulation_id}, input.source));
   output.finish();
   const auto& flags = recording.flags();
   const auto failed = std::ranges::find(flags, Flag::Kind::failed, &Flag::kind);
   if (failed != flags.end())
-    throw Error(not_solved,
-                input.source + ": " + failed->text +
-                    (recording.solved() > 0 ? "\ndesmo: the page shows the last position before it"
+    throw CommandError(not_solved, input.source + ": " + failed->text +
+                                       (recording.solved() > 0
+                                            ? "\ndesmo: the page shows the last position before it"
                                             : "\ndesmo: the page shows the initial estimate"));
 }
 

@@ -37,7 +37,7 @@ Json per_level(const PerLevel<double>& values) {
 }
 
 /// Leaves out an error that is not finite, or none at all: JSON has no number for it.
-Json error_json(const Error& error) {
+Json error_json(const SolutionError& error) {
   constexpr double max_error = 1e100;
   Json j = Json::object();
   for (const Level level : levels) {
@@ -105,7 +105,7 @@ void measure_all(const bench::CommonOptions& options, const bench::CommandLine& 
   const std::vector<AccuracySeries> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
-  bench::Recording recording = begin_record(options, line);
+  bench::RecordWriter recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   std::size_t trials = 0;
   for (const AccuracySeries& series : all) trials += series.configurations.size();

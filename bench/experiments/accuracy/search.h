@@ -37,7 +37,7 @@ struct Tried {
 /// The result of a search.
 struct Found {
   std::optional<Configuration> choice;  ///< nothing: none reaches the goal
-  Error error;                          ///< of the choice, over the whole motion
+  SolutionError error;                  ///< of the choice, over the whole motion
   double seconds = 0;                   ///< of the choice, a step, over the whole motion
   double usual_seconds = 0;             ///< of the same formulation with the paper's settings
   std::vector<Tried> tried;             ///< by time

@@ -21,8 +21,8 @@ class Trial final : public bench::FormulationCandidate {
   /// Takes a sample of a step's CPU time (see step_seconds). Nothing unless it is verified.
   void time(double duration);
 
-  Error error;      ///< of the outputs asked for
-  Error violation;  ///< of the equations, at five of the instants compared
+  SolutionError error;      ///< of the outputs asked for
+  SolutionError violation;  ///< of the equations, at five of the instants compared
 };
 
 /// Returns the largest condition number over the instants of a problem's reference.

@@ -11,6 +11,7 @@
 #include "bench/kit/memory.h"
 #include "bench/kit/verification.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
 
@@ -71,7 +72,7 @@ PerLevel<double> error_of(const Instant& instant, const KnownCase& known, std::s
   const std::vector<double> qd = part(instant.qd), qdd = part(instant.qdd);
   ErrorMeasure measure(answers.model, {&right, 1}, answers.scales);
   measure.observe({0, right.time, q, qd, qdd});
-  const Error e = measure.error();
+  const SolutionError e = measure.error();
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
@@ -224,7 +225,7 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
     record.begin(i);
     record.end(run_monitored(*f, grid, {}, record, options), grid, m);
   }
-  a.refactorisations = f->refactorisations();
+  a.refactorisations = refactorisations(*f);
   return a;
 }
 

@@ -20,10 +20,10 @@ Quadruple near(const Quadruple& angle, double before) {
 
 /// The nearest doubles, and what they leave.
 void split(const std::vector<Quadruple>& wide, std::vector<double>& high,
-           std::vector<double>& rest) {
+           std::vector<double>& remainder) {
   for (const Quadruple& x : wide) {
     high.push_back(static_cast<double>(x));
-    rest.push_back(static_cast<double>(x - high.back()));
+    remainder.push_back(static_cast<double>(x - high.back()));
   }
 }
 
@@ -134,9 +134,9 @@ void ChainSolution::put(int i, const Quadruple& q, const Quadruple& qd, const Qu
 
 ReferenceInstant ChainSolution::instant() const {
   ReferenceInstant r{now_.time, {}, {}, {}};
-  split(now_.q, r.q, r.rest.q);
-  split(now_.qd, r.qd, r.rest.qd);
-  split(now_.qdd, r.qdd, r.rest.qdd);
+  split(now_.q, r.q, r.remainder.q);
+  split(now_.qd, r.qd, r.remainder.qd);
+  split(now_.qdd, r.qdd, r.remainder.qdd);
   return r;
 }
 

@@ -83,7 +83,7 @@ bool measure(const Options& options, const bench::CommandLine& line) {
                       .formulations = std::regex(options.filter),
                       .cases = std::regex(options.cases),
                       .without = options.without};
-  bench::Recording recording = begin_record(options, line);
+  bench::RecordWriter recording = begin_record(options, line);
   Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   std::size_t defects = 0;
   for (const Extreme* row : rows) {

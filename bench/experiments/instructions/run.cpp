@@ -66,7 +66,7 @@ void measure(const Options& options, const bench::CommandLine& line) {
   if (counts.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   const std::string tool = bench::counting_tool();
   if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");
-  std::optional<bench::Recording> recording;
+  std::optional<bench::RecordWriter> recording;
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
   count(counts, desmo_steps());
   print(counts);

@@ -27,7 +27,7 @@ void solve(Peer& peer, const TimeGrid& grid, int i) {
   peer.assemble(grid.time(0));
 }
 
-void compare(Errors& errors, const Peer::Answer& answer, const ReferenceInstant& reference) {
+void compare(Differences& errors, const Peer::Answer& answer, const ReferenceInstant& reference) {
   ++errors.instants;
   for (std::size_t k = 0; k < answer.coordinates.size(); ++k) {
     const int i = answer.coordinates[k];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/kit/delivery.h"
+#include "formulations/stepping/formulation_core.h"
 
 namespace desmo::paper {
 
@@ -57,7 +58,7 @@ PhaseTimes measure_phases(const Variant& variant, const Settings& settings, cons
                           const TimeGrid& grid) {
   constexpr int passes = 5;
   Profile profile;
-  const auto formulation = make_formulation(variant, model, settings, &profile);
+  const auto formulation = make_profiled_formulation(variant, model, settings, profile);
   const double clock = clock_seconds();
   std::vector<PhaseTimes> times;
   for (int i = 0; i < passes; ++i) times.push_back(one_pass(*formulation, profile, grid, clock));

@@ -14,6 +14,7 @@
 #include "cases/library/library.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::paper {
@@ -45,7 +46,7 @@ std::vector<AskedComponent> components(const Model& whole, const Plan& plan,
 
 /// Widens `largest` by the differences of what is asked between an instant of the whole mechanism
 /// and one of what is kept of it.
-void compare(Errors& largest, std::span<const AskedComponent> asked, const Instant& whole,
+void compare(Differences& largest, std::span<const AskedComponent> asked, const Instant& whole,
              const Instant& kept) {
   ++largest.instants;
   for (const AskedComponent& a : asked) {
@@ -66,7 +67,7 @@ class VerifyingRequest final : public ComparingObserver {
         request_(request) {}
 
   Comparison compare() const override {
-    Errors errors;
+    Differences errors;
     ResultDigest results;
     for_each([&](const ReferenceInstant& r, const State& came) {
       ++errors.instants;
@@ -113,9 +114,10 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
   all_unknowns = moving_unknowns(whole);
 }
 
-Errors max_differences(Formulation& whole, Formulation& kept, std::span<const AskedComponent> asked,
-                       Level level, const TimeGrid& grid) {
-  Errors largest;
+Differences max_differences(Formulation& whole, Formulation& kept,
+                            std::span<const AskedComponent> asked, Level level,
+                            const TimeGrid& grid) {
+  Differences largest;
   for (int i = 0; i < grid.instants; ++i) {
     const double t = grid.time(i);
     const Summary all = i == 0 ? whole.assemble(t) : whole.step(t);
@@ -171,7 +173,7 @@ std::string RequestCandidate::compare_with_whole() {
                              static_cast<double>(parts_of(*whole).size()));
   const auto kept = make_formulation(variant(), request_->plan.model, own);
   kept->solve_only(request_->plan.levels);
-  const Errors largest =
+  const Differences largest =
       max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid);
   difference = std::max({largest.position, largest.velocity, largest.acceleration});
   if (difference <= allowed_request_difference) return "";

@@ -44,8 +44,9 @@ struct PlannedRequest : Problem {
 /// Returns the largest absolute differences of what is asked, at the levels asked, between two
 /// formulations that step through the same instants. Throws std::runtime_error, saying where, when
 /// one of them cannot be solved.
-Errors max_differences(Formulation& whole, Formulation& kept, std::span<const AskedComponent> asked,
-                       Level level, const TimeGrid& grid);
+Differences max_differences(Formulation& whole, Formulation& kept,
+                            std::span<const AskedComponent> asked, Level level,
+                            const TimeGrid& grid);
 
 /// A request with one formulation.
 class RequestCandidate final : public FormulationCandidate {

@@ -172,7 +172,7 @@ int run(const bench::CommandLine& line) {
     for (const Candidate* candidate : chosen) std::cout << candidate->name() << '\n';
     return 0;
   }
-  std::optional<Recording> recording;
+  std::optional<RecordWriter> recording;
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
   const Json measured = measure_all(series_of(chosen, together), chosen.size(), asked_repetitions);
   benchmark::Shutdown();

@@ -140,7 +140,7 @@ int run(const bench::CommandLine& line) {
   Progress progress(progress_path(options), "seed " + std::to_string(options.seed) + ", " +
                                                 std::to_string(ids.size()) + " ids, commit " +
                                                 head["commit"].get<std::string>());
-  std::optional<bench::Recording> recording;
+  std::optional<bench::RecordWriter> recording;
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
   verify_all(progress, options, ids);
   const std::vector<SceneResult> results = progress.results(options.scenes);

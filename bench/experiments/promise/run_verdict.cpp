@@ -9,12 +9,15 @@
 #include "formulations/id.h"
 #include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/error.h"
+#include "formulations/verification/monitor/running_scales.h"
 
 namespace desmo::promise {
 
 namespace {
 
 constexpr double well_conditioned = 1e6;
+/// A bound of half a scale says that no digit is known; an error cannot contradict it.
+constexpr double no_digit = 0.5;
 /// What does not accelerate is judged by its speed, as monitors do.
 constexpr double min_scale = 0.01;
 
@@ -28,8 +31,8 @@ Scales scales_of_drivers(const DrawnScene& scene) {
   const double size = nominal_size(scene.model);
   PerLevel<double> length{}, rotation{};
   for (const Driver& d : scene.model.drivers)
-    for (int i = 0; i < scene.scene.grid.instants; ++i) {
-      const MotionSample<double> z = sample(d.motion, scene.scene.grid.time(i));
+    for (const double t : looks_ahead(scene.scene.grid)) {
+      const MotionSample<double> z = sample(d.motion, t);
       PerLevel<double>& s = is_length(scene.model.entities[d.coordinate].kind) ? length : rotation;
       s.velocity = std::max(s.velocity, std::abs(z.velocity));
       s.acceleration = std::max(s.acceleration, std::abs(z.acceleration));
@@ -100,6 +103,7 @@ void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double
   const PerLevel<double> floor = floor_of(truth);
   for (const Level level : levels) {
     const double limit = 1.01 * allowed[level] + floor[level];
+    if (limit >= no_digit) continue;
     if (!(errors[level] > worst.ratio * limit)) continue;
     worst.ratio = errors[level] / limit;
     worst.details = {PromiseVerdict::wrong, what,           level, errors[level], allowed[level],
@@ -216,7 +220,7 @@ PerLevel<double> errors_of(const Model& m, const ReferenceInstant& truth, const 
                            const Scales& scales) {
   ErrorMeasure measure(m, {&truth, 1}, scales);
   measure.observe({0, truth.time, d.q, d.qd, d.qdd});
-  const Error e = measure.error();
+  const SolutionError e = measure.error();
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 

@@ -34,8 +34,9 @@ struct SceneResult {
 /// Draws a scene and judges it in every id.
 SceneResult verify_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids);
 
-/// Return a result as JSON, and what was written so.
+/// Returns a result as JSON.
 nlohmann::ordered_json to_json(const SceneResult& result);
+/// Returns the result that to_json() wrote.
 SceneResult from_json(const nlohmann::ordered_json& json);
 
 /// Numbers of each verdict, in the order of `verdict_letters`.

@@ -91,7 +91,7 @@ int run(const bench::CommandLine& line) {
   const std::vector<SizeSeries> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
-  bench::Recording recording = begin_record(options, line);
+  bench::RecordWriter recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   double work = 0;
   for (const SizeSeries& series : all) work += work_of(series);

@@ -59,7 +59,7 @@ std::vector<std::string_view> all_at_once() {
 std::optional<Model> needed_by_first(const Model& whole, int count) {
   std::vector<Asked> asked;
   for (EntityId e = 0; e < count; ++e)
-    if (!whole.rests(e)) asked.push_back({e, Level::acceleration});
+    if (!whole.is_at_rest(e)) asked.push_back({e, Level::acceleration});
   if (asked.empty()) return std::nullopt;
   return make_plan(whole, asked).model;
 }

@@ -33,15 +33,15 @@ Json rounded_list(const std::vector<double>& seconds) {
 
 }  // namespace
 
-Recording::Recording(const std::string& path, const std::string& command,
-                     const std::string& experiment)
+RecordWriter::RecordWriter(const std::string& path, const std::string& command,
+                           const std::string& experiment)
     : file_(required(path)),
       date_(utc_now()),
       command_(command),
       experiment_(experiment),
       load_before_(load_averages()) {}
 
-void Recording::write(const TimeGrid& grid, const Json& lists, std::optional<int> windows) {
+void RecordWriter::write(const TimeGrid& grid, const Json& lists, std::optional<int> windows) {
   Json environment = environment_json({date_, command_, load_before_, load_averages()}, grid);
   if (windows) environment["settings"]["windows"] = *windows;
   Json section = Json::object();
@@ -73,7 +73,7 @@ std::string record_layout(const Json& head, const Json& sections) {
   return text + "\n}\n";
 }
 
-Json errors_json(const Errors& errors, Level level) {
+Json errors_json(const Differences& errors, Level level) {
   Json j = {{"instants", errors.instants}, {"position", errors.position}};
   if (level >= Level::velocity) j["velocity"] = errors.velocity;
   if (level >= Level::acceleration) j["acceleration"] = errors.acceleration;

@@ -17,12 +17,12 @@ inline constexpr const char* schema_version = "2.0.0";
 
 /// A record under way: begun before anything is measured, so that an unusable path is known then,
 /// and written once all is.
-class Recording {
+class RecordWriter {
  public:
   /// Notes date and load, and takes the file (see OutputFile). command: program name and arguments.
   /// experiment: the name of the section that is written.
   /// Throws OutputError, and std::invalid_argument for an empty path.
-  Recording(const std::string& path, const std::string& command, const std::string& experiment);
+  RecordWriter(const std::string& path, const std::string& command, const std::string& experiment);
 
   /// Notes the load and writes lists to the file, once. Throws OutputError.
   ///
@@ -50,7 +50,7 @@ std::string record_layout(const nlohmann::ordered_json& head,
                           const nlohmann::ordered_json& sections);
 
 /// Returns `verification` of a candidate, down to a level: others were not compared.
-nlohmann::ordered_json errors_json(const Errors& errors, Level level = Level::acceleration);
+nlohmann::ordered_json errors_json(const Differences& errors, Level level = Level::acceleration);
 
 /// Returns samples of a time [s] with the clock that they are of.
 nlohmann::ordered_json time_json(const std::vector<double>& seconds, Clock clock = Clock::cpu);

@@ -40,7 +40,7 @@ struct RelativeSize {
   double share = 0;  ///< of the samples: where it is at least `min_constant`
 };
 
-struct Candidate {
+struct PivotChoice {
   int row = -1, column = -1;
   bool is_sound = false;  // large enough at every sample
   RelativeSize size;
@@ -62,21 +62,21 @@ RelativeSize relative_size(const Rows& rows, int row, int column) {
   return size;
 }
 
-Candidate choose_pivot(const Rows& rows) {
+PivotChoice choose_pivot(const Rows& rows) {
   std::map<int, int> column_count;
   for (const auto& r : rows)
     for (const auto& entry : r) ++column_count[entry.first];
 
-  Candidate best, largest;
+  PivotChoice best, largest;
   for (int i = 0; i < static_cast<int>(rows.size()); ++i)
     for (const auto& [j, value] : rows[i]) {
       const int fill = (static_cast<int>(rows[i].size()) - 1) * (column_count[j] - 1);
       const RelativeSize size = relative_size(rows, i, j);
-      const Candidate c{i, j, true, size, {!value.is_constant(), fill, -size.worst}};
+      const PivotChoice c{i, j, true, size, {!value.is_constant(), fill, -size.worst}};
       if (size.worst >= (value.is_constant() ? min_constant : min_variable) &&
           (best.row < 0 || c.rank < best.rank))
         best = c;
-      const Candidate l{i, j, false, size, {false, 0, -size.worst}};
+      const PivotChoice l{i, j, false, size, {false, 0, -size.worst}};
       if (largest.row < 0 || l.rank < largest.rank) largest = l;
     }
   return best.row >= 0 ? best : largest;
@@ -126,7 +126,7 @@ Elimination::Elimination(Rows rows) {
   const std::size_t n = rows.size();
   std::optional<Mark> mark;
   while (steps_.size() < n) {
-    const Candidate pivot = choose_pivot(rows);
+    const PivotChoice pivot = choose_pivot(rows);
     if (pivot.row < 0) throw std::invalid_argument("the Jacobian is structurally singular");
     const std::size_t open = n - steps_.size();
     if (!pivot.is_sound && !mark && open >= Adjugate::least && open <= Adjugate::most)

@@ -39,14 +39,14 @@ void collect(int id, const IsWhole& is_whole, std::vector<int>& factors) {
 
 }  // namespace
 
-int Readiness::of(int id) {
+int ArrivalTimes::of(int id) {
   found_.resize(Graph::current().size(), -1);
   if (found_[id] < 0) found_[id] = find(Graph::current().node(id));
   return found_[id];
 }
 
 /// A multiplication takes an addition with it.
-int Readiness::find(const Node& n) {
+int ArrivalTimes::find(const Node& n) {
   const auto operands = [&] { return std::max(of(n.a), n.b < 0 ? 0 : of(n.b)); };
   const auto is_product = [](int id) { return Graph::current().node(id).op == Op::multiply; };
   switch (n.op) {
@@ -75,19 +75,19 @@ int Readiness::find(const Node& n) {
   return 0;
 }
 
-std::vector<Term> terms_of(int id, Readiness& readiness, const IsWhole& is_whole) {
+std::vector<Term> terms_of(int id, ArrivalTimes& arrival, const IsWhole& is_whole) {
   std::vector<Term> terms;
   collect(id, false, is_whole, terms);
-  std::ranges::stable_sort(terms, {}, [&](const Term& term) { return readiness.of(term.id); });
+  std::ranges::stable_sort(terms, {}, [&](const Term& term) { return arrival.of(term.id); });
   if (terms.size() > 1 && terms[0].subtracted && !terms[1].subtracted)
     std::swap(terms[0], terms[1]);
   return terms;
 }
 
-std::vector<int> factors_of(int id, Readiness& readiness, const IsWhole& is_whole) {
+std::vector<int> factors_of(int id, ArrivalTimes& arrival, const IsWhole& is_whole) {
   std::vector<int> factors;
   collect(id, is_whole, factors);
-  std::ranges::stable_sort(factors, {}, [&](int factor) { return readiness.of(factor); });
+  std::ranges::stable_sort(factors, {}, [&](int factor) { return arrival.of(factor); });
   return factors;
 }
 

@@ -9,15 +9,17 @@
 
 namespace desmo::generate {
 
-/// An estimate of when expressions of the current graph are known, in processor cycles from the
-/// start. An operation waits for its operands only. Only the resulting order matters, therefore the
-/// latencies are rounded.
-class Readiness {
+/// Estimated times at which expressions of the current graph are known, in processor cycles from
+/// the first instruction. The estimate assumes that an operation waits for its operands alone,
+/// never for a free unit of the processor. Sums and products are ordered by these times, so rounded
+/// latencies suffice.
+class ArrivalTimes {
  public:
-  /// Sets the cycle at which an input is known; without this call it is known from the start.
+  /// Sets the cycle at which an input is known. Without this call the input is known at cycle 0.
   void define(const std::string& input, int cycles) { defined_[input] = cycles; }
 
-  int of(int id);  ///< the cycle at which the node's value is known
+  /// Returns the cycle at which the value of a node is known.
+  int of(int id);
 
  private:
   int find(const Node& n);
@@ -35,12 +37,12 @@ struct Term {
   bool subtracted;
 };
 
-/// Flattens nested sums, differences and negations into terms. They are ordered by readiness, so
+/// Flattens nested sums, differences and negations into terms. They are ordered by arrival, so
 /// that the sum is complete one operation after its last term. The first two are swapped when only
 /// the first is subtracted.
-std::vector<Term> terms_of(int id, Readiness& readiness, const IsWhole& is_whole);
+std::vector<Term> terms_of(int id, ArrivalTimes& arrival, const IsWhole& is_whole);
 
-/// Flattens nested products into factors, ordered by readiness.
-std::vector<int> factors_of(int id, Readiness& readiness, const IsWhole& is_whole);
+/// Flattens nested products into factors, ordered by arrival.
+std::vector<int> factors_of(int id, ArrivalTimes& arrival, const IsWhole& is_whole);
 
 }  // namespace desmo::generate

@@ -66,7 +66,7 @@ void Emitter::prepare(const std::vector<Expr>& expressions) {
 }
 
 void Emitter::assign(const std::string& variable, const std::string& value, int known) {
-  readiness_.define(variable, known);
+  arrival_.define(variable, known);
   if (declarations_apart_) names_apart_.push_back(variable);
   *out_ << indent_ << (declarations_apart_ ? "" : "const " + style_.type + " ") << variable << " = "
         << value << ";\n";
@@ -99,7 +99,7 @@ void Emitter::declare(int id) {
 /// Terms in the order in which they are known: a − b · c + d.
 std::string Emitter::sum(int id) const {
   std::string result;
-  for (const auto& [term, subtracted] : terms_of(id, readiness_, has_name())) {
+  for (const auto& [term, subtracted] : terms_of(id, arrival_, has_name())) {
     if (!result.empty()) result += subtracted ? " - " : " + ";
     result += result.empty() && subtracted ? "-" + operand(term, 3) : operand(term, 2);
   }
@@ -109,7 +109,7 @@ std::string Emitter::sum(int id) const {
 /// In the same way.
 std::string Emitter::product(int id) const {
   std::string result;
-  for (const int factor : factors_of(id, readiness_, has_name()))
+  for (const int factor : factors_of(id, arrival_, has_name()))
     result += result.empty() ? operand(factor, 2) : " * " + operand(factor, 3);
   return result;
 }

@@ -31,15 +31,15 @@ class Emitter {
   /// declared() returns their names.
   void write_to(std::ostream& out, std::string indent, bool declarations_apart = false);
   const std::vector<std::string>& declared() const { return names_apart_; }
-  /// Writes a variable with the value of e. An input of that name then has its readiness.
+  /// Writes a variable with the value of e. An input of that name then has its arrival.
   void define(const std::string& name, Expr e);
-  /// Writes a variable with the value of `text`, known at that cycle (see Readiness).
+  /// Writes a variable with the value of `text`, known at that cycle (see ArrivalTimes).
   void assign(const std::string& name, const std::string& text, int known);
   /// Sets the text by which an expression, such as an input, is written from now on.
   void name(Expr e, std::string text);
   const EmissionStyle& style() const { return style_; }
-  /// Returns the cycle at which the expression is known (see Readiness).
-  int known(Expr e) const { return readiness_.of(e.id()); }
+  /// Returns the cycle at which the expression is known (see ArrivalTimes).
+  int known(Expr e) const { return arrival_.of(e.id()); }
   /// Returns the expressions of dimensions that were written as elements of `f`, in order.
   const std::vector<Expr>& folded() const { return folded_; }
 
@@ -66,7 +66,7 @@ class Emitter {
   std::map<int, std::string> names_;  // text of named nodes
   std::vector<std::string> names_apart_;
   std::vector<Expr> folded_;
-  mutable Readiness readiness_;  // caches what it computes
+  mutable ArrivalTimes arrival_;  // caches what it computes
 };
 
 /// Declares the inputs that expressions read, in graph order: those that have a place and are not

@@ -77,9 +77,9 @@ bool extend(std::vector<Vec>& orthonormal, Vec v, double min_sine) {
       const double along = nominal::dot(u, v);
       for (int i = 0; i < 3; ++i) v[i] -= along * u[i];
     }
-  const double rest = nominal::norm(v);
-  if (rest < min_sine * length) return false;
-  for (double& x : v) x /= rest;
+  const double remaining = nominal::norm(v);
+  if (remaining < min_sine * length) return false;
+  for (double& x : v) x /= remaining;
   orthonormal.push_back(v);
   return true;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/constraints/constraints.h"
+#include "formulations/model/constrain.h"
 #include "formulations/modelling/equations/candidates.h"
 
 namespace desmo {
@@ -36,7 +36,7 @@ class EquationWriter {
                  const std::array<double, Kind::constants>& constants) {
     const GroupId g = last_group({operands.begin(), operands.end()});
     if (g < 0) return;
-    coordinates_.model.constrain<Kind>(g, std::move(name), operands, constants);
+    desmo::constrain<Kind>(coordinates_.model, g, std::move(name), operands, constants);
     origins_.push_back(origin);
   }
 

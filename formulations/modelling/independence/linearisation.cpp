@@ -104,9 +104,9 @@ bool RowSpace::add(Eigen::VectorXd row) {
   if (rank_ == basis_.cols()) return false;
   for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding left
     row -= basis_.leftCols(rank_) * (basis_.leftCols(rank_).transpose() * row);
-  const double rest = row.norm();
-  if (!(rest > dependent_below)) return false;
-  basis_.col(rank_++) = row / rest;
+  const double remaining = row.norm();
+  if (!(remaining > dependent_below)) return false;
+  basis_.col(rank_++) = row / remaining;
   return true;
 }
 

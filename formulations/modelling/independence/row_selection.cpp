@@ -78,7 +78,7 @@ RowSelector::RowSelector(Candidates& candidates, const JudgedPositions& position
       lineariser_(lineariser),
       moves_(m_.state_size()) {
   for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
-    std::fill_n(moves_.begin() + m_.state_index(e), m_.entities[e].size, !m_.rests(e));
+    std::fill_n(moves_.begin() + m_.state_index(e), m_.entities[e].size, !m_.is_at_rest(e));
 }
 
 void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {

@@ -15,19 +15,20 @@
 
 namespace desmo {
 
-/// Assesses solved instants a posteriori, all equations at once, whatever solved them. With
-/// A = R⁻¹ Φ_φ S, S the characteristic lengths of the unknowns and R the row sums:
+/// Estimator of the errors of solved instants, from their residuals and all equations at once,
+/// whatever solved them. A = R⁻¹ Φ_φ S, S being the characteristic lengths of the unknowns and R
+/// the row sums (ScaledSystem). Its bounds:
 ///
 ///   position      δ = |A⁻¹ R⁻¹ Φ| + |A⁻¹| R⁻¹ (rounding of Φ and of the drivers)
 ///   existence     η = max |A⁻¹| R⁻¹ |change of Φ_φ within 2 δ| S δ / δ; singular unless η < ½
 ///   velocity      |Φ_φ⁻¹ Φ̇| + |Φ_φ⁻¹| (uncertainty of Φ̇ within the bounds of position)
 ///   acceleration  likewise with Φ̈, within the bounds of position and velocity
 ///
-/// Division of each bound by 1 − η makes it hold with Φ_φ⁻¹ of any position within the bounds
-/// (Newton–Kantorovich). The norm is the one in which the errors δ of all groups are equal. So the
-/// uncertain end of a long chain does not make its beginning uncertain. The residuals yield Φ and
-/// its uncertainty, in jets (groupwise/jet.h) of numbers with bounds (rounded.h). |A⁻¹| is
-/// estimated (inverse_norm.h), times three for what the estimate may miss.
+/// Each bound is divided by 1 − η. It then holds with Φ_φ⁻¹ of any position within the bounds
+/// (Newton–Kantorovich). η is measured in units of each group's own error δ: the uncertain end of a
+/// long chain does not make its beginning uncertain. Φ, Φ̇, Φ̈ and their uncertainties are evaluated
+/// in jets (groupwise/jet.h) of numbers with bounds (rounded.h). |A⁻¹| is estimated
+/// (inverse_norm.h), and multiplied by three for what the estimate may miss.
 class Assessor {
  public:
   /// levels: the level up to which each coordinate is solved (Plan::levels); empty: as far as the

@@ -25,7 +25,7 @@ constexpr double estimate_share = 0.4;
 /// Blocks of so few unknowns have two positions at most, a link apart.
 constexpr int two_fold = 3;
 /// First and shortest step, of the whole way; steps tried at most.
-constexpr double first_step = 1, min_step = 0x1p-30;
+constexpr double first_step = 1, min_step = 0x1p-44;
 constexpr int max_tries = 5000;
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace desmo {
 
 class KluFactors;
 
-/// Scaled equations of a whole model, with factors: A = R⁻¹ Φ_φ S, so that ‖A‖∞ = 1. S holds the
-/// magnitudes of the unknowns (CharacteristicLengths), R the row sums of |Φ_φ S|. The constructor
-/// analyses the pattern; afterwards only KLU allocates.
+/// Scaled linear system of a whole model, with factors: A = R⁻¹ Φ_φ S. The diagonal S holds the
+/// magnitudes of the unknowns (CharacteristicLengths), the diagonal R the row sums of |Φ_φ S|; so
+/// ‖A‖∞ = 1. The constructor analyses the pattern; afterwards only KLU allocates.
 class ScaledSystem {
  public:
   using Array = Eigen::ArrayXd;
@@ -29,8 +29,9 @@ class ScaledSystem {
   GroupId group_of_row(int row) const { return row_groups_[row]; }
   double magnitude(int coordinate) const { return magnitude_[coordinate]; }
   std::span<const double> magnitudes() const { return magnitude_; }
-  bool is_unknown(int state) const { return column(state) >= 0; }
-  int column(int state) const { return equations_.column(state); }
+  /// Returns the column of A of a component of the state; -1: it is not an unknown.
+  int column(int component) const { return equations_.column(component); }
+  bool is_unknown(int component) const { return column(component) >= 0; }
 
   /// Return the irreducible block of an unknown, and the number of unknowns in it.
   int block(int unknown) const { return block_[unknown]; }
@@ -44,9 +45,11 @@ class ScaledSystem {
 
   // The functions below refer to the last successful factor().
 
+  /// Returns the diagonal of R.
   const Array& row_sums() const { return row_sums_; }
-  /// Diagonals W (unknowns) and F (rows) that lead to the magnitudes of verification/condition.h:
-  /// scaled by those of the whole mechanism, the matrix is F⁻¹ A W⁻¹.
+  /// Return the diagonals W (unknowns) and F (rows) of another scaling, which
+  /// verification/condition.h uses: with the magnitudes of the whole mechanism, A becomes F⁻¹ A
+  /// W⁻¹.
   const Array& unknown_shares() const { return unknown_shares_; }
   const Array& row_shares() const { return row_shares_; }
   /// Overwrite x with A⁻¹ x and A⁻ᵀ x.

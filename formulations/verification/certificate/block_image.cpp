@@ -13,7 +13,7 @@ void BlockProof::find_image(Level level) {
   const LaneMatrix& jacobian = batch_->jacobian;
   const int n = N > 0 ? N : s.unknowns, m = s.inputs;
   const Lanes rounding = batch_->rounding;
-  Errors& e = errors_[level];
+  ErrorColumns& e = errors_[level];
   for (int r = 0; r < n; ++r) {
     const LaneInterval& f = phi_[level][r];
     Lanes center = f.mid, uncertain = fma(rounding, abs(f.mid), f.radius);
@@ -25,7 +25,7 @@ void BlockProof::find_image(Level level) {
       uncertain = fma(fma(rounding, abs(mid), jacobian.radius[k]), e.sum[j], uncertain);
     }
     for (const LowerTerm& term : lower_) {
-      const Errors& lower = errors_[term.errors];
+      const ErrorColumns& lower = errors_[term.errors];
       const LaneMatrix& derivative = rates_[term.derivative];
       Lanes of_center(0), of_own(0);
       for (int k = s.row_begins[r]; k < row_end; ++k) {

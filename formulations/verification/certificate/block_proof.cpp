@@ -19,7 +19,7 @@ BlockProof::BlockProof(const Sizes& sizes) {
     state_[level].resize(sizes.states);
     phi_[level].resize(n);
     rates_[level].resize(n * sizes.width);
-    Errors& e = errors_[level];
+    ErrorColumns& e = errors_[level];
     for (auto* values : {&e.center, &e.own, &e.sum, &e.weight}) values->resize(sizes.width);
   }
   preconditioner_.resize(n, sizes.width);
@@ -32,7 +32,7 @@ BlockProof::BlockProof(const Sizes& sizes) {
 void BlockProof::gather(Level level, const ErrorTable& errors) {
   const BlockBatch& b = *batch_;
   LaneInterval* x = state_[level].data();
-  Errors& e = errors_[level];
+  ErrorColumns& e = errors_[level];
   const int* at = b.states.data();
   for (const int i : b.plain) {
     x[i] = {Lanes(Lanes::Numbers{errors.rows[at[0]].delivered, errors.rows[at[1]].delivered,
@@ -64,7 +64,7 @@ LaneMask BlockProof::is_known(Level level) const {
 
 /// Adds to the errors of the unknowns what X causes, and completes them.
 void BlockProof::finish(Level level, const Lanes& factor) {
-  Errors& e = errors_[level];
+  ErrorColumns& e = errors_[level];
   const Lanes up = Lanes(1) + batch_->rounding;
   for (int i = 0; i < shape_->unknowns; ++i) {
     const Lanes more = contracted_[i] * factor;
@@ -82,7 +82,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   const bool linear = shape_->linear;
   const int n = shape_->unknowns;
   const Lanes up = Lanes(1) + b.rounding;
-  Errors& e = errors_.position;
+  ErrorColumns& e = errors_.position;
   lower_.clear();
   y_ = linear ? &b.constant : &preconditioner_;
   if (linear) find_image(Level::position, all);
@@ -131,7 +131,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   }
   find_image(level, all);
   // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
-  const Errors& e = errors_[level];
+  const ErrorColumns& e = errors_[level];
   Lanes ratio(0), contraction(0);
   for (int i = 0; i < shape_->unknowns; ++i) {
     ratio = max(ratio, e.sum[i] / trial_[i]);
@@ -146,7 +146,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
 
 void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
   const BlockBatch& b = *batch_;
-  const Errors& e = errors_[level];
+  const ErrorColumns& e = errors_[level];
   const int blocks = b.blocks();
   for (int i = 0; i < shape_->unknowns; ++i) {
     const int *row = &b.rows[Lanes::count * i], *coordinate = &b.coordinates[Lanes::count * i];

@@ -43,8 +43,7 @@ struct Certificate {
 ///   if (c.proven) std::cout << c.radius.position[i];    // |q[i] − exact| is not larger
 ///
 /// An instant costs about as much as a step of `global_automatic_klu`, in a long chain several. One
-/// thread at a time may use
-/// a certifier.
+/// thread at a time may use a certifier.
 class Certifier {
  public:
   /// Cuts the model into blocks and allocates everything. levels: the level up to which each

@@ -31,16 +31,16 @@ struct Compensated {
   friend Compensated operator+(const Compensated& a, const Compensated& b) {
     const S sum = a.value + b.value;
     const S of_b = sum - a.value;
-    const S rest = (a.value - (sum - of_b)) + (b.value - of_b);  // exact (Knuth)
+    const S remainder = (a.value - (sum - of_b)) + (b.value - of_b);  // exact (Knuth)
     const S before = a.correction + b.correction;
-    const S correction = before + rest;
+    const S correction = before + remainder;
     return {sum, correction, bound(a.radius + b.radius, size(before) + size(correction))};
   }
   friend Compensated operator*(const Compensated& a, const Compensated& b) {
     using std::fma;
     const S product = a.value * b.value;
-    const S rest = fma(a.value, b.value, -product);  // exact
-    const S half = fma(b.value, a.correction, rest);
+    const S remainder = fma(a.value, b.value, -product);  // exact
+    const S half = fma(b.value, a.correction, remainder);
     const S correction = fma(a.value, b.correction, half);
     const S of_a = size(a.correction) + a.radius, of_b = size(b.correction) + b.radius;
     const S first = fma(size(a.value), b.radius, size(b.value) * a.radius);
@@ -58,14 +58,14 @@ struct Compensated {
   void add_product(const Compensated& factor, const S& x) {
     using std::fma;
     const S product = factor.value * x;
-    const S rest = fma(factor.correction, x, fma(factor.value, x, -product));
+    const S remainder = fma(factor.correction, x, fma(factor.value, x, -product));
     const S sum = value + product;
     const S of_product = sum - value;
-    const S second = rest + ((value - (sum - of_product)) + (product - of_product));
+    const S second = remainder + ((value - (sum - of_product)) + (product - of_product));
     value = sum;
     correction = correction + second;
-    radius =
-        bound(fma(factor.radius, size(x), radius), size(rest) + size(second) + size(correction));
+    radius = bound(fma(factor.radius, size(x), radius),
+                   size(remainder) + size(second) + size(correction));
   }
   /// Returns an interval that holds the number.
   BasicInterval<S> enclosure() const {
@@ -136,12 +136,15 @@ struct Compensated {
       return all;
     }
   }
-  /// Returns a sine or cosine from its two numbers and its slope, rounded to double, at the value.
-  static Compensated turned(const Compensated& a, const S& value, const S& rest, const S& slope) {
+  /// Returns the sine or cosine f of an angle a, from f at the double a.value.
+  /// - value + remainder: f(a.value)
+  /// - slope: f′(a.value), rounded to double
+  static Compensated turned(const Compensated& a, const S& value, const S& remainder,
+                            const S& slope) {
     // f(a + e) = f(a) + f′(a) e + f″(ξ) e²/2 with |f″| ≤ 1
     constexpr double last_place = 2 * LDBL_EPSILON;  // and that of the reduced angle
     const S first = slope * a.correction;
-    const S correction = rest + first;
+    const S correction = remainder + first;
     const S e = size(a.correction) + a.radius;
     return {value, correction,
             bound(S(last_place) + (size(slope) + S(unit)) * a.radius + S(0.5) * (e * e),

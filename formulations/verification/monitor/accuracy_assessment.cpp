@@ -10,11 +10,11 @@ namespace desmo {
 namespace {
 
 /// By how much the gain may grow before an instant is assessed.
-constexpr double factor = 4;
+constexpr double growth_to_assess = 4;
 /// By how much pivots may shrink before residuals of rates are looked at.
-constexpr double shrunk = 20;
+constexpr double doubtful_pivot_loss = 20;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
-constexpr double shown_by = 10;
+constexpr double error_over_shown = 10;
 
 }  // namespace
 
@@ -33,8 +33,8 @@ Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant) 
 
 bool AccuracyMonitor::State::is_due(const Expectation::Signals& signals) const {
   return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
-         !(signals.growth <= factor) || !(signals.drivers.velocity <= factor) ||
-         !(signals.drivers.acceleration <= factor);
+         !(signals.growth <= growth_to_assess) || !(signals.drivers.velocity <= growth_to_assess) ||
+         !(signals.drivers.acceleration <= growth_to_assess);
 }
 
 AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& instant,
@@ -44,12 +44,12 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
   PerLevel<double>& bound = s.assessment.bound;
   if (instant.interpolated || has_bad_pivots()) {
     const PerLevel<double> shown =
-        backward_error(instant, assessor.system(), scales.now(), expected.condition);
-    if (instant.interpolated) bound.position += shown_by * shown.position;
+        backward_error(instant, assessor.system(), scales.current(), expected.condition);
+    if (instant.interpolated) bound.position += error_over_shown * shown.position;
     // Of solved positions the residual tells, with what they make of rates.
     double before = instant.interpolated ? bound.position : 0;
     for (const Level l : {Level::velocity, Level::acceleration}) {
-      before = shown_by * shown[l] + expected.condition * before;
+      before = error_over_shown * shown[l] + expected.condition * before;
       bound[l] += before;
     }
   }
@@ -61,7 +61,7 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
 bool AccuracyMonitor::State::has_bad_pivots() const {
   if (!options.reuses_pivots || !has(Monitor::residual)) return false;
   return options.parts.empty() || std::ranges::any_of(options.parts, [](const PivotReuse* part) {
-           return !(part->pivot_shrinkage() <= shrunk);
+           return !(part->pivot_shrinkage() <= doubtful_pivot_loss);
          });
 }
 
@@ -86,7 +86,8 @@ std::optional<Instant> AccuracyMonitor::State::solve_anew(const Instant& instant
 /// Leaves out accelerations that are noise at the last instant, where velocities tell more.
 Instant AccuracyMonitor::State::with_known_rates(const Instant& instant) const {
   Instant known = instant;
-  if (!(last.bound.acceleration <= noise) && last.bound.velocity <= noise) known.qdd = {};
+  if (!(last.bound.acceleration <= unusable_rate) && last.bound.velocity <= unusable_rate)
+    known.qdd = {};
   return known;
 }
 
@@ -117,7 +118,7 @@ bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
   if (has(Monitor::bounds)) measure(last, j.instant);
   degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
   if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
-    rescale(last.bound, scales.with(j.instant), scales.now());
+    rescale(last.bound, scales.with(j.instant), scales.current());
   else
     look_at_scales(j.instant);
   if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
@@ -126,7 +127,7 @@ bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     expectation.learn(given, signals);
   if (improved.is_better) expectation.learn(wide, {});
   if (degraded && last.condition < INFINITY)
-    last.limit = assessor.limit(j.instant, scales.now(), last);
+    last.limit = assessor.limit(j.instant, scales.current(), last);
   if (!has(Monitor::bounds)) last.singular = false;
   j.degraded = degraded;
   j.assessment = last;
@@ -207,7 +208,7 @@ void AccuracyMonitor::State::look_back(const Instant& like) {
   RecentInstants& recent = continuity.recent();
   for (int back = 0; back < recent.count() && !recent[back].is_assessed; ++back) {
     RecentInstants::Node& node = recent[back];
-    Assessment a = assessor(view_of(node, like), scales.now());
+    Assessment a = assessor(view_of(node, like), scales.current());
     ++assessed;
     node.is_assessed = true;
     if (!exceeds(a.bound, node.stated)) return;
@@ -219,11 +220,11 @@ void AccuracyMonitor::State::look_back(const Instant& like) {
 }
 
 void AccuracyMonitor::State::look_at_scales(const Instant& instant) {
-  const Scales before = scales.now();
+  const Scales before = scales.current();
   if (!scales.take(instant)) return;
-  rescale(worst, before, scales.now());
-  expectation.rescale(before, scales.now());
-  degradations.rescale(before, scales.now());
+  rescale(worst, before, scales.current());
+  expectation.rescale(before, scales.current());
+  degradations.rescale(before, scales.current());
 }
 
 }  // namespace desmo

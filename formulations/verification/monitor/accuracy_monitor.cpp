@@ -46,7 +46,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   const bool known_before = rates_are_known(), from_noise = degraded && !known_before;
   // Accelerations that are noise raise doubts; where velocities are known, shorter steps settle
   // them.
-  const bool is_blind = in_doubt && degraded && exceeds(last.bound, {noise, noise, INFINITY});
+  const bool is_blind =
+      in_doubt && degraded && exceeds(last.bound, {unusable_rate, unusable_rate, INFINITY});
   if (in_doubt && !instant.interpolated) jump = find_jump(j, from_noise);
   // A doubt remains one even where shorter steps agree: next to where solutions meet, they too
   // may end on another branch.
@@ -98,9 +99,11 @@ std::optional<Continuity::Jump> AccuracyMonitor::State::find_jump(MonitoredInsta
   if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
   if (from_noise) return jump;  // from where shorter steps lead anywhere
   if (const auto solved = solve_anew(j.instant)) {
-    const Assessment a = assessor(*solved, scales.with(*solved));
-    if (!a.singular && !exceeds(a.bound, {noise, noise, noise})) {
-      j.instant = kept(*solved);
+    const Instant found = kept(*solved);
+    Assessment a = assessor(found, scales.with(found));
+    measure(a, found);
+    if (!a.singular && !exceeds(a.bound, {unusable_rate, unusable_rate, unusable_rate})) {
+      j.instant = found;
       j.solved_anew = true;
       ++corrected;
       return {};
@@ -201,7 +204,7 @@ PerLevel<double> AccuracyMonitor::State::difference(const Instant& a, const Inst
   PerLevel<double> result{};
   const auto add = [&](Level level, std::span<const double> x, std::span<const double> y) {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const double scale = scales.now().of(model.entities[entity[i]].kind, level);
+      const double scale = scales.current().of(model.entities[entity[i]].kind, level);
       if (asked[i] >= level && scale > 0)
         result[level] = std::max(result[level], std::abs(x[i] - y[i]) / scale);
     }

@@ -34,12 +34,12 @@ struct AccuracyMonitor::State {
   };
 
   /// Bounds of rates above which it cannot be told whether they lead on.
-  static constexpr double noise = 1e-3;
+  static constexpr double unusable_rate = 1e-3;
 
   State(const Model& m, const TimeGrid& grid, const AccuracyMonitorOptions& o);
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
-  Continuity::Means means() { return {assessor, scales.now(), weights, signs}; }
+  Continuity::Means means() { return {assessor, scales.current(), weights, signs}; }
 
   MonitoredInstant examine(const Instant& instant);
   std::optional<Continuity::Jump> find_jump(MonitoredInstant& j, bool from_noise);
@@ -61,7 +61,9 @@ struct AccuracyMonitor::State {
   bool is_due(const Expectation::Signals& signals) const;
   Statement state(const Instant& instant, const Assessment& expected);
   bool has_bad_pivots() const;
-  bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
+  bool rates_are_known() const {
+    return !exceeds(last.bound, {unusable_rate, unusable_rate, unusable_rate});
+  }
   bool is_in_doubt(const Instant& instant, const Expectation::Signals& signals);
   double min_excursion(double growth) const;
 

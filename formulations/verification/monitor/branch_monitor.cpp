@@ -39,7 +39,7 @@ BranchMonitor::BranchMonitor(const Model& m, std::span<const Level> levels, doub
     if (modulo_pi && !last.fixed && !driven[last.first])
       angles_.push_back(check.angle = last.first);
     const bool rests =
-        std::ranges::all_of(constraint.operands, [&](EntityId id) { return m.rests(id); });
+        std::ranges::all_of(constraint.operands, [&](EntityId id) { return m.is_at_rest(id); });
     (constraint.left_out != 0 && !rests && !is_implied(m, constraint) ? always_ : others_)
         .push_back(check);
   }

@@ -34,10 +34,10 @@ class ConditionMonitor {
   /// Returns whether the instant should be looked at.
   bool is_due() const { return used_ >= 1; }
   void look(const Instant& instant, ScaledSystem& system);
-  /// Returns the way of any coordinate, in magnitudes, after which a block may be singular.
+  /// Returns how far any coordinate may move, in magnitudes, before a block may become singular.
   double way_left() const;
-  /// Returns the growth, at least 1, of the look that holds and what it may have become since;
-  /// infinity where it was singular.
+  /// Returns the growth at the present instant, at least 1: that of the look that holds, times what
+  /// may have come since. Infinity: the look was singular.
   double growth() const;
   /// Makes this instant the one to compare with. system: factorised at it.
   void reset(const Instant& instant, ScaledSystem& system);

@@ -64,18 +64,19 @@ class Continuity {
   /// Returns the instant with its drivers evaluated at its time; valid until the next call.
   Instant driven(const Instant& instant);
 
-  /// Instant at a singular position, between two regular ones near it to which the motion leads.
+  /// The passage of a singular position: an instant there, interpolated between two regular
+  /// positions of the motion, one on either side.
   struct Passage {
-    Instant instant;                 ///< on the polynomial through q, q̇ and q̈ of the two
-    Instant wide;                    ///< the same with the next two: it is off by more
-    double after, before;            ///< times of the two [s]
-    std::span<const double> beyond;  ///< q of the later one
-    Assessment assessment;           ///< of the later one
+    Instant instant;                 ///< on the polynomial through q, q̇ and q̈ of both positions
+    Instant wide;                    ///< interpolated over a wider interval: shows the error
+    double after, before;            ///< times of the two positions [s]
+    std::span<const double> beyond;  ///< q of the later position
+    Assessment assessment;           ///< of the later position
   };
-  /// Passes a singular position at which the motion is smooth: goes from the instant taken last to
-  /// a regular position near it, and from there by Taylor's polynomial to one beyond, whose rates
-  /// have to agree. Returns nothing where rates are not solved, or no such way leads on. The result
-  /// is valid until the next call.
+  /// Passes a singular position at which the motion is smooth. Reaches a regular position before
+  /// it, in steps from the instant taken last, and one beyond it by Taylor's polynomial. Tries
+  /// nearer positions until the rates of both agree. Returns nothing where rates are not solved, or
+  /// none of these positions leads on. The result is valid until the next call.
   std::optional<Passage> pass(const Instant& singular, const Means& means);
 
   /// Makes this instant the one to continue from; it says what was stated of it.

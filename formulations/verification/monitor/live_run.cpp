@@ -9,7 +9,7 @@
 #include "formulations/parts/guarded_part.h"
 #include "formulations/planning/plan.h"
 #include "formulations/stepping/diagnosis.h"
-#include "formulations/structure/partition.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {
@@ -40,7 +40,7 @@ struct LiveRun::Monitors {
 };
 
 std::string unsupported_live_reason(const Formulation& f) {
-  if (f.is_live()) return {};
+  if (core_of(f).live()) return {};
   return "segments, threads and a stride need a motion known in advance; live drivers are known "
          "one step at a time";
 }
@@ -96,8 +96,10 @@ LiveSummary LiveRun::step(const LiveRow& row) {
     return summary;
   }
   std::ranges::copy(row.z, tried_.begin());
-  static_cast<Summary&>(summary) = formulation_.step(row, options_.level, options_.max_sub_steps);
-  if (summary.ok()) assess(row, summary);
+  const Summary step =
+      core_of(formulation_).live()->step_to_row(row, options_.level, options_.max_sub_steps);
+  static_cast<Summary&>(summary) = step;
+  if (step.ok()) assess(row, summary);
   return summary;
 }
 
@@ -142,7 +144,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
     summary.status = Status::not_converged;
     summary.violated = c;
   }
-  if (!summary.ok()) {
+  if (summary.status != Status::solved) {
     summary.instants = 0;
     go_back();
     return;
@@ -158,7 +160,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
   std::ranges::copy(found.qdd, good_.acceleration.begin());
   time_ = row.time;
   has_position_ = true;
-  if (j.solved_anew) formulation_.return_to(good_.position, time_);
+  if (j.solved_anew) core_of(formulation_).live()->return_to(good_.position, time_);
 }
 
 /// Sets the motions that are monitored: Taylor's polynomial from the row, at time 0, exactly, and
@@ -199,8 +201,11 @@ bool LiveRun::set_drivers(const LiveRow& row) {
 }
 
 void LiveRun::go_back() {
-  formulation_.return_to(
-      has_position_ ? std::span<const double>(good_.position) : std::span<const double>(), time_);
+  core_of(formulation_)
+      .live()
+      ->return_to(
+          has_position_ ? std::span<const double>(good_.position) : std::span<const double>(),
+          time_);
   monitors_->accuracy->resume();
 }
 
@@ -213,7 +218,7 @@ void LiveRun::set_time(double t) {
 void LiveRun::restart() {
   has_position_ = false;
   time_ = 0;
-  formulation_.return_to({}, 0);
+  core_of(formulation_).live()->return_to({}, 0);
   const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
   monitors_->accuracy.emplace(
       monitors_->plan.model, TimeGrid{},

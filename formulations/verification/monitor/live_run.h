@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "formulations/base/live_row.h"
 #include "formulations/formulation.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/monitor/monitored_run.h"
@@ -34,7 +35,9 @@ enum class RowFault {
 };
 
 /// The outcome of one row of driver values; LiveRun itself has the coordinates that it led to.
-struct LiveSummary : Summary {
+/// outcome() says whether they may be used.
+struct [[nodiscard]] LiveSummary : Summary {
+  bool ok() const = delete;         // it does not tell degraded rows
   RowFault fault = RowFault::none;  ///< not none: the row was refused before anything was tried
   Assessment assessment{};          ///< of a row that was solved (MonitoredInstant)
   bool corrected = false;           ///< the values are better than the formulation's
@@ -43,15 +46,17 @@ struct LiveSummary : Summary {
   int violated = -1;  ///< failed: the constraint that holds only on another branch (BranchMonitor)
 
   Outcome outcome() const {
-    return !ok() ? Outcome::failed : degraded || crossing ? Outcome::degraded : Outcome::converged;
+    return status != Status::solved ? Outcome::failed
+           : degraded || crossing   ? Outcome::degraded
+                                    : Outcome::converged;
   }
 };
 
 /// Returns a sentence for people, like that of a Summary; of a row that was refused, why.
 std::string describe(const LiveSummary& summary, const Model& model);
 
-/// A run whose drivers are handed in at every step, for a controller, a simulator in a loop or an
-/// optimiser:
+/// A run whose driver values are handed in at every step, for a controller, a simulator in a loop
+/// or an optimiser:
 ///
 ///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
 ///   LiveRun run(*formulation, {.scales = scales});
@@ -61,11 +66,12 @@ std::string describe(const LiveSummary& summary, const Model& model);
 ///   }
 ///
 /// The motions of the model's drivers are not used: any will do.
-/// The first row is assembled from the model's estimate. Every other is solved as
-/// Formulation::step() does it: from the prediction, or by sub-steps on the straight way from the
-/// last good row. Every answer is monitored like those of run_monitored() (AccuracyMonitor):
-/// drivers are exact, and go from row to row as the quintic through both (the cubic, without
-/// accelerations). A row to which the rates do not lead is followed in shorter steps, and assessed.
+/// The first row is assembled from the model's estimate. Every other row is solved from the
+/// prediction or, where that fails, in sub-steps: drivers then move linearly from the last good
+/// row. Every answer is monitored like those of run_monitored() (AccuracyMonitor). The monitor
+/// takes driver values as exact. Between two rows it takes the quintic through both, or the cubic
+/// where accelerations are not solved. Where the rates do not lead from one row to the next, it
+/// follows the motion in shorter steps and assesses the row.
 ///
 // clang-format off
 ///   row                                 outcome

@@ -6,7 +6,7 @@
 
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/parts/guarded_part.h"
-#include "formulations/structure/partition.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 #include "formulations/verification/monitor/gap_search.h"
 
@@ -25,7 +25,7 @@ AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
     if (part.solver->reuses_pivots()) {
       result.reuses_pivots = true;
       const auto* pivots = dynamic_cast<const PivotReuse*>(part.solver.get());
-      if (f.is_live() && pivots) result.parts.push_back(pivots);  // else others do the work
+      if (core_of(f).live() && pivots) result.parts.push_back(pivots);  // else others do the work
     }
   if (options.strict) result.every = 1;
   return result;
@@ -156,7 +156,7 @@ class Run final : Observer {
     std::vector<double> state(m.estimate);
     if (!q.empty()) state.assign(q.begin(), q.end());
     state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
-    formulation_.start_at(state, q.empty() ? grid_.time(tried_) : time);
+    core_of(formulation_).start_at(state, q.empty() ? grid_.time(tried_) : time);
   }
 
   void measure_assembly_error() {

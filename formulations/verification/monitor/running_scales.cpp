@@ -51,18 +51,18 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
                   std::max(length.acceleration, min_scale * size * rotation.acceleration)};
   seen_.rotation = {1, std::max(rotation.velocity, min_scale * length.velocity / size),
                     std::max(rotation.acceleration, min_scale * length.acceleration / size)};
-  now_ = given ? *given : completed(seen_);
+  scales_ = given ? *given : completed(seen_);
 }
 
 bool RunningScales::take(const Instant& instant) {
   const bool grows = grow(seen_, instant);
-  if (grows) now_ = completed(seen_);
+  if (grows) scales_ = completed(seen_);
   return grows;
 }
 
 Scales RunningScales::with(const Instant& instant) const {
   Scales seen = seen_;
-  return grow(seen, instant) ? completed(seen) : now_;
+  return grow(seen, instant) ? completed(seen) : scales_;
 }
 
 bool RunningScales::grow(Scales& seen, const Instant& instant) const {

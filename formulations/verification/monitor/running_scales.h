@@ -22,7 +22,7 @@ class RunningScales {
 
   /// Includes an instant. Returns whether a scale has grown.
   bool take(const Instant& instant);
-  const Scales& now() const { return now_; }
+  const Scales& current() const { return scales_; }
   /// Returns the scales that would include an instant, without keeping it: it may turn out wrong.
   Scales with(const Instant& instant) const;
 
@@ -32,7 +32,7 @@ class RunningScales {
   static Scales completed(Scales seen);
 
   std::vector<double> is_length_;  // mask (coordinates): 1 for a length, 0 for others
-  Scales seen_, now_;
+  Scales seen_, scales_;
 };
 
 }  // namespace desmo

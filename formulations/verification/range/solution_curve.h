@@ -55,15 +55,16 @@ class SolutionCurve {
   /// Returns the point with this value of the driver, from one that is near.
   std::optional<Point> at(const Point& from, double value);
 
-  /// Returns the same point, to be left in the other direction.
+  /// Returns the same point with its tangent turned round: step() then leaves it in the other
+  /// direction.
   static Point reversed(Point point);
 
-  /// Forces that the equations carry when the driver pushes.
+  /// Forces in the constraints (Lagrange multipliers) while a unit force pushes the driver.
   struct Forces {
-    std::vector<double> of_constraints;  ///< scaled to 1 at most
-    double rounding;  ///< change of the driver's value by which they answer rounding of Φ
+    std::vector<double> of_constraints;  ///< of each constraint, over the largest of them
+    double rounding;  ///< change of the driver's value that a rounding error in Φ may cause
   };
-  /// Returns the forces at a point. At a dead point they are those that hold the driver.
+  /// Returns the forces at a point. At a dead point they name the constraints that stop the driver.
   Forces forces(const Point& point);
 
   double value(const Point& point) const { return point.state[driver_]; }
@@ -86,7 +87,7 @@ class SolutionCurve {
   std::vector<int> unknowns_;
   std::vector<double> scale_;  // of the unknowns, then of the driver
   std::vector<PartDefinition> blocks_;
-  std::vector<int> column_;      // of each component of the state; -1: rests
+  std::vector<int> column_;      // of each component of the state; -1: at rest
   std::vector<int> row_;         // of each row of the whole system; -1: has no unknown
   std::vector<int> constraint_;  // of each row
   std::size_t constraints_;

@@ -12,8 +12,8 @@ namespace desmo {
 
 namespace {
 
-constexpr double settled = 1e-30;       // relative correction that only rounding leaves
-constexpr double noise = 1e-32;         // likewise, for a condition number of 1
+constexpr double settled_correction = 1e-30;   // relative correction that only rounding leaves
+constexpr double rounding_correction = 1e-32;  // likewise, for a condition number of 1
 constexpr double singular = 1e14;       // condition number above which doubles have no answer
 constexpr double passed = 1e11;         // condition number that only a singular position has
 constexpr double max_prediction = 0.1;  // relative correction of a prediction
@@ -33,7 +33,8 @@ std::vector<double> doubles(const std::vector<Quadruple>& values) {
   return result;
 }
 
-std::vector<double> rests(const std::vector<Quadruple>& values, const std::vector<double>& high) {
+std::vector<double> remainders(const std::vector<Quadruple>& values,
+                               const std::vector<double>& high) {
   std::vector<double> result;
   for (std::size_t i = 0; i < high.size(); ++i)
     result.push_back(static_cast<double>(values[i] - high[i]));
@@ -42,7 +43,7 @@ std::vector<double> rests(const std::vector<Quadruple>& values, const std::vecto
 
 ReferenceInstant rounded(const WideInstant& wide) {
   ReferenceInstant r{wide.time, doubles(wide.q), doubles(wide.qd), doubles(wide.qdd)};
-  r.rest = {rests(wide.q, r.q), rests(wide.qd, r.qd), rests(wide.qdd, r.qdd)};
+  r.remainder = {remainders(wide.q, r.q), remainders(wide.qd, r.qd), remainders(wide.qdd, r.qdd)};
   return r;
 }
 
@@ -65,7 +66,7 @@ Continuation::Continuation(const Model& m)
   for (int i = 0; i < m.coordinates(); ++i)
     far_ = std::max(far_, std::abs(m.estimate[i]) / magnitude_[i]);
   double correction = INFINITY;
-  for (int i = 0; i < 100 && correction > settled; ++i) {
+  for (int i = 0; i < 100 && correction > settled_correction; ++i) {
     correction = solver_.correct_positions();
     if (!(correction < 1e6)) break;
   }
@@ -174,7 +175,7 @@ bool Continuation::is_continuous(const Quadruple& step) const {
 }
 
 double Continuation::rounding() const {
-  return std::clamp(far_ * noise * condition_, far_ * settled, 1e-14);
+  return std::clamp(far_ * rounding_correction * condition_, far_ * settled_correction, 1e-14);
 }
 
 WideInstant Continuation::instant() const {

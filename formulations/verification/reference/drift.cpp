@@ -17,8 +17,8 @@ class Ends final : public Observer {
     first_.observe(instant);
     return last_.observe(instant);
   }
-  Error first() const { return first_.error(); }
-  Error last() const { return last_.error(); }
+  SolutionError first() const { return first_.error(); }
+  SolutionError last() const { return last_.error(); }
 
  private:
   ErrorMeasure first_, last_;

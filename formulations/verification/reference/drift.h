@@ -8,9 +8,9 @@ namespace desmo {
 
 /// Errors at both ends of a long run, which show whether the error grows.
 struct Drift {
-  Summary summary;         ///< summary of the run; if not ok(), errors cover the solved part
-  Error first, last;       ///< errors over the first and the last `window` instants
-  PerLevel<double> floor;  ///< floor of the reference (Reference::floor)
+  Summary summary;            ///< summary of the run; if not ok(), errors cover the solved part
+  SolutionError first, last;  ///< errors over the first and the last `window` instants
+  PerLevel<double> floor;     ///< floor of the reference (Reference::floor)
 };
 
 /// Runs a formulation over a grid and compares its first and its last `window` instants with a

@@ -42,9 +42,9 @@ std::pair<std::vector<double>, std::vector<double>> split(const std::vector<Quad
 
 ReferenceInstant rounded(const WideInstant& wide) {
   ReferenceInstant r{wide.time, {}, {}, {}};
-  std::tie(r.q, r.rest.q) = split(wide.q);
-  std::tie(r.qd, r.rest.qd) = split(wide.qd);
-  std::tie(r.qdd, r.rest.qdd) = split(wide.qdd);
+  std::tie(r.q, r.remainder.q) = split(wide.q);
+  std::tie(r.qd, r.remainder.qd) = split(wide.qd);
+  std::tie(r.qdd, r.remainder.qdd) = split(wide.qdd);
   return r;
 }
 

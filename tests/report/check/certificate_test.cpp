@@ -27,7 +27,7 @@ class CertificateOf : public ::testing::Test {
     }
   }
   void add_text(const std::string& text) { std::ofstream(file_, std::ios::app) << text; }
-  Certificate certificate() { return read_certificate(file_); }
+  CheckCertificate certificate() { return read_certificate(file_); }
 
   std::string complaint() {
     try {

@@ -18,7 +18,7 @@ TEST(RecordReader, ReadsTheCompleteSample) {
   EXPECT_EQ(record.settings.instants, 3001);
   EXPECT_EQ(record.candidates.size(), 5u * 16 + 6 * 5);
   EXPECT_EQ(record.profiles.size(), 3u);
-  const Candidate& candidate =
+  const MeasuredCandidate& candidate =
       record.candidates.at({"truck_suspension", 558, "group_symbolic_lapack"});
   EXPECT_EQ(candidate.status, Status::ok);
   EXPECT_EQ(candidate.time.seconds.size(), 5u);
@@ -275,7 +275,7 @@ TEST(RecordReader, FailsTheCellThatExceedsWhatIsAllowed) {
   EXPECT_EQ(record_from(json).candidates.at(key).status, Status::ok);
   candidate["verification"]["velocity"] = 2e-6;
   candidate["verification"]["acceleration"] = 1;
-  const Candidate failed = record_from(json).candidates.at(key);
+  const MeasuredCandidate failed = record_from(json).candidates.at(key);
   EXPECT_EQ(failed.status, Status::failed);
   EXPECT_TRUE(failed.time.seconds.empty());
   EXPECT_EQ(failed.message,

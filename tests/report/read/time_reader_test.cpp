@@ -38,7 +38,7 @@ TEST(TimeReader, ReadsTheWindowsOfEverythingTimed) {
   for (const auto& [key, candidate] : record.candidates)
     EXPECT_EQ(candidate.time.windows.least.size(), candidate.status == Status::ok ? 25u : 0u)
         << key.id;
-  for (const Request& request : record.requests)
+  for (const MeasuredRequest& request : record.requests)
     EXPECT_EQ(request.solved.time.windows.least.size(),
               request.solved.status == Status::ok ? 25u : 0u);
   EXPECT_TRUE(
@@ -55,7 +55,7 @@ TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
   const std::vector<double> seconds = candidate["time"]["seconds"];
   const Record record = record_from(json);
   ASSERT_EQ(record.wall_candidates.size(), 1u);
-  const Candidate& several = record.wall_candidates.begin()->second;
+  const MeasuredCandidate& several = record.wall_candidates.begin()->second;
   EXPECT_EQ(several.time.seconds, seconds);
   ASSERT_EQ(several.time.windows.samples.size(), seconds.size());
   for (std::size_t r = 0; r < seconds.size(); ++r)

@@ -15,7 +15,7 @@ namespace desmo::report::statistics_test {
 namespace {
 
 TEST(Statistics, MedianOfOddAndEvenCounts) {
-  const Summary odd = summarise(std::vector{5.0, 1.0, 9.0});
+  const SampleSummary odd = summarise(std::vector{5.0, 1.0, 9.0});
   EXPECT_EQ(odd.median, 5);
   EXPECT_EQ(odd.least, 1);
   EXPECT_EQ(odd.largest, 9);
@@ -42,7 +42,7 @@ Windows with_least(std::vector<double> seconds) {
 }
 
 TEST(Statistics, TheUndisturbedTimeIsTheSumOfTheSegments) {
-  const Summary s = summarise(std::vector{9.0, 5.0, 6.0}, with_least({1.0, 2.0, 1.0}));
+  const SampleSummary s = summarise(std::vector{9.0, 5.0, 6.0}, with_least({1.0, 2.0, 1.0}));
   EXPECT_EQ(s.value, 4);
   EXPECT_EQ(s.low, 4);
   EXPECT_EQ(s.high, 6);  // the median
@@ -50,7 +50,7 @@ TEST(Statistics, TheUndisturbedTimeIsTheSumOfTheSegments) {
   EXPECT_EQ(s.half_range(), 2);
 }
 
-Summary of_segments(std::vector<double> segments) {
+SampleSummary of_segments(std::vector<double> segments) {
   const double all = std::accumulate(segments.begin(), segments.end(), 0.0);
   return summarise(std::vector{1.5 * all, 2 * all, 3 * all},
                    with_least(segments));  // much disturbed
@@ -71,8 +71,8 @@ TEST(Statistics, SpeedUpsOfSegmentsAreRatiosOfTheirSums) {
 }
 
 TEST(Statistics, WhatHasOtherSegmentsOrNoneIsComparedByItsMedian) {
-  const Summary segments = of_segments({1, 1}), others = of_segments({1, 1, 2});
-  const Summary none = summarise(std::vector{4.0, 4.0});
+  const SampleSummary segments = of_segments({1, 1}), others = of_segments({1, 1, 2});
+  const SampleSummary none = summarise(std::vector{4.0, 4.0});
   EXPECT_DOUBLE_EQ(speed_up(none, segments).value, 1);
   EXPECT_DOUBLE_EQ(speed_up(others, segments).value, 2);
   EXPECT_DOUBLE_EQ(speed_up(others, segments).low, 6 / 6.0);

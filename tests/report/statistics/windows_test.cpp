@@ -107,7 +107,7 @@ TEST(UndisturbedTime, AgreesFromRunToRun) {
     for (std::size_t k = 0; k < s.least.size(); ++k)
       for (const std::vector<double>& sample : s.samples)
         s.least[k] = std::min(s.least[k], sample[k]);
-    const Summary time = summarise(whole, s);
+    const SampleSummary time = summarise(whole, s);
     apart += std::abs(time.value / expected - 1) > 0.015;
     conclusive += !speed_up(time, time).inconclusive();
   }
@@ -122,8 +122,8 @@ TEST(UndisturbedTime, OfOneSegmentIsTheLeastAnalysis) {
       .least = {0.5}, .instants = {3000}, .updates = {0}, .samples = {{0.6}, {0.5}, {0.52}}};
   EXPECT_DOUBLE_EQ(undisturbed(one), 0.5);
   EXPECT_DOUBLE_EQ(undisturbed_without_best(one), 0.52);
-  const Summary reference = summarise(std::vector{9.0, 8.0}, many),
-                threads = summarise(std::vector{0.6, 0.5, 0.52}, one);
+  const SampleSummary reference = summarise(std::vector{9.0, 8.0}, many),
+                      threads = summarise(std::vector{0.6, 0.5, 0.52}, one);
   const SpeedUp s = speed_up(reference, threads);
   EXPECT_DOUBLE_EQ(s.value, reference.value / 0.5);
   EXPECT_DOUBLE_EQ(s.low, reference.value / 0.52);

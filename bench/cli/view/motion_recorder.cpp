@@ -1,4 +1,4 @@
-#include "bench/cli/view/recording.h"
+#include "bench/cli/view/motion_recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,14 @@
 
 namespace desmo::cli {
 
-Recording::Recording(const Model& model, const TimeGrid& grid, std::size_t max_kept,
-                     bench::Progress* progress)
+MotionRecorder::MotionRecorder(const Model& model, const TimeGrid& grid, std::size_t max_kept,
+                               bench::Progress* progress)
     : model_(model),
       grid_(grid),
       max_kept_(std::max<std::size_t>(max_kept, 4)),
       progress_(progress) {}
 
-MonitoredSummary Recording::run(Formulation& formulation, double tolerance) {
+MonitoredSummary MotionRecorder::run(Formulation& formulation, double tolerance) {
   MonitoredRunOptions options;
   options.tolerance = tolerance;
   options.past_failures = true;
@@ -34,12 +34,12 @@ MonitoredSummary Recording::run(Formulation& formulation, double tolerance) {
   return summary;
 }
 
-Flow Recording::observe(const Instant&) noexcept {
+Flow MotionRecorder::observe(const Instant&) noexcept {
   if (progress_) progress_->done();
   return overflowed_ ? Flow::stop : Flow::go_on;
 }
 
-void Recording::take(const MonitoredInstant& monitored) {
+void MotionRecorder::take(const MonitoredInstant& monitored) {
   const Instant& instant = monitored.instant;
   const auto n = static_cast<std::size_t>(model_.coordinates());
   std::vector<double> state;
@@ -57,7 +57,7 @@ void Recording::take(const MonitoredInstant& monitored) {
 }
 
 /// Keeps every instant of the stride; holds the others until the next one comes.
-void Recording::keep(RecordedInstant instant) {
+void MotionRecorder::keep(RecordedInstant instant) {
   if (!passed_.empty() && passed_.back().index + 1 < instant.index)  // the last one before a gap
     instants_.push_back(std::move(passed_.back()));
   passed_.clear();
@@ -72,7 +72,7 @@ void Recording::keep(RecordedInstant instant) {
 }
 
 /// Doubles the stride. What is left out hands its condition and bounds to the next one kept.
-void Recording::thin() {
+void MotionRecorder::thin() {
   stride_ *= 2;
   std::vector<RecordedInstant> kept;
   for (std::size_t i = 0; i < instants_.size(); ++i) {
@@ -89,7 +89,7 @@ void Recording::thin() {
   instants_ = std::move(kept);
 }
 
-void Recording::flag(const MonitoredInstant& monitored) {
+void MotionRecorder::flag(const MonitoredInstant& monitored) {
   const Instant& instant = monitored.instant;
   if (monitored.crossing) {
     const SingularityCrossing& c = *monitored.crossing;
@@ -111,14 +111,14 @@ void Recording::flag(const MonitoredInstant& monitored) {
 
 /// Removes flags of instants that are not degraded compared with the whole motion: its rates have
 /// grown.
-void Recording::forgive(const MonitoredSummary& summary) {
+void MotionRecorder::forgive(const MonitoredSummary& summary) {
   const double first = summary.first_degraded ? summary.first_degraded->time : INFINITY;
   std::erase_if(flags_, [&](const Flag& flag) {
     return flag.kind == Flag::Kind::degraded && flag.to < first;
   });
 }
 
-void Recording::flag_failures(const MonitoredSummary& summary) {
+void MotionRecorder::flag_failures(const MonitoredSummary& summary) {
   for (const Gap& gap : summary.gaps) {
     MonitoredSummary failure;
     static_cast<Summary&>(failure) = gap.failure;

@@ -19,14 +19,14 @@ inline constexpr int min_segment = 16;
 /// Solves as many equal segments of a motion as there are lanes, one in each lane of a batch of the
 /// whole model. A part without code for lanes is solved lane by lane, as is a lane that the code
 /// refuses.
-class LaneExecutor final : public SegmentExecutor {
+class SegmentsInLanes final : public SegmentExecutor {
  public:
   using Parts = std::vector<DefinedPart>;
 
   /// parts: of each lane, the same in all, in the order of solution. table: where code for lanes
   /// is; it must outlive this.
-  LaneExecutor(const Model& model, std::vector<Parts> parts, const Settings& settings,
-               const KernelTable& table);
+  SegmentsInLanes(const Model& model, std::vector<Parts> parts, const Settings& settings,
+                  const KernelTable& table);
 
   /// Returns nothing where the motion is too short, a segment could not be entered or solved, or
   /// two do not meet.
@@ -35,28 +35,28 @@ class LaneExecutor final : public SegmentExecutor {
 
  private:
   /// A part, and the same part in every lane.
-  struct Stage {
+  struct PartInLanes {
     std::vector<Part*> members{};
     std::span<const int> unknowns;
     std::optional<KernelBatch> together{};  // nothing: lane by lane
   };
   /// The outcome of a step in all lanes.
-  struct Step {
+  struct StepInLanes {
     bool ok = true;
     int iterations = 0;
     long updates = 0;  // in each lane
   };
 
-  Stage make_stage(std::size_t part, const KernelTable& table) const;
+  PartInLanes put_in_lanes(std::size_t index, const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
   bool solve_alone(int lane, State& state, std::span<const double> last);
   void predict(double h, int known);
   void write_drivers(const TimeGrid& grid, int length, int i);
-  Step solve();
-  void solve_lane(Stage& stage, int lane, Step& step);
+  StepInLanes solve();
+  void solve_lane(PartInLanes& part, int lane, StepInLanes& step);
   bool meet() const;
   std::span<const OutputView> borrow(const TimeGrid& grid, int length, int i, Observer& observer);
-  void deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
+  void deliver(const TimeGrid& grid, int length, int i, Level level, const StepInLanes& step,
                Observer& observer, Summary& total);
 
   const Model& model_;
@@ -64,7 +64,7 @@ class LaneExecutor final : public SegmentExecutor {
   const int lanes_;
   MotionSampler motions_;  // of the drivers, in lanes
   std::vector<Parts> parts_;
-  std::vector<Stage> stages_;  // those that move
+  std::vector<PartInLanes> parts_in_lanes_;  // those that move
   BatchState state_;
   LaneValues entered_;                        // positions at the first instant of each segment
   LaneValues residual2_;                      // of the step, by lane

@@ -12,6 +12,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/batch/segmented.h"
 #include "formulations/id.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/everything.h"
@@ -19,7 +20,7 @@
 #include "tests/lender.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::lane_executor_test {
+namespace desmo::segments_in_lanes_test {
 namespace {
 
 constexpr Settings at_once{.segments = 4};
@@ -32,7 +33,7 @@ std::vector<Settings> every_kind() {
   return all;
 }
 
-TEST(LaneExecutor, SolveWhatStepsSolve) {
+TEST(SegmentsInLanes, SolveWhatStepsSolve) {
   const auto all = every_motion();
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Settings& settings : every_kind())
@@ -60,7 +61,7 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
     const TimeGrid grid = time_grid(3, 0.01);
     Everything whole(grid.instants), some(grid.instants), expected(grid.instants);
     ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
-    EXPECT_EQ(f->run_by_steps(), 0) << c.name;
+    EXPECT_EQ(core_of(*f).run_by_steps(), 0) << c.name;
     EXPECT_EQ(whole.order.size(), static_cast<std::size_t>(grid.instants));
     EXPECT_TRUE(std::ranges::is_sorted(whole.order));
     expect_same(whole, expected, std::string(c.name));
@@ -115,12 +116,12 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   EXPECT_TRUE(stopped.ok() && stopped.stopped);
   EXPECT_EQ(stopped.instants, 20L * GetParam().segments + 1);
   EXPECT_EQ(lender.instants, stopped.instants);
-  EXPECT_EQ(f->run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(LaneExecutor, OnTheCases, testing::ValuesIn(every_kind()));
+INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_kind()));
 
-TEST(LaneExecutor, LeaveTheLastInstantToStepOnFrom) {
+TEST(SegmentsInLanes, LeaveTheLastInstantToStepOnFrom) {
   const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
              g = make_formulation(find_variant("group_symbolic_explicit"), m);
@@ -130,18 +131,18 @@ TEST(LaneExecutor, LeaveTheLastInstantToStepOnFrom) {
   expect_to_step_on_alike(*f, *g, 2);
 }
 
-TEST(LaneExecutor, LeaveShortMotionsToSteps) {
+TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
   const TimeGrid grid = time_grid(0.2, 0.01);
   Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok());
-  EXPECT_EQ(f->run_by_steps(), 1);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 1);
   EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants));
 }
 
 /// Links that are too short where the crank points away: the same failure, and nothing after it.
-TEST(LaneExecutor, FailAsStepsFail) {
+TEST(SegmentsInLanes, FailAsStepsFail) {
   Model m = four_bar_model(1);
   for (Constraint& c : m.constraints)
     if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
@@ -173,7 +174,7 @@ class Reluctant final : public SegmentExecutor {
   }
 };
 
-TEST(LaneExecutor, ThatGiveUpLeaveNoTrace) {
+TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   const Model m = four_bar_model(2);
   auto parts = make_partition(m, Partition::group);
   const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
@@ -190,10 +191,10 @@ TEST(LaneExecutor, ThatGiveUpLeaveNoTrace) {
   ASSERT_TRUE(f.run(grid, {.coordinates = std::vector{7}}, lender).ok());
   EXPECT_EQ(lender.restarts, 1);
   EXPECT_EQ(lender.instants, grid.instants + 1);
-  EXPECT_EQ(f.run_by_steps(), 2);
+  EXPECT_EQ(core_of(f).run_by_steps(), 2);
 }
 
-TEST(LaneExecutor, StandInTheId) {
+TEST(SegmentsInLanes, StandInTheId) {
   const Variant& v = find_variant("group_symbolic_explicit");
   const std::string id = "group_symbolic_explicit/segments:4";
   EXPECT_EQ(id_with(v, at_once), id);
@@ -208,4 +209,4 @@ TEST(LaneExecutor, StandInTheId) {
 }
 
 }  // namespace
-}  // namespace desmo::lane_executor_test
+}  // namespace desmo::segments_in_lanes_test

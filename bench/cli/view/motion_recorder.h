@@ -28,11 +28,11 @@ struct Flag {
 
 /// Observer that keeps instants: at most `max_kept`, by leaving out more and more of them, and the
 /// last one of every interval without gaps.
-class Recording final : public Observer {
+class MotionRecorder final : public Observer {
  public:
   /// progress: null where none is shown.
-  Recording(const Model& model, const TimeGrid& grid, std::size_t max_kept,
-            bench::Progress* progress);
+  MotionRecorder(const Model& model, const TimeGrid& grid, std::size_t max_kept,
+                 bench::Progress* progress);
 
   /// Runs the formulation over the motion, and past intervals that cannot be assembled. Where no
   /// instant can be solved, the initial estimate is kept, at rest.

@@ -1,4 +1,4 @@
-#include "formulations/batch/lane_executor.h"
+#include "formulations/batch/segments_in_lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace desmo {
 
-LaneExecutor::LaneExecutor(const Model& model, std::vector<Parts> parts, const Settings& settings,
-                           const KernelTable& table)
+SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
+                                 const Settings& settings, const KernelTable& table)
     : model_(model),
       settings_(settings),
       lanes_(static_cast<int>(parts.size())),
@@ -29,11 +29,11 @@ LaneExecutor::LaneExecutor(const Model& model, std::vector<Parts> parts, const S
   for (std::size_t i = 0; i < parts_[0].size(); ++i) {
     const PartDefinition& definition = parts_[0][i].definition;
     if (definition.constant) continue;
-    stages_.push_back(make_stage(i, table));
+    parts_in_lanes_.push_back(put_in_lanes(i, table));
     // What is solved lane by lane may start from any of its unknowns.
     PartInputs inputs{
         .predicted = definition.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
-    if (stages_.back().together) inputs = parts_[0][i].solver->inputs(std::move(inputs));
+    if (parts_in_lanes_.back().together) inputs = parts_[0][i].solver->inputs(std::move(inputs));
     std::ranges::copy(inputs.predicted, std::back_inserter(predicted));
     std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped));
   }
@@ -41,23 +41,24 @@ LaneExecutor::LaneExecutor(const Model& model, std::vector<Parts> parts, const S
   state_ = BatchState(size, lanes_, settings_.guess, predicted, std::move(unwrapped));
 }
 
-LaneExecutor::Stage LaneExecutor::make_stage(std::size_t part, const KernelTable& table) const {
-  Stage stage;
-  stage.unknowns = parts_[0][part].definition.unknowns;
+SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::size_t index,
+                                                           const KernelTable& table) const {
+  PartInLanes part;
+  part.unknowns = parts_[0][index].definition.unknowns;
   std::vector<ExplicitPart*> members;
   for (const Parts& parts : parts_) {
-    stage.members.push_back(parts[part].solver.get());
-    members.push_back(dynamic_cast<ExplicitPart*>(stage.members.back()));
+    part.members.push_back(parts[index].solver.get());
+    members.push_back(dynamic_cast<ExplicitPart*>(part.members.back()));
   }
   if (const ExplicitPart* const any = members.front())
     if (const LaneKernel* k = table.find_lane_kernel(any->kernel().fingerprint, lanes_))
-      stage.together.emplace(*k, std::move(members),
-                             std::vector<int>(any->places().begin(), any->places().end()));
-  return stage;
+      part.together.emplace(*k, std::move(members),
+                            std::vector<int>(any->places().begin(), any->places().end()));
+  return part;
 }
 
-std::optional<Summary> LaneExecutor::run(const TimeGrid& grid, const Request& request, State& state,
-                                         Observer& observer) {
+std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request& request,
+                                            State& state, Observer& observer) {
   const int length = (grid.instants + lanes_ - 1) / lanes_;
   if (length < min_segment || !enter(grid, length, state)) return {};
   requested_ = requested_coordinates(request, model_.coordinates());
@@ -71,7 +72,7 @@ std::optional<Summary> LaneExecutor::run(const TimeGrid& grid, const Request& re
   for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
     predict(grid.interval(), i);
     write_drivers(grid, length, i);
-    const Step step = solve();
+    const StepInLanes step = solve();
     if (!step.ok) return {};
     max_residual2 = std::max(max_residual2, *std::ranges::max_element(residual2_));
     if (i == 0) entered_ = state_.now().q;
@@ -92,19 +93,19 @@ std::optional<Summary> LaneExecutor::run(const TimeGrid& grid, const Request& re
 /// Continues in each lane to the position from which the first instant of its segment is solved, in
 /// all at once, as in a motion that takes a unit of time. Returns false where one needs shorter
 /// steps.
-bool LaneExecutor::enter(const TimeGrid& grid, int length, const State& first) {
+bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
   for (int l = 0; l < lanes_; ++l) {
-    for (const DefinedPart& part : parts_[l]) part.solver->forget();
+    for (const DefinedPart& index : parts_[l]) index.solver->forget();
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
     for (std::size_t k = 0; k < alone_.q.size(); ++k)    // some never move
       state_.now().q[k * lanes_ + l] = state_.before().q[k * lanes_ + l] = alone_.q[k];
     changes_[l] = driver_changes(model_, first, grid.time(l * length));
   }
-  for (Stage& stage : stages_) {
-    if (!stage.together) continue;
-    stage.together->take_branches();
-    if (!stage.together->assembled()) return false;
+  for (PartInLanes& part : parts_in_lanes_) {
+    if (!part.together) continue;
+    part.together->take_branches();
+    if (!part.together->assembled()) return false;
   }
   constexpr double step = 1.0 / continuation_steps;
   for (int i = 0; i <= continuation_steps; ++i) {
@@ -123,22 +124,22 @@ bool LaneExecutor::enter(const TimeGrid& grid, int length, const State& first) {
   return true;
 }
 
-bool LaneExecutor::solve_alone(int lane, State& state, std::span<const double> last) {
-  for (const Stage& stage : stages_)
-    if (stage.members[lane]->solve(state, last, Level::position).status != Status::solved)
+bool SegmentsInLanes::solve_alone(int lane, State& state, std::span<const double> last) {
+  for (const PartInLanes& part : parts_in_lanes_)
+    if (part.members[lane]->solve(state, last, Level::position).status != Status::solved)
       return false;
   return true;
 }
 
 /// known: how many instants were solved, h apart.
-void LaneExecutor::predict(double h, int known) {
+void SegmentsInLanes::predict(double h, int known) {
   const auto solved = [&](int least) {
     return known >= least ? std::optional(Level::acceleration) : std::nullopt;
   };
   state_.predict({h, h, solved(1), solved(2)});
 }
 
-void LaneExecutor::write_drivers(const TimeGrid& grid, int length, int i) {
+void SegmentsInLanes::write_drivers(const TimeGrid& grid, int length, int i) {
   std::array<double, max_lanes> of_lanes;
   for (int l = 0; l < lanes_; ++l)
     of_lanes[l] = grid.time(std::min(l * length + i, grid.instants - 1));
@@ -146,47 +147,47 @@ void LaneExecutor::write_drivers(const TimeGrid& grid, int length, int i) {
            state_.now().qd.data(), state_.now().qdd.data());
 }
 
-LaneExecutor::Step LaneExecutor::solve() {
+SegmentsInLanes::StepInLanes SegmentsInLanes::solve() {
   const unsigned every_lane = (1u << lanes_) - 1;
-  Step step;
+  StepInLanes step;
   std::ranges::fill(residual2_, 0.0);
-  for (Stage& stage : stages_) {
+  for (PartInLanes& part : parts_in_lanes_) {
     unsigned accepted = 0;
-    if (stage.together) {
+    if (part.together) {
       alignas(64) std::array<double, max_lanes> residual2;
-      const LaneResult r = stage.together->solve(state_.now(), residual2.data());
+      const LaneResult r = part.together->solve(state_.now(), residual2.data());
       accepted = r.accepted;
       step.iterations = std::max(step.iterations, r.iterations);
-      step.updates += static_cast<long>(r.iterations) * std::ssize(stage.unknowns);
+      step.updates += static_cast<long>(r.iterations) * std::ssize(part.unknowns);
       for (int l = 0; l < lanes_; ++l)
         if (accepted >> l & 1) residual2_[l] += residual2[l];
     }
     if (accepted == every_lane) continue;
     for (int l = 0; l < lanes_; ++l)
-      if (!(accepted >> l & 1)) solve_lane(stage, l, step);
+      if (!(accepted >> l & 1)) solve_lane(part, l, step);
     if (!step.ok) break;
-    if (stage.together) stage.together->take_branches();
+    if (part.together) part.together->take_branches();
   }
   return step;
 }
 
 /// A lane that the code has refused starts from its last position; others were predicted.
-void LaneExecutor::solve_lane(Stage& stage, int lane, Step& step) {
+void SegmentsInLanes::solve_lane(PartInLanes& part, int lane, StepInLanes& step) {
   for (std::size_t k = 0; k < alone_.q.size(); ++k)
     copy_number(state_.now(), k * lanes_ + lane, alone_, k);
-  for (const int k : stage.unknowns) last_alone_[k] = state_.before().q[k * lanes_ + lane];
-  if (stage.together)
-    for (const int k : stage.unknowns) alone_.q[k] = last_alone_[k];
-  const PartResult r = stage.members[lane]->solve(alone_, last_alone_, Level::acceleration);
+  for (const int k : part.unknowns) last_alone_[k] = state_.before().q[k * lanes_ + lane];
+  if (part.together)
+    for (const int k : part.unknowns) alone_.q[k] = last_alone_[k];
+  const PartResult r = part.members[lane]->solve(alone_, last_alone_, Level::acceleration);
   step.ok = step.ok && r.status == Status::solved;
   step.iterations = std::max(step.iterations, r.iterations);
   residual2_[lane] += r.residual2;
-  for (const int k : stage.unknowns)
+  for (const int k : part.unknowns)
     copy_number(alone_, k, state_.now(), static_cast<std::size_t>(k) * lanes_ + lane);
 }
 
 /// Each segment ended where the next had begun.
-bool LaneExecutor::meet() const {
+bool SegmentsInLanes::meet() const {
   const auto coordinates = static_cast<std::size_t>(model_.coordinates());
   std::vector<double> ended(coordinates), begun(coordinates);
   for (int l = 0; l + 1 < lanes_; ++l) {
@@ -200,8 +201,8 @@ bool LaneExecutor::meet() const {
 }
 
 /// Borrows an output for the instant of each lane that lies within the motion.
-std::span<const OutputView> LaneExecutor::borrow(const TimeGrid& grid, int length, int i,
-                                                 Observer& observer) {
+std::span<const OutputView> SegmentsInLanes::borrow(const TimeGrid& grid, int length, int i,
+                                                    Observer& observer) {
   const auto count = [&](int step) {
     return std::min<std::size_t>(lanes_, (grid.instants - step + length - 1) / length);
   };
@@ -220,8 +221,8 @@ std::span<const OutputView> LaneExecutor::borrow(const TimeGrid& grid, int lengt
   return {&outputs_[first], count(i)};
 }
 
-void LaneExecutor::deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
-                           Observer& observer, Summary& total) {
+void SegmentsInLanes::deliver(const TimeGrid& grid, int length, int i, Level level,
+                              const StepInLanes& step, Observer& observer, Summary& total) {
   const std::span<const OutputView> lent = borrow(grid, length, i, observer);
   const auto unpack_level = [&](Level least, const LaneValues& from, double* OutputView::*to) {
     if (level < least || !(lent[0].*to)) return;

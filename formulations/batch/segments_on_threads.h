@@ -12,11 +12,11 @@ namespace desmo {
 
 /// Solves equal segments of a motion, each on a thread of its own. How a motion is cut depends on
 /// its work alone, so that results do not depend on the machine or its load.
-class ThreadExecutor final : public SegmentExecutor {
+class SegmentsOnThreads final : public SegmentExecutor {
  public:
   /// workers: one for each thread, alike, of the model whose motion is solved; they share only what
   /// is const. min_instants: shortest segment that is worth entering.
-  ThreadExecutor(std::vector<std::unique_ptr<SegmentSolver>> workers, int min_instants);
+  SegmentsOnThreads(std::vector<std::unique_ptr<SegmentSolver>> workers, int min_instants);
 
   std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
                              Observer& observer) override;

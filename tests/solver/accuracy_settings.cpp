@@ -15,12 +15,13 @@
 #include "formulations/id.h"
 #include "formulations/parts/profile.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::knobs_test {
+namespace desmo::accuracy_settings_test {
 namespace {
 
 std::unique_ptr<Formulation> make(const std::string& id, const Model& m,
@@ -100,9 +101,11 @@ class WeightedResidual {
   std::vector<WeightedPart> parts_;
 };
 
-class Knobs : public EveryVariant {
+class AccuracySettings : public EveryVariant {
  protected:
-  Knobs() { set_blas_threads(1); }  // more wait for each other where matrices are this small
+  AccuracySettings() {
+    set_blas_threads(1);
+  }  // more wait for each other where matrices are this small
 
   /// The variant's id with these suffixes, or nothing where it does not offer them.
   std::string with(const std::string& suffixes) const {
@@ -117,7 +120,7 @@ class Knobs : public EveryVariant {
 
 /// Steps far too long for old factors, and a walk into a dead point: what is accepted meets the
 /// tolerance, and where Newton's method gets through, so does a chord.
-TEST_P(Knobs, NoChordEndsAboveItsTolerance) {
+TEST_P(AccuracySettings, NoChordEndsAboveItsTolerance) {
   const Settings settings{.tolerance = 1e-11, .max_iterations = 50};
   for (const bool to_the_dead_point : {false, true}) {
     const Model m = to_the_dead_point ? locking_four_bar() : truck_model(1);
@@ -177,13 +180,13 @@ const std::vector<KnownMotion>& known_motions() {
   return motions;
 }
 
-TEST_P(Knobs, AgreeWithTheReference) {
-  struct Knob {
+TEST_P(AccuracySettings, AgreeWithTheReference) {
+  struct ChangedSetting {
     const char* suffixes;
     double position, velocity, acceleration;
   };
   constexpr double q = 1e-9, v = 1e-8, a = 1e-7;
-  const Knob knobs[] = {
+  const ChangedSetting changes[] = {
       {"/guess:linear", q, v, a},
       {"/guess:quadratic", q, v, a},
       {"/guess:hermite3", q, v, a},
@@ -205,8 +208,8 @@ TEST_P(Knobs, AgreeWithTheReference) {
   };
   for (const auto& [m, grid, reference] : known_motions()) {
     const double size = m.name == "four_bar" ? 6 : 1;  // of a body
-    for (const Knob& knob : knobs) {
-      const std::string id = with(knob.suffixes);
+    for (const ChangedSetting& changed : changes) {
+      const std::string id = with(changed.suffixes);
       if (id.empty()) continue;
       const auto f = make(id, m);
       for (int i = 0; i < grid.instants; ++i) {
@@ -214,16 +217,16 @@ TEST_P(Knobs, AgreeWithTheReference) {
         ASSERT_TRUE(s.ok()) << id << " on " << m.name << ": " << describe(s, m);
         if (i % 20 != 0) continue;
         const ReferenceInstant& r = reference[i / 20];
-        EXPECT_LT(max_difference(f->q(), r.q), size * knob.position) << id << " on " << m.name;
-        EXPECT_LT(max_difference(f->qd(), r.qd), size * knob.velocity) << id << " on " << m.name;
-        EXPECT_LT(max_difference(f->qdd(), r.qdd), size * knob.acceleration)
+        EXPECT_LT(max_difference(f->q(), r.q), size * changed.position) << id << " on " << m.name;
+        EXPECT_LT(max_difference(f->qd(), r.qd), size * changed.velocity) << id << " on " << m.name;
+        EXPECT_LT(max_difference(f->qdd(), r.qdd), size * changed.acceleration)
             << id << " on " << m.name;
       }
     }
   }
 }
 
-TEST_P(Knobs, WorkAtEveryLevel) {
+TEST_P(AccuracySettings, WorkAtEveryLevel) {
   const Model m = truck_model(1);
   const auto plain = make(GetParam().id, m);
   ASSERT_TRUE(plain->assemble(0).ok());
@@ -248,12 +251,13 @@ TEST_P(Knobs, WorkAtEveryLevel) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, Knobs, testing::ValuesIn(tested_variants()), EveryVariant::name);
+INSTANTIATE_TEST_SUITE_P(Table, AccuracySettings, testing::ValuesIn(tested_variants()),
+                         EveryVariant::name);
 
 long factorisations(const std::string& id, const Model& m) {
   const Configuration c = parse_id(id);
   Profile profile;
-  const auto f = make_formulation(*c.variant, m, c.settings, &profile);
+  const auto f = make_profiled_formulation(*c.variant, m, c.settings, profile);
   EXPECT_TRUE(f->assemble(0).ok());
   const long before = profile.calls[static_cast<int>(Phase::factorisation)];
   for (int i = 1; i <= 100; ++i) EXPECT_TRUE(f->step(0.01 * i).ok());
@@ -297,4 +301,4 @@ TEST(MixedScalar, NeverPassesSinglePrecisionOffAsDouble) {
 }
 
 }  // namespace
-}  // namespace desmo::knobs_test
+}  // namespace desmo::accuracy_settings_test

@@ -1,7 +1,7 @@
 // Segments of a motion on several threads: the same instants as step by step, or step by step
 // after all.
 
-#include "formulations/batch/thread_executor.h"
+#include "formulations/batch/segments_on_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -16,13 +16,14 @@
 #include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/id.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/everything.h"
 #include "tests/lender.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::thread_executor_test {
+namespace desmo::segments_on_threads_test {
 namespace {
 
 std::unique_ptr<Formulation> make(const Model& m, const std::string& id) {
@@ -57,14 +58,14 @@ void compare(const Model& m, const TimeGrid& of_scene, const std::string& id, in
   expect_same(actual, expected, m.name + " " + parallel_id);
 }
 
-TEST(ThreadExecutor, SolvesWhatOneThreadSolves) {
+TEST(SegmentsOnThreads, SolvesWhatOneThreadSolves) {
   for (const auto& [m, grid] : every_motion()) {
     compare(m, grid, "group_symbolic_explicit/guess:hermite5", 3);
     compare(m, grid, "group_symbolic_explicit/segments:4", 2);
   }
 }
 
-TEST(ThreadExecutor, GoesWithEveryAlgebra) {
+TEST(SegmentsOnThreads, GoesWithEveryAlgebra) {
   set_blas_threads(1);  // more wait for each other where matrices are this small
   const Model m = truck_model(1);
   for (const Variant& v : tested_variants())
@@ -72,7 +73,7 @@ TEST(ThreadExecutor, GoesWithEveryAlgebra) {
       compare(m, time_grid(1, 0.01), v.id, 2);
 }
 
-TEST(ThreadExecutor, IsSolvedByAsManyThreadsAsAskedFor) {
+TEST(SegmentsOnThreads, IsSolvedByAsManyThreadsAsAskedFor) {
   for (const Case& c : cases())
     for (const char* id : {"group_symbolic_explicit/threads:3", "group_automatic_klu/threads:3",
                            "group_symbolic_explicit/lanes:4/threads:3",
@@ -82,14 +83,14 @@ TEST(ThreadExecutor, IsSolvedByAsManyThreadsAsAskedFor) {
       const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
       Lender lender(grid.instants, {1}, Level::position);
       ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, lender).ok());
-      EXPECT_EQ(f->run_by_steps(), 0) << c.name << " " << id;
+      EXPECT_EQ(core_of(*f).run_by_steps(), 0) << c.name << " " << id;
       EXPECT_EQ(lender.threads.size(), 3u) << c.name << " " << id;
       EXPECT_EQ(lender.instants, grid.instants) << c.name << " " << id;
     }
 }
 
 /// Whichever thread is first: to the last bit, in order of time for who needs it.
-TEST(ThreadExecutor, DoesNotDependOnWhoIsFirst) {
+TEST(SegmentsOnThreads, DoesNotDependOnWhoIsFirst) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/guess:hermite5/threads:3");
   const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
@@ -103,17 +104,17 @@ TEST(ThreadExecutor, DoesNotDependOnWhoIsFirst) {
   EXPECT_TRUE(std::ranges::is_sorted(again.order));
 }
 
-TEST(ThreadExecutor, StaysOnOneThreadWhereThereIsLittleToDo) {
+TEST(SegmentsOnThreads, StaysOnOneThreadWhereThereIsLittleToDo) {
   const Model m = four_bar_model(1);
   const auto f = make(m, "group_symbolic_explicit/threads:3");
   const TimeGrid grid = time_grid(3, 0.01);
   Lender lender(grid.instants, {1}, Level::position);
   ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, lender).ok());
-  EXPECT_EQ(f->run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
   EXPECT_EQ(lender.threads, std::set{std::this_thread::get_id()});
 }
 
-TEST(ThreadExecutor, LeavesTheLastInstantToStepOnFrom) {
+TEST(SegmentsOnThreads, LeavesTheLastInstantToStepOnFrom) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2"),
              g = make(m, "group_symbolic_explicit");
@@ -124,7 +125,7 @@ TEST(ThreadExecutor, LeavesTheLastInstantToStepOnFrom) {
 }
 
 /// Only what is asked for is solved on threads, too.
-TEST(ThreadExecutor, LeavesOutWhatNobodyAsksFor) {
+TEST(SegmentsOnThreads, LeavesOutWhatNobodyAsksFor) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   f->solve_only(std::vector(m.coordinates(), Level::position));
@@ -136,7 +137,7 @@ TEST(ThreadExecutor, LeavesOutWhatNobodyAsksFor) {
 }
 
 /// Links that are too short where the crank points away: the same failure, and nothing after it.
-TEST(ThreadExecutor, FailsAsStepsFail) {
+TEST(SegmentsOnThreads, FailsAsStepsFail) {
   Model m = four_bar_model(1);
   for (Constraint& c : m.constraints) {
     if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
@@ -151,14 +152,14 @@ TEST(ThreadExecutor, FailsAsStepsFail) {
   Everything actual(grid.instants), expected(grid.instants);
   const Summary a = f->run(grid, {}, actual), b = g->run(grid, {}, expected);
   ASSERT_FALSE(b.ok());
-  EXPECT_EQ(f->run_by_steps(), 1);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 1);
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.group, b.group);
   EXPECT_EQ(actual.order, expected.order);
 }
 
-TEST(ThreadExecutor, IsGivenUpWhereSegmentsDoNotMeet) {
+TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
   const Model m = truck_model(1);
   Model other = m;
   for (Constraint& c : other.constraints)
@@ -167,7 +168,7 @@ TEST(ThreadExecutor, IsGivenUpWhereSegmentsDoNotMeet) {
   for (const Model* model : std::initializer_list<const Model*>{&m, &other})
     workers.emplace_back(
         &dynamic_cast<SegmentSolver&>(*make(*model, "group_automatic_eigen").release()));
-  ThreadExecutor motion(std::move(workers), 16);
+  SegmentsOnThreads motion(std::move(workers), 16);
   const auto f = make(m, "group_automatic_eigen");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
   ASSERT_EQ(motion.segments(grid.instants), 2);
@@ -181,7 +182,7 @@ TEST(ThreadExecutor, IsGivenUpWhereSegmentsDoNotMeet) {
   EXPECT_FALSE(motion.run(grid, {.coordinates = std::vector{1}}, state, lender));
 }
 
-TEST(ThreadExecutor, StopsWhereTheObserverStops) {
+TEST(SegmentsOnThreads, StopsWhereTheObserverStops) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
@@ -193,11 +194,11 @@ TEST(ThreadExecutor, StopsWhereTheObserverStops) {
   EXPECT_EQ(lender.restarts, 0);
   Everything observer(grid.instants);
   EXPECT_FALSE(f->run(grid, {}, observer).stopped);
-  EXPECT_EQ(f->run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
 }
 
 /// Each thread has an observer of its own.
-TEST(ThreadExecutor, NeedsNoLockWhereEveryThreadHasAnObserver) {
+TEST(SegmentsOnThreads, NeedsNoLockWhereEveryThreadHasAnObserver) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
@@ -208,13 +209,13 @@ TEST(ThreadExecutor, NeedsNoLockWhereEveryThreadHasAnObserver) {
   } split(0, {}, Level::position);
   split.own.assign(2, Lender(grid.instants, {1}, Level::velocity));
   ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, split).ok());
-  EXPECT_EQ(f->run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
   EXPECT_EQ(split.instants, 0);
   EXPECT_EQ(split.own[0].instants + split.own[1].instants, grid.instants);
   for (const Lender& own : split.own) EXPECT_EQ(own.threads.size(), 1u);
 }
 
-TEST(ThreadExecutor, StandsInTheId) {
+TEST(SegmentsOnThreads, StandsInTheId) {
   const std::string id = "group_symbolic_explicit/segments:4/threads:2";
   const Configuration c = parse_id(id);
   EXPECT_EQ(c.settings.threads, 2);
@@ -224,4 +225,4 @@ TEST(ThreadExecutor, StandsInTheId) {
 }
 
 }  // namespace
-}  // namespace desmo::thread_executor_test
+}  // namespace desmo::segments_on_threads_test

@@ -1,4 +1,4 @@
-#include "formulations/batch/thread_executor.h"
+#include "formulations/batch/segments_on_threads.h"
 
 #include <omp.h>
 
@@ -66,14 +66,14 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
 }  // namespace
 
 /// State that the threads share.
-struct ThreadExecutor::Shared {
+struct SegmentsOnThreads::Shared {
   std::mutex mutex{};                // of the observer
   std::atomic<bool> stopped{false};  // by it
 };
 
 /// Hands instants of a segment on as those of the whole motion: to the thread's own observer, or
 /// to one that all share, several at a time.
-class ThreadExecutor::SegmentObserver final : public Observer {
+class SegmentsOnThreads::SegmentObserver final : public Observer {
  public:
   SegmentObserver(Observer& all, int thread, Shared& shared, const TimeGrid& grid, int begin)
       : own_(all.of_thread(thread)),
@@ -132,8 +132,8 @@ class ThreadExecutor::SegmentObserver final : public Observer {
   std::vector<int> instants_;  // for which memory is borrowed
 };
 
-ThreadExecutor::ThreadExecutor(std::vector<std::unique_ptr<SegmentSolver>> workers,
-                               int min_instants)
+SegmentsOnThreads::SegmentsOnThreads(std::vector<std::unique_ptr<SegmentSolver>> workers,
+                                     int min_instants)
     : workers_(std::move(workers)),
       segments_(workers_.size()),
       min_instants_(min_instants),
@@ -141,18 +141,18 @@ ThreadExecutor::ThreadExecutor(std::vector<std::unique_ptr<SegmentSolver>> worke
   start_threads(static_cast<int>(workers_.size()));
 }
 
-void ThreadExecutor::solve_only(std::span<const Level> needed) {
+void SegmentsOnThreads::solve_only(std::span<const Level> needed) {
   for (const auto& worker : workers_) worker->solve_only(needed);
 }
 
-int ThreadExecutor::segments(int instants) const {
+int SegmentsOnThreads::segments(int instants) const {
   const long worth =
       std::min(instants * moving_unknowns_ / min_work, static_cast<long>(instants) / min_instants_);
   return static_cast<int>(std::clamp<long>(worth, 1, std::ssize(workers_)));
 }
 
-std::optional<Summary> ThreadExecutor::run(const TimeGrid& grid, const Request& request,
-                                           State& state, Observer& observer) {
+std::optional<Summary> SegmentsOnThreads::run(const TimeGrid& grid, const Request& request,
+                                              State& state, Observer& observer) {
   const int count = segments(grid.instants);
   Shared shared;
   for (int k = 0; k < count; ++k) {
@@ -187,8 +187,8 @@ std::optional<Summary> ThreadExecutor::run(const TimeGrid& grid, const Request& 
   return whole;
 }
 
-void ThreadExecutor::solve(int k, const TimeGrid& grid, const Request& request, const State& first,
-                           Observer& observer) {
+void SegmentsOnThreads::solve(int k, const TimeGrid& grid, const Request& request,
+                              const State& first, Observer& observer) {
   Segment& s = segments_[k];
   s.total.reset();
   s.error = nullptr;
@@ -201,7 +201,7 @@ void ThreadExecutor::solve(int k, const TimeGrid& grid, const Request& request, 
     s.ended = worker.step(grid.time(s.end), Level::position).ok();
 }
 
-bool ThreadExecutor::meet(int k) const {
+bool SegmentsOnThreads::meet(int k) const {
   return segments_[k].ended &&
          segments_meet(workers_[k]->model(), workers_[k]->q(), segments_[k + 1].entered);
 }

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cases/mechanism/level.h"
+#include "formulations/base/state.h"
+
+namespace desmo {
+
+struct MotionRow;    // prediction/motions_ahead.h
+struct OutputView;   // base/output.h
+struct StepHistory;  // prediction/guess.h
+
+/// Places where the results of the parts go in a run.
+struct PartOutputs {
+  /// For each position in the state, whether it is read there by other parts, by the prediction, or
+  /// by an observer that lends no memory.
+  const std::vector<bool>& observed;
+  /// For each position in the state its place in the outputs that an observer lends, or −1. A part
+  /// sets to −1 what it delivers itself. Empty: none are lent.
+  std::span<int> places;
+  Level level;  ///< the highest at which anyone asks for the part's unknowns
+};
+
+/// The further duties of a part, such as a batch, that keeps what it finds in a layout of its own
+/// from one instant to the next. It predicts from there, and writes to the state only what is
+/// observed there.
+class ResidentPart {
+ public:
+  virtual ~ResidentPart() = default;
+
+  /// Fixes, before a run, where results go. Until then all are written to the state.
+  virtual void bind(const PartOutputs& outputs) = 0;
+  /// Begins a step. history: of the instants solved, the last of which the part keeps; where it is
+  /// unknown, as after a failure, solve() starts from the positions in the state, which are then
+  /// complete, and leaves all of them there. row: begins with PartInputs::drivers at the instant to
+  /// come.
+  virtual void begin_step(const StepHistory& history, const MotionRow& row) = 0;
+  /// Writes the instant solved last to an output, up to `level`, as bound.
+  virtual void deliver(const OutputView& output, Level level) const = 0;
+  /// Writes the instant solved last to the state: unknowns, and drivers taken from the row.
+  virtual void store(State& state) const = 0;
+  /// Writes positions of the instant before the one solved last, or tried; nothing where that one
+  /// was not predicted from it.
+  virtual void restore(std::span<double> q) const = 0;
+};
+
+}  // namespace desmo
