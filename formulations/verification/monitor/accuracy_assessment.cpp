@@ -75,19 +75,24 @@ bool AccuracyMonitor::State::is_in_doubt(const Instant& instant,
 
 /// Solves an instant in short steps from the last one, as far as rates are known there.
 std::optional<Instant> AccuracyMonitor::State::solve_anew(const Instant& instant) {
-  const Instant known = with_known_rates(instant);
-  const auto solved = continuity.solve_anew(known, means());
-  if (!solved || known.qdd.size() == instant.qdd.size()) return solved;
-  Instant whole = *solved;
-  whole.qdd = instant.qdd;
-  return assessor.corrected(whole);
+  const Level known = known_rates();
+  const auto solved = continuity.solve_anew(instant, means(), known);
+  return solved && known < Level::acceleration ? assessor.corrected(*solved) : solved;
 }
 
-/// Leaves out accelerations that are noise at the last instant, where velocities tell more.
-Instant AccuracyMonitor::State::with_known_rates(const Instant& instant) const {
+/// Returns the level up to which rates of the last instant lead on. Accelerations that are noise do
+/// not, where velocities do.
+Level AccuracyMonitor::State::known_rates() {
+  if (!continuity.is_known()) return Level::acceleration;
+  const PerLevel<double>& stated = continuity.recent()[0].stated;
+  return stated.acceleration <= unusable_rate || !(stated.velocity <= unusable_rate)
+             ? Level::acceleration
+             : Level::velocity;
+}
+
+Instant AccuracyMonitor::State::with_known_rates(const Instant& instant) {
   Instant known = instant;
-  if (!(last.bound.acceleration <= unusable_rate) && last.bound.velocity <= unusable_rate)
-    known.qdd = {};
+  if (known_rates() < Level::acceleration) known.qdd = {};
   return known;
 }
 

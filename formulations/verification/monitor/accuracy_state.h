@@ -53,7 +53,8 @@ struct AccuracyMonitor::State {
   std::optional<Instant> solve_declared(const Instant& instant);
   bool solve_singular(MonitoredInstant& j, const Expectation::Signals& signals);
   std::optional<Instant> solve_anew(const Instant& instant);
-  Instant with_known_rates(const Instant& instant) const;
+  Instant with_known_rates(const Instant& instant);
+  Level known_rates();
   std::optional<MonitoredInstant> pass(const Instant& singular);
   PerLevel<double> difference(const Instant& a, const Instant& b) const;
 

@@ -186,9 +186,12 @@ std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant, co
   return go(instant, End::given, means);
 }
 
-std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Means& means) {
+std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Means& means,
+                                              Level known) {
   if (!is_known() || instant.qd.empty() || means.weights.size() == 0) return {};
-  if (go(instant, End::solved, means)) return {};
+  Instant like = instant;
+  if (known < Level::acceleration) like.qdd = {};
+  if (go(like, End::solved, means)) return {};
   return view_of(next_, instant);
 }
 
