@@ -81,16 +81,24 @@ bool is_regular(const DrawnScene& scene, int from, int to) {
   return true;
 }
 
-/// Returns the first instant that either of two motions may be the continuation of: paths that come
-/// so near each other that the rounding of the scene's own numbers decides which leads where.
-int decided_until(const DrawnScene& scene) {
-  constexpr double undecided = 1e9;
-  for (int i = 1; i < std::ssize(scene.truth); ++i) {
+/// Returns the first instant from which on rounding decides between two motions. Rounding by u
+/// moves a path across to another one that comes within √u of it, where the condition number is
+/// 1/√u.
+/// - double precision: the scene's own numbers are rounded. Only paths that come near each other
+///   between two instants count; at an instant a flag is due.
+/// - single precision: the run cannot tell such paths apart, wherever they are.
+int decided_until(const DrawnScene& scene, bool is_single) {
+  constexpr double undecided = 1e9, undecided_single = 4e4;
+  const int instants = static_cast<int>(std::ssize(scene.truth));
+  for (int i = 0; i < instants; ++i) {
     const TrueInstant& t = scene.truth[i];
-    const double ends = std::max(t.condition, scene.truth[i - 1].condition);
-    if (t.path_condition > std::max(undecided, 100 * ends) && t.path_condition < INFINITY) return i;
+    if (is_single && std::max(t.condition, i > 0 ? t.path_condition : 0) > undecided_single)
+      return i;
+    const double ends = std::max(t.condition, i > 0 ? scene.truth[i - 1].condition : 0);
+    if (i > 0 && t.path_condition > std::max(undecided, 100 * ends) && t.path_condition < INFINITY)
+      return i;
   }
-  return static_cast<int>(std::ssize(scene.truth));
+  return instants;
 }
 
 struct Worst {
@@ -117,7 +125,7 @@ std::optional<RunVerdict> find_wrong(const DrawnScene& scene, const SolvedScene&
   const PerLevel<double> limit = Limits(solved.tolerance).degraded;
   const bool failed = solved.summary.outcome() == Outcome::failed;
   Worst promise, bound;
-  const int decided = decided_until(scene);
+  const int decided = decided_until(scene, solved.is_single);
   for (const Delivered& d : solved.instants) {
     const TrueInstant& truth = scene.truth[d.index];
     if (is_doubtful(solved.summary, truth.instant.time) || d.index >= decided) continue;
@@ -241,7 +249,7 @@ RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
   } catch (const std::invalid_argument& error) {
     return {PromiseVerdict::not_applicable, error.what()};
   }
-  SolvedScene solved{{}, {}, c->settings.tolerance};
+  SolvedScene solved{{}, {}, c->settings.tolerance, c->settings.scalar == Scalar::single_precision};
   Collector collector(solved);
   MonitoredRunOptions options;
   options.tolerance = c->settings.tolerance;

@@ -133,7 +133,9 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instan
   RecentInstants& recent = continuity.recent();
   if (recent.count() > 0 && recent[0].is_assessed) signs.take_back();
   recent.drop();
-  return continuity.is_known() ? solve(instant) : std::nullopt;
+  if (!continuity.is_known()) return {};
+  const auto solved = solve(instant);
+  return solved ? solved : pass(instant);
 }
 
 /// Solves an instant anew that looks singular where it is: it may be off. Returns whether it is
