@@ -40,35 +40,46 @@ struct Common {
   const KernelTable& table;
 };
 
-/// A part in the making: what generated code is bound to, and so far what it falls back to.
+/// A part in the making: a pivoting part so far, with what generated code is bound to.
 struct Draft {
   DefinedPart part;
-  std::optional<BoundKernel> bound;
+  std::optional<BoundKernel> bound;  // nothing: the part stays as it is
   std::vector<double> weights;
   PartSettings settings;
 };
 
-Draft draft(const Common& common, PartDefinition d) {
-  const auto& [m, v, shared, magnitudes, single, profile, table] = common;
-  PartSettings settings(shared);
-  settings.tolerance = std::max(shared.tolerance, magnitudes.rounding(d));
-  settings.at_rounding = settings.tolerance > shared.tolerance;
-  PartContext context{m,       d,      magnitudes.weights(d),    std::nullopt, settings,
-                      profile, single, magnitudes.of_unknowns(d)};
-  if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d, table);
-  const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
-  const Backend& backend = v.backend ? *v.backend : pivoting_backend();
-  std::unique_ptr<Part> part = make_newton_part(context, backend);
-  std::optional<BoundKernel> bound;
-  if (!v.backend && context.kernels) bound = std::move(context.kernels->front());
-  std::vector<double> weights = std::move(context.weights);
-  return {{.definition = std::move(d),
-           .solver = std::move(part),
-           .as_named = as_named,
-           .tolerance = settings.tolerance},
-          std::move(bound),
-          std::move(weights),
-          settings};
+/// Returns the settings of a part: its share of the tolerance, or what rounding leaves.
+PartSettings settings_of(const Common& common, const PartDefinition& part) {
+  PartSettings settings(common.settings);
+  settings.tolerance = std::max(common.settings.tolerance, common.magnitudes.rounding(part));
+  settings.at_rounding = settings.tolerance > common.settings.tolerance;
+  return settings;
+}
+
+/// Makes a part solved by Newton's method; generated eliminations fall back to it.
+Draft make_newton(const Common& common, PartDefinition d) {
+  const Variant& v = common.v;
+  PartContext context{.model = common.m,
+                      .definition = d,
+                      .weights = common.magnitudes.weights(d),
+                      .kernels = std::nullopt,
+                      .settings = settings_of(common, d),
+                      .profile = common.profile,
+                      .single = common.single,
+                      .magnitudes = common.magnitudes.of_unknowns(d)};
+  if (v.evaluation == Evaluation::symbolic)
+    context.kernels = bind_kernels(common.m, d, common.table);
+  std::unique_ptr<Part> solver =
+      make_newton_part(context, v.backend ? *v.backend : pivoting_backend());
+  Draft draft{.part = {.definition = std::move(d),
+                       .solver = std::move(solver),
+                       .as_named = v.evaluation == Evaluation::automatic || context.kernels,
+                       .tolerance = context.settings.tolerance},
+              .bound = std::nullopt,
+              .weights = std::move(context.weights),
+              .settings = context.settings};
+  if (!v.backend && context.kernels) draft.bound = std::move(context.kernels->front());
+  return draft;
 }
 
 void make_inlined(Draft& d) {
@@ -89,7 +100,7 @@ void make_explicit(const Common& common, Draft& d) {
 std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefinition> definitions) {
   std::vector<Draft> drafts;
   drafts.reserve(definitions.size());
-  for (PartDefinition& d : definitions) drafts.push_back(draft(common, std::move(d)));
+  for (PartDefinition& d : definitions) drafts.push_back(make_newton(common, std::move(d)));
   for (Draft& d : drafts)
     if (d.bound) make_inlined(d);
   for (Draft& d : drafts)

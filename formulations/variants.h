@@ -22,6 +22,8 @@ class KernelTable;
 /// algebra that solves the linear systems.
 struct Variant {
   std::string id;  ///< <partition>_<equations>_<algebra>
+
+  // What the id says, for the rest of the library.
   Partition partition;
   Evaluation evaluation;
   const Backend* backend;       ///< null: the elimination is generated (inlined, explicit)

@@ -32,7 +32,8 @@ struct Backend {
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
   bool allocates = false;  ///< takes memory from the heap in every factorisation
   bool has_btf = false;    ///< offers Settings::btf
-  /// Generated eliminations fall back to it: dense, with pivots, without heap. One has it.
+  /// True for the one backend that generated eliminations fall back to: dense, with pivoting,
+  /// without heap memory.
   bool is_fallback = false;
   std::string_view slow_reason{};         ///< see slow_reason(); empty: it is not slow …
   std::string_view slow_blocks_reason{};  ///< … in any partition, or in blocks

@@ -32,8 +32,9 @@ class LinearSolver {
   /// Returns whether factor() may reuse the pivot order of an earlier call.
   virtual bool reuses_pivots() const { return false; }
 
-  /// Returns by how much a pivot has shrunk, at most, since the order was chosen; rounding grows as
-  /// much. Infinity where normal equations square the condition number.
+  /// Returns the largest factor by which a pivot has shrunk since the order was chosen. Rounding
+  /// errors grow by the same factor. Returns infinity where normal equations square the condition
+  /// number.
   virtual double pivot_shrinkage() const { return 1; }
 
   /// Makes the next factor() choose its pivots anew.

@@ -6,7 +6,7 @@
 
 namespace desmo {
 
-/// Consecutive indices: what is done to all is done without looking any up.
+/// Consecutive indices: a loop over a range looks no index up.
 struct IndexRange {
   int first, end;
 };

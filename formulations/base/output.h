@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// A request: what a run is to deliver.
+/// A request: the results that a run is to deliver.
 struct Request {
   Level level = Level::acceleration;  ///< highest level
   /// Coordinates to deliver, each once; empty means all. All others are unspecified.
@@ -22,7 +22,7 @@ struct OutputView {
   double *q = nullptr, *qd = nullptr, *qdd = nullptr;
 };
 
-/// Says whether a run goes on.
+/// The answer of an observer: whether the run goes on.
 enum class Flow { go_on, stop };
 
 struct Instant;

@@ -52,14 +52,15 @@ class Part {
  public:
   virtual ~Part() = default;
 
-  /// Solves position, velocity and acceleration of the part's unknowns, up to `level`. Overwrites
-  /// these in `state`; on failure they are unspecified. Of its unknowns it reads in state.q what
-  /// inputs() names, as predicted or last. last: positions as in state.q, of the instant before or
-  /// of an estimate, from which a part starts that has to start anew.
+  /// Solves position, velocity and acceleration of the part's unknowns, up to `level`.
+  /// - state: its unknowns are overwritten; on failure they are unspecified. On entry state.q has
+  ///   those unknowns that inputs() names, predicted or as at the instant before.
+  /// - last: positions of the instant before, or of an estimate, laid out like state.q. A part that
+  ///   finds no solution from the prediction starts anew from these.
   virtual PartResult solve(State& state, std::span<const double> last, Level level) = 0;
 
-  /// Returns what solve() reads. equations: all unknowns, as predicted, and what the equations read
-  /// of others.
+  /// Returns the coordinates that solve() reads. equations: those of Newton's method, that is, all
+  /// unknowns of the part, predicted, and all other coordinates in its equations.
   virtual PartInputs inputs(PartInputs equations) const { return equations; }
 
   /// Returns the part as one that keeps what it finds; null: it leaves all in the state.
@@ -76,8 +77,8 @@ class Part {
   /// generated code, had gone bad, and pivots were chosen anew.
   virtual long refactorisations() const { return 0; }
 
-  /// Returns whether its rates may come from an order of pivots that was chosen at another
-  /// position, or from normal equations.
+  /// Returns whether rates may come from an order of pivots that was chosen at another position, or
+  /// from normal equations.
   virtual bool reuses_pivots() const { return false; }
 
   /// Voids what earlier steps left behind: the next solve() starts from an estimate.

@@ -5,8 +5,8 @@
 
 namespace desmo {
 
-/// Parts of one formulation that follow each other, of which many are solved in one call as long as
-/// each finds its solution at once.
+/// A chain of parts that follow each other in a formulation. One call solves many of them, as long
+/// as each finds its solution at once.
 class PartChain {
  public:
   struct Result {
@@ -20,7 +20,8 @@ class PartChain {
   virtual int size() const = 0;
   /// Solves members from `first` on, each as its own solve() would.
   virtual Result solve(State& state, int first, Level level) = 0;
-  /// Voids what members keep from earlier steps; each of them is told, too.
+  /// Voids what the chain keeps for its members from earlier steps. Part::forget() is called for
+  /// each member as well.
   virtual void forget() = 0;
 };
 

@@ -12,7 +12,7 @@ struct MotionRow;    // prediction/motions_ahead.h
 struct OutputView;   // base/output.h
 struct StepHistory;  // prediction/guess.h
 
-/// Places where the results of the parts go in a run.
+/// The places where the parts put their results in a run.
 struct PartOutputs {
   /// For each position in the state, whether it is read there by other parts, by the prediction, or
   /// by an observer that lends no memory.
@@ -32,10 +32,11 @@ class ResidentPart {
 
   /// Fixes, before a run, where results go. Until then all are written to the state.
   virtual void bind(const PartOutputs& outputs) = 0;
-  /// Begins a step. history: of the instants solved, the last of which the part keeps; where it is
-  /// unknown, as after a failure, solve() starts from the positions in the state, which are then
-  /// complete, and leaves all of them there. row: begins with PartInputs::drivers at the instant to
-  /// come.
+  /// Begins a step.
+  /// - history: of the instants solved; the part keeps the last one. Where that is unknown, as
+  ///   after a failure, the positions in the state are complete: solve() starts from these, and
+  ///   leaves all results there.
+  /// - row: begins with PartInputs::drivers at the instant to come
   virtual void begin_step(const StepHistory& history, const MotionRow& row) = 0;
   /// Writes the instant solved last to an output, up to `level`, as bound.
   virtual void deliver(const OutputView& output, Level level) const = 0;

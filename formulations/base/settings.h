@@ -44,9 +44,9 @@ inline constexpr int max_threads = 64;
 /// Settings of an analysis, as in Settings{.guess = Guess::hermite5, .lanes = 4}. The defaults are
 /// the paper's. Not every formulation offers every combination (see unsupported_reason()).
 struct Settings {
-  /// Limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude, such as the
-  /// mechanism's size for a difference of points: a relative error of position to first order,
-  /// whatever the units are.
+  /// Limit of ‖Φ‖₂ of the whole model. Each equation is divided by its natural magnitude, such as
+  /// the mechanism's size for a difference of points. To first order ‖Φ‖₂ is then a relative error
+  /// of position, whatever the units.
   double tolerance = default_tolerance;
   int max_iterations = 25;  ///< limit of Newton–Raphson iterations in a step
   Guess guess = Guess::previous;

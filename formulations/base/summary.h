@@ -17,7 +17,7 @@ enum class Status {
 ///
 ///   const Summary summary = formulation->step(0.01);
 ///   if (!summary.ok()) std::puts(describe(summary, model).c_str());
-struct Summary {
+struct [[nodiscard]] Summary {
   Status status = Status::solved;
   long instants = 0;    ///< number of instants solved or interpolated
   long iterations = 0;  ///< Newton iterations of the slowest part, summed over instants

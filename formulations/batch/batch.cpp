@@ -56,13 +56,32 @@ Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
     : subsystems_(subsystems), lanes_(static_cast<std::size_t>(kernels.front()->lanes)) {
   const Members first = members_of(subsystems.front());
   const std::vector<int> of_first = places_of(first);
-  const auto subsystem_in = [&](std::size_t lane) -> Subsystem& {
-    return subsystems[lane < subsystems.size() ? lane : 0];
-  };
   for (std::size_t l = 0; l < lanes_; ++l)
     places_.push_back(places_in(members_of(subsystem_in(l)), first, of_first).value());
 
-  std::set<int> read, unknowns, unwrapped;  // before any part has written them; written
+  std::set<int> unknowns, unwrapped;
+  const std::set<int> read = add_parts(kernels, first, of_first, unknowns, unwrapped);
+  std::vector<int> starts = gather(read, unknowns, kinds);
+  unknowns_.assign(unknowns.begin(), unknowns.end());
+  std::ranges::set_union(unknowns_, driven_, std::back_inserter(own_));
+  std::erase_if(starts, [&](int n) { return unwrapped.contains(n); });
+  state_ = BatchState(of_first.size(), lanes_, guess, starts, {unwrapped.begin(), unwrapped.end()});
+  residuals2_.resize(parts_.size() * max_lanes);
+  bind({std::vector<bool>(kinds.size(), true), {}, Level::acceleration});
+}
+
+/// Returns the subsystem in a lane. The first fills lanes that are left.
+Subsystem& Batch::subsystem_in(std::size_t lane) const {
+  return subsystems_[lane < subsystems_.size() ? lane : 0];
+}
+
+/// Makes the parts of the batch. Returns the numbers that they read before any of them has written
+/// these; adds those that they solve, and angles that they unwrap.
+std::set<int> Batch::add_parts(const SubsystemKernels& kernels,
+                               std::span<const ExplicitPart* const> first,
+                               std::span<const int> of_first, std::set<int>& unknowns,
+                               std::set<int>& unwrapped) {
+  std::set<int> read;
   for (std::size_t j = 0; j < kernels.size(); ++j) {
     std::vector<ExplicitPart*> members;
     for (std::size_t l = 0; l < lanes_; ++l) members.push_back(subsystem_in(l)[j].get());
@@ -72,8 +91,15 @@ Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
       if (!unknowns.contains(in[i])) read.insert(in[i]);
     for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
     for (const int i : first[j]->kernel().angles) unwrapped.insert(in[i]);
-    stages_.emplace_back(*kernels[j], std::move(members), std::move(in));
+    parts_.emplace_back(*kernels[j], std::move(members), std::move(in));
   }
+  return read;
+}
+
+/// Prepares what a step gathers from the state, by the origin of each number that is read. Returns
+/// the unknowns from whose predictions a step starts.
+std::vector<int> Batch::gather(const std::set<int>& read, const std::set<int>& unknowns,
+                               const std::vector<StateKind>& kinds) {
   std::vector<int> once, moving, starts;
   for (const int n : read) {
     const auto all_are = [&](StateKind kind) {
@@ -90,12 +116,7 @@ Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
   moving_ = Gather(moving, places_);
   undriven_ = Gather(driven_, places_);
   starts_ = Gather(starts, places_);
-  unknowns_.assign(unknowns.begin(), unknowns.end());
-  std::ranges::set_union(unknowns_, driven_, std::back_inserter(own_));
-  std::erase_if(starts, [&](int n) { return unwrapped.contains(n); });
-  state_ = BatchState(of_first.size(), lanes_, guess, starts, {unwrapped.begin(), unwrapped.end()});
-  residuals2_.resize(stages_.size() * max_lanes);
-  bind({std::vector<bool>(kinds.size(), true), {}, Level::acceleration});
+  return starts;
 }
 
 std::vector<int> Batch::drivers() const {
@@ -148,16 +169,16 @@ const Batch::Step& Batch::solve(const State& s) {
     moving_.gather<3>({s.q.data(), s.qd.data(), s.qdd.data()},
                       {state_.now().q.data(), state_.now().qd.data(), state_.now().qdd.data()});
   if (!predicted_) starts_.gather<1>({s.q.data()}, {state_.now().q.data()});
-  double* of_stage = residuals2_.data();
-  for (const KernelBatch& stage : stages_) {
-    const LaneResult r = stage.solve(state_.now(), of_stage);
-    of_stage += max_lanes;
+  double* of_part = residuals2_.data();
+  for (const KernelBatch& part : parts_) {
+    const LaneResult r = part.solve(state_.now(), of_part);
+    of_part += max_lanes;
     // What is refused goes on without meaning, and never converges.
     if (step_.accepted == all()) step_.iterations = std::max(step_.iterations, r.iterations);
     step_.accepted &= r.accepted;
   }
   std::array<double, max_lanes> sums{};
-  for (const double* r = residuals2_.data(); r != of_stage; r += max_lanes)
+  for (const double* r = residuals2_.data(); r != of_part; r += max_lanes)
     for (int l = 0; l < max_lanes; ++l) sums[l] += r[l];
   step_.residual2 = sums;
   kept_ = true;
@@ -171,8 +192,8 @@ void Batch::take(const State& s) {
     for_numbers(own_, l, [&](std::size_t in_lane, int place) {
       copy_number(s, place, state_.now(), in_lane);
     });
-  std::ranges::for_each(stages_, &KernelBatch::take_branches);
-  assembled_ = std::ranges::all_of(stages_, &KernelBatch::assembled);
+  std::ranges::for_each(parts_, &KernelBatch::take_branches);
+  assembled_ = std::ranges::all_of(parts_, &KernelBatch::assembled);
   kept_ = true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace desmo {
 
 /// The parts of a subsystem of a mechanism (an axle), in the order of solution.
 using Subsystem = std::vector<std::unique_ptr<ExplicitPart>>;
-/// The kernels of the types of these parts, all for as many lanes.
+/// The kernels of a subsystem's parts, in their order, all for the same number of lanes.
 using SubsystemKernels = std::vector<const LaneKernel*>;
 
 /// The origin of a number in the state: it never moves, a driver gives it, a part finds it.
@@ -55,26 +56,32 @@ class Batch {
   bool predicted() const { return predicted_; }
   void forget() { assembled_ = kept_ = predicted_ = is_driven_ = false; }
 
-  /// Solves positions, velocities and accelerations of all subsystems, where the kernels may go on;
-  /// otherwise none is accepted. Positions and rates that are not accepted are unspecified.
+  /// Solves positions, velocities and accelerations of all subsystems. Accepts none where a part
+  /// has no branch yet (see assembled_). Results that are not accepted are unspecified.
   const Step& solve(const State& state);
-  /// Takes from the state what the subsystems have found by themselves.
+  /// Copies from the state the solutions of subsystems that were solved alone.
   void take(const State& state);
 
   void deliver(const OutputView& output, Level level) const;
 
-  /// Writes what is observed in the state, as far as `level`; without prediction all positions.
+  /// Writes the observed numbers to the state, up to `level`; without a prediction all positions.
   void write_observed(State& state, Level level) const;
-  /// Writes all of one subsystem.
+  /// Writes the solution of one subsystem to the state: its unknowns and drivers.
   void store(std::size_t subsystem, State& state) const { store(own_, subsystem, state); }
-  /// Writes its drivers, which it reads in the state when it is solved alone.
+  /// Writes the drivers of one subsystem, which it reads in the state when it is solved alone.
   void store_drivers(std::size_t subsystem, State& state) const {
     store(driven_, subsystem, state);
   }
-  /// Writes its positions of the instant before.
+  /// Writes the positions that a subsystem had at the instant before.
   void restore(std::size_t subsystem, std::span<double> q) const;
 
  private:
+  Subsystem& subsystem_in(std::size_t lane) const;
+  std::set<int> add_parts(const SubsystemKernels& kernels,
+                          std::span<const ExplicitPart* const> first, std::span<const int> of_first,
+                          std::set<int>& unknowns, std::set<int>& unwrapped);
+  std::vector<int> gather(const std::set<int>& read, const std::set<int>& unknowns,
+                          const std::vector<StateKind>& kinds);
   Scatter targets(std::span<const int> numbers, std::span<int> places) const;
   template <std::size_t lanes>
   void write_drivers(MotionRow row);
@@ -84,7 +91,7 @@ class Batch {
   void for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& visit) const;
 
   std::span<Subsystem> subsystems_;
-  std::vector<KernelBatch> stages_;
+  std::vector<KernelBatch> parts_;
   std::size_t lanes_;
   LanePlaces places_;  // in the state, of all that a subsystem reads and writes: local inputs
   std::vector<int> unknowns_, driven_;  // local inputs, ascending
@@ -94,7 +101,7 @@ class Batch {
   Gather starts_;                       // unknowns and drivers from which a step starts
   Scatter observed_, delivered_;
   BatchState state_;
-  LaneValues residuals2_;  // of each stage, for the most lanes
+  LaneValues residuals2_;  // of each part, for the most lanes
   Step step_;
   bool assembled_ = false;  // every part has found a position since forget()
   bool kept_ = false, predicted_ = false, is_driven_ = false;

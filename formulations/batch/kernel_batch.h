@@ -19,9 +19,9 @@ namespace desmo {
 /// A batch of parts of one type, one in each lane, bound to a kernel for as many lanes.
 class KernelBatch {
  public:
-  /// lanes: as many as the kernel's, bound to the explicit kernel of its type; a part may stand in
-  /// several. They outlive the batch. in: where each local input stands in the arrays that solve()
-  /// is given.
+  /// - lanes: the part in each lane of the kernel, all of the kernel's type; a part may stand in
+  ///   several lanes; they outlive the batch
+  /// - in: the position of each local input in the arrays that solve() is given
   KernelBatch(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes, std::vector<int> in);
   KernelBatch(KernelBatch&&) = default;  // what the binding points to comes along
 
@@ -31,7 +31,7 @@ class KernelBatch {
     return kernel_.solve(state.q.data(), state.qd.data(), state.qdd.data(), binding_, residual2);
   }
 
-  /// Takes over the branches that the parts have now; angles lose their anchors.
+  /// Copies the branches on which the parts are now. Anchors of angles become void.
   void take_branches();
 
   bool assembled() const;

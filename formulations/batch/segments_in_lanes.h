@@ -13,7 +13,8 @@
 
 namespace desmo {
 
-/// Instants of a segment that is worth entering: of a shorter one it costs more than lanes gain.
+/// Length of the shortest segment worth entering, in instants. In a shorter one, lanes gain less
+/// than entering costs.
 inline constexpr int min_segment = 16;
 
 /// Solves as many equal segments of a motion as there are lanes, one in each lane of a batch of the

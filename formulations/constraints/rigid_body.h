@@ -171,8 +171,8 @@ struct Combination : LinearKind<D> {
   }
 };
 
-/// A point or a vector p of a planar body by a direction d of that body, two equations. J is the
-/// quarter turn counter-clockwise, J (x, y) = (−y, x); c = {c₁, c₂}.
+/// Definition of a point or vector p of a planar body by a direction d of the body, two equations.
+/// J is the quarter turn counter-clockwise, J (x, y) = (−y, x); c = {c₁, c₂}.
 ///   Point:      p − a − c₁ d − c₂ J d = 0
 ///   not Point:  p − c₁ d − c₂ J d = 0
 /// Operands p, then the origin a (of a point), then d: a vector x; or, with Line, the points a

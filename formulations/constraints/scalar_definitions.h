@@ -156,8 +156,9 @@ struct PlanarBearingFrom : vec::AngleOperands<between> {
   }
 };
 
-/// Returns the kind of one equation that replaces a kind, with the same operands and the first of
-/// its constants, where other equations imply the rest. void: there is none.
+/// Returns the kind that replaces another where other equations imply all but one of its equations.
+/// The replacing kind has one equation, the same operands and the first of the constants. void:
+/// there is no such kind.
 void scalar_definition(...);
 template <int D>
 Reach<D> scalar_definition(Along<D>);

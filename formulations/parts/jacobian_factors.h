@@ -34,9 +34,12 @@ class JacobianFactors {
  public:
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-  /// equations: of the part; they outlive this. weights: 1/magnitude of each equation, referenced
-  /// for the lifetime of this object. magnitudes: of the unknowns; empty: all are 1. tolerance: on
-  /// ‖Φ‖. solver: of the equations' pattern.
+  /// - equations: of the part; outlive this object
+  /// - weights: 1/magnitude of each equation; copied
+  /// - rounded_weights: the same as Real; outlive this object
+  /// - magnitudes: of the unknowns; empty: all are 1; copied
+  /// - tolerance: on ‖Φ‖
+  /// - solver: of the equations' pattern
   JacobianFactors(const Equations<Real>& equations, std::span<const double> weights,
                   const Vector& rounded_weights, std::span<const double> magnitudes,
                   JacobianUpdate update, double tolerance,

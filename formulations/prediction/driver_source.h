@@ -15,13 +15,13 @@ namespace desmo {
 /// [s] to the state.
 void write_drivers(const Model& model, double t, State& state);
 
-/// The drivers of a model: z, ż and z̈ at one time after the other, all in one row, and from there
-/// written to the state. Their source is the motions of the model, known in advance, or values that
-/// are handed in for one step.
+/// A source of the driver values z, ż and z̈ of a model, at one time after the other. It puts them
+/// in one row, and writes them from there to the state. It samples the motions of the model, known
+/// in advance, or takes values that are handed in for one step.
 class DriverSource {
  public:
-  /// in_row: driven coordinates whose readers take them from the row; they stand there first, in
-  /// this order, as often as they are named. The model outlives the source.
+  /// in_row: driven coordinates that some parts read in the row. The row begins with these, in this
+  /// order, as often as they are named. The model outlives the source.
   explicit DriverSource(const Model& model, std::span<const int> in_row = {});
 
   /// Announces the grid whose times follow, in order from the first. Other times are possible,

@@ -22,7 +22,7 @@ std::vector<std::string_view> guess_names();
 /// times.
 inline constexpr double max_step_growth = 4;
 
-/// The two instants before the one sought: what a predictor knows of them.
+/// What a predictor knows of the two instants before the one sought.
 struct StepHistory {
   double h;                             ///< from the last instant to the one sought, s
   double h_before;                      ///< from the one before it to the last, s
@@ -36,17 +36,17 @@ struct StepHistory {
   }
 };
 
-/// The best guess that two instants allow, up to the one wanted: previous, linear, quadratic,
-/// hermite3, hermite5, in this order. Two instants too close together compared with the step count
-/// as one: what they say of it is mostly the rounding of their difference.
+/// Returns the best guess that the history allows, in the order previous, linear, quadratic,
+/// hermite3, hermite5, and at most the one wanted. Two instants much closer together than the step
+/// is long count as one: their difference is mostly rounding.
 Guess best_guess(Guess wanted, const StepHistory& history);
 
-/// A guess as weights of what is known, worked out once a step and then a few operations for each
-/// coordinate: with the last instant as 1 and the one before as 0,
+/// A guess as a weighted sum. The weights are computed once a step; each coordinate then takes a
+/// few operations. With the last instant as number 1 and the one before it as number 0:
 ///   q = q₁ + w_q (q₀ − q₁) + w_v1 q̇₁ + w_a1 q̈₁ + w_v0 q̇₀ + w_a0 q̈₀.
 class Extrapolation {
  public:
-  /// guess: one that the past allows.
+  /// guess: one that the history allows (best_guess).
   Extrapolation(Guess guess, const StepHistory& history);
 
   /// Writes where the guess expects the coordinates of some ranges into q, which may be that of

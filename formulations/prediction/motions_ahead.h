@@ -21,9 +21,9 @@ struct MotionRow {
 /// Returns the length of a row of so many numbers: whole cache lines.
 int whole_lines(std::size_t numbers);
 
-/// Several motions at one time after the other. Where these times are known, as those of a grid
-/// are, a few instants are sampled at once, before the first of them: sines cost hardly more of
-/// eight times than of one, and a step need not wait for them.
+/// Sampler of several motions, at one time after the other. Where the times are known in advance,
+/// as those of a grid, it samples eight instants at once: eight sines cost hardly more than one,
+/// and a step need not wait for them.
 class MotionsAhead {
  public:
   /// motions: each as often as it is wanted; unchanged, they outlive this.
@@ -33,7 +33,7 @@ class MotionsAhead {
   /// sampled singly. If an instant is skipped, so are all later ones.
   void expect(const TimeGrid& grid);
 
-  /// At time t (s), until the next call.
+  /// Returns the row at time t [s], valid until the next call.
   MotionRow operator()(double t);
 
  private:

@@ -8,12 +8,12 @@
 
 namespace desmo {
 
-/// The rates of some coordinates at the last instants, and where they lead: the polynomial through
-/// q̇ and q̈ of all of them, integrated from the last position on, as Adams and Bashforth do with
-/// first derivatives. With the last instant as 0 and the step sought h long,
+/// The rates of some coordinates at the last four instants, and a prediction from them. It
+/// integrates the polynomial through their q̇ and q̈ from the last position on, as Adams and
+/// Bashforth do with first derivatives. For a step of h from the last instant, number 0:
 ///   q = q₀ + Σ_j (h β_j q̇_j + h² γ_j q̈_j).
-/// Only the last position counts: the error left in an instant is not magnified, as it is where
-/// several positions are extrapolated.
+/// Only the last position enters, so errors of positions are not magnified. Extrapolation from
+/// several positions magnifies them.
 class RateHistory {
  public:
   static constexpr int instants = 4;
@@ -32,10 +32,10 @@ class RateHistory {
                double* q);
 
  private:
-  /// Before the last instant, the one before it, and so on.
+  /// Intervals [s] before the last instant, before the one before it, and so on.
   using Intervals = std::array<double, instants - 1>;
-  /// Weights by age: of the last instant at instants − 1, of the one before it a place before, and
-  /// so on around, so that those of all instants stand from any place on.
+  /// Weights of the instants, by place in `rates_`. Rates stand there in a ring, so the weights are
+  /// laid out twice around: those of all instants follow each other from any place on.
   using Weights = std::array<double, 2 * instants - 1>;
   bool weigh(double h);
   struct Change;

@@ -28,14 +28,21 @@ DenseOutput::DenseOutput(const TimeGrid& grid, int stride, const Request& reques
 }
 
 Flow DenseOutput::observe(const Instant& solved) noexcept {
-  const int index = std::min(solved.index * stride_, grid_.instants - 1);
-  if (solved.index > 0 && interpolate_to(solved, index) == Flow::stop) return Flow::stop;
   Instant in_grid = solved;
-  in_grid.index = index;
-  const Flow flow = hand_on(in_grid);
+  in_grid.index = std::min(solved.index * stride_, grid_.instants - 1);
+  return solved.index == 0 ? start_at(in_grid) : go_to(in_grid);
+}
+
+Flow DenseOutput::start_at(const Instant& solved) noexcept {
+  const Flow flow = hand_on(solved);
   keep(solved);
-  last_index_ = index;
+  last_index_ = solved.index;
   return flow;
+}
+
+Flow DenseOutput::go_to(const Instant& solved) noexcept {
+  if (interpolate_to(solved, solved.index) == Flow::stop) return Flow::stop;
+  return start_at(solved);
 }
 
 // Hermite's basis on [0, 1] at s, factored about its zeros at both ends so that nothing cancels

@@ -12,13 +12,13 @@
 
 namespace desmo {
 
-/// Hands every instant of a grid to an observer, given every stride-th and the last of them, solved
-/// at every level and in order of time. Solved ones are handed on as they are; those between are on
-/// the quintic through q, q̇ and q̈ of the two solved about them (Hermite interpolation; as dense
-/// output: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.6). Where the
-/// motion is smooth its errors are O(h⁶) in position, O(h⁵) in velocity, O(h⁴) in acceleration,
-/// h being the time from one solved instant to the next. Errors of the solved positions go into
-/// velocities divided by h and into accelerations divided by h².
+/// Observer that takes every stride-th instant of a grid and the last one, and hands every instant
+/// to another observer. It takes instants in order of time, solved at every level, and hands these
+/// on as they are. Instants between two solved ones lie on the quintic through q, q̇ and q̈ of both
+/// (Hermite interpolation; as dense output: Hairer, Nørsett & Wanner, Solving Ordinary Differential
+/// Equations I, II.6). With h the time between two solved instants, errors of a smooth motion are
+/// O(h⁶) in position, O(h⁵) in velocity and O(h⁴) in acceleration. Errors of the solved positions
+/// enter velocities divided by h, and accelerations divided by h².
 class DenseOutput final : public Observer {
  public:
   /// grid: of all instants. coordinates: their number in an instant; those that the request names
@@ -28,6 +28,12 @@ class DenseOutput final : public Observer {
 
   /// The index counts solved instants. Allocates nothing.
   Flow observe(const Instant& solved) noexcept override;
+
+  /// Hand on instants whose index is that in the grid: a solved one from which to interpolate, and
+  /// those up to the next solved one. They may be any number of steps apart. Where an interpolated
+  /// instant stops the run, the solved ones are as they were.
+  Flow start_at(const Instant& solved) noexcept;
+  Flow go_to(const Instant& solved) noexcept;
 
   /// Returns how many instants the observer was given.
   int delivered() const { return delivered_; }

@@ -33,7 +33,7 @@ class DenseGroup {
   Eigen::VectorXd weights_;
 };
 
-/// The row of the largest component, or of the first that is not a number.
+/// Returns the row of the largest component, or of the first one that is not a number.
 int worst_row(const Eigen::VectorXd& v);
 
 /// Group and constraint at which a step failed; -1: unknown.
@@ -42,11 +42,12 @@ struct Culprit {
   int constraint = -1;  ///< position in Model::constraints
 };
 
-/// Finds the group that stopped a part, whatever solved it: the groups are solved again one after
-/// the other, from the positions at which the step began, and the first that does not converge,
-/// or is singular, is the culprit. Its constraint is the one worst satisfied where it stopped or,
-/// if singular, the one most involved in the dependence. Not for timed code: it allocates.
-/// state: Model::state_size() values, drivers and earlier parts as of the failed instant.
+/// Finds the group that stopped a part, whatever solved the part. Solves the groups again, one
+/// after the other, from the positions at which the step began. The first group that does not
+/// converge or is singular is the culprit. Its constraint is the one violated most where the group
+/// stopped or, where it is singular, the one most involved in the dependence. Allocates: not for
+/// timed code. state: (Model::state_size()), with drivers and earlier parts as at the failed
+/// instant.
 Culprit find_culprit(const Model& model, std::span<const GroupId> groups, std::vector<double> state,
                      const Settings& settings);
 

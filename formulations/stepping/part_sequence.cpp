@@ -11,7 +11,7 @@ PartSequence::PartSequence(const Model& model, std::vector<DefinedPart> parts)
     : parts_(std::move(parts)) {
   for (const DefinedPart& part : parts_)
     inputs_.push_back(part.solver->inputs(equation_inputs(model, part.definition)));
-  make_stages();
+  order_parts();
 }
 
 void PartSequence::solve_only(std::span<const Level> needed) {
@@ -19,10 +19,10 @@ void PartSequence::solve_only(std::span<const Level> needed) {
     part.level = Level::position;
     for (const int i : part.definition.unknowns) part.level = std::max(part.level, needed[i]);
   }
-  make_stages();
+  order_parts();
 }
 
-void PartSequence::make_stages() {
+void PartSequence::order_parts() {
   constant_.clear();
   moving_.clear();
   residents_.clear();
@@ -44,7 +44,7 @@ void PartSequence::make_stages() {
 void PartSequence::make_chains() {
   chains_.clear();
   std::vector<Part*> solvers;
-  for (const Stage& stage : moving_) solvers.push_back(stage.solver);
+  for (const PartInStep& part : moving_) solvers.push_back(part.solver);
   std::size_t same_level = 0;  // the end of the parts that are solved to one level
   for (std::size_t first = 0; first < moving_.size();) {
     while (same_level < moving_.size() &&
@@ -65,41 +65,41 @@ void PartSequence::make_chains() {
 // ---- The loop over structural groups of the paper's Fig. 2a ----
 
 /// Solves one part after the other; Fig. 2b is what a part does (NewtonSolver).
-PartSequence::Result PartSequence::solve_in_order(std::span<const Stage> stages, State& state,
+PartSequence::Result PartSequence::solve_in_order(std::span<const PartInStep> parts, State& state,
                                                   std::span<const double> last, Level level) {
   Result result;
-  while (!(stages = solve_chains(stages, state, level, result)).empty()) {
-    const Stage& stage = stages.front();
-    const PartResult r = stage.solver->solve(state, last, std::min(level, stage.level));
-    result.add(r.residual2, r.iterations, static_cast<long>(r.iterations) * stage.unknowns);
+  while (!(parts = solve_chains(parts, state, level, result)).empty()) {
+    const PartInStep& part = parts.front();
+    const PartResult r = part.solver->solve(state, last, std::min(level, part.level));
+    result.add(r.residual2, r.iterations, static_cast<long>(r.iterations) * part.unknowns);
     if (r.status != Status::solved) {
       result.status = r.status;
-      result.failed = stage.part;
+      result.failed = part.position;
       break;
     }
-    stages = stages.subspan(1);
+    parts = parts.subspan(1);
   }
   return result;
 }
 
-/// Solves the chains with which the stages begin, each in one call. Returns the stages from the
-/// first that has to be solved by itself.
-[[gnu::always_inline]] inline std::span<const PartSequence::Stage> PartSequence::solve_chains(
-    std::span<const Stage> stages, State& state, Level level, Result& result) {
-  while (!stages.empty() && stages.front().chain) {
-    const Stage& first = stages.front();
+/// Solves the chains with which `parts` begins, each in one call. Returns what is left of `parts`:
+/// it begins with one that has to be solved by itself, or is empty.
+[[gnu::always_inline]] inline std::span<const PartSequence::PartInStep> PartSequence::solve_chains(
+    std::span<const PartInStep> parts, State& state, Level level, Result& result) {
+  while (!parts.empty() && parts.front().chain) {
+    const PartInStep& first = parts.front();
     const PartChain::Result r =
         first.chain->solve(state, first.member, std::min(level, first.level));
     result.add(r.residual2, r.iterations, r.all * first.unknowns);
-    stages = stages.subspan(static_cast<std::size_t>(r.solved));
+    parts = parts.subspan(static_cast<std::size_t>(r.solved));
     if (first.member + r.solved < first.chain->size()) break;
   }
-  return stages;
+  return parts;
 }
 
 bool PartSequence::solve_positions(State& state, std::span<const double> last) const {
-  return std::ranges::all_of(moving_, [&](const Stage& stage) {
-    return stage.solver->solve(state, last, Level::position).status == Status::solved;
+  return std::ranges::all_of(moving_, [&](const PartInStep& part) {
+    return part.solver->solve(state, last, Level::position).status == Status::solved;
   });
 }
 

@@ -53,7 +53,7 @@ class PartSequence {
 
   const std::vector<DefinedPart>& parts() const { return parts_; }
 
-  /// Leaves out the levels of parts that nobody asks for (see Formulation::solve_only).
+  /// Leaves out levels that nobody asks for (see Formulation::solve_only).
   void solve_only(std::span<const Level> needed);
 
   /// Solves the constant parts, or the moving ones, one after the other up to `level`; see
@@ -70,8 +70,9 @@ class PartSequence {
   /// Returns the driven coordinates that parts take from the driver row, in its order.
   std::span<const int> drivers() const { return drivers_; }
 
-  /// Fixes where results go (see PartOutputs). observed: what others than parts read in the state;
-  /// what parts read there is added.
+  /// Fixes where results go (see PartOutputs).
+  /// - observed: on entry, whether each position in the state is read outside the parts; on return,
+  ///   whether anybody reads it
   void bind(std::vector<bool>& observed, std::span<int> places);
   /// Do as ResidentPart says, with every moving part that is resident.
   void begin_step(const StepHistory& history, const MotionRow& row);
@@ -79,17 +80,17 @@ class PartSequence {
   void store(State& state) const;
   void restore(std::span<double> q) const;
 
-  /// Voids what earlier steps left behind (see Part::forget).
+  /// Voids what earlier steps parts behind (see Part::forget).
   void forget();
   /// Tells that the assembly is over (see Part::end_assembly).
   void end_assembly();
 
  private:
   /// A part as a step uses it; the elements stand next to each other in memory.
-  struct Stage {
+  struct PartInStep {
     Part* solver;
-    Level level;  // the highest level at which anyone asks for its unknowns
-    int part, unknowns;
+    Level level;                 // the highest level at which anyone asks for its unknowns
+    int position, unknowns;      // position among all parts
     PartChain* chain = nullptr;  // the chain of which it is a member; null: none
     int member = 0;              // its position in the chain
   };
@@ -99,15 +100,15 @@ class PartSequence {
     std::size_t first_driver;  // in the row
   };
 
-  static Result solve_in_order(std::span<const Stage> stages, State& state,
+  static Result solve_in_order(std::span<const PartInStep> parts, State& state,
                                std::span<const double> last, Level level);
-  static std::span<const Stage> solve_chains(std::span<const Stage> stages, State& state,
-                                             Level level, Result& result);
-  void make_stages();
+  static std::span<const PartInStep> solve_chains(std::span<const PartInStep> parts, State& state,
+                                                  Level level, Result& result);
+  void order_parts();
   void make_chains();
 
   std::vector<DefinedPart> parts_;
-  std::vector<Stage> constant_, moving_;
+  std::vector<PartInStep> constant_, moving_;
   std::vector<std::unique_ptr<PartChain>> chains_;  // of moving parts
   std::vector<PartInputs> inputs_;                  // of each part
   std::vector<Resident> residents_;                 // moving ones

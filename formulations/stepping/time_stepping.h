@@ -12,7 +12,8 @@
 
 namespace desmo {
 
-/// The paper's Fig. 2a: instant after instant, drivers, prediction, and the parts in order.
+/// A formulation that steps through time, the paper's Fig. 2a: at each instant the drivers, a
+/// prediction, and the parts in order.
 class TimeStepping final : public SegmentSolver, private LiveSteps {
  public:
   /// settings: those that the parts were made with. The model outlives this.
@@ -29,7 +30,8 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }
 
-  /// Takes over an instant that was solved otherwise, up to `level`: steps go on from there.
+  /// Takes over an instant at time t [s] that something else solved, up to `level`. Steps go on
+  /// from there.
   void take(const State& solved, double t, Level level);
 
  private:
@@ -49,7 +51,7 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
     std::vector<double> q{};  // positions in the state from which it is solved again
   };
 
-  /// The coordinates of each instant that others than parts read.
+  /// The coordinates of each instant that are read outside the parts.
   struct ReadCoordinates {
     std::vector<int> coordinates;  // empty: all …
     bool lent;                     // … in memory that the observer lends, or in the state

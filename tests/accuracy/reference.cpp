@@ -97,7 +97,7 @@ TEST(Reference, KeepsWhatRoundingLeft) {
     largest = std::max(largest, std::abs(r.remainder.q[i]));
   }
   EXPECT_GT(largest, 1e-18);
-  EXPECT_TRUE(reference_solution(m, std::vector{0.0}, Precision::standard)[0].rest.q.empty());
+  EXPECT_TRUE(reference_solution(m, std::vector{0.0}, Precision::standard)[0].remainder.q.empty());
 }
 
 // ——— Closed forms, evaluated in quadruple precision ———

@@ -82,6 +82,17 @@ TEST_F(Cli, SaysOfAStrideWhatItSaysOfSteps) {
     EXPECT_TRUE(says(text)) << text << "\n" << err_;
 }
 
+TEST_F(Cli, SaysThatAStrideWasHalved) {
+  const std::string solve = "solve slider_crank -o out/motion.csv --formulation ";
+  ASSERT_EQ(desmo(solve + "block_symbolic_inlined/stride:16"), 0) << err_;
+  EXPECT_TRUE(
+      says("note: in places a stride of 16 is too long for the tolerance; it was halved, "
+           "down to 1\n"))
+      << err_;
+  ASSERT_EQ(desmo(solve + "block_symbolic_inlined"), 0) << err_;
+  EXPECT_FALSE(says("stride")) << err_;
+}
+
 TEST_F(Cli, BlamesRoundedDriversAtLateTimes) {
   write("late.json", R"({"format": "desmo-scene", "version": 1,
     "mechanism": {"library": "slider_crank"},

@@ -222,7 +222,7 @@ TEST(LiveOptions, ScaleTheBounds) {
   const Model m = four_bar_model(3);
   const auto bound = [&](const LiveOptions& options) {
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
-    f->assemble(0.1);
+    EXPECT_TRUE(f->assemble(0.1).ok());
     const Row row(*f);
     LiveRun run(*f, options);
     return run.step(row.at(0)).assessment.bound;
@@ -235,7 +235,7 @@ TEST(LiveOptions, ScaleTheBounds) {
   // Positions alone need no rates.
   const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
   LiveRun run(*f, {.level = Level::position});
-  f->assemble(0.1);
+  ASSERT_TRUE(f->assemble(0.1).ok());
   const Row row(*f);
   EXPECT_EQ(run.step({.time = 0, .z = row.z}).outcome(), Outcome::converged);
   EXPECT_TRUE(run.qd().empty());

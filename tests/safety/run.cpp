@@ -250,7 +250,6 @@ TEST(MonitoredRun, RepairsAnAngleThatJumpsByWholeTurns) {
 MonitoredSummary without(Monitor monitor, const Model& m, const TimeGrid& grid, Observer& observer,
                          const Settings& settings = {}, Level level = Level::acceleration) {
   MonitoredRunOptions options;
-  options.tolerance = settings.tolerance;
   options.without = static_cast<unsigned>(monitor);
   options.every = 100;
   const auto f = make_formulation(find_variant("group_symbolic_inlined"), m, settings);

@@ -1,14 +1,16 @@
-// Rows between those solved are judged like them.
+// Rows between those solved are judged like them, and a stride that is too long is halved.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "formulations/id.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/monitor/monitored_run.h"
+#include "formulations/verification/monitor/strided_steps.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
@@ -41,7 +43,7 @@ TEST(Strides, GiveRowsNearADeadPointThatAreRightToTheBoundsStated) {
     const MonitoredSummary s = run_with_stride(m, grid, id, measure);
     EXPECT_EQ(s.instants, grid.instants) << id;
     ASSERT_EQ(measure.error().instants, grid.instants) << id;
-    EXPECT_GT(s.corrected, 0) << id;
+    EXPECT_GT(s.shortest_stride, 0) << id;
     for (const Level level : levels) EXPECT_LE(measure.error()[level].max, s.bound[level]) << id;
     EXPECT_LE(measure.error().position.max, 1e-10) << id;
   }
@@ -68,6 +70,124 @@ TEST(Strides, KeepRowsThatAreGoodEnough) {
       run_with_stride(m, {0, 1e-3, 1001}, "group_symbolic_explicit/stride:2", observer);
   EXPECT_EQ(s.outcome(), Outcome::converged);
   EXPECT_EQ(s.corrected, 0);
+  EXPECT_EQ(s.shortest_stride, 0);
+}
+
+/// Crank of 1 about (0, 0), rod of 3, slider on y = 0.1, driven up to its dead point at x² = 16 −
+/// 0.1² but for `distance`, and back, once a second.
+Scene driven_slider(double distance) {
+  const double farthest = std::sqrt(16 - 0.01) - distance, x = (3 + farthest) / 2;
+  const double reach = std::hypot(x, 0.1), along = (1 - 9 + reach * reach) / (2 * reach),
+               beside = std::sqrt(1 - along * along);
+  Scene scene = parse_scene(R"({
+    "format": "desmo-scene", "version": 1,
+    "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "driven_slider", "dimension": 2,
+      "points": {"O": [0, 0], "A": [1, 0], "C": [4, 0.1], "P": [0, 0.1]}, "vectors": {"x": [1, 0]},
+      "ground": {"points": ["O", "P"], "vectors": ["x"]},
+      "bodies": {"crank": {"points": ["O", "A"], "length": 1},
+                 "rod": {"points": ["A", "C"], "length": 3},
+                 "slider": {"points": ["C"], "vectors": ["x"]}},
+      "joints": [
+        {"type": "revolute", "bodies": ["ground", "crank"], "points": ["O"]},
+        {"type": "revolute", "bodies": ["crank", "rod"], "points": ["A"]},
+        {"type": "revolute", "bodies": ["rod", "slider"], "points": ["C"]},
+        {"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"],
+         "points": ["P", "C"]}],
+      "coordinates": {"s": {"distance": ["P", "C"], "along": "x"}}, "drivers": ["s"]},
+    "motion": {"s": {"type": "polynomial", "coefficients": [4]}},
+    "time": {"end": 1, "step": 0.01}})",
+                            "driven_slider.scene.json", "");
+  scene.mechanism.points[1].position = {(along * x - beside * 0.1) / reach,
+                                        (along * 0.1 + beside * x) / reach, 0};
+  scene.mechanism.points[2].position = {x, 0.1, 0};
+  scene.motions[0] = HarmonicSum{x, {{(farthest - 3) / 2, 2 * std::numbers::pi, 0}}};
+  return scene;
+}
+
+struct Judged {
+  MonitoredSummary summary;
+  PerLevel<double> error;
+};
+
+/// Solves a motion and compares all of it with the reference.
+Judged judge(const Model& m, const TimeGrid& grid, const std::string& id) {
+  const Reference reference = make_reference(m, sampled(grid, grid.instants));
+  ErrorMeasure measure(m, reference.instants, reference.scales);
+  const MonitoredSummary s = run_with_stride(m, grid, id, measure);
+  const auto e = measure.error();
+  EXPECT_EQ(e.instants, grid.instants) << id;
+  return {s, {e.position.max, e.velocity.max, e.acceleration.max}};
+}
+
+TEST(Strides, AreHalvedNextToADeadPointOfASlider) {
+  for (const double distance : {1e-2, 1e-4, 1e-6}) {
+    const Model m = make_model(driven_slider(distance));
+    for (const char* id : {"global_automatic_klu/stride:2", "block_symbolic_inlined/stride:16",
+                           "group_automatic_lapack/stride:7"}) {
+      const auto [s, error] = judge(m, {0, 0.01, 101}, id);
+      EXPECT_EQ(s.outcome(), Outcome::converged) << id << ", " << distance;
+      EXPECT_EQ(s.shortest_stride, 1) << id << ", " << distance;
+      for (const Level level : levels) EXPECT_LE(error[level], s.bound[level]) << id;
+      EXPECT_LE(error.position, 1e-10) << id << ", " << distance;
+    }
+  }
+}
+
+TEST(Strides, AreHalvedWhereNoneIsShortEnough) {
+  const Model m = make_model(library_scene("andrews"));
+  const double radian = 0.5 / std::numbers::pi;  // s
+  for (const char* id : {"global_automatic_klu/stride:16", "group_symbolic_explicit/stride:16"}) {
+    const auto [s, error] = judge(m, {0, radian, 65}, id);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+    EXPECT_EQ(s.shortest_stride, 1) << id;
+    EXPECT_LE(error.position, 1e-10) << id;
+  }
+}
+
+/// A crank that creeps, but for a kick of 2 ms at 1 s.
+TEST(Strides, AreLongAgainAfterwards) {
+  Model m = make_model(library_scene("slider_crank"));
+  m.drivers[0].motion =
+      make_spline({0, 0.999, 1.0, 1.001, 2}, {0, 0.01, 0.02, 0.03, 0.04}, SplineEnds::natural);
+  std::vector<int> solved;
+  MonitoredRunOptions options;
+  options.monitored = [&](const MonitoredInstant& i) {
+    if (!i.instant.interpolated) solved.push_back(i.instant.index);
+  };
+  Discard observer;
+  const MonitoredSummary s =
+      run_with_stride(m, {0, 1e-4, 20001}, "group_symbolic_explicit/stride:16", observer, options);
+  EXPECT_EQ(s.outcome(), Outcome::converged);
+  EXPECT_LT(s.shortest_stride, 16);
+  const auto between = [&](int first, int last) {
+    return std::ranges::count_if(solved, [&](int i) { return first <= i && i < last; });
+  };
+  EXPECT_LE(between(0, 9600), 9600 / 14);
+  EXPECT_GE(between(9900, 10100), 20);  // 13 would be 16 apart
+  EXPECT_LE(between(16000, 20000), 4000 / 14);
+}
+
+TEST(StrideControl, HalvesAtOnceAndDoublesWithPatience) {
+  StrideControl stride(7);
+  stride.halve();
+  EXPECT_EQ(stride.now(), 3);
+  const auto keep = [&](int intervals) {
+    for (int i = 0; i < intervals; ++i) stride.keep();
+    return stride.now();
+  };
+  EXPECT_EQ(keep(7), 3);
+  EXPECT_EQ(keep(1), 6);
+  stride.halve();  // that was too early
+  EXPECT_EQ(stride.now(), 3);
+  EXPECT_EQ(keep(15), 3);
+  EXPECT_EQ(keep(1), 6);
+  EXPECT_EQ(keep(16), 7);
+  EXPECT_EQ(keep(1000), 7);
+  for (int i = 0; i < 5; ++i) stride.halve();
+  EXPECT_EQ(stride.now(), 1);
+  EXPECT_EQ(keep(7), 1);  // a long one was good for long
+  EXPECT_EQ(keep(1), 2);
 }
 
 /// A crank that is told to swing 0.1 rad beyond its dead point: no stride ends where it locks.

@@ -5,11 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "bench/experiments/paper/case_candidate.h"
 #include "cases/generators/cases.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/every_variant.h"
@@ -21,28 +26,70 @@ namespace {
 
 constexpr double short_motion = DESMO_SANITIZED ? 0.05 : 0.5;  // s
 
-paper::Options options_for(double duration) {
-  paper::Options o;
-  o.duration = duration;
-  o.slow_limit = 558;
-  return o;
+/// A motion of a case, and its reference at up to 51 instants.
+class Motion {
+ public:
+  Motion(const Case& definition, int coordinates, double seconds)
+      : model(make_model(describe(definition, coordinates))),
+        grid(time_grid(seconds, seconds > 6 ? 0.02 : 0.01)) {
+    const int pieces = std::min(50, grid.instants - 1);
+    for (int i = 0; i <= pieces; ++i)
+      compared.push_back(static_cast<int>(long{i} * (grid.instants - 1) / pieces));
+    std::vector<double> times;
+    for (const int i : compared) times.push_back(grid.time(i));
+    Reference made = make_reference(model, times);
+    for (const Level level : levels) EXPECT_LT(made.floor[level], 1e-20) << model.name;
+    reference = std::move(made.instants);
+  }
+
+  const Model model;
+  const TimeGrid grid;
+  std::vector<int> compared;  // instants of the grid
+  std::vector<ReferenceInstant> reference;
+};
+
+/// Returns a motion, solved once for all tests of a process.
+const Motion& motion_of(const Case& definition, int coordinates, double seconds) {
+  static std::map<std::tuple<std::string, int, double>, std::unique_ptr<const Motion>> all;
+  auto& motion = all[{std::string(definition.name), coordinates, seconds}];
+  if (!motion) motion = std::make_unique<const Motion>(definition, coordinates, seconds);
+  return *motion;
 }
 
-/// Returns the references that all tests of a process share.
-bench::ReferenceCache& references() {
-  static bench::ReferenceCache cache;
-  return cache;
-}
+/// The largest differences from the reference of a motion.
+class LargestDifference final : public Observer {
+ public:
+  explicit LargestDifference(const Motion& motion) : motion_(motion) {}
+  Flow observe(const Instant& instant) noexcept override {
+    if (instants == motion_.compared.size() || instant.index != motion_.compared[instants])
+      return Flow::go_on;
+    const ReferenceInstant& r = motion_.reference[instants++];
+    widen(of.position, instant.q, r.q);
+    widen(of.velocity, instant.qd, r.qd);
+    widen(of.acceleration, instant.qdd, r.qdd);
+    return Flow::go_on;
+  }
+  PerLevel<double> of{};
+  std::size_t instants = 0;  // compared so far
 
-void expect_agreement(paper::CaseCandidate& cell) {
-  cell.verify(references());
-  EXPECT_EQ(cell.readiness(), paper::CaseCandidate::Readiness::verified)
-      << cell.name() << ": " << cell.message();
-  EXPECT_GE(cell.verifying_run().errors.instants, std::min(cell.grid.instants, 50)) << cell.name();
-  EXPECT_LE(cell.verifying_run().errors.position, 1e-9) << cell.name();
-  EXPECT_LE(cell.verifying_run().errors.velocity, 1e-8) << cell.name();
-  EXPECT_LE(cell.verifying_run().errors.acceleration, 1e-7) << cell.name();
-  EXPECT_LT(cell.verifying_run().residual, 1e-10) << cell.name();
+ private:
+  static void widen(double& largest, std::span<const double> a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (!(std::abs(a[i] - b[i]) <= largest)) largest = std::abs(a[i] - b[i]);
+  }
+  const Motion& motion_;
+};
+
+void expect_agreement(const Variant& v, const Motion& motion) {
+  const auto where = [&] { return v.id + " on " + motion.model.name; };
+  LargestDifference difference(motion);
+  const Summary s = make_formulation(v, motion.model)->run(motion.grid, {}, difference);
+  EXPECT_TRUE(s.ok()) << where() << ": " << describe(s, motion.model);
+  EXPECT_EQ(difference.instants, motion.compared.size()) << where();
+  EXPECT_LE(difference.of.position, 1e-9) << where();
+  EXPECT_LE(difference.of.velocity, 1e-8) << where();
+  EXPECT_LE(difference.of.acceleration, 1e-7) << where();
+  EXPECT_LT(s.residual, 1e-10) << where();
 }
 
 /// References are expensive: all formulations of one case and size share one test and one.
@@ -52,19 +99,10 @@ class Sizes : public testing::TestWithParam<std::pair<const Case*, int>> {};
 TEST_P(Sizes, EveryFormulationAgreesWithTheQuadrupleReference) {
   const auto [definition, coordinates] = GetParam();
   const bool smallest = coordinates == definition->sizes.front();
-  const double duration = smallest ? DESMO_TEST_SECONDS : short_motion;
-  paper::Options options = options_for(duration);
-  if (duration > 6) options.step = 0.02;
-  const std::vector<Variant> all = tested_variants();
-  int verified = 0;
-  for (const Variant& v : all) {
-    paper::CaseCandidate cell(*definition, coordinates, v, options);
-    if (cell.readiness() == paper::CaseCandidate::Readiness::not_run) continue;
-    expect_agreement(cell);
-    ++verified;
-  }
-  EXPECT_GE(verified,
-            std::ranges::count_if(all, std::not_fn(is_dense_global)));  // those are limited
+  const Motion& motion =
+      motion_of(*definition, coordinates, smallest ? DESMO_TEST_SECONDS : short_motion);
+  for (const Variant& v : tested_variants())
+    if (!is_dense_global(v) || coordinates <= 114) expect_agreement(v, motion);
 }
 
 /// All sizes; with sanitizers the two smallest, as more of the same finds no other error of memory.
@@ -83,18 +121,9 @@ INSTANTIATE_TEST_SUITE_P(Cases, Sizes, testing::ValuesIn(tested_sizes()), [](con
 /// Dense global solves at the larger sizes take too long for the whole motion.
 TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
   const auto [definition, coordinates] = GetParam();
-  paper::Options options = options_for(short_motion);
-  options.dense_limit = 558;
-  int verified = 0;
-  for (const Variant& v : variants()) {
-    if (!is_dense_global(v)) continue;
-    paper::CaseCandidate cell(*definition, coordinates, v, options);
-    cell.verify(references());
-    EXPECT_EQ(cell.readiness(), paper::CaseCandidate::Readiness::verified)
-        << cell.name() << ": " << cell.message();
-    ++verified;
-  }
-  EXPECT_GE(verified, 1);
+  const Motion& motion = motion_of(*definition, coordinates, short_motion);
+  for (const Variant& v : variants())
+    if (is_dense_global(v)) expect_agreement(v, motion);
 }
 
 class LargestSizes : public testing::TestWithParam<const Case*> {};
@@ -103,11 +132,9 @@ class LargestSizes : public testing::TestWithParam<const Case*> {};
 TEST_P(LargestSizes, TwoFormulationsAgreeOverALongerMotion) {
   const Case& definition = *GetParam();
   const double duration = DESMO_SANITIZED ? short_motion : 6;
-  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
-    paper::CaseCandidate cell(definition, definition.sizes.back(), find_variant(id),
-                              options_for(duration));
-    expect_agreement(cell);
-  }
+  const Motion& motion = motion_of(definition, definition.sizes.back(), duration);
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"})
+    expect_agreement(find_variant(id), motion);
 }
 
 std::vector<const Case*> all_cases() {
@@ -172,9 +199,9 @@ TEST_P(EveryFormulation, RepeatsARunToTheLastBit) {
   Everything first(51), second(51);
   // Pivots chosen in the first run may serve the second; the third starts like the second.
   const TimeGrid grid = time_grid(0.5, 0.01);
-  f->run(grid, {}, first);
-  f->run(grid, {}, first);
-  f->run(grid, {}, second);
+  ASSERT_TRUE(f->run(grid, {}, first).ok());
+  ASSERT_TRUE(f->run(grid, {}, first).ok());
+  ASSERT_TRUE(f->run(grid, {}, second).ok());
   EXPECT_EQ(first.all, second.all);
 }
 
@@ -203,10 +230,10 @@ TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
     }
   } observer;
   const auto f = make_formulation(GetParam(), m);
-  f->run(time_grid(0.1, 0.01), {Level::position}, observer);
+  ASSERT_TRUE(f->run(time_grid(0.1, 0.01), {Level::position}, observer).ok());
   EXPECT_EQ(observer.q, 114u);
   EXPECT_EQ(observer.qd, 0u);
-  f->run(time_grid(0.1, 0.01), {Level::velocity}, observer);
+  ASSERT_TRUE(f->run(time_grid(0.1, 0.01), {Level::velocity}, observer).ok());
   EXPECT_EQ(observer.qd, 114u);
   EXPECT_EQ(observer.qdd, 0u);
 }

@@ -79,10 +79,10 @@ Start start_at(const Model& m, double time, double tolerance) {
   const auto formulation =
       make_formulation(find_variant("block_automatic_klu"), m, Settings{.tolerance = tolerance});
   Ignored observer;
-  Start start{run_monitored(*formulation, {time, 1, 1}, Request{Level::position}, observer,
-                            {{.tolerance = tolerance}}),
+  Start start{run_monitored(*formulation, {time, 1, 1}, Request{Level::position}, observer),
               m.estimate};
-  if (start.summary.ok()) start.q.assign(formulation->q().begin(), formulation->q().end());
+  if (start.summary.outcome() != Outcome::failed)
+    start.q.assign(formulation->q().begin(), formulation->q().end());
   for (const Driver& driver : m.drivers)
     start.q[m.entities[driver.coordinate].first] = sample(driver.motion, time).position;
   return start;
@@ -108,10 +108,11 @@ void range(const RangeOptions& options) {
     try {
       named.range = find_range(m, start.q, i);
     } catch (const std::runtime_error& error) {
-      throw CommandError(not_solved,
-                         input.source + ": " + error.what() +
-                             (start.summary.ok() ? "" : ": " + describe(start.summary, m)) +
-                             "; choose a start that can be assembled");
+      throw CommandError(not_solved, input.source + ": " + error.what() +
+                                         (start.summary.outcome() != Outcome::failed
+                                              ? ""
+                                              : ": " + describe(start.summary, m)) +
+                                         "; choose a start that can be assembled");
     }
     const DriverRange& r = named.range;
     named.ends = {with_names(r.down, "down", m, d), with_names(r.up, "up", m, d)};

@@ -35,8 +35,8 @@ std::string Proof::note(Level level) const {
   const char* names[] = {"; errors at most %.1e", ", %.1e in velocity", ", %.1e in acceleration"};
   for (const Level l : levels) {
     if (proven_ == 0 || l > level) break;
-    const double bound = std::max(relative(length_[l], scales_.now().length[l]),
-                                  relative(rotation_[l], scales_.now().rotation[l]));
+    const double bound = std::max(relative(length_[l], scales_.current().length[l]),
+                                  relative(rotation_[l], scales_.current().rotation[l]));
     note += formatted(names[static_cast<int>(l)], bound);
   }
   note += '\n';

@@ -167,6 +167,13 @@ std::string note_on_steps(const Formulation& f) {
   return "note: solved step by step, for the motion is short or could not be solved in segments\n";
 }
 
+std::string note_on_stride(const MonitoredSummary& s, const Formulation& f) {
+  if (s.shortest_stride == 0) return "";
+  return "note: in places a stride of " + std::to_string(f.settings().stride) +
+         " is too long for the tolerance; it was halved, down to " +
+         std::to_string(s.shortest_stride) + "\n";
+}
+
 std::string note_on_accuracy(const MonitoredSummary& s, Level level, const Model& m) {
   std::string note = "accuracy: " + describe_accuracy(s.condition, s.bound, level) + '\n';
   if (s.first_degraded)

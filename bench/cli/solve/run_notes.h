@@ -23,6 +23,9 @@ std::string note_on_refusals(const Formulation& formulation);
 /// nothing.
 std::string note_on_steps(const Formulation& formulation);
 
+/// Returns a line when a stride was halved; else nothing.
+std::string note_on_stride(const MonitoredSummary& summary, const Formulation& formulation);
+
 /// Returns a line when rounding prevents the requested tolerance; else nothing.
 std::string note_on_tolerance(const Formulation& formulation, double asked);
 

@@ -119,7 +119,7 @@ void solve_motion(const Task& task, Formulation& formulation, const SeriesHeadin
   if (!o.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
   SeriesWriter writer(heading, std::move(format), task.output, progress ? &*progress : nullptr);
   MonitoredRunOptions monitoring{
-      {.tolerance = tolerance, .levels = plan.levels}, o.strict, o.past_failures};
+      .levels = plan.levels, .strict = o.strict, .past_failures = o.past_failures};
   std::optional<Proof> proof;
   if (o.certify) {
     proof.emplace(plan.model, grid, plan.levels);
@@ -145,8 +145,8 @@ void solve_motion(const Task& task, Formulation& formulation, const SeriesHeadin
   task.output.finish();
   if (!o.quiet)
     say(note_on_tolerance(formulation, tolerance) + note_on_refusals(formulation) +
-        note_on_steps(formulation) + note_on_gaps(summary, plan.model) +
-        note_on_accuracy(summary, plan.level(), plan.model) +
+        note_on_steps(formulation) + note_on_stride(summary, formulation) +
+        note_on_gaps(summary, plan.model) + note_on_accuracy(summary, plan.level(), plan.model) +
         (proof ? proof->note(plan.level()) : ""));
 }
 

@@ -14,9 +14,8 @@ MotionRecorder::MotionRecorder(const Model& model, const TimeGrid& grid, std::si
       max_kept_(std::max<std::size_t>(max_kept, 4)),
       progress_(progress) {}
 
-MonitoredSummary MotionRecorder::run(Formulation& formulation, double tolerance) {
+MonitoredSummary MotionRecorder::run(Formulation& formulation) {
   MonitoredRunOptions options;
-  options.tolerance = tolerance;
   options.past_failures = true;
   options.monitored = [this](const MonitoredInstant& instant) { take(instant); };
   const MonitoredSummary summary =

@@ -36,7 +36,7 @@ class MotionRecorder final : public Observer {
 
   /// Runs the formulation over the motion, and past intervals that cannot be assembled. Where no
   /// instant can be solved, the initial estimate is kept, at rest.
-  MonitoredSummary run(Formulation& formulation, double tolerance);
+  MonitoredSummary run(Formulation& formulation);
 
   Flow observe(const Instant& instant) noexcept override;
 

@@ -84,7 +84,7 @@ void view(const ViewOptions& options) {
       model, grid,
       std::min(max_instants, max_numbers / (3 * static_cast<std::size_t>(model.coordinates()) + 1)),
       progress ? &*progress : nullptr);
-  const MonitoredSummary summary = recording.run(*formulation, input.scene.tolerance);
+  const MonitoredSummary summary = recording.run(*formulation);
   progress.reset();
   if (recording.overflowed())
     throw CommandError(not_solved,

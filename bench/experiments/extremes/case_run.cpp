@@ -213,7 +213,6 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
 
   Record record(known, *f, a);
   MonitoredRunOptions options;
-  options.tolerance = configuration.settings.tolerance;
   options.without = without;
   options.past_failures = c.goes_on;
   options.monitored = [&](const MonitoredInstant& instant) { record.note(instant); };

@@ -28,7 +28,7 @@ static_assert(desmo::regression::uncounted_steps == desmo::instructions::uncount
 desmo::Summary run_monitored(SteppedCandidate& candidate) {
   const desmo::MonitoredSummary s =
       run_monitored(candidate.formulation(), candidate.grid, {}, candidate.delivery(), {});
-  if (s.ok() && s.outcome() != desmo::Outcome::converged)
+  if (s.status == desmo::Status::solved && s.outcome() != desmo::Outcome::converged)
     throw std::runtime_error("the motion is not an ordinary one: " +
                              describe_accuracy(s.condition, s.bound, desmo::Level::acceleration));
   return s;

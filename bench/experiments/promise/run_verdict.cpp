@@ -252,7 +252,6 @@ RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
   SolvedScene solved{{}, {}, c->settings.tolerance, c->settings.scalar == Scalar::single_precision};
   Collector collector(solved);
   MonitoredRunOptions options;
-  options.tolerance = c->settings.tolerance;
   options.monitored = [&](const MonitoredInstant& m) { collector.degraded = m.degraded; };
   solved.summary = run_monitored(*f, scene.scene.grid, {}, collector, options);
   // What the motion's scales excuse in the end is no flag.

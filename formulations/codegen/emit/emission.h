@@ -23,12 +23,12 @@ struct EmissionStyle {
 /// variable, declared before its first use. The caller declares the inputs.
 class Emitter {
  public:
-  /// Counts the uses of expressions. outputs: every expression that will be written.
+  /// Counts how often each expression is used. outputs: every expression that will be written.
   Emitter(std::ostream& out, std::string indent, const std::vector<Expr>& outputs,
           EmissionStyle style = {});
 
-  /// Redirects the output. declarations_apart: variables are assigned but not declared there;
-  /// declared() returns their names.
+  /// Redirects the output. declarations_apart: variables are assigned and not declared; declared()
+  /// returns their names, so that they can be declared elsewhere.
   void write_to(std::ostream& out, std::string indent, bool declarations_apart = false);
   const std::vector<std::string>& declared() const { return names_apart_; }
   /// Writes a variable with the value of e. An input of that name then has its arrival.

@@ -18,8 +18,8 @@ struct Definition {
   std::vector<std::string> because;  ///< names of the equations it satisfies
 };
 
-/// A section of the explicit order: one definition, or a *core* of torn unknowns, the definitions
-/// that its residuals need, and the residuals, which Newton–Raphson brings to zero.
+/// A section of the explicit order: one definition, or a *core*. A core has torn unknowns, the
+/// definitions that its residuals need, and the residuals, which Newton–Raphson brings to zero.
 struct OrderSection {
   std::vector<int> torn;  ///< inputs of the part; empty: not a core
   std::vector<Definition> definitions;

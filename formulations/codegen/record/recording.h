@@ -20,8 +20,10 @@ struct RecordedPart {
   std::vector<Expr> q, qd, qdd;  ///< position and rates of each input; rates of fixed ones are zero
   std::vector<Expr> phi;         ///< Φ
   std::vector<Expr> gamma;       ///< Φ̇_q q̇
-  /// Entries of Φ_q without fixed inputs. constant: depend on dimensions alone; dependent: others
-  /// by unknowns; known: others by known inputs.
+  /// Entries of Φ_q by inputs that are not fixed:
+  /// - constant: depend on dimensions alone
+  /// - dependent: the others, by unknowns
+  /// - known: the others, by known inputs
   std::vector<RecordedEntry> constant, dependent, known;
 };
 

@@ -16,9 +16,9 @@ struct Placement {
   int of(const Mechanism::Coordinate& coordinate) const;
 };
 
-/// Assigns each point and vector to the first group with a body that carries it. Exception: it is
-/// assigned to a later group, if that alone has it in the basis of a body. Then no driver and no
-/// second body may need it before.
+/// Assigns each point and vector to the first group with a body that carries it. There is one
+/// exception: where a later group alone has the entity in the basis of a body, and no driver and no
+/// second body needs it before, the entity is assigned to that group.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
                          const Structure& structure);
 

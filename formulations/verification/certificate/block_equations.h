@@ -12,7 +12,8 @@ namespace desmo {
 
 using LaneInterval = BasicInterval<Lanes>;
 
-/// An interval matrix of each lane, midpoints and radii apart: BlockShape::entries.
+/// An interval matrix for each lane, with the entries that BlockShape::entries lists. Midpoints and
+/// radii are kept apart.
 struct LaneMatrix {
   std::vector<Lanes> mid, radius;
 

@@ -104,21 +104,26 @@ double AccuracyMonitor::State::min_excursion(double growth) const {
 }
 
 /// Assesses an instant, and corrects it where that helps. expected: what would have been stated.
-/// Returns whether no short steps lead to the instant, which was interpolated.
-bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Signals& signals,
-                                    const Assessment& expected) {
+/// An interpolated instant that is too coarse leaves no trace.
+void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Signals& signals,
+                                    const Assessment& expected, bool in_doubt) {
   if (!started && has(Monitor::orientation)) signs.declare(j.instant);
-  last = assessor(j.instant, scales.with(j.instant));
-  const Assessment given = last;
+  const Assessment given = assessor(j.instant, scales.with(j.instant));
   ++assessed;
+  if (j.instant.interpolated) {
+    j.too_coarse = is_too_coarse(j.instant, given, in_doubt);
+    if (j.too_coarse) return;
+    assessor(j.instant, scales.with(j.instant));  // its factors again
+  }
+  last = given;
   if (started && !j.instant.interpolated && exceeds(given.bound, expected.bound)) {
     look_back(j.instant);
     assessor(j.instant, scales.with(j.instant));  // its factors again
   }
   since = 0;
-  const bool tries =
-      has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
-  const Improvement improved = tries ? improve(j) : Improvement{};
+  const bool tries = has(Monitor::bounds) && !j.instant.interpolated &&
+                     exceeds(given.bound, limits.worth_correcting(given.condition));
+  const bool is_better = tries && improve(j);
   const Assessment wide = last;
   if (has(Monitor::bounds)) measure(last, j.instant);
   degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
@@ -130,7 +135,7 @@ bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     expectation.learn(last, {.growth = INFINITY});
   else
     expectation.learn(given, signals);
-  if (improved.is_better) expectation.learn(wide, {});
+  if (is_better) expectation.learn(wide, {});
   if (degraded && last.condition < INFINITY)
     last.limit = assessor.limit(j.instant, scales.current(), last);
   if (!has(Monitor::bounds)) last.singular = false;
@@ -145,7 +150,14 @@ bool AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     started = true;
   }
   after_gap = false;
-  return improved.is_lost;
+}
+
+/// Whether an interpolated instant exceeds the limits, or is not where the instant before leads. a:
+/// its assessment, whose factors are overwritten.
+bool AccuracyMonitor::State::is_too_coarse(const Instant& instant, const Assessment& a,
+                                           bool in_doubt) {
+  if (has(Monitor::bounds) && exceeds(a.bound, limits.degraded)) return true;
+  return in_doubt && continuity.find_jump(with_known_rates(instant), means());
 }
 
 /// Measures errors where bounds would flag an instant. Leaves its factors.
@@ -156,19 +168,9 @@ void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
   for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
 }
 
-/// Corrects an instant. What was interpolated, and is not even near a solution, is solved.
-AccuracyMonitor::State::Improvement AccuracyMonitor::State::improve(MonitoredInstant& j) {
-  const bool is_far = j.instant.interpolated && exceeds(last.bound, limits.degraded);
-  if (is_far) {
-    if (const auto solved = solve_anew(j.instant)) {
-      j.solved_anew = take_if_better(j.instant, *solved);
-      return {.is_better = j.solved_anew};
-    }
-    assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
-  }
-  const Instant start = j.instant.interpolated ? continuity.driven(j.instant) : j.instant;
-  // Where no short steps led to it, the nearest solution may be on another branch.
-  return {.is_better = take_if_better(j.instant, assessor.corrected(start)), .is_lost = is_far};
+/// Corrects an instant.
+bool AccuracyMonitor::State::improve(MonitoredInstant& j) {
+  return take_if_better(j.instant, assessor.corrected(j.instant));
 }
 
 bool AccuracyMonitor::State::take_if_better(Instant& instant, const Instant& better) {

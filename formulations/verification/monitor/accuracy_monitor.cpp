@@ -40,6 +40,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   const Expectation::Signals signals = signals_of(instant);
   const Assessment expected = expectation(signals);
   const Statement statement = state(instant, expected);
+  // A shorter stride costs less than an assessment.
+  if (j.too_coarse = instant.interpolated && !statement.holds; j.too_coarse) return j;
   const bool in_doubt = is_in_doubt(instant, signals);
   j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
   std::optional<Continuity::Jump> jump;
@@ -52,20 +54,16 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   // A doubt remains one even where shorter steps agree: next to where solutions meet, they too
   // may end on another branch.
   const bool is_assessed = in_doubt || !statement.holds || is_due(signals);
-  bool is_lost = false;
   if (is_assessed)
-    is_lost = assess(j, signals, statement.assessment);
+    assess(j, signals, statement.assessment, in_doubt);
   else
     j.assessment = statement.assessment;
   if (j.assessment.singular && !instant.interpolated) solve_singular(j, signals);
-  if (in_doubt && instant.interpolated && !j.solved_anew) {
-    jump = find_jump(j, from_noise);
-    if (j.solved_anew) is_lost |= assess(j, signals, j.assessment);
-  }
+  if (j.too_coarse) return j;
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
     j.crossing = jump->crossing;
-  else if ((is_blind || is_lost) && continuity.is_known() && !j.crossing)
+  else if (is_blind && continuity.is_known() && !j.crossing)
     j.crossing = {continuity.recent()[0].time, instant.time, last.group,
                   SingularityCrossing::Kind::jumped};
   if (j.assessment.singular) return j;  // which is not delivered
@@ -117,7 +115,7 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& ins
   if (!solved) return {};
   MonitoredInstant j{kept(*solved)};
   j.solved_anew = true;
-  assess(j, signals_of(j.instant), {});
+  assess(j, signals_of(j.instant), {}, false);
   if (j.assessment.singular) return {};
   deliver(j, true);
   ++corrected;
@@ -146,7 +144,7 @@ bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
   if (!solved) return false;
   MonitoredInstant other{kept(*solved)};
   other.solved_anew = true;
-  assess(other, signals, {});
+  assess(other, signals, {}, false);
   if (other.assessment.singular) return false;
   ++corrected;
   j = other;

@@ -62,9 +62,12 @@ struct AccuracyMonitorOptions {
 struct MonitoredInstant {
   Instant instant;        ///< corrected where that helped; valid until the next instant
   bool degraded = false;  ///< conditioning keeps it from meeting the limits
-  /// It was interpolated, not accurately enough, or jumped to another branch, and was then solved
-  /// from the instant before it.
+  /// It jumped to another branch, or lies in a singular position, and was then solved from the
+  /// instant before it.
   bool solved_anew = false;
+  /// It was interpolated, and is not as accurate as solved instants are to be. It counts nowhere:
+  /// the caller solves it, or hands in one of a shorter stride.
+  bool too_coarse = false;
   /// No angle is half a turn from where the instant before leads it: see BranchMonitor.
   bool angles_follow = false;
   std::optional<SingularityCrossing> crossing{};
@@ -82,9 +85,10 @@ struct MonitoredInstant {
 ///   residual     ‖Φ‖, to which the error of position is proportional; where pivots are reused,
 ///                the residuals of Φ̇ and Φ̈ as well (BackwardError)
 ///
-/// Interpolated instants are checked by the residuals of Φ, Φ̇ and Φ̈. An interpolated instant that
-/// exceeds the limits of *degraded* is solved from the instant before it. If an expected bound
-/// exceeds these limits, the monitor assesses the instant.
+/// If an expected bound exceeds the limits of *degraded*, the monitor assesses the instant.
+/// Interpolated instants are checked by the residuals of Φ, Φ̇ and Φ̈, too. One that exceeds the
+/// limits, or to which the instant before it does not lead, is refused
+/// (MonitoredInstant::too_coarse).
 ///
 /// The monitor corrects an instant with factors at its own position, and assesses it again, when
 /// its bounds are too large. The limits are 10, 10² and 10³ times the tolerance in position,

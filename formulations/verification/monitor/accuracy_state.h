@@ -18,21 +18,15 @@
 
 namespace desmo {
 
-/// The monitors of one motion, what they know of its instants, and the counts. Of its functions,
-/// those for the way of an instant stand in accuracy_monitor.cpp. Those that tell whether it is to
-/// be assessed, and that assess it, stand in accuracy_assessment.cpp.
+/// The monitors of one motion, what they know of its instants, and the counts. accuracy_monitor.cpp
+/// has the steps that an instant goes through. accuracy_assessment.cpp decides whether it is
+/// assessed, and assesses it.
 struct AccuracyMonitor::State {
   /// The statement about an instant that is not assessed, and whether it holds.
   struct Statement {
     Assessment assessment;
     bool holds;
   };
-  /// The outcome of an attempt to improve an instant.
-  struct Improvement {
-    bool is_better = false;
-    bool is_lost = false;  // no short steps lead to the instant, which was interpolated
-  };
-
   /// Bounds of rates above which it cannot be told whether they lead on.
   static constexpr double unusable_rate = 1e-3;
 
@@ -68,9 +62,11 @@ struct AccuracyMonitor::State {
   bool is_in_doubt(const Instant& instant, const Expectation::Signals& signals);
   double min_excursion(double growth) const;
 
-  bool assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected);
+  void assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected,
+              bool in_doubt);
+  bool is_too_coarse(const Instant& instant, const Assessment& a, bool in_doubt);
   void measure(Assessment& a, const Instant& instant);
-  Improvement improve(MonitoredInstant& j);
+  bool improve(MonitoredInstant& j);
   bool take_if_better(Instant& instant, const Instant& better);
   Instant kept(const Instant& instant);
   double worst_share(const Assessment& a) const;

@@ -24,8 +24,10 @@ namespace desmo {
 /// not lead to its end, that lies on another assembly branch.
 class Continuity {
  public:
-  /// grid: of the motion, which tells how fast drivers will be. magnitudes: of each coordinate.
-  /// max_steps: shorter steps that one is gone again in. The mechanism must outlive it.
+  /// - grid: of the motion; it tells how fast drivers will be
+  /// - magnitudes: of each coordinate
+  /// - max_steps: largest number of shorter steps in which a step is repeated
+  /// The model must outlive this object.
   Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes,
              int max_steps = 4096);
 
@@ -45,7 +47,7 @@ class Continuity {
   /// Returns whether all unknown angles turned in that step as their rates say, so closely that
   /// none is half a turn from where they lead.
   bool angles_follow() const { return angles_follow_; }
-  /// Prepares the step to an instant of which only the time is known.
+  /// Prepares the step to an instant whose time is known, and nothing else.
   void expect(const Instant& instant);
 
   /// Interval in which a step in doubt is not continuous, or passes a singular position.

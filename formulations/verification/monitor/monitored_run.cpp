@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 #include "formulations/verification/monitor/gap_search.h"
+#include "formulations/verification/monitor/strided_steps.h"
 
 namespace desmo {
 
@@ -17,17 +19,17 @@ namespace {
 AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
                                        std::span<const Level> levels, std::span<const Level> asked,
                                        const Formulation& f) {
-  AccuracyMonitorOptions result = options;
-  result.tolerance = f.settings().tolerance;
-  result.levels = levels;
-  result.asked = asked;
+  AccuracyMonitorOptions result{.tolerance = f.settings().tolerance,
+                                .levels = levels,
+                                .asked = asked,
+                                .every = options.strict ? 1 : options.every,
+                                .without = options.without};
   for (const DefinedPart& part : parts_of(f))
     if (part.solver->reuses_pivots()) {
       result.reuses_pivots = true;
       const auto* pivots = dynamic_cast<const PivotReuse*>(part.solver.get());
       if (core_of(f).live() && pivots) result.parts.push_back(pivots);  // else others do the work
     }
-  if (options.strict) result.every = 1;
   return result;
 }
 
@@ -53,6 +55,8 @@ std::vector<Level> asked_levels(const Model& m, Level level, std::span<const Lev
 /// One run, in spans between the intervals that cannot be assembled. As an observer of the
 /// formulation it hands on what the monitors let pass, and stops the run otherwise.
 class Run final : Observer {
+  using From = StridedSteps::From;
+
  public:
   Run(Formulation& formulation, const TimeGrid& grid, const Request& request, Observer& observer,
       const MonitoredRunOptions& options)
@@ -64,6 +68,7 @@ class Run final : Observer {
         request_(with_velocities(request)),
         options_(options),
         branch_(formulation.model(), levels_, formulation.settings().tolerance),
+        steps_(formulation, grid, request_.level, *this),
         output_(request, formulation.model().coordinates()),
         next_(observer) {
     if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
@@ -75,14 +80,16 @@ class Run final : Observer {
   MonitoredSummary operator()() {
     const Summary ran = formulation_.run(grid_, request_, *this);
     if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
-    tried_ = static_cast<int>(summary_.instants);             // all before it were handed on
-    if (tried_ == 0 && summary_.violated >= 0) {              // assembled in one go, but elsewhere
+    summary_.iterations = ran.iterations;
+    tried_ = static_cast<int>(summary_.instants);  // all before it were handed on
+    if (tried_ == 0 && summary_.violated >= 0) {   // assembled in one go, but elsewhere
       summary_ = {};
       begin_monitoring();
       is_astray_ = is_continued_ = true;
     }
+    if (is_coarse_) steps_.halve();
     // A stride was too long, or the formulation could not go on, or has gone elsewhere.
-    if (is_astray_ || !summary_.ok()) {
+    if (is_coarse_ || is_astray_ || !summary_.ok()) {
       summary_.status = Status::solved;
       is_astray_ = true;
       go_on(tried_, From::last);
@@ -96,6 +103,7 @@ class Run final : Observer {
     summary_.corrected = accuracy_->corrected();
     summary_.degraded = accuracy_->degraded();
     summary_.first_degraded = accuracy_->first_degraded();
+    summary_.shortest_stride = steps_.shortest();
     return summary_;
   }
 
@@ -107,10 +115,12 @@ class Run final : Observer {
 
   Flow observe(const Instant& instant) noexcept override {
     MonitoredInstant m = accuracy_->examine(instant);
+    is_coarse_ = m.too_coarse;
+    if (is_coarse_) return tried_ = instant.index, Flow::stop;
     summary_.time = instant.time;
-    if (m.assessment.singular && !instant.interpolated)
+    if (m.assessment.singular)
       if (const auto passed = accuracy_->pass(instant)) m = *passed;
-    is_astray_ = m.solved_anew && !instant.interpolated;
+    is_astray_ = m.solved_anew;
     return m.assessment.singular ? stop_at(m) : hand_on(m);
   }
 
@@ -156,6 +166,7 @@ class Run final : Observer {
     std::vector<double> state(m.estimate);
     if (!q.empty()) state.assign(q.begin(), q.end());
     state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+    steps_.restart();
     core_of(formulation_).start_at(state, q.empty() ? grid_.time(tried_) : time);
   }
 
@@ -176,24 +187,20 @@ class Run final : Observer {
     return again;
   }
 
-  enum class From { estimate, last };
   void go_on(int first, From from) {
-    for (tried_ = first; tried_ < grid_.instants; ++tried_) {
-      const double t = summary_.time = grid_.time(tried_);
+    steps_.restart();
+    for (tried_ = first; tried_ < grid_.instants;) {
       if (is_astray_ && from == From::last) return_to_last();
-      is_astray_ = false;
-      const Summary s = tried_ == first && from == From::estimate
-                            ? formulation_.assemble(t, request_.level)
-                            : formulation_.step(t, request_.level);
+      is_astray_ = is_coarse_ = false;
+      const auto [s, instant] = steps_.solve(tried_, std::exchange(from, From::last));
+      summary_.time = instant.time;
       summary_.iterations += s.iterations;
-      const std::span<const double> none;
-      const Instant instant{tried_,
-                            t,
-                            formulation_.q(),
-                            request_.level >= Level::velocity ? formulation_.qd() : none,
-                            request_.level >= Level::acceleration ? formulation_.qdd() : none,
-                            s.updates,
-                            s.residual};
+      if (s.ok()) steps_.hand_on(instant);
+      if (is_coarse_ || (!s.ok() && instant.index > tried_)) {  // the stride is too long
+        steps_.halve();
+        is_astray_ = true;
+        continue;
+      }
       if (!s.ok() && !solved_by_monitor(instant)) {
         accuracy_->look_back(instant);
         summary_.status = s.status;
@@ -202,9 +209,8 @@ class Run final : Observer {
         summary_.residual = s.residual;
         return;
       }
-      if (s.ok()) observe(instant);
       if (!summary_.ok() || summary_.refused || summary_.violated >= 0 || summary_.stopped) return;
-      from = From::last;
+      tried_ = instant.index + 1;
     }
   }
 
@@ -224,14 +230,20 @@ class Run final : Observer {
   const std::vector<Level> asked_, levels_;  // of each coordinate: asked for, solved
   const Request request_;
   const MonitoredRunOptions options_;
-  MonitoredSummary summary_{};
+  /// The summary so far.
+  struct Progress : MonitoredSummary {
+    bool ok() const { return status == Status::solved; }  // the last instant tried
+  };
+  Progress summary_{};
   std::optional<AccuracyMonitor> accuracy_;
   BranchMonitor branch_;
+  StridedSteps steps_;
   const OutputWriter output_;
   Observer& next_;
   double max_residual_ = 0;    // of the instants handed on
   bool is_continued_ = false;  // the first instant, since it was assembled on another branch
   bool is_astray_ = false;     // the formulation is not where the last instant is
+  bool is_coarse_ = false;     // an interpolated instant is not good enough
   int tried_ = 0;              // the instant tried last
 };
 

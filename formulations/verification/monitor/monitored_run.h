@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,10 @@ struct Gap {
 };
 
 /// Outcome of a monitored run and accuracy of its instants. outcome() says whether its answers may
-/// be used; ok() says only whether the last instant tried was solved.
-struct MonitoredSummary : Summary {
-  bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
+/// be used.
+struct [[nodiscard]] MonitoredSummary : Summary {
+  bool ok() const = delete;  // it tells neither degraded instants nor another branch
+  bool refused = false;      ///< a strict run ended at `first_degraded` or `crossing`
   int violated = -1;     ///< constraint that the last instant violates, since it lies on another
                          ///< branch (BranchMonitor); that instant was not delivered
   double condition = 0;  ///< largest condition number (see Assessment)
@@ -38,22 +40,28 @@ struct MonitoredSummary : Summary {
   long assessed = 0;         ///< instants assessed
   long corrected = 0;        ///< instants corrected
   long degraded = 0;         ///< instants degraded
+  int shortest_stride = 0;   ///< to which a stride was halved; 0: it was not
   std::optional<Degradation> first_degraded{};
   std::optional<SingularityCrossing> crossing{};  ///< first crossing
   std::optional<AssemblyError> assembly_error{};  ///< on failure, where no position was found
   std::vector<Gap> gaps{};                        ///< gaps after which the run went on
 
   Outcome outcome() const {
-    return !ok() || refused || violated >= 0           ? Outcome::failed
-           : degraded > 0 || crossing || !gaps.empty() ? Outcome::degraded
-                                                       : Outcome::converged;
+    return status != Status::solved || refused || violated >= 0 ? Outcome::failed
+           : degraded > 0 || crossing || !gaps.empty()          ? Outcome::degraded
+                                                                : Outcome::converged;
   }
 };
 
-/// Settings of a monitored run.
-struct MonitoredRunOptions : AccuracyMonitorOptions {
+/// Settings of a monitored run. The tolerance is that of the formulation.
+struct MonitoredRunOptions {
+  /// Level asked for of each coordinate (Plan::levels); empty: that of the request.
+  std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled
+  int every = AccuracyMonitorOptions::usual_interval;  ///< instants from one assessment to the
+                                                       ///< next, at most (see AccuracyMonitor)
+  unsigned without = 0;  ///< Monitor bits left out, for tests of what each finds
   /// Callback that receives each instant before the observer does; empty: none.
   std::function<void(const MonitoredInstant&)> monitored{};
 };

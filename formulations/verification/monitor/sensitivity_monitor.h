@@ -10,9 +10,9 @@
 
 namespace desmo {
 
-/// Monitors the growth of the unknowns' rates relative to the drivers' since the last assessment,
-/// the largest factor of any group. Where rates are not solved, differences from the last instant
-/// are used.
+/// Monitor of the ratio of the unknowns' rates to those of the drivers, in the group where it has
+/// grown most since the last assessment. Where rates are not solved, it uses differences from the
+/// last instant.
 class SensitivityMonitor {
  public:
   /// levels: the level up to which each coordinate is solved. magnitudes: (coordinates).
@@ -23,15 +23,17 @@ class SensitivityMonitor {
   /// stop leave nothing to compare with: the first instant at which none moves has infinite growth.
   /// Later ones have 1, since they equal it.
   double growth(const Instant& instant);
-  /// Returns the growth of the drivers' motion since reset(), at least 1. Position: 1. Velocity: of
-  /// their rates. Acceleration: of the squares of these or of the second derivatives.
+  /// Returns the growth of the drivers' motion since reset(), at least 1:
+  /// - position: 1
+  /// - velocity: growth of their rates
+  /// - acceleration: growth of the larger of squared rates and second derivatives
   const PerLevel<double>& driver_growth() const { return driver_growth_; }
   /// Makes the instant of the last growth() the one to compare with. system: factorised at it.
   void reset(const Instant& instant, ScaledSystem& system);
   /// Returns, for each unknown, 1 over its group's movement when the drivers move by their
   /// magnitudes.
   const Eigen::ArrayXd& weights() const { return weight_; }
-  /// Returns the largest movement of any unknown then, in magnitudes.
+  /// Returns the largest movement of any unknown, in magnitudes, when the drivers move by theirs.
   double largest() const { return max_; }
 
  private:

@@ -1,0 +1,188 @@
+// Newton's method (Fig. 2b), its choice of factors and their refinement, on one equation whose
+// solution everybody knows: Φ(x; h) = x² − h = 0.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "formulations/algebra/refinement.h"
+#include "formulations/parts/jacobian_factors.h"
+#include "formulations/parts/newton_solver.h"
+
+namespace desmo::newton_test {
+namespace {
+
+/// x² − h in a state (x, h). Notes each x at which Φ is evaluated.
+class Square final : public Equations<double> {
+ public:
+  explicit Square(std::vector<double>* tried = nullptr) : tried_(tried) {
+    pattern_.n = 1;
+    pattern_.unknowns = {0};
+    pattern_.column_start = {0, 1};
+    pattern_.row = {0};
+    pattern_.known = {{.row = 0, .place = 1}};
+  }
+  const Pattern& pattern() const override { return pattern_; }
+  void constant_jacobian(double* values) const override { values[1] = -1; }
+  void residual(const double* state, double* phi) const override {
+    if (tried_) tried_->push_back(state[0]);
+    phi[0] = state[0] * state[0] - state[1];
+  }
+  void jacobian(const double* state, double* values) const override { values[0] = 2 * state[0]; }
+  void known_jacobian(const double*, double*) const override {}
+  void quadratic(const double*, const double* rate, double* gamma) const override {
+    gamma[0] = 2 * rate[0] * rate[0];
+  }
+
+ private:
+  Pattern pattern_;
+  std::vector<double>* tried_;
+};
+
+/// Factors of a matrix of one entry, each too large by `off` of itself. Counts them.
+class OneEntry final : public LinearSolver<double> {
+ public:
+  OneEntry(int& factorisations, double off = 0) : count_(factorisations), off_(off) {}
+  bool factor(const double* values) override {
+    ++count_;
+    factor_ = values[0] * (1 + off_);
+    return factor_ != 0;
+  }
+  void solve(double* b) override { *b /= factor_; }
+  bool rounds_factors() const override { return off_ != 0; }
+
+ private:
+  int& count_;
+  double off_, factor_ = 0;
+};
+
+class NewtonOfASquare : public testing::Test {
+ protected:
+  NewtonSolver<double> solver(const PartSettings& settings, double off = 0) {
+    return {std::make_unique<Square>(&tried_),
+            one_,
+            {},
+            settings,
+            std::make_unique<OneEntry>(factorisations_, off)};
+  }
+  PartSettings settings(JacobianUpdate update = JacobianUpdate::newton) const {
+    return PartSettings(Settings{.tolerance = 1e-12, .max_iterations = 25, .jacobian = update});
+  }
+  PartResult solve(NewtonSolver<double>& newton, double h, Level level = Level::acceleration) {
+    q_[1] = h;
+    return newton.solve(q_, qd_, qdd_, level);
+  }
+
+  const std::vector<double> one_{1};
+  int factorisations_ = 0;
+  std::vector<double> tried_;
+  double q_[2] = {1.5, 0}, qd_[2] = {0, 4}, qdd_[2] = {0, 3};  // of x and h
+};
+
+TEST_F(NewtonOfASquare, FindsPositionVelocityAndAcceleration) {
+  auto newton = solver(settings());
+  const PartResult r = solve(newton, 2);
+  ASSERT_EQ(r.status, Status::solved);
+  const double x = std::sqrt(2.0), v = 4 / (2 * x);  // 2xẋ = ḣ, 2xẍ + 2ẋ² = ḧ
+  EXPECT_NEAR(q_[0], x, 1e-15);
+  EXPECT_NEAR(qd_[0], v, 1e-15);
+  EXPECT_NEAR(qdd_[0], (3 - 2 * v * v) / (2 * x), 1e-15);
+  EXPECT_EQ(r.iterations, 4);
+  EXPECT_EQ(factorisations_, r.iterations + 1);  // the last one serves both rates
+}
+
+TEST_F(NewtonOfASquare, LeavesRatesAloneAtTheLevelOfPositions) {
+  auto newton = solver(settings());
+  ASSERT_EQ(solve(newton, 2, Level::position).status, Status::solved);
+  EXPECT_EQ(factorisations_, 4);
+  EXPECT_EQ(qd_[0], 0);
+}
+
+TEST_F(NewtonOfASquare, CorrectsOnceMoreAtRounding) {
+  PartSettings s = settings();
+  s.at_rounding = true;
+  auto newton = solver(s);
+  EXPECT_EQ(solve(newton, 2).iterations, 5);
+}
+
+TEST_F(NewtonOfASquare, SaysWhyItFails) {
+  auto newton = solver(settings());
+  EXPECT_EQ(solve(newton, -1).status, Status::not_converged);
+  q_[0] = 0;
+  EXPECT_EQ(solve(newton, 1).status, Status::singular);
+  EXPECT_EQ(solve(newton, NAN).status, Status::not_finite);
+}
+
+/// The factors of the last position serve the next step, which makes its own where it ends.
+TEST_F(NewtonOfASquare, FactorisesOnceAStep) {
+  auto newton = solver(settings(JacobianUpdate::step));
+  ASSERT_EQ(solve(newton, 2).status, Status::solved);
+  for (int i = 1; i <= 5; ++i) {
+    const int before = factorisations_;
+    ASSERT_EQ(solve(newton, 2 + 1e-3 * i).status, Status::solved);
+    EXPECT_NEAR(q_[0], std::sqrt(2 + 1e-3 * i), 1e-12);
+    EXPECT_EQ(factorisations_, before + 1);
+  }
+}
+
+/// Old factors of 0.02 send x to 50 from 0.01, where Φ is larger: the step goes on from 0.01.
+TEST_F(NewtonOfASquare, TakesBackACorrectionThatLedAway) {
+  auto newton = solver(settings(JacobianUpdate::step));
+  q_[0] = 0.011;
+  ASSERT_EQ(solve(newton, 1e-4).status, Status::solved);
+  tried_.clear();
+  ASSERT_EQ(solve(newton, 1).status, Status::solved);
+  EXPECT_NEAR(q_[0], 1, 1e-12);
+  ASSERT_GT(tried_.size(), 3u);
+  EXPECT_NEAR(tried_[1], 50, 0.1);
+  EXPECT_NEAR(tried_[2], tried_[0], 1e-13);
+}
+
+/// Rates of a chord come from old factors, refined to what the solved position's would give.
+TEST_F(NewtonOfASquare, RefinesRatesOfOldFactors) {
+  auto newton = solver(settings(JacobianUpdate::chord));
+  ASSERT_EQ(solve(newton, 2).status, Status::solved);
+  const int before = factorisations_;
+  ASSERT_EQ(solve(newton, 2.0001).status, Status::solved);
+  EXPECT_EQ(factorisations_, before);
+  EXPECT_NEAR(qd_[0], 4 / (2 * q_[0]), 2e-14);
+}
+
+TEST_F(NewtonOfASquare, RefinesRatesOfRoundedFactors) {
+  auto newton = solver(settings(), 1e-7);
+  ASSERT_EQ(solve(newton, 2).status, Status::solved);
+  EXPECT_NEAR(qd_[0], 4 / (2 * q_[0]), 2e-14);
+}
+
+class RefinementOfOneEntry : public testing::Test {
+ protected:
+  /// Solves 2 x = 3 with 2.2 in place of 2.
+  bool solve(int sweeps) {
+    const Square equations;
+    const double values[] = {2, 0, 0};
+    return refinement_.solve(
+        equations.pattern(), values, [](double* b) { *b /= 2.2; }, sweeps, x_);
+  }
+  const Eigen::VectorXd weights_ = Eigen::VectorXd::Ones(1);
+  Refinement<double> refinement_{weights_, true};
+  Eigen::VectorXd x_ = Eigen::VectorXd::Constant(1, 3);
+};
+
+/// A backward error of 16 units of rounding is allowed, in |b| + |2 x| = 6.
+TEST_F(RefinementOfOneEntry, ReachesRounding) {
+  EXPECT_TRUE(solve(20));
+  EXPECT_NEAR(x_[0], 1.5, 48 * std::numeric_limits<double>::epsilon());
+}
+
+/// Each sweep leaves an eleventh of the error: after two, 1e-3 are left.
+TEST_F(RefinementOfOneEntry, GivesBackTheRightSideWhereSweepsDoNotSuffice) {
+  EXPECT_FALSE(solve(2));
+  EXPECT_EQ(x_[0], 3);
+}
+
+}  // namespace
+}  // namespace desmo::newton_test
