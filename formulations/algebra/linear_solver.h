@@ -33,8 +33,7 @@ class LinearSolver {
   virtual bool reuses_pivots() const { return false; }
 
   /// Returns the largest factor by which a pivot has shrunk since the order was chosen. Rounding
-  /// errors grow by the same factor. Returns infinity where normal equations square the condition
-  /// number.
+  /// errors grow by the same factor.
   virtual double pivot_shrinkage() const { return 1; }
 
   /// Makes the next factor() choose its pivots anew.

@@ -77,8 +77,7 @@ class Part {
   /// generated code, had gone bad, and pivots were chosen anew.
   virtual long refactorisations() const { return 0; }
 
-  /// Returns whether rates may come from an order of pivots that was chosen at another position, or
-  /// from normal equations.
+  /// Returns whether rates may come from an order of pivots that was chosen at another position.
   virtual bool reuses_pivots() const { return false; }
 
   /// Voids what earlier steps left behind: the next solve() starts from an estimate.

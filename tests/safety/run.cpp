@@ -10,7 +10,7 @@
 #include "formulations/constraints/constraints.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
-#include "formulations/verification/monitor/monitored_run.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
@@ -250,10 +250,10 @@ TEST(MonitoredRun, RepairsAnAngleThatJumpsByWholeTurns) {
 MonitoredSummary without(Monitor monitor, const Model& m, const TimeGrid& grid, Observer& observer,
                          const Settings& settings = {}, Level level = Level::acceleration) {
   MonitoredRunOptions options;
-  options.without = static_cast<unsigned>(monitor);
   options.every = 100;
   const auto f = make_formulation(find_variant("group_symbolic_inlined"), m, settings);
-  return run_monitored(*f, grid, {level}, observer, options);
+  return run_monitored_without(static_cast<unsigned>(monitor), *f, grid, {level}, observer,
+                               options);
 }
 
 /// A crank that turns at a constant rate until it has all but come to its dead point.

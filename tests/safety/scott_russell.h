@@ -1,6 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "cases/io/files.h"
+#include "formulations/base/observer.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -35,5 +41,25 @@ inline Scene scott_russell(double step) {
   scene.grid = {0, step, static_cast<int>(5 / step + 1.5)};
   return scene;
 }
+
+/// Compares C of the Scott Russell linkage with x = 2 cos θ.
+class SliderError final : public Observer {
+ public:
+  explicit SliderError(const Model& m) : first_(m.entities[m.find("C")].first) {}
+  Flow observe(const Instant& i) noexcept override {
+    const double theta = (30 + 30 * i.time) * std::numbers::pi / 180, rate = std::numbers::pi / 6;
+    const bool is_there = std::abs(i.time - 2) < 1e-9;
+    double& error = is_there ? there : elsewhere;
+    error = std::max(error, std::abs(i.q[first_] - 2 * std::cos(theta)));
+    if (!i.qd.empty()) error = std::max(error, std::abs(i.qd[first_] + 2 * rate * std::sin(theta)));
+    if (!i.qdd.empty())
+      error = std::max(error, std::abs(i.qdd[first_] + 2 * rate * rate * std::cos(theta)));
+    return Flow::go_on;
+  }
+  double there = 0, elsewhere = 0;
+
+ private:
+  int first_;
+};
 
 }  // namespace desmo

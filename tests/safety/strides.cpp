@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "formulations/id.h"
+#include "formulations/stepping/strided_steps.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/monitor/monitored_run.h"
-#include "formulations/verification/monitor/strided_steps.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
+#include "tests/safety/recipes.h"
 
 namespace desmo {
 namespace {
@@ -71,38 +72,6 @@ TEST(Strides, KeepRowsThatAreGoodEnough) {
   EXPECT_EQ(s.outcome(), Outcome::converged);
   EXPECT_EQ(s.corrected, 0);
   EXPECT_EQ(s.shortest_stride, 0);
-}
-
-/// Crank of 1 about (0, 0), rod of 3, slider on y = 0.1, driven up to its dead point at x² = 16 −
-/// 0.1² but for `distance`, and back, once a second.
-Scene driven_slider(double distance) {
-  const double farthest = std::sqrt(16 - 0.01) - distance, x = (3 + farthest) / 2;
-  const double reach = std::hypot(x, 0.1), along = (1 - 9 + reach * reach) / (2 * reach),
-               beside = std::sqrt(1 - along * along);
-  Scene scene = parse_scene(R"({
-    "format": "desmo-scene", "version": 1,
-    "mechanism": {
-      "format": "desmo-mechanism", "version": 1, "name": "driven_slider", "dimension": 2,
-      "points": {"O": [0, 0], "A": [1, 0], "C": [4, 0.1], "P": [0, 0.1]}, "vectors": {"x": [1, 0]},
-      "ground": {"points": ["O", "P"], "vectors": ["x"]},
-      "bodies": {"crank": {"points": ["O", "A"], "length": 1},
-                 "rod": {"points": ["A", "C"], "length": 3},
-                 "slider": {"points": ["C"], "vectors": ["x"]}},
-      "joints": [
-        {"type": "revolute", "bodies": ["ground", "crank"], "points": ["O"]},
-        {"type": "revolute", "bodies": ["crank", "rod"], "points": ["A"]},
-        {"type": "revolute", "bodies": ["rod", "slider"], "points": ["C"]},
-        {"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"],
-         "points": ["P", "C"]}],
-      "coordinates": {"s": {"distance": ["P", "C"], "along": "x"}}, "drivers": ["s"]},
-    "motion": {"s": {"type": "polynomial", "coefficients": [4]}},
-    "time": {"end": 1, "step": 0.01}})",
-                            "driven_slider.scene.json", "");
-  scene.mechanism.points[1].position = {(along * x - beside * 0.1) / reach,
-                                        (along * 0.1 + beside * x) / reach, 0};
-  scene.mechanism.points[2].position = {x, 0.1, 0};
-  scene.motions[0] = HarmonicSum{x, {{(farthest - 3) / 2, 2 * std::numbers::pi, 0}}};
-  return scene;
 }
 
 struct Judged {

@@ -54,7 +54,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
         jacobian(p.row[k], j) = values[k];
     }
     for (std::size_t k = 0; k < p.known.size(); ++k)
-      right[p.known[k].row] -= values[p.dependent_entries() + k] * s.qd[p.known[k].state];
+      right[p.known[k].row] -= values[p.dependent_entries() + k] * s.qd[p.known[k].place];
     const double condition = jacobian.norm() * jacobian.inverse().norm();
     const double allowed = 50 * std::numeric_limits<double>::epsilon() * jacobian.norm() *
                            qd.norm() * (GetParam()->squares_condition ? condition : 1);

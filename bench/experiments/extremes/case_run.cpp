@@ -14,6 +14,7 @@
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes {
 
@@ -213,7 +214,6 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
 
   Record record(known, *f, a);
   MonitoredRunOptions options;
-  options.without = without;
   options.past_failures = c.goes_on;
   options.monitored = [&](const MonitoredInstant& instant) { record.note(instant); };
   const std::size_t runs = c.starts ? known.starts.size() : 1;
@@ -222,7 +222,7 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
   for (std::size_t i = 0; i < runs; ++i) {
     if (started) started->estimate = known.starts[i];
     record.begin(i);
-    record.end(run_monitored(*f, grid, {}, record, options), grid, m);
+    record.end(run_monitored_without(without, *f, grid, {}, record, options), grid, m);
   }
   a.refactorisations = refactorisations(*f);
   return a;

@@ -12,6 +12,7 @@
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
 #include "cases/generators/cases.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes {
 

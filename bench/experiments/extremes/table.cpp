@@ -8,6 +8,7 @@
 #include "bench/experiments/extremes/known_case.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/id.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes {
 

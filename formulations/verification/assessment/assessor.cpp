@@ -113,7 +113,9 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
 }
 
 Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assessment& a) {
-  constexpr double near_singular = 1e3;  // condition number of a block, in its own lengths
+  constexpr double near_singular = 1e3;  // condition number of a block, in its own lengths, …
+  constexpr double not_far = 30;         // … where there is no other cause
+  constexpr double late = 0x1p-47;       // rounding of drivers, relative to their scale
   constexpr double far = 100;            // times the size
   constexpr double share = 0.1;          // of a bound, that tells where it comes from
   double longest = 0, shortest = INFINITY;
@@ -125,23 +127,25 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
   const double spread = std::max(1.0, longest / shortest);  // which no position is to blame for
   weights_.setOnes();
   change_.setOnes();
-  double own = 1;
+  double own = 1, worst = 0;
   if (system_.size() > 0) {
     Blocks blocks{system_};
-    if (of_change_(blocks, weights_, change_).value > near_singular * spread)
-      return Limit::singular_position;
+    worst = of_change_(blocks, weights_, change_).value / spread;
+    if (worst > near_singular) return Limit::singular_position;
     own = of_change_(system_, weights_, change_).value;
   }
   motion_.take(instant);
-  for (const Level level : desmo::levels)
-    if (a.condition * motion_.of_drivers(level, scales) > share * a.bound[level] &&
-        a.bound[level] > 0)
+  for (const Level level : desmo::levels) {
+    const double rounding = motion_.of_drivers(level, scales);
+    if (rounding > late && a.bound[level] > 0 && a.condition * rounding > share * a.bound[level])
       return Limit::drivers;
+  }
   for (const Entity& e : model_.entities)
     if (!e.fixed && e.kind == EntityKind::point)
       for (int i = e.first; i < e.first + e.size; ++i)
         if (std::abs(instant.q[i]) > far * nominal_size(model_)) return Limit::origin;
-  return std::max(spread, a.condition / own) > far ? Limit::sizes : Limit::rounding;
+  if (std::max(spread, a.condition / own) > far) return Limit::sizes;
+  return worst > not_far ? Limit::singular_position : Limit::rounding;
 }
 
 /// off_ = what that order of the equations is off by, over R, and unknown_ = how much more or less

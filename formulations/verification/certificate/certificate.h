@@ -14,7 +14,7 @@ namespace desmo {
 /// within the radii of the positions around the delivered ones, and the rates of that solution are
 /// within the radii of the rates. The model's constants, its motions and the instant's time count
 /// as exact. Whether that solution lies on the branch that is meant is not part of the proof.
-struct [[nodiscard]] Certificate {
+struct Certificate {
   bool proven = false;
   /// First irreducible block without a proof: its structural group and its first unknown. -1: none.
   GroupId group = -1;

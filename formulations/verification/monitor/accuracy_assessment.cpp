@@ -21,10 +21,11 @@ constexpr double error_over_shown = 10;
 Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant) {
   Expectation::Signals signals;
   if (has(Monitor::residual)) signals.residual = instant.residual;
-  if (!has(Monitor::sensitivity)) return signals;
-  signals.growth = sensitivity.growth(instant);
-  signals.drivers = sensitivity.driver_growth();
-  if (!has(Monitor::clock)) return signals;
+  if (has(Monitor::sensitivity)) {
+    signals.growth = sensitivity.growth(instant);
+    signals.drivers = sensitivity.driver_growth();
+  }
+  if (!has(Monitor::condition)) return signals;
   conditioning.go_on(instant);
   if (conditioning.is_due()) conditioning.look(instant, assessor.system());
   signals.growth = std::max(signals.growth, conditioning.growth());
@@ -59,7 +60,7 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
 
 /// Whether pivots of earlier positions may spoil the rates.
 bool AccuracyMonitor::State::has_bad_pivots() const {
-  if (!options.reuses_pivots || !has(Monitor::residual)) return false;
+  if (!options.reuses_pivots || !has(Monitor::pivots)) return false;
   return options.parts.empty() || std::ranges::any_of(options.parts, [](const PivotReuse* part) {
            return !(part->pivot_shrinkage() <= doubtful_pivot_loss);
          });
@@ -68,8 +69,8 @@ bool AccuracyMonitor::State::has_bad_pivots() const {
 bool AccuracyMonitor::State::is_in_doubt(const Instant& instant,
                                          const Expectation::Signals& signals) {
   if (!has(Monitor::continuity)) return false;
-  const bool in_doubt =
-      continuity.in_doubt(with_known_rates(instant), weights, min_excursion(signals.growth));
+  const bool in_doubt = continuity.in_doubt(with_known_rates(instant), weights,
+                                            min_excursion(signals.growth), has(Monitor::turns));
   return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
 }
 
@@ -121,11 +122,11 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     assessor(j.instant, scales.with(j.instant));  // its factors again
   }
   since = 0;
-  const bool tries = has(Monitor::bounds) && !j.instant.interpolated &&
+  const bool tries = has(Monitor::bounds) && has(Monitor::repair) && !j.instant.interpolated &&
                      exceeds(given.bound, limits.worth_correcting(given.condition));
   const bool is_better = tries && improve(j);
   const Assessment wide = last;
-  if (has(Monitor::bounds)) measure(last, j.instant);
+  if (has(Monitor::bounds) && has(Monitor::measurement)) measure(last, j.instant);
   degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
   if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
     rescale(last.bound, scales.with(j.instant), scales.current());
@@ -212,6 +213,7 @@ std::optional<SingularityCrossing> AccuracyMonitor::State::crossing(const Instan
 }
 
 void AccuracyMonitor::State::look_back(const Instant& like) {
+  if (!has(Monitor::look_back)) return;
   RecentInstants& recent = continuity.recent();
   for (int back = 0; back < recent.count() && !recent[back].is_assessed; ++back) {
     RecentInstants::Node& node = recent[back];

@@ -35,6 +35,7 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
 
 MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   MonitoredInstant j{given};
+  if (given.interpolated && !has(Monitor::rows)) return j;
   if (!started) declare(j);
   const Instant instant = j.instant;
   const Expectation::Signals signals = signals_of(instant);
@@ -58,7 +59,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
     assess(j, signals, statement.assessment, in_doubt);
   else
     j.assessment = statement.assessment;
-  if (j.assessment.singular && !instant.interpolated) solve_singular(j, signals);
+  if (j.assessment.singular && !instant.interpolated && has(Monitor::repair))
+    solve_singular(j, signals);
   if (j.too_coarse) return j;
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
@@ -95,7 +97,7 @@ std::optional<Continuity::Jump> AccuracyMonitor::State::find_jump(MonitoredInsta
                                                                   bool from_noise) {
   const auto jump = continuity.find_jump(with_known_rates(j.instant), means());
   if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
-  if (from_noise) return jump;  // from where shorter steps lead anywhere
+  if (from_noise || !has(Monitor::repair)) return jump;  // from where shorter steps lead anywhere
   if (const auto solved = solve_anew(j.instant)) {
     const Instant found = kept(*solved);
     Assessment a = assessor(found, scales.with(found));
@@ -154,7 +156,7 @@ bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
 /// Goes to the first instant from the nominal position. Where that leads elsewhere, the instant is
 /// what it leads to.
 void AccuracyMonitor::State::declare(MonitoredInstant& j) {
-  if (!has(Monitor::orientation)) return;
+  if (!has(Monitor::orientation) || !has(Monitor::continuation)) return;
   NominalContinuation way(model, assessor);
   is_declared = way.begin() && way.go_to(continuity.driven(j.instant));
   if (!is_declared) return;
@@ -184,6 +186,7 @@ std::optional<Instant> AccuracyMonitor::State::solve_alone(const Instant& instan
 }
 
 std::optional<MonitoredInstant> AccuracyMonitor::State::pass(const Instant& singular) {
+  if (!has(Monitor::passage)) return {};
   const auto p = continuity.pass(singular, means());
   if (!p) return {};
   MonitoredInstant j{p->instant};
@@ -252,6 +255,7 @@ long AccuracyMonitor::assessed() const { return state_->assessed; }
 long AccuracyMonitor::corrected() const { return state_->corrected; }
 double AccuracyMonitor::condition() const { return state_->condition; }
 const PerLevel<double>& AccuracyMonitor::bound() const { return state_->worst; }
+const Scales& AccuracyMonitor::scales() const { return state_->scales.current(); }
 long AccuracyMonitor::degraded() const { return state_->degradations.count(); }
 std::optional<Degradation> AccuracyMonitor::first_degraded() const {
   return state_->degradations.first();

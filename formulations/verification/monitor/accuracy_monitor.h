@@ -13,19 +13,33 @@
 #include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/assessment/assessment.h"
+#include "formulations/verification/monitor/monitored_run.h"
 
 namespace desmo {
 
 class PivotReuse;  // algebra/linear_solver.h, which is not installed
 
-/// Signal that makes the accuracy monitor assess an instant, or check of the assessment.
+/// A monitor or a rule of a monitored run, which tests leave out to see what it alone finds.
 enum class Monitor : unsigned {
-  sensitivity = 1,   ///< rates of unknowns over those of the drivers
-  residual = 2,      ///< ‖Φ‖ at which positions were accepted
-  clock = 4,         ///< the number of instants since the last assessment
-  bounds = 8,        ///< tells degraded and singular instants from others
-  orientation = 16,  ///< signs of the determinants of irreducible blocks
-  continuity = 32    ///< whether rates lead from each instant to the next (Continuity)
+  // Signals that make the accuracy monitor assess an instant, and checks of the assessment.
+  sensitivity = 1 << 0,  ///< rates of unknowns over those of the drivers
+  condition = 1 << 1,    ///< growth of the condition number that rates do not show
+  residual = 1 << 2,     ///< ‖Φ‖ at which positions were accepted
+  clock = 1 << 3,        ///< the number of instants since the last assessment
+  bounds = 1 << 4,       ///< tells degraded and singular instants from others
+  orientation = 1 << 5,  ///< signs of the determinants of irreducible blocks
+  continuity = 1 << 6,   ///< whether rates lead from each instant to the next (Continuity)
+  turns = 1 << 7,        ///< drivers that turn back within a step (DriverTurns)
+  branch = 1 << 8,       ///< conditions beyond the equations that were solved (BranchMonitor)
+  // What is done about it.
+  correction = 1 << 9,    ///< Newton's method makes one more correction (OneMoreCorrection)
+  repair = 1 << 10,       ///< instants are corrected, and doubtful steps gone again in shorter ones
+  measurement = 1 << 11,  ///< the error is measured where a bound would flag it (MeasuredError)
+  pivots = 1 << 12,       ///< reused pivots that have shrunk: residuals of rates
+  rows = 1 << 13,         ///< interpolated instants are judged
+  look_back = 1 << 14,    ///< instants before one that turned out worse than expected are assessed
+  passage = 1 << 15,      ///< singular positions at which the motion is smooth are passed
+  continuation = 1 << 16,  ///< a start on another branch is reached from the nominal position
 };
 
 struct MonitorName {
@@ -34,17 +48,31 @@ struct MonitorName {
 };
 inline constexpr std::array monitor_names{
     MonitorName{Monitor::sensitivity, "sensitivity"},
+    MonitorName{Monitor::condition, "condition"},
     MonitorName{Monitor::residual, "residual"},
     MonitorName{Monitor::clock, "clock"},
     MonitorName{Monitor::bounds, "bounds"},
     MonitorName{Monitor::orientation, "orientation"},
     MonitorName{Monitor::continuity, "continuity"},
+    MonitorName{Monitor::turns, "turns"},
+    MonitorName{Monitor::branch, "branch"},
+    MonitorName{Monitor::correction, "correction"},
+    MonitorName{Monitor::repair, "repair"},
+    MonitorName{Monitor::measurement, "measurement"},
+    MonitorName{Monitor::pivots, "pivots"},
+    MonitorName{Monitor::rows, "rows"},
+    MonitorName{Monitor::look_back, "look_back"},
+    MonitorName{Monitor::passage, "passage"},
+    MonitorName{Monitor::continuation, "continuation"},
 };
+
+/// Runs like run_monitored(), without some monitors and rules. without: their bits.
+MonitoredSummary run_monitored_without(unsigned without, Formulation& formulation,
+                                       const TimeGrid& grid, const Request& request,
+                                       Observer& observer, const MonitoredRunOptions& options);
 
 /// Settings of an accuracy monitor.
 struct AccuracyMonitorOptions {
-  static constexpr int usual_interval = 2000;
-
   double tolerance = default_tolerance;  ///< of Settings; run_monitored() takes the formulation's
   std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
   std::span<const Level> asked{};        ///< to which it is judged; empty: as far as solved
@@ -52,26 +80,10 @@ struct AccuracyMonitorOptions {
   bool reuses_pivots = false;            ///< Part::reuses_pivots: rates may be spoilt
   /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
   std::vector<const PivotReuse*> parts{};
-  unsigned without = 0;            ///< Monitor bits left out, for tests of what each finds
+  unsigned without = 0;            ///< Monitor bits left out
   std::optional<Scales> scales{};  ///< to which bounds are relative; empty: the motion's
   int max_steps = 4096;            ///< shorter steps in which a doubtful step is gone again
   int max_degradations = 1000000;  ///< degraded instants reconsidered when scales grow
-};
-
-/// An instant and its accuracy.
-struct MonitoredInstant {
-  Instant instant;        ///< corrected where that helped; valid until the next instant
-  bool degraded = false;  ///< conditioning keeps it from meeting the limits
-  /// It jumped to another branch, or lies in a singular position, and was then solved from the
-  /// instant before it.
-  bool solved_anew = false;
-  /// It was interpolated, and is not as accurate as solved instants are to be. It counts nowhere:
-  /// the caller solves it, or hands in one of a shorter stride.
-  bool too_coarse = false;
-  /// No angle is half a turn from where the instant before leads it: see BranchMonitor.
-  bool angles_follow = false;
-  std::optional<SingularityCrossing> crossing{};
-  Assessment assessment{};  ///< assessed, or an expectation with margin (Expectation)
 };
 
 /// Monitors the accuracy of a motion's instants at little cost. It assesses (Assessor) the first
@@ -138,8 +150,10 @@ class AccuracyMonitor {
   long corrected() const;
   /// Returns the largest condition number of all instants; between assessments it is expected.
   double condition() const;
-  /// Returns the largest bounds so far, relative to the scales of the motion so far.
+  /// Return the largest bounds so far, and the scales of the motion so far that they are relative
+  /// to.
   const PerLevel<double>& bound() const;
+  const Scales& scales() const;
   /// Return the number of degraded instants, relative to the motion so far, and the first of them.
   /// Instants at rest, early in a motion, may stop counting when rates have grown.
   long degraded() const;

@@ -130,11 +130,11 @@ bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::A
 }
 
 bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
-                          double min_excursion) {
+                          double min_excursion, bool with_turns) {
   const double least = std::min(min_excursion, std::exchange(min_excursion_, min_excursion));
   angles_follow_ = is_known() && do_angles_follow(instant);
   if (!is_known() || weights.size() == 0) return false;
-  return turns_.find(recent_[0], instant, least) ||
+  return (with_turns && turns_.find(recent_[0], instant, least)) ||
          mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
          (!angles_follow_ && turns_further(view_of(recent_[0], instant), instant, weights));
 }

@@ -43,7 +43,9 @@ class Continuity {
 
   /// Returns whether the step from the instant taken last is in doubt. min_excursion: how far
   /// drivers may turn beyond this instant before a position may be singular (DriverTurns).
-  bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights, double min_excursion);
+  /// with_turns: turning points of the drivers within the step count.
+  bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights, double min_excursion,
+                bool with_turns = true);
   /// Returns whether all unknown angles turned in that step as their rates say, so closely that
   /// none is half a turn from where they lead.
   bool angles_follow() const { return angles_follow_; }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 

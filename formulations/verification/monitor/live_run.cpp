@@ -20,6 +20,8 @@ bool are_finite(std::span<const double> values) {
   return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });
 }
 
+LiveSteps& steps_of(Formulation& f) { return *core_of(f).live(); }
+
 /// Everything, up to a level, of a model whose motions are polynomials of degree 5.
 Plan whole_plan(const Model& m, const LiveOptions& options) {
   Plan plan{m, {options.levels.begin(), options.levels.end()}, {}, {}};
@@ -97,7 +99,7 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   }
   std::ranges::copy(row.z, tried_.begin());
   const Summary step =
-      core_of(formulation_).live()->step_to_row(row, options_.level, options_.max_sub_steps);
+      steps_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
   static_cast<Summary&>(summary) = step;
   if (step.ok()) assess(row, summary);
   return summary;
@@ -160,7 +162,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
   std::ranges::copy(found.qdd, good_.acceleration.begin());
   time_ = row.time;
   has_position_ = true;
-  if (j.solved_anew) core_of(formulation_).live()->return_to(good_.position, time_);
+  if (j.solved_anew) steps_of(formulation_).return_to(good_.position, time_);
 }
 
 /// Sets the motions that are monitored: Taylor's polynomial from the row, at time 0, exactly, and
@@ -201,11 +203,8 @@ bool LiveRun::set_drivers(const LiveRow& row) {
 }
 
 void LiveRun::go_back() {
-  core_of(formulation_)
-      .live()
-      ->return_to(
-          has_position_ ? std::span<const double>(good_.position) : std::span<const double>(),
-          time_);
+  const std::span<const double> none;
+  steps_of(formulation_).return_to(has_position_ ? good_.position : none, time_);
   monitors_->accuracy->resume();
 }
 
@@ -218,7 +217,7 @@ void LiveRun::set_time(double t) {
 void LiveRun::restart() {
   has_position_ = false;
   time_ = 0;
-  core_of(formulation_).live()->return_to({}, 0);
+  steps_of(formulation_).return_to({}, 0);
   const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
   monitors_->accuracy.emplace(
       monitors_->plan.model, TimeGrid{},

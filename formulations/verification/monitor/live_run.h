@@ -22,8 +22,7 @@ struct LiveOptions {
   std::optional<Scales> scales{};
   /// Shorter steps that one row may take, to be solved or to be followed on its branch.
   int max_sub_steps = 64;
-  int every = AccuracyMonitorOptions::usual_interval;  ///< rows from one assessment to the next, at
-                                                       ///< most (see AccuracyMonitor)
+  int every = usual_interval;  ///< rows from one assessment to the next, at most
 };
 
 /// A fault that keeps a row from being tried.

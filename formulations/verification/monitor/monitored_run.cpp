@@ -8,9 +8,10 @@
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
+#include "formulations/stepping/strided_steps.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 #include "formulations/verification/monitor/gap_search.h"
-#include "formulations/verification/monitor/strided_steps.h"
 
 namespace desmo {
 
@@ -18,12 +19,12 @@ namespace {
 
 AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
                                        std::span<const Level> levels, std::span<const Level> asked,
-                                       const Formulation& f) {
+                                       const Formulation& f, unsigned without) {
   AccuracyMonitorOptions result{.tolerance = f.settings().tolerance,
                                 .levels = levels,
                                 .asked = asked,
                                 .every = options.strict ? 1 : options.every,
-                                .without = options.without};
+                                .without = without};
   for (const DefinedPart& part : parts_of(f))
     if (part.solver->reuses_pivots()) {
       result.reuses_pivots = true;
@@ -59,7 +60,7 @@ class Run final : Observer {
 
  public:
   Run(Formulation& formulation, const TimeGrid& grid, const Request& request, Observer& observer,
-      const MonitoredRunOptions& options)
+      const MonitoredRunOptions& options, unsigned without)
       : formulation_(formulation),
         grid_(grid),
         level_(request.level),
@@ -67,11 +68,13 @@ class Run final : Observer {
         levels_(with_velocities(asked_)),
         request_(with_velocities(request)),
         options_(options),
+        without_(without),
         branch_(formulation.model(), levels_, formulation.settings().tolerance),
         steps_(formulation, grid, request_.level, *this),
         output_(request, formulation.model().coordinates()),
         next_(observer) {
     if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
+    if (has(Monitor::correction)) corrections_.emplace(parts_of(formulation_));
     begin_monitoring();
   }
   Run(const Run&) = delete;
@@ -82,7 +85,8 @@ class Run final : Observer {
     if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
     summary_.iterations = ran.iterations;
     tried_ = static_cast<int>(summary_.instants);  // all before it were handed on
-    if (tried_ == 0 && summary_.violated >= 0) {   // assembled in one go, but elsewhere
+    // Assembled in one go, but elsewhere.
+    if (tried_ == 0 && summary_.violated >= 0 && has(Monitor::continuation)) {
       summary_ = {};
       begin_monitoring();
       is_astray_ = is_continued_ = true;
@@ -99,6 +103,7 @@ class Run final : Observer {
       go_on(pass_gap(), From::estimate);
     summary_.condition = accuracy_->condition();
     summary_.bound = accuracy_->bound();
+    summary_.scales = accuracy_->scales();
     summary_.assessed = accuracy_->assessed();
     summary_.corrected = accuracy_->corrected();
     summary_.degraded = accuracy_->degraded();
@@ -110,8 +115,9 @@ class Run final : Observer {
  private:
   void begin_monitoring() {
     accuracy_.emplace(formulation_.model(), grid_,
-                      monitor_options(options_, levels_, asked_, formulation_));
+                      monitor_options(options_, levels_, asked_, formulation_, without_));
   }
+  bool has(Monitor monitor) const { return !(without_ & static_cast<unsigned>(monitor)); }
 
   Flow observe(const Instant& instant) noexcept override {
     MonitoredInstant m = accuracy_->examine(instant);
@@ -133,8 +139,8 @@ class Run final : Observer {
   }
 
   Flow hand_on(MonitoredInstant m) {
-    summary_.violated = branch_.violated(m.instant, m.angles_follow);
-    if (summary_.violated >= 0)
+    if (has(Monitor::branch)) summary_.violated = branch_.violated(m.instant, m.angles_follow);
+    if (summary_.violated >= 0 && has(Monitor::repair))
       if (const auto again = accuracy_->solve_again(m.instant)) {
         m = *again;
         is_astray_ = true;
@@ -224,12 +230,13 @@ class Run final : Observer {
   }
 
   Formulation& formulation_;
-  const OneMoreCorrection corrections_{parts_of(formulation_)};
+  std::optional<OneMoreCorrection> corrections_;
   const TimeGrid grid_;
   const Level level_;                        // asked for
   const std::vector<Level> asked_, levels_;  // of each coordinate: asked for, solved
   const Request request_;
   const MonitoredRunOptions options_;
+  const unsigned without_;  // monitors left out
   /// The summary so far.
   struct Progress : MonitoredSummary {
     bool ok() const { return status == Status::solved; }  // the last instant tried
@@ -249,12 +256,18 @@ class Run final : Observer {
 
 }  // namespace
 
+MonitoredSummary run_monitored_without(unsigned without, Formulation& formulation,
+                                       const TimeGrid& grid, const Request& request,
+                                       Observer& observer, const MonitoredRunOptions& options) {
+  if (!request.coordinates.empty())
+    throw std::invalid_argument("a monitored run is asked for some coordinates; it needs all");
+  return Run(formulation, grid, request, observer, options, without)();
+}
+
 MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
                                const Request& request, Observer& observer,
                                const MonitoredRunOptions& options) {
-  if (!request.coordinates.empty())
-    throw std::invalid_argument("a monitored run is asked for some coordinates; it needs all");
-  return Run(formulation, grid, request, observer, options)();
+  return run_monitored_without(0, formulation, grid, request, observer, options);
 }
 
 }  // namespace desmo

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "formulations/formulation.h"
+#include "formulations/scaling/scales.h"
 #include "formulations/verification/assessment/assembly_error.h"
-#include "formulations/verification/monitor/accuracy_monitor.h"
+#include "formulations/verification/assessment/assessment.h"
 
 namespace desmo {
 
@@ -36,7 +37,8 @@ struct [[nodiscard]] MonitoredSummary : Summary {
   int violated = -1;     ///< constraint that the last instant violates, since it lies on another
                          ///< branch (BranchMonitor); that instant was not delivered
   double condition = 0;  ///< largest condition number (see Assessment)
-  PerLevel<double> bound{};  ///< error bounds, relative to the scales of the motion
+  PerLevel<double> bound{};  ///< error bounds, relative to …
+  Scales scales{};           ///< … the scales of the motion
   long assessed = 0;         ///< instants assessed
   long corrected = 0;        ///< instants corrected
   long degraded = 0;         ///< instants degraded
@@ -53,15 +55,32 @@ struct [[nodiscard]] MonitoredSummary : Summary {
   }
 };
 
+/// An instant and its accuracy.
+struct MonitoredInstant {
+  Instant instant;        ///< corrected where that helped; valid until the next instant
+  bool degraded = false;  ///< conditioning keeps it from meeting the limits
+  /// It jumped to another branch, or lies in a singular position, and was then solved from the
+  /// instant before it.
+  bool solved_anew = false;
+  /// It was interpolated, and is not as accurate as solved instants are to be. It counts nowhere:
+  /// the caller solves it, or hands in one of a shorter stride.
+  bool too_coarse = false;
+  /// No angle is half a turn from where the instant before leads it: see BranchMonitor.
+  bool angles_follow = false;
+  std::optional<SingularityCrossing> crossing{};
+  Assessment assessment{};  ///< assessed, or an expectation with margin (Expectation)
+};
+
+/// Longest interval between assessments, in instants.
+inline constexpr int usual_interval = 2000;
+
 /// Settings of a monitored run. The tolerance is that of the formulation.
 struct MonitoredRunOptions {
   /// Level asked for of each coordinate (Plan::levels); empty: that of the request.
   std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled
-  int every = AccuracyMonitorOptions::usual_interval;  ///< instants from one assessment to the
-                                                       ///< next, at most (see AccuracyMonitor)
-  unsigned without = 0;  ///< Monitor bits left out, for tests of what each finds
+  int every = usual_interval;  ///< instants from one assessment to the next, at most
   /// Callback that receives each instant before the observer does; empty: none.
   std::function<void(const MonitoredInstant&)> monitored{};
 };
@@ -86,5 +105,8 @@ std::string describe(const MonitoredSummary& summary, const Model& model);
 
 /// Returns "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration"
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level);
+
+/// Returns "relative to 0.2 m or 1 rad, 1.3 m/s or 6.3 rad/s, 8 m/s^2 or 39 rad/s^2"
+std::string describe_scales(const Scales& scales, Level level, const Model& model);
 
 }  // namespace desmo

@@ -27,7 +27,8 @@ std::string describe(const MonitoredSummary& s, const Model& m) {
                               : s.outcome() == Outcome::degraded ? "degraded: "
                                                                  : "converged: ";
   return outcome + flags + std::to_string(s.instants) + " instants in all, " +
-         describe_accuracy(s.condition, s.bound, Level::acceleration);
+         describe_accuracy(s.condition, s.bound, Level::acceleration) + ", " +
+         describe_scales(s.scales, Level::acceleration, m);
 }
 
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level) {
@@ -41,6 +42,21 @@ std::string describe_accuracy(double condition, const PerLevel<double>& bound, L
   if (level >= Level::velocity) result += ", " + number(bound.velocity) + " in velocity";
   if (level >= Level::acceleration)
     result += ", " + number(bound.acceleration) + " in acceleration";
+  return result;
+}
+
+std::string describe_scales(const Scales& scales, Level level, const Model& m) {
+  static constexpr const char* per_time[] = {"", "/s", "/s^2"};
+  const std::string unit = m.length_unit == "1" ? "" : m.length_unit;
+  std::string result;
+  for (const Level l : levels) {
+    if (l > level) break;
+    const std::string per = per_time[static_cast<int>(l)];
+    char text[80];
+    std::snprintf(text, sizeof text, "%.3g%s%s or %.3g rad", scales.length[l],
+                  unit.empty() ? "" : " ", (unit + per).c_str(), scales.rotation[l]);
+    result += (result.empty() ? "relative to " : ", ") + (text + per);
+  }
   return result;
 }
 

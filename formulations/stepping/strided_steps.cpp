@@ -1,4 +1,4 @@
-#include "formulations/verification/monitor/strided_steps.h"
+#include "formulations/stepping/strided_steps.h"
 
 #include <utility>
 
