@@ -10,6 +10,7 @@
 #include "formulations/planning/plan.h"
 #include "formulations/stepping/diagnosis.h"
 #include "formulations/stepping/formulation_core.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {
