@@ -31,7 +31,10 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
       backward_error(m, assessor.levels()),
       signs(m, assessor.system()),
       entity(entity_of_coordinate(m)),
-      degradations(limits.degraded, o.max_degradations) {}
+      degradations(limits.degraded, o.max_degradations) {
+  for (std::vector<double>* values : {&improved.q, &improved.qd, &improved.qdd})
+    values->reserve(m.coordinates());
+}
 
 MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   MonitoredInstant j{given};

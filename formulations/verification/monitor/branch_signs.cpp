@@ -27,6 +27,7 @@ void BranchSigns::declare(const Instant& first) {
   if (!system_.factor(state)) return;
   const auto declared = system_.orientation();
   signs_.assign(declared.begin(), declared.end());
+  found_ = before_ = signs_;  // as much memory as they will take
 }
 
 std::optional<SingularityCrossing> BranchSigns::at_first(const Instant& instant,
