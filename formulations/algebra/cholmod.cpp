@@ -88,6 +88,7 @@ class Cholmod final : public LinearSolver<double> {
     return cholmod_factorize(&a_, l_, &common_) && common_.status == CHOLMOD_OK;
   }
 
+  /// Normal equations square the condition number, whatever the pivots.
   double pivot_shrinkage() const override { return INFINITY; }
   void solve(double* b) override {
     normal_.right_side(values_, b, static_cast<double*>(right_->x));

@@ -129,6 +129,7 @@ class Ma27 final : public LinearSolver<double> {
     return a_.dialogue.succeeded();
   }
 
+  /// Normal equations square the condition number, whatever the pivots.
   double pivot_shrinkage() const override { return INFINITY; }
   void solve(double* b) override {
     a_.normal.right_side(values_, b, right_.data());
