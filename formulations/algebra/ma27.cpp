@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -128,6 +129,8 @@ class Ma27 final : public LinearSolver<double> {
     return a_.dialogue.succeeded();
   }
 
+  /// Normal equations square the condition number, whatever the pivots.
+  double pivot_shrinkage() const override { return INFINITY; }
   void solve(double* b) override {
     a_.normal.right_side(values_, b, right_.data());
     const int reals = count(reals_), integers = count(integers_);

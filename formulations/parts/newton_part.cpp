@@ -23,7 +23,10 @@ class DoublePrecisionPart final : public Part, public PivotReuse {
     return solver_.solve(s.q.data(), s.qd.data(), s.qdd.data(), level);
   }
   long refactorisations() const override { return solver_.refactorisations(); }
-  bool reuses_pivots() const override { return solver_.reuses_pivots(); }
+  /// Rates by normal equations, whose pivots count as shrunk, are doubtful as well.
+  bool reuses_pivots() const override {
+    return solver_.reuses_pivots() || std::isinf(solver_.pivot_shrinkage());
+  }
   double pivot_shrinkage() const override { return solver_.pivot_shrinkage(); }
 
  private:

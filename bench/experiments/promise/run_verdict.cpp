@@ -9,12 +9,15 @@
 #include "formulations/id.h"
 #include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/error.h"
+#include "formulations/verification/monitor/running_scales.h"
 
 namespace desmo::promise {
 
 namespace {
 
 constexpr double well_conditioned = 1e6;
+/// A bound of half a scale says that no digit is known; an error cannot contradict it.
+constexpr double no_digit = 0.5;
 /// What does not accelerate is judged by its speed, as monitors do.
 constexpr double min_scale = 0.01;
 
@@ -22,6 +25,25 @@ bool has_answer(const TrueInstant& t) { return !t.instant.q.empty(); }
 
 /// Returns the error that the truth itself may have: quadruple precision, near a singular position.
 PerLevel<double> floor_of(const TrueInstant& t) { return accuracy_limit(t.condition, 1e-32); }
+
+/// Returns the least scales of rates: what hardly moves is judged by its drivers, as monitors do.
+Scales scales_of_drivers(const DrawnScene& scene) {
+  const double size = nominal_size(scene.model);
+  PerLevel<double> length{}, rotation{};
+  for (const Driver& d : scene.model.drivers)
+    for (const double t : looks_ahead(scene.scene.grid)) {
+      const MotionSample<double> z = sample(d.motion, t);
+      PerLevel<double>& s = is_length(scene.model.entities[d.coordinate].kind) ? length : rotation;
+      s.velocity = std::max(s.velocity, std::abs(z.velocity));
+      s.acceleration = std::max(s.acceleration, std::abs(z.acceleration));
+    }
+  Scales result;
+  for (const Level l : {Level::velocity, Level::acceleration}) {
+    result.length[l] = min_scale * size * rotation[l];
+    result.rotation[l] = min_scale * length[l] / size;
+  }
+  return result;
+}
 
 /// Returns the scales of the delivered instants: of the truth, or larger where a degraded instant
 /// has larger numbers, since stated bounds are relative to these.
@@ -34,9 +56,11 @@ Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
   }
   Scales scales = make_scales(scene.model, truth);
   const Scales others = make_scales(scene.model, degraded);
+  const Scales drivers = scales_of_drivers(scene);
   for (const auto column : {&Scales::length, &Scales::rotation}) {
     PerLevel<double>& s = scales.*column;
-    for (const Level level : levels) s[level] = std::max(s[level], (others.*column)[level]);
+    for (const Level level : levels)
+      s[level] = std::max({s[level], (others.*column)[level], (drivers.*column)[level]});
     s.acceleration = std::max(s.acceleration, min_scale * s.velocity * s.velocity / s.position);
   }
   return scales;
@@ -57,6 +81,26 @@ bool is_regular(const DrawnScene& scene, int from, int to) {
   return true;
 }
 
+/// Returns the first instant from which on rounding decides between two motions. Rounding by u
+/// moves a path across to another one that comes within √u of it, where the condition number is
+/// 1/√u.
+/// - double precision: the scene's own numbers are rounded. Only paths that come near each other
+///   between two instants count; at an instant a flag is due.
+/// - single precision: the run cannot tell such paths apart, wherever they are.
+int decided_until(const DrawnScene& scene, bool is_single) {
+  constexpr double undecided = 1e9, undecided_single = 4e4;
+  const int instants = static_cast<int>(std::ssize(scene.truth));
+  for (int i = 0; i < instants; ++i) {
+    const TrueInstant& t = scene.truth[i];
+    if (is_single && std::max(t.condition, i > 0 ? t.path_condition : 0) > undecided_single)
+      return i;
+    const double ends = std::max(t.condition, i > 0 ? scene.truth[i - 1].condition : 0);
+    if (i > 0 && t.path_condition > std::max(undecided, 100 * ends) && t.path_condition < INFINITY)
+      return i;
+  }
+  return instants;
+}
+
 struct Worst {
   double ratio = 1;  // error over what is allowed
   RunVerdict details;
@@ -67,6 +111,7 @@ void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double
   const PerLevel<double> floor = floor_of(truth);
   for (const Level level : levels) {
     const double limit = 1.01 * allowed[level] + floor[level];
+    if (limit >= no_digit) continue;
     if (!(errors[level] > worst.ratio * limit)) continue;
     worst.ratio = errors[level] / limit;
     worst.details = {PromiseVerdict::wrong, what,           level, errors[level], allowed[level],
@@ -80,9 +125,10 @@ std::optional<RunVerdict> find_wrong(const DrawnScene& scene, const SolvedScene&
   const PerLevel<double> limit = Limits(solved.tolerance).degraded;
   const bool failed = solved.summary.outcome() == Outcome::failed;
   Worst promise, bound;
+  const int decided = decided_until(scene, solved.is_single);
   for (const Delivered& d : solved.instants) {
     const TrueInstant& truth = scene.truth[d.index];
-    if (is_doubtful(solved.summary, truth.instant.time)) continue;
+    if (is_doubtful(solved.summary, truth.instant.time) || d.index >= decided) continue;
     if (!has_answer(truth)) {
       if (d.degraded || scene.overconstrained) continue;
       return RunVerdict{PromiseVerdict::wrong, "no answer",    Level::position, INFINITY, 0,
@@ -203,7 +249,7 @@ RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
   } catch (const std::invalid_argument& error) {
     return {PromiseVerdict::not_applicable, error.what()};
   }
-  SolvedScene solved{{}, {}, c->settings.tolerance};
+  SolvedScene solved{{}, {}, c->settings.tolerance, c->settings.scalar == Scalar::single_precision};
   Collector collector(solved);
   MonitoredRunOptions options;
   options.monitored = [&](const MonitoredInstant& m) { collector.degraded = m.degraded; };

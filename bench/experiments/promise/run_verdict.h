@@ -21,6 +21,7 @@ struct SolvedScene {
   MonitoredSummary summary;
   std::vector<Delivered> instants;
   double tolerance;
+  bool is_single = false;  ///< in single precision
 };
 
 /// PromiseVerdict on a run.

@@ -48,6 +48,8 @@ class Assessor {
   /// Returns an instant corrected by Newton steps with factors at its own position, as long as the
   /// steps halve: as accurate as conditioning allows. Its numbers are valid until the next call.
   Instant corrected(const Instant& instant);
+  /// Returns the last of these steps, in magnitudes; infinity where there was none.
+  double last_correction() const { return last_correction_; }
 
   /// Returns the equations, factorised at the position used last.
   ScaledSystem& system() { return system_; }
@@ -85,6 +87,7 @@ class Assessor {
   std::vector<Rounded> phi_;
   std::vector<Jet<Rounded>> phi_motion_;
   PerLevel<std::vector<double>> corrected_;
+  double last_correction_ = INFINITY;
 };
 
 }  // namespace desmo

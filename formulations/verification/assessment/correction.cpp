@@ -32,11 +32,12 @@ Instant Assessor::corrected(const Instant& instant) {
   double before = INFINITY;
   for (int i = 0; i < max_corrections; ++i) {
     std::ranges::copy(q, state_.begin());
+    last_correction_ = INFINITY;
     if (!system_.factor(state_)) return instant;
     motion_.take(result);
-    const double correction = correct(Level::position, q);
-    if (!(correction < before / 2)) break;
-    before = correction;
+    last_correction_ = correct(Level::position, q);
+    if (!(last_correction_ < before / 2)) break;
+    before = last_correction_;
   }
   for (int pass = 0; pass < 2; ++pass)  // the second refines what the first has solved
     for (const Level level : {Level::velocity, Level::acceleration})

@@ -11,10 +11,12 @@ namespace desmo {
 
 /// Returns the error limits (factor t, factor² t, factor³ t) of position, velocity and
 /// acceleration, t being the tolerance of position. Each level loses what a moderate condition
-/// number costs.
+/// number costs. No limit is above half a scale: a larger error leaves no digit.
 inline PerLevel<double> powers(double factor, double tolerance) {
+  constexpr double no_digit = 0.5;
   const double t = std::max(tolerance, std::numeric_limits<double>::epsilon());
-  return {factor * t, factor * factor * t, factor * factor * factor * t};
+  return {std::min(no_digit, factor * t), std::min(no_digit, factor * factor * t),
+          std::min(no_digit, factor * factor * factor * t)};
 }
 
 /// Returns whether a bound exceeds its limit, or is NaN, at any level.

@@ -1,10 +1,16 @@
 #include "formulations/verification/assessment/measured_error.h"
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
 
 #include "formulations/verification/assessment/backward_error.h"
 #include "formulations/verification/assessment/enclosed_motion.h"
+#include "formulations/verification/assessment/limits.h"
 
 namespace desmo {
 
@@ -12,38 +18,76 @@ namespace {
 
 /// Corrections have to shrink so fast: at a double root they halve.
 constexpr double shrinks = 0.125;
-/// Corrections, in magnitudes, after which there need be no more, and which are too large for a
-/// last one.
-constexpr double settled = 1e-19, too_large = 1e-13;
-constexpr int max_corrections = 8;
+/// A correction, in magnitudes, that is too large for a last one.
+constexpr double too_large = 1e-13;
+constexpr int max_corrections = 24;
 /// What is stated of a measured error, and of what the last corrections may make of each level.
-constexpr double margin = 1.25, of_rounding = 8;
+constexpr double margin = 1.1, of_rounding = 8;
+
+/// An error, and what the rounding of the measurement may have made of it.
+struct Measurement {
+  PerLevel<double> error{}, rounding{};
+
+  PerLevel<double> stated() const {
+    PerLevel<double> sum{};
+    for (const Level l : levels) sum[l] = margin * error[l] + rounding[l];
+    return sum;
+  }
+};
 
 }  // namespace
 
-MeasuredError::MeasuredError(const Model& m, ScaledSystem& system, std::span<const Level> levels,
-                             std::span<const Level> asked)
-    : model_(m),
-      system_(system),
-      levels_(levels),
-      asked_(asked),
-      row_levels_(levels_of_rows(m, levels)),
-      state_(m.state_size()),
-      phi_(system.size()),
-      position_(m.state_size()),
-      off_(system.size()) {
-  for (std::size_t i = 0; i < m.fixed_values.size(); ++i) {
-    state_[m.coordinates() + i] = Wide(m.fixed_values[i]);
-    position_[m.coordinates() + i] = m.fixed_values[i];
+template <class Wide>
+class MeasuredError::Refinement {
+ public:
+  Refinement(const Model& m, ScaledSystem& system, std::span<const Level> levels,
+             std::span<const Level> asked)
+      : model_(m),
+        system_(system),
+        levels_(levels),
+        asked_(asked),
+        row_levels_(levels_of_rows(m, levels)),
+        state_(m.state_size()),
+        phi_(system.size()),
+        position_(m.state_size()),
+        off_(system.size()) {
+    for (std::size_t i = 0; i < m.fixed_values.size(); ++i) {
+      state_[m.coordinates() + i] = Wide(m.fixed_values[i]);
+      position_[m.coordinates() + i] = m.fixed_values[i];
+    }
   }
-}
 
-PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales& scales,
-                                           double condition) {
+  /// Makes one of other numbers for the same model.
+  template <class Other>
+  explicit Refinement(const Refinement<Other>& like)
+      : Refinement(like.model_, like.system_, like.levels_, like.asked_) {}
+
+  Measurement operator()(const Instant& instant, const Scales& scales, double condition);
+
+ private:
+  template <class>
+  friend class Refinement;
+
+  void take(const Instant& instant);
+  double refine(Level level);
+  double error(const Instant& instant, Level level, const Scales& scales) const;
+
+  const Model& model_;
+  ScaledSystem& system_;
+  std::span<const Level> levels_, asked_;
+  std::vector<Level> row_levels_;
+  std::vector<Jet<Wide>> state_, phi_;
+  std::vector<double> position_;  // state at which the system is factorised
+  Eigen::ArrayXd off_;
+};
+
+template <class Wide>
+Measurement MeasuredError::Refinement<Wide>::operator()(const Instant& instant,
+                                                        const Scales& scales, double condition) {
   take(instant);
   std::ranges::copy(instant.q, position_.begin());
   double rest = system_.factor(position_) ? 0 : INFINITY;  // that rounding leaves, in magnitudes
-  PerLevel<double> result{};
+  Measurement result;
   for (const Level level : levels) {
     if (level == Level::velocity && instant.qd.empty()) break;
     if (level == Level::acceleration && instant.qdd.empty()) break;
@@ -53,20 +97,20 @@ PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales&
     };
     const double units =
         std::max(unit(nominal_size(model_), scales.length[level]), unit(1, scales.rotation[level]));
-    result[level] = rest < INFINITY
-                        ? margin * error(instant, level, scales) + of_rounding * rest * units
-                        : INFINITY;
+    result.rounding[level] = rest < INFINITY ? of_rounding * rest * units : INFINITY;
+    if (rest < INFINITY) result.error[level] = error(instant, level, scales);
   }
   return result;
 }
 
 /// Takes an instant, with the drivers as they are meant.
-void MeasuredError::take(const Instant& instant) {
+template <class Wide>
+void MeasuredError::Refinement<Wide>::take(const Instant& instant) {
   const auto given = [&](Level level, std::span<const double> values, int i) {
     return values.empty() || levels_[i] < level ? Wide(0) : Wide(values[i]);
   };
   for (int i = 0; i < model_.coordinates(); ++i)
-    state_[i] = {instant.q[i], given(Level::velocity, instant.qd, i),
+    state_[i] = {Wide(instant.q[i]), given(Level::velocity, instant.qd, i),
                  given(Level::acceleration, instant.qdd, i)};
   for (const Driver& d : model_.drivers) {
     const MotionSample<Wide> z = sample(d.motion, Wide(instant.time));
@@ -76,10 +120,12 @@ void MeasuredError::take(const Instant& instant) {
 
 /// Solves one level, given the lower ones. Returns the last correction; infinity where corrections
 /// do not shrink fast.
-double MeasuredError::refine(Level level) {
+template <class Wide>
+double MeasuredError::Refinement<Wide>::refine(Level level) {
+  const double settled = static_cast<double>(std::numeric_limits<Wide>::epsilon());
   double before = INFINITY;
   for (int i = 0; i < max_corrections && system_.size() > 0; ++i) {
-    system_.equations().residual<Jet<Wide>>(state_, phi_);
+    system_.equations().template residual<Jet<Wide>>(state_, phi_);
     for (int r = 0; r < system_.size(); ++r)
       off_[r] = row_levels_[r] < level
                     ? 0
@@ -90,9 +136,9 @@ double MeasuredError::refine(Level level) {
       const int at = system_.unknowns()[j];
       if (levels_[at] < level) continue;
       Wide& value = state_[at].*order_of<Wide>(level);
-      value -= Wide(system_.magnitude(at)) * off_[j];
+      value -= Wide(system_.magnitude(at)) * Wide(off_[j]);
       correction = std::max(correction, std::abs(off_[j]));
-      size = std::max(size, static_cast<double>(std::abs(value)) / system_.magnitude(at));
+      size = std::max(size, std::abs(static_cast<double>(value)) / system_.magnitude(at));
     }
     if (correction <= settled * size) return correction;
     if (!(correction <= shrinks * before))
@@ -103,7 +149,9 @@ double MeasuredError::refine(Level level) {
 }
 
 /// Returns the largest difference of any output, relative to its scale.
-double MeasuredError::error(const Instant& instant, Level level, const Scales& scales) const {
+template <class Wide>
+double MeasuredError::Refinement<Wide>::error(const Instant& instant, Level level,
+                                              const Scales& scales) const {
   const std::span<const double> values = level == Level::position   ? instant.q
                                          : level == Level::velocity ? instant.qd
                                                                     : instant.qdd;
@@ -114,12 +162,34 @@ double MeasuredError::error(const Instant& instant, Level level, const Scales& s
     if (!(scale > 0)) continue;
     double squares = 0;
     for (int i = e.first; i < e.first + e.size; ++i) {
-      const double off = static_cast<double>(values[i] - state_[i].*order_of<Wide>(level));
+      const double off =
+          static_cast<double>(Wide(Wide(values[i]) - state_[i].*order_of<Wide>(level)));
       squares += off * off;
     }
     largest = std::max(largest, std::sqrt(squares) / scale);
   }
   return largest;
+}
+
+struct MeasuredError::Refinements {
+  Refinement<long double> extended;
+  using Wide = boost::multiprecision::cpp_bin_float_quad;  // without libquadmath
+  std::optional<Refinement<Wide>> quadruple{};
+};
+
+MeasuredError::MeasuredError(const Model& m, ScaledSystem& system, std::span<const Level> levels,
+                             std::span<const Level> asked)
+    : refinements_(new Refinements{{m, system, levels, asked}}) {}
+
+MeasuredError::~MeasuredError() = default;
+
+PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales& scales,
+                                           double condition, const PerLevel<double>& limit) {
+  auto& [extended, quadruple] = *refinements_;
+  const Measurement m = extended(instant, scales, condition);
+  if (!exceeds(m.stated(), limit) || exceeds(m.error, limit)) return m.stated();
+  if (!quadruple) quadruple.emplace(extended);
+  return (*quadruple)(instant, scales, condition).stated();
 }
 
 }  // namespace desmo

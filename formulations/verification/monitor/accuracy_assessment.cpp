@@ -82,9 +82,34 @@ bool AccuracyMonitor::State::is_in_doubt(const Instant& instant,
                                          const Expectation::Signals& signals,
                                          const std::optional<StepMeasures>& step) {
   if (!has(Monitor::continuity)) return false;
-  const bool in_doubt = continuity.in_doubt(instant, weights, min_excursion(signals.growth), step,
-                                            has(Monitor::turns));
+  const Instant known = with_known_rates(instant);
+  const bool is_measured = step && known.qdd.size() == instant.qdd.size();
+  const bool in_doubt = continuity.in_doubt(known, weights, min_excursion(signals.growth),
+                                            is_measured ? step : std::nullopt, has(Monitor::turns));
   return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
+}
+
+/// Solves an instant in short steps from the last one, as far as rates are known there.
+std::optional<Instant> AccuracyMonitor::State::solve_anew(const Instant& instant) {
+  const Level known = known_rates();
+  const auto solved = continuity.solve_anew(instant, means(), known);
+  return solved && known < Level::acceleration ? assessor.corrected(*solved) : solved;
+}
+
+/// Returns the level up to which rates of the last instant lead on. Accelerations that are noise do
+/// not, where velocities do.
+Level AccuracyMonitor::State::known_rates() {
+  if (!continuity.is_known()) return Level::acceleration;
+  const PerLevel<double>& stated = continuity.recent()[0].stated;
+  return stated.acceleration <= unusable_rate || !(stated.velocity <= unusable_rate)
+             ? Level::acceleration
+             : Level::velocity;
+}
+
+Instant AccuracyMonitor::State::with_known_rates(const Instant& instant) {
+  Instant known = instant;
+  if (known_rates() < Level::acceleration) known.qdd = {};
+  return known;
 }
 
 /// How far drivers may go, in magnitudes, before a position may be singular. Near a dead point
@@ -141,7 +166,6 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     started = true;
   }
   after_gap = false;
-  last_time = j.instant.time;
 }
 
 /// Whether an interpolated instant exceeds the limits, or is not where the instant before leads. a:
@@ -149,13 +173,14 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
 bool AccuracyMonitor::State::is_too_coarse(const Instant& instant, const Assessment& a,
                                            bool in_doubt) {
   if (has(Monitor::bounds) && exceeds(a.bound, limits.degraded)) return true;
-  return in_doubt && continuity.find_jump(instant, means());
+  return in_doubt && continuity.find_jump(with_known_rates(instant), means());
 }
 
 /// Measures errors where bounds would flag an instant. Leaves its factors.
 void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
   if (a.singular || !exceeds(a.bound, limits.degraded)) return;
-  const PerLevel<double> error = measured(instant, scales.with(instant), a.condition);
+  const PerLevel<double> error =
+      measured(instant, scales.with(instant), a.condition, limits.degraded);
   for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
 }
 
@@ -170,10 +195,20 @@ bool AccuracyMonitor::State::take_if_better(Instant& instant, const Instant& bet
     assessor(instant, scales.with(instant));  // its factors again: better has none if singular
     return false;
   }
-  instant = better;
+  instant = kept(better);
   last = then;
   ++corrected;
   return true;
+}
+
+/// Copies an instant that others would overwrite before it is delivered.
+Instant AccuracyMonitor::State::kept(const Instant& instant) {
+  improved.q.assign(instant.q.begin(), instant.q.end());
+  improved.qd.assign(instant.qd.begin(), instant.qd.end());
+  improved.qdd.assign(instant.qdd.begin(), instant.qdd.end());
+  Instant result = instant;
+  result.q = improved.q, result.qd = improved.qd, result.qdd = improved.qdd;
+  return result;
 }
 
 /// The largest bound over its limit.
@@ -185,9 +220,11 @@ double AccuracyMonitor::State::worst_share(const Assessment& a) const {
 
 std::optional<SingularityCrossing> AccuracyMonitor::State::crossing(const Instant& instant) {
   if (!has(Monitor::orientation)) return {};
-  return !started    ? signs.at_first(instant, last, sensitivity.largest())
-         : after_gap ? signs.after_gap(instant)
-                     : signs.since(last_time, instant);
+  if (!started) {
+    const auto other = signs.at_first(instant, last, sensitivity.largest());
+    return is_declared ? std::nullopt : other;
+  }
+  return after_gap ? signs.after_gap(instant) : signs.since(last_time, instant);
 }
 
 void AccuracyMonitor::State::look_back(const Instant& like) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/verification/assessment/nominal_continuation.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/monitor/accuracy_state.h"
 
@@ -30,11 +31,16 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
       backward_error(m, assessor.levels()),
       signs(m, assessor.system()),
       entity(entity_of_coordinate(m)),
-      degradations(limits.degraded, o.max_degradations) {}
+      degradations(limits.degraded, o.max_degradations) {
+  for (std::vector<double>* values : {&improved.q, &improved.qd, &improved.qdd})
+    values->reserve(m.coordinates());
+}
 
-MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
-  MonitoredInstant j{instant};
-  if (instant.interpolated && !has(Monitor::rows)) return j;
+MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
+  MonitoredInstant j{given};
+  if (given.interpolated && !has(Monitor::rows)) return j;
+  if (!started) declare(j);
+  const Instant instant = j.instant;
   const std::optional<StepMeasures> step = measure_step(instant);
   const Expectation::Signals signals = signals_of(instant, step);
   const Assessment expected = expectation(signals);
@@ -57,6 +63,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
     assess(j, signals, statement.assessment, in_doubt);
   else
     j.assessment = statement.assessment;
+  if (j.assessment.singular && !instant.interpolated && has(Monitor::repair))
+    solve_singular(j, signals);
   if (j.too_coarse) return j;
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
@@ -73,6 +81,10 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& instant) {
 /// Counts an instant that is delivered, and keeps it to go on from.
 void AccuracyMonitor::State::deliver(const MonitoredInstant& j, bool is_assessed) {
   continuity.take(j.instant, is_assessed, j.assessment.bound);
+  if (is_assessed) {
+    signs.accept();
+    last_time = j.instant.time;
+  }
   beyond = {};
   condition = std::max(condition, j.assessment.condition);
   add({j.instant.index, j.instant.time, j.assessment}, j.degraded);
@@ -87,13 +99,15 @@ void AccuracyMonitor::State::add(const Degradation& d, bool is_degraded) {
 /// that is a solution. Returns the jump otherwise.
 std::optional<Continuity::Jump> AccuracyMonitor::State::find_jump(MonitoredInstant& j,
                                                                   bool from_noise) {
-  const auto jump = continuity.find_jump(j.instant, means());
+  const auto jump = continuity.find_jump(with_known_rates(j.instant), means());
   if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
   if (from_noise || !has(Monitor::repair)) return jump;  // from where shorter steps lead anywhere
-  if (const auto solved = continuity.solve_anew(j.instant, means())) {
-    const Assessment a = assessor(*solved, scales.with(*solved));
+  if (const auto solved = solve_anew(j.instant)) {
+    const Instant found = kept(*solved);
+    Assessment a = assessor(found, scales.with(found));
+    measure(a, found);
     if (!a.singular && !exceeds(a.bound, {unusable_rate, unusable_rate, unusable_rate})) {
-      j.instant = *solved;
+      j.instant = found;
       j.solved_anew = true;
       ++corrected;
       return {};
@@ -105,7 +119,7 @@ std::optional<Continuity::Jump> AccuracyMonitor::State::find_jump(MonitoredInsta
 std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& instant) {
   const auto solved = continuity.is_known() ? solve_from_last(instant) : solve_alone(instant);
   if (!solved) return {};
-  MonitoredInstant j{*solved};
+  MonitoredInstant j{kept(*solved)};
   j.solved_anew = true;
   assess(j, signals_of(j.instant, {}), {}, false);
   if (j.assessment.singular) return {};
@@ -116,12 +130,60 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& ins
 
 std::optional<Instant> AccuracyMonitor::State::solve_from_last(const Instant& instant) {
   continuity.expect(instant);
-  return continuity.solve_anew(instant, means());
+  return solve_anew(instant);
+}
+
+std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instant& instant) {
+  RecentInstants& recent = continuity.recent();
+  if (recent.count() > 0 && recent[0].is_assessed) signs.take_back();
+  recent.drop();
+  if (!continuity.is_known()) return {};
+  const auto solved = solve(instant);
+  return solved ? solved : pass(instant);
+}
+
+/// Solves an instant anew that looks singular where it is: it may be off. Returns whether it is
+/// regular after all.
+bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
+                                            const Expectation::Signals& signals) {
+  const auto solved = continuity.is_known() ? solve_anew(j.instant) : solve_declared(j.instant);
+  if (!solved) return false;
+  MonitoredInstant other{kept(*solved)};
+  other.solved_anew = true;
+  assess(other, signals, {}, false);
+  if (other.assessment.singular) return false;
+  ++corrected;
+  j = other;
+  return true;
+}
+
+/// Goes to the first instant from the nominal position. Where that leads elsewhere, the instant is
+/// what it leads to.
+void AccuracyMonitor::State::declare(MonitoredInstant& j) {
+  if (!has(Monitor::orientation) || !has(Monitor::continuation)) return;
+  NominalContinuation way(model, assessor);
+  is_declared = way.begin() && way.go_to(continuity.driven(j.instant));
+  if (!is_declared) return;
+  declared.assign(way.q().begin(), way.q().end());
+  if (way.leads_to(j.instant.q)) return;
+  j.instant = kept(*solve_declared(j.instant));
+  j.solved_anew = true;
+  ++corrected;
+}
+
+/// Solves the first instant from where the nominal position leads.
+std::optional<Instant> AccuracyMonitor::State::solve_declared(const Instant& instant) {
+  if (!is_declared) return {};
+  Instant there = instant;
+  there.q = declared;
+  return assessor.corrected(continuity.driven(there));
 }
 
 /// Corrects positions that have hardly missed their tolerance, as in single precision.
 std::optional<Instant> AccuracyMonitor::State::solve_alone(const Instant& instant) {
-  const Instant solved = assessor.corrected(continuity.driven(instant));
+  MonitoredInstant j{continuity.driven(instant)};
+  if (!started) declare(j);
+  const Instant solved = j.solved_anew ? j.instant : assessor.corrected(j.instant);
   const Assessment a = assessor(solved, scales.with(solved));
   if (a.singular || exceeds(a.bound, limits.degraded)) return {};
   return solved;
@@ -179,6 +241,9 @@ AccuracyMonitor::Start AccuracyMonitor::last() const {
   const RecentInstants& recent = state_->continuity.recent();
   if (recent.count() == 0) return {};
   return {recent[0].state.q, recent[0].time};
+}
+std::optional<MonitoredInstant> AccuracyMonitor::solve_again(const Instant& instant) {
+  return state_->solve_again(instant);
 }
 void AccuracyMonitor::look_back(const Instant& like) { state_->look_back(like); }
 void AccuracyMonitor::resume() {

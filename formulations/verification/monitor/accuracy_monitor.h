@@ -77,7 +77,7 @@ struct AccuracyMonitorOptions {
   std::span<const Level> levels{};        ///< to which each coordinate is solved (Plan::levels)
   std::span<const Level> asked{};         ///< to which it is judged; empty: as far as solved
   int every = usual_assessment_interval;  ///< longest interval between assessments, in instants
-  bool reuses_pivots = false;             ///< pivots of earlier positions may spoil rates
+  bool reuses_pivots = false;             ///< Part::reuses_pivots: rates may be spoilt
   /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
   std::vector<const PivotReuse*> parts{};
   unsigned without = 0;            ///< Monitor bits left out
@@ -124,6 +124,8 @@ class AccuracyMonitor {
   std::optional<MonitoredInstant> pass(const Instant& singular);
   /// Solves an instant that could not be solved otherwise, in short steps from the one before it.
   std::optional<MonitoredInstant> solve(const Instant& instant);
+  /// Solves the instant examined last again, from the one before it: it is on another branch.
+  std::optional<MonitoredInstant> solve_again(const Instant& instant);
   /// Returns positions from which the motion goes on, and their time [s]: of the last instant, or
   /// beyond the singular position that it lies in. Empty: there was none.
   struct Start {

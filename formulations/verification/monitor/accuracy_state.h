@@ -42,6 +42,13 @@ struct AccuracyMonitor::State {
   std::optional<MonitoredInstant> solve(const Instant& instant);
   std::optional<Instant> solve_from_last(const Instant& instant);
   std::optional<Instant> solve_alone(const Instant& instant);
+  std::optional<MonitoredInstant> solve_again(const Instant& instant);
+  void declare(MonitoredInstant& j);
+  std::optional<Instant> solve_declared(const Instant& instant);
+  bool solve_singular(MonitoredInstant& j, const Expectation::Signals& signals);
+  std::optional<Instant> solve_anew(const Instant& instant);
+  Instant with_known_rates(const Instant& instant);
+  Level known_rates();
   std::optional<MonitoredInstant> pass(const Instant& singular);
   PerLevel<double> difference(const Instant& a, const Instant& b) const;
 
@@ -63,6 +70,7 @@ struct AccuracyMonitor::State {
   void measure(Assessment& a, const Instant& instant);
   bool improve(MonitoredInstant& j);
   bool take_if_better(Instant& instant, const Instant& better);
+  Instant kept(const Instant& instant);
   double worst_share(const Assessment& a) const;
   std::optional<SingularityCrossing> crossing(const Instant& instant);
   void look_back(const Instant& like);
@@ -84,12 +92,15 @@ struct AccuracyMonitor::State {
   std::vector<EntityId> entity;  // of each coordinate
   Eigen::ArrayXd weights;        // the largest so far: near a dead point they say little
   Start beyond{};                // a singular position, where the last instant lies in one
+  desmo::State improved{};       // values of the instant examined, where they are not those given
 
   Assessment last{};  // that was made
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false, is_doubted = false;
-  int since = 0;  // instants since the last assessment
+  bool is_declared = false;      // the first instant: the nominal position leads there,
+  std::vector<double> declared;  // to these positions
+  int since = 0;                 // instants since the last assessment
   double condition = 0;
   PerLevel<double> worst{};
   Degradations degradations;

@@ -27,6 +27,7 @@ void BranchSigns::declare(const Instant& first) {
   if (!system_.factor(state)) return;
   const auto declared = system_.orientation();
   signs_.assign(declared.begin(), declared.end());
+  found_ = before_ = signs_;  // as much memory as they will take
 }
 
 std::optional<SingularityCrossing> BranchSigns::at_first(const Instant& instant,
@@ -50,8 +51,13 @@ std::optional<SingularityCrossing> BranchSigns::change(double time, std::optiona
     found = {since.value_or(time), time, system_.group_of_block(block),
              since ? SingularityCrossing::Kind::passed : SingularityCrossing::Kind::not_declared};
   const auto now = system_.orientation();
-  signs_.assign(now.begin(), now.end());
+  found_.assign(now.begin(), now.end());
   return found;
+}
+
+void BranchSigns::accept() {
+  before_ = signs_;
+  if (!found_.empty()) signs_ = found_;
 }
 
 /// Whether the way from the estimate is short, but for what the drivers have moved since: against

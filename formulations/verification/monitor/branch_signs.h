@@ -35,6 +35,10 @@ class BranchSigns {
   std::optional<SingularityCrossing> since(double last, const Instant& instant) {
     return change(instant.time, last);
   }
+  /// Makes the signs found last those to compare with: their instant is delivered.
+  void accept();
+  /// Takes back the last accept().
+  void take_back() { signs_ = before_; }
   /// Returns the block whose sign the system shows changed, without taking note; -1: none.
   int changed_block() const;
 
@@ -44,7 +48,8 @@ class BranchSigns {
 
   const Model& model_;
   ScaledSystem& system_;
-  std::vector<signed char> signs_;
+  std::vector<signed char> signs_;  // of the last instant accepted
+  std::vector<signed char> found_, before_;
 };
 
 }  // namespace desmo

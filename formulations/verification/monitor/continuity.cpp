@@ -20,6 +20,8 @@ constexpr double turned = 1;
 constexpr double closely_turned = 0.25;
 /// Of a step: what does not look continuous over so little is not.
 constexpr double shortest = 0x1p-40;
+/// Last correction, in magnitudes, of a position that counts as solved.
+constexpr double settled = 1e-7;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
 constexpr double at_rest = 1e-6;
 
@@ -199,9 +201,12 @@ std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant, co
   return go(instant, End::given, means);
 }
 
-std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Means& means) {
+std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Means& means,
+                                              Level known) {
   if (!is_known() || instant.qd.empty() || means.weights.size() == 0) return {};
-  if (go(instant, End::solved, means)) return {};
+  Instant like = instant;
+  if (known < Level::acceleration) like.qdd = {};
+  if (go(like, End::solved, means)) return {};
   return view_of(next_, instant);
 }
 
@@ -225,7 +230,8 @@ std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
     if (!is_given) predict(to_end ? target : reached_.time + step, instant, assessor);
     const Instant next = is_given ? instant : view_of(next_, instant);
     const Instant from = view_of(reached_, instant);
-    if (leads_on(from, next, weights)) {
+    const bool is_solved = is_given || assessor.last_correction() <= settled;
+    if (is_solved && leads_on(from, next, weights)) {
       if (to_end && !to_turn) return {};
       if (to_end) {
         if (const Assessment a = assessor(next, scales); a.singular)

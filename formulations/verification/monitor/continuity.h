@@ -64,8 +64,10 @@ class Continuity {
 
   /// Solves an instant anew from the instant taken last, with drivers at its own time, in steps
   /// like those of find_jump(). Returns nothing where rates are not solved or the steps fail. The
-  /// result is valid until the next call.
-  std::optional<Instant> solve_anew(const Instant& instant, const Means& means);
+  /// result is valid until the next call. known: the level up to which rates lead on; accelerations
+  /// above it are unspecified.
+  std::optional<Instant> solve_anew(const Instant& instant, const Means& means,
+                                    Level known = Level::acceleration);
   /// Returns the instant with its drivers evaluated at its time; valid until the next call.
   Instant driven(const Instant& instant);
 

@@ -139,14 +139,20 @@ class Run final : Observer {
     return Flow::stop;
   }
 
-  Flow hand_on(const MonitoredInstant& m) {
+  Flow hand_on(MonitoredInstant m) {
+    if (has(Monitor::branch)) summary_.violated = branch_.violated(m.instant, m.angles_follow);
+    if (summary_.violated >= 0 && has(Monitor::repair))
+      if (const auto again = accuracy_->solve_again(m.instant)) {
+        m = *again;
+        is_astray_ = true;
+        summary_.violated = branch_.violated(m.instant);
+      }
     const Instant& instant = m.instant;
     if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
     if (is_continued_ && summary_.instants == 0 && !summary_.crossing)
       summary_.crossing = {instant.time, instant.time, m.assessment.group,
                            SingularityCrossing::Kind::not_declared};
     summary_.refused = options_.strict && (m.degraded || m.crossing);
-    if (has(Monitor::branch)) summary_.violated = branch_.violated(m.instant, m.angles_follow);
     if (summary_.refused || summary_.violated >= 0) return Flow::stop;
     summary_.updates += instant.updates;
     summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);

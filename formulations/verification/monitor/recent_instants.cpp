@@ -93,6 +93,13 @@ void RecentInstants::take(const Instant& instant, bool is_assessed,
   std::ranges::copy(instant.qdd, node.state.qdd.begin());
 }
 
+void RecentInstants::drop() {
+  forget_copy();
+  if (count_ == 0) return;
+  newest_ = (newest_ - 1 + size()) % size();
+  --count_;
+}
+
 void RecentInstants::shift_time(double by) {
   for (Node& node : nodes_) node.time += by;
 }

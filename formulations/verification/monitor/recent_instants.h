@@ -48,6 +48,8 @@ class RecentInstants {
   }
   /// Forgets the copy of an instant that measure() made and take() did not get.
   void forget_copy() { copied_ = nullptr; }
+  /// Drops the last instant, if there is one.
+  void drop();
   void shift_time(double by);
 
   int count() const { return count_; }

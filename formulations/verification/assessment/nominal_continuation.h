@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/base/observer.h"
+#include "formulations/base/part.h"
+#include "formulations/model/model.h"
+#include "formulations/verification/assessment/assessor.h"
+
+namespace desmo {
+
+/// Continuation of a model's nominal position: all equations at once, in steps whose rates lead
+/// from one end to the other, with determinants of irreducible blocks that keep their signs. So it
+/// ends on the branch that the initial estimate declares. It allocates: keep it out of timed code.
+class NominalContinuation {
+ public:
+  /// The model and the assessor, whose factors are overwritten, must outlive this object.
+  NominalContinuation(const Model& model, Assessor& assessor);
+
+  /// Solves the nominal position: that of the estimate, drivers included. Returns whether there is
+  /// one, regular and so near the estimate that this declares it.
+  bool begin();
+  /// Moves the drivers from the nominal position to where they are at an instant: straight, without
+  /// whole turns of angles; where that is blocked, with them. Returns whether steps lead there.
+  bool go_to(const Instant& instant);
+  /// Returns whether these positions (coordinates) are the ones reached, give or take the whole
+  /// turns that were left out.
+  bool leads_to(std::span<const double> q);
+  /// Returns the position reached (coordinates), with drivers as at the instant.
+  std::span<const double> q() const { return reached_.q; }
+
+ private:
+  bool go(std::span<const double> changes);
+  bool solve(State& state, double step);
+  bool leads_on(double step) const;
+  bool keeps_branch();
+  double condition();
+
+  const Model& model_;
+  Assessor& assessor_;
+  std::vector<double> magnitude_;
+  State nominal_, reached_, next_;  // q and its derivative along the way
+  bool turns_ = false;              // whole turns were left out
+  std::vector<signed char> signs_;  // of the nominal position
+  std::vector<double> determinants_, state_;
+};
+
+}  // namespace desmo
