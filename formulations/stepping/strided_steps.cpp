@@ -6,13 +6,14 @@ namespace desmo {
 
 void StrideControl::halve() {
   if (std::exchange(is_tried_, false))
-    enough_ = good_ < enough_ ? std::min(2 * enough_, many) : few;
+    intervals_to_double_ =
+        good_ < intervals_to_double_ ? std::min(2 * intervals_to_double_, many) : few;
   now_ = std::max(1, now_ / 2);
   good_ = 0;
 }
 
 void StrideControl::keep() {
-  if (++good_ < enough_ || now_ == longest_) return;
+  if (++good_ < intervals_to_double_ || now_ == longest_) return;
   now_ = std::min(2 * now_, longest_);
   good_ = 0;
   is_tried_ = true;

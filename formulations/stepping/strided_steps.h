@@ -23,9 +23,9 @@ class StrideControl {
   static constexpr int few = 8, many = 1024;
 
   int longest_, now_;
-  int good_ = 0;           // intervals since the last change
-  int enough_ = few;       // intervals after which the stride is doubled
-  bool is_tried_ = false;  // the last change doubled it
+  int good_ = 0;                   // intervals since the last change
+  int intervals_to_double_ = few;  // good ones after which the stride is doubled
+  bool is_tried_ = false;          // the last change doubled it
 };
 
 /// Steps of a formulation with a stride (Settings::stride), after its own run has ended: finds the

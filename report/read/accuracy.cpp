@@ -21,7 +21,7 @@ Floor read_floor(const RecordValue& node) {
   return floor;
 }
 
-LargestErrors read_errors(const RecordValue& node) {
+MaxErrors read_errors(const RecordValue& node) {
   const auto max = [](const RecordValue& error) { return error["max"].not_negative(); };
   return {node.maybe("position", max), node.maybe("velocity", max),
           node.maybe("acceleration", max)};

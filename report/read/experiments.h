@@ -33,7 +33,7 @@ struct Floor {
 };
 
 /// The largest errors of a motion. Empty for a level whose error is beyond all measure.
-struct LargestErrors {
+struct MaxErrors {
   std::optional<double> position, velocity, acceleration;
 };
 
@@ -49,9 +49,9 @@ struct Point {
 
   Configuration configuration;
   Status status = Status::failed;
-  std::string message;           ///< why it failed or is not applicable
-  LargestErrors error = {};      ///< relative; of position always when ok
-  LargestErrors violation = {};  ///< of the equations
+  std::string message;       ///< why it failed or is not applicable
+  MaxErrors error = {};      ///< relative; of position always when ok
+  MaxErrors violation = {};  ///< of the equations
   double iterations_per_step = 0;
   std::vector<double> seconds_per_step =
       {};  ///< samples of CPU time; never empty when ok, else always

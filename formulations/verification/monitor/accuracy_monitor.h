@@ -73,11 +73,11 @@ MonitoredSummary run_monitored_without(unsigned without, Formulation& formulatio
 
 /// Settings of an accuracy monitor.
 struct AccuracyMonitorOptions {
-  double tolerance = default_tolerance;  ///< of Settings; run_monitored() takes the formulation's
-  std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
-  std::span<const Level> asked{};        ///< to which it is judged; empty: as far as solved
-  int every = usual_interval;            ///< longest interval between assessments, in instants
-  bool reuses_pivots = false;            ///< pivots of earlier positions may spoil rates
+  double tolerance = default_tolerance;   ///< of Settings; run_monitored() takes the formulation's
+  std::span<const Level> levels{};        ///< to which each coordinate is solved (Plan::levels)
+  std::span<const Level> asked{};         ///< to which it is judged; empty: as far as solved
+  int every = usual_assessment_interval;  ///< longest interval between assessments, in instants
+  bool reuses_pivots = false;             ///< pivots of earlier positions may spoil rates
   /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
   std::vector<const PivotReuse*> parts{};
   unsigned without = 0;            ///< Monitor bits left out

@@ -72,7 +72,7 @@ struct MonitoredInstant {
 };
 
 /// Longest interval between assessments, in instants.
-inline constexpr int usual_interval = 2000;
+inline constexpr int usual_assessment_interval = 2000;
 
 /// Settings of a monitored run. The tolerance is that of the formulation.
 struct MonitoredRunOptions {
@@ -80,7 +80,7 @@ struct MonitoredRunOptions {
   std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled
-  int every = usual_interval;  ///< instants from one assessment to the next, at most
+  int every = usual_assessment_interval;  ///< instants from one assessment to the next, at most
   /// Callback that receives each instant before the observer does; empty: none.
   std::function<void(const MonitoredInstant&)> monitored{};
 };
