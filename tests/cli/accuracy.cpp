@@ -103,7 +103,8 @@ const std::string goes_between = [] {
   std::string scene = slider_crank(49, R"(, "time": {"end": 1, "step": 1})");
   const std::string turn = R"("units": {"angle": "deg"},
   "motion": {"theta": {"type": "polynomial", "coefficients": [0, 360]}})";
-  return scene.replace(scene.find(turn), turn.size(), R"("motion": {"theta": {
+  return scene.replace(scene.find(turn), turn.size(),
+                       R"("units": {"angle": "rad"}, "motion": {"theta": {
     "type": "polynomial", "coefficients": [1.2, 0, 0, 7.4, -11.1, 4.44]}})");
 }();
 
