@@ -22,7 +22,7 @@ struct Streams {
 
 /// The largest measures of coordinates in each place of a register. Velocities are x or r.
 template <class Register, bool are_velocities>
-struct LargestMeasures {
+struct MaxMeasures {
   Register rate = 0, way = 0, mismatch = 0;
 
   void take(const Streams& s, const StepWeights& weights, int i) {
@@ -43,10 +43,10 @@ StepMeasures measure_all(const Streams& s, const StepWeights& weights, int n) {
   using Full = std::experimental::native_simd<double>;
   using Single = std::experimental::simd<double, std::experimental::simd_abi::scalar>;
   constexpr int width = static_cast<int>(Full::size());
-  LargestMeasures<Full, are_velocities> most;
+  MaxMeasures<Full, are_velocities> most;
   int i = 0;
   for (; i + width <= n; i += width) most.take(s, weights, i);
-  LargestMeasures<Single, are_velocities> all{hmax(most.rate), hmax(most.way), hmax(most.mismatch)};
+  MaxMeasures<Single, are_velocities> all{hmax(most.rate), hmax(most.way), hmax(most.mismatch)};
   for (; i < n; ++i) all.take(s, weights, i);
   return {all.rate[0], 2 * std::abs(s.half_step) * all.way[0], all.mismatch[0]};
 }
