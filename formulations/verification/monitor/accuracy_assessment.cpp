@@ -89,29 +89,6 @@ bool AccuracyMonitor::State::is_in_doubt(const Instant& instant,
   return std::exchange(is_doubted, false) ? continuity.is_known() : in_doubt;
 }
 
-/// Solves an instant in short steps from the last one, as far as rates are known there.
-std::optional<Instant> AccuracyMonitor::State::solve_anew(const Instant& instant) {
-  const Level known = known_rates();
-  const auto solved = continuity.solve_anew(instant, means(), known);
-  return solved && known < Level::acceleration ? assessor.corrected(*solved) : solved;
-}
-
-/// Returns the level up to which rates of the last instant lead on. Accelerations that are noise do
-/// not, where velocities do.
-Level AccuracyMonitor::State::known_rates() {
-  if (!continuity.is_known()) return Level::acceleration;
-  const PerLevel<double>& stated = continuity.recent()[0].stated;
-  return stated.acceleration <= unusable_rate || !(stated.velocity <= unusable_rate)
-             ? Level::acceleration
-             : Level::velocity;
-}
-
-Instant AccuracyMonitor::State::with_known_rates(const Instant& instant) {
-  Instant known = instant;
-  if (known_rates() < Level::acceleration) known.qdd = {};
-  return known;
-}
-
 /// How far drivers may go, in magnitudes, before a position may be singular. Near a dead point
 /// z = z₀ − c x², so the way is 1/(4 c) over the square of the sensitivity; c is hardly above 4.
 double AccuracyMonitor::State::min_excursion(double growth) const {

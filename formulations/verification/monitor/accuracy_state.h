@@ -5,6 +5,7 @@
 
 #include "formulations/verification/assessment/assessor.h"
 #include "formulations/verification/assessment/backward_error.h"
+#include "formulations/verification/assessment/degradations.h"
 #include "formulations/verification/assessment/expectation.h"
 #include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/assessment/measured_error.h"
@@ -12,7 +13,6 @@
 #include "formulations/verification/monitor/branch_signs.h"
 #include "formulations/verification/monitor/condition_monitor.h"
 #include "formulations/verification/monitor/continuity.h"
-#include "formulations/verification/monitor/degradations.h"
 #include "formulations/verification/monitor/running_scales.h"
 #include "formulations/verification/monitor/sensitivity_monitor.h"
 
@@ -20,7 +20,7 @@ namespace desmo {
 
 /// The monitors of one motion, what they know of its instants, and the counts. accuracy_monitor.cpp
 /// has the steps that an instant goes through. accuracy_assessment.cpp decides whether it is
-/// assessed, and assesses it.
+/// assessed, and assesses it. accuracy_repair.cpp solves instants again.
 struct AccuracyMonitor::State {
   /// The statement about an instant that is not assessed, and whether it holds.
   struct Statement {
