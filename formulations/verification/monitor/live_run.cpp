@@ -101,7 +101,7 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   std::ranges::copy(row.z, tried_.begin());
   const Summary step =
       steps_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
-  static_cast<Summary&>(summary) = step;
+  static_cast<BasicSummary&>(summary) = step;
   if (step.ok()) assess(row, summary);
   return summary;
 }
@@ -110,7 +110,7 @@ std::string describe(const LiveSummary& s, const Model& m) {
   switch (s.fault) {
     case RowFault::none:
       return s.violated >= 0 ? "another branch: constraint '" + m.constraints[s.violated].name + "'"
-                             : describe(static_cast<const Summary&>(s), m);
+                             : describe(Summary{s}, m);
     case RowFault::wrong_size:
       return "refused: there is not one value for each driver";
     case RowFault::not_finite:

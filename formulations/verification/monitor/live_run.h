@@ -34,9 +34,8 @@ enum class RowFault {
 };
 
 /// The outcome of one row of driver values; LiveRun itself has the coordinates that it led to.
-/// outcome() says whether they may be used.
-struct [[nodiscard]] LiveSummary : Summary {
-  bool ok() const = delete;         // it does not tell degraded rows
+/// outcome() says whether they may be used. It is no Summary, whose ok() tells no degraded rows.
+struct [[nodiscard]] LiveSummary : BasicSummary {
   RowFault fault = RowFault::none;  ///< not none: the row was refused before anything was tried
   Assessment assessment{};          ///< of a row that was solved (MonitoredInstant)
   bool corrected = false;           ///< the values are better than the formulation's

@@ -82,7 +82,7 @@ class Run final : Observer {
 
   MonitoredSummary operator()() {
     const Summary ran = formulation_.run(grid_, request_, *this);
-    if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
+    if (!ran.stopped) static_cast<BasicSummary&>(summary_) = ran;  // or the observer has said why
     summary_.iterations = ran.iterations;
     tried_ = static_cast<int>(summary_.instants);  // all before it were handed on
     // Assembled in one go, but elsewhere.

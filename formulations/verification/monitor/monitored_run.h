@@ -30,10 +30,9 @@ struct Gap {
 };
 
 /// Outcome of a monitored run and accuracy of its instants. outcome() says whether its answers may
-/// be used.
-struct [[nodiscard]] MonitoredSummary : Summary {
-  bool ok() const = delete;  // it tells neither degraded instants nor another branch
-  bool refused = false;      ///< a strict run ended at `first_degraded` or `crossing`
+/// be used. It is no Summary, whose ok() tells neither degraded instants nor another branch.
+struct [[nodiscard]] MonitoredSummary : BasicSummary {
+  bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
   int violated = -1;     ///< constraint that the last instant violates, since it lies on another
                          ///< branch (BranchMonitor); that instant was not delivered
   double condition = 0;  ///< largest condition number (see Assessment)
