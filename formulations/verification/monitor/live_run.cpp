@@ -69,6 +69,7 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   if (options.level >= Level::velocity) good_.velocity.resize(n);
   if (options.level >= Level::acceleration) good_.acceleration.resize(n);
   if (!options.levels.empty()) f.solve_only(options.levels);
+  options_.levels = {};  // the caller's memory may be gone from here on
   monitors_->corrections.emplace(parts_of(f));
   restart();
 }
