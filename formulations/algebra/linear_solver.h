@@ -2,10 +2,9 @@
 
 namespace desmo {
 
-/// Solver of linear systems with the matrix Φ_φ of one part, whose sparsity pattern never changes.
-/// The constructor takes the Pattern, analyses it and allocates; later calls allocate nothing of
-/// ours. Real is double or float. NewtonSolver calls factor() once for each factorisation and
-/// solve() once for each right-hand side.
+/// Solver of linear systems with the scaled Jacobian A of one part (JacobianFactors scales rows and
+/// columns of Φ_φ). Its sparsity pattern never changes: the constructor takes the Pattern, analyses
+/// it and allocates; later calls allocate nothing of ours. Real is double or float.
 template <class Real>
 class LinearSolver {
  public:
@@ -14,11 +13,12 @@ class LinearSolver {
   LinearSolver& operator=(const LinearSolver&) = delete;
   virtual ~LinearSolver() = default;
 
-  /// Factorises Φ_φ. values: (entries of the pattern), read until the last solve() with these
-  /// factors. Returns false when the matrix is singular.
+  /// Factorises A. values: (entries of the pattern), read until the last solve() with these
+  /// factors. Returns false when a pivot is zero; of a nearly singular matrix the factors are
+  /// returned.
   virtual bool factor(const Real* values) = 0;
 
-  /// Overwrites b (n) with Φ_φ⁻¹ b, using the last factors.
+  /// Overwrites b (n) with A⁻¹ b, using the last factors.
   virtual void solve(Real* b) = 0;
 
   /// Returns the number of solve() calls, with a residual each, that cost as much as a new Jacobian

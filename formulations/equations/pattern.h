@@ -29,7 +29,8 @@ struct Pattern {
   int size() const { return dependent_entries() + static_cast<int>(known.size()) + 1; }
 };
 
-/// A pattern, and for each entry the position of its value.
+/// A pattern. slots: for each entry, in the order in which equations emit them, the position of its
+/// value in the pattern.
 struct PatternWithSlots {
   Pattern pattern;
   std::vector<int> slots;

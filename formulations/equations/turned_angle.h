@@ -12,8 +12,8 @@ struct TurnedAngle {
 
 /// Limit of the tangent of a small turn from an anchor.
 inline constexpr double small_turn = 1.0 / 4;
-/// Limit of the distance between the previous angle and its anchor [rad]: within it, the angle
-/// nearest to one is nearest to the other.
+/// Limit of the distance between the previous angle and its anchor [rad]: within it, and after
+/// a small turn, the angle nearest to one is nearest to the other.
 inline constexpr double near_anchor = 1.0 / 2;
 
 /// Returns the angle of (x, y) from the x axis, whole turns chosen so that it is nearest to

@@ -18,7 +18,7 @@ namespace desmo {
 /// its solution.
 class ExplicitPart final : public GuardedPart {
  public:
-  /// bound: inputs and dimensions of the part, as for its other kernel. weights: 1/magnitude of
+  /// bound: inputs and dimensions of the part, also those of `kernel`. weights: 1/magnitude of
   /// each equation (see magnitudes.h).
   ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
                std::span<const double> weights, const PartSettings& settings,

@@ -145,6 +145,7 @@ class NewtonSolver {
     factors_.evaluate_known(q);
     if (!velocity(qd)) return false;
     if (level == Level::velocity) return true;
+    // Where each level makes factors of its own (Factorisation::per_level).
     if (per_level_ && !factors_.factor_at(q)) return false;
     return acceleration(q, qd, qdd);
   }

@@ -23,8 +23,8 @@ class Predictor {
 
   /// Writes the predicted coordinates into q.
   /// - last, before: the two instants before the one sought; q may be the q of either. The
-  /// predictor
-  ///   keeps what it needs of earlier instants itself, each from the call in which it was `last`.
+  ///   predictor keeps what it needs of earlier instants itself, each from the call in which it was
+  ///   `last`.
   template <class States>
   void operator()(const StepHistory& history, const States& last, const States& before, double* q) {
     if (history_) {

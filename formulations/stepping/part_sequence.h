@@ -80,7 +80,7 @@ class PartSequence {
   void store(State& state) const;
   void restore(std::span<double> q) const;
 
-  /// Voids what earlier steps parts behind (see Part::forget).
+  /// Makes every part forget its earlier steps (see Part::forget).
   void forget();
   /// Tells that the assembly is over (see Part::end_assembly).
   void end_assembly();

@@ -11,7 +11,8 @@ namespace desmo {
 
 namespace {
 
-double sum_of_tolerances(const std::vector<DefinedPart>& parts) {
+/// Returns the tolerance of the whole from those of parts: a residual is a Euclidean norm.
+double norm_of_tolerances(const std::vector<DefinedPart>& parts) {
   double norm = 0;
   for (const DefinedPart& part : parts) norm = std::hypot(norm, part.tolerance);
   return norm;
@@ -20,7 +21,7 @@ double sum_of_tolerances(const std::vector<DefinedPart>& parts) {
 }  // namespace
 
 TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const Settings& settings)
-    : SegmentSolver(m, settings, std::max(settings.tolerance, sum_of_tolerances(parts))),
+    : SegmentSolver(m, settings, std::max(settings.tolerance, norm_of_tolerances(parts))),
       sequence_(m, std::move(parts)),
       drivers_(m) {
   for (State* s : {&now_.state, &before_.state})

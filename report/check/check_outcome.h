@@ -9,13 +9,14 @@
 
 namespace desmo::report {
 
-/// Exit codes of `desmo_report check`.
+/// The verdict of a check; its number is the exit code of `desmo_report check`. Where several hold,
+/// the first of this order counts: invalid, regression, incomparable, inconclusive, pass.
 enum class CheckVerdict {
-  pass = 0,
-  regression = 1,
-  invalid = 2,
-  inconclusive = 3,
-  incomparable = 4
+  pass = 0,          ///< nothing became slower
+  regression = 1,    ///< time or work of some candidate raised an alarm, twice for time
+  invalid = 2,       ///< answers are wrong, or a candidate has no counterpart
+  inconclusive = 3,  ///< times are too noisy, or a second pass is missing
+  incomparable = 4,  ///< no time and no work may be compared
 };
 
 /// A candidate that is not judged, and why.
@@ -23,6 +24,7 @@ struct Excluded {
   std::string candidate, reason;
 };
 
+/// All that a check found.
 struct CheckOutcome {
   CheckVerdict verdict = CheckVerdict::pass;
   std::vector<Excluded> invalid;        ///< candidates whose answers in head are wrong
@@ -33,8 +35,8 @@ struct CheckOutcome {
   WorkFindings work;
 };
 
-/// Compares head with base, or with head of a stored baseline, which is a check of one tree, too. A
-/// check of head alone without a baseline is CheckVerdict::incomparable.
+/// Compares head with base. A check of head alone is compared with `baseline`, which is an earlier
+/// check of one tree; without a baseline it is CheckVerdict::incomparable.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
 /// A measurement that a final verdict still needs.
@@ -42,6 +44,7 @@ struct Pending {
   std::string pass;  ///< "first" or "second"
   std::string candidate;
 };
+/// Returns the measurements that could still change the verdict.
 std::vector<Pending> pending(const CheckOutcome& found);
 
 /// Returns the verdict with its reasons, a table of times and one of instructions, and a line on

@@ -12,15 +12,16 @@
 
 namespace desmo::report {
 
-/// Time: an alarm when the median change exceeds the first and the lower end of its interval the
-/// second, in two passes in a row. An improvement is the same with base and head exchanged.
+/// Changes of time that raise an alarm: the median exceeds the first, and the lower end of its
+/// interval the second, in two passes in a row. An improvement is the same with base and head
+/// exchanged.
 inline constexpr double alarming_change = 1.05;
 inline constexpr double certain_change = 1.02;
 /// Wider intervals than this, highest over lowest, tell nothing.
 inline constexpr double max_interval = 1.05;
 /// The control's time may not change by more, nor its interval be wider than the above.
 inline constexpr double steady_control = 1.02;
-/// Work: an alarm from this change on, in percent rounded to the tenth that is shown.
+/// Change of the instructions that raises an alarm, in percent rounded to the tenth that is shown.
 inline constexpr double alarming_percent = 1.0;
 
 enum class Finding {

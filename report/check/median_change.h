@@ -28,10 +28,11 @@ struct MedianDistribution {
 };
 MedianDistribution bootstrap_median(std::span<const double> values);
 
-/// exp of the median of these logarithms. Of one value or more.
+/// Returns exp of the median of one or more logarithms, with its interval.
 Change median_change(std::span<const double> logarithms);
 
-/// exp of the difference of the medians of two independent sets: now − then.
+/// Returns exp of the difference of the medians of two independent sets, now − then, with its
+/// interval.
 Change median_change(std::span<const double> now, std::span<const double> then);
 
 }  // namespace desmo::report

@@ -31,7 +31,7 @@ inline constexpr std::size_t min_for_interval = 3;
 
 /// The repetitions of one measurement.
 struct SampleSummary {
-  /// The time and its interval. With windows the undisturbed time (see windows.h; the sum of
+  /// The time and its interval. With windows the undisturbed time (the sum of
   /// their least times where their samples are not known), and from there to the median; without,
   /// the median, between the least and the largest.
   double value = 0;

@@ -37,7 +37,7 @@ Json with_samples_of_windows(Json record, int windows = 25);
 /// Returns data/structured.json: small, with structure and requests, with made-up numbers.
 Json structured_record();
 
-/// Returns a candidate of a a record. Fails the test when there is none.
+/// Returns a candidate of a record. Fails the test when there is none.
 Json& candidate_of(Json& record, const std::string& case_name, int coordinates,
                    const std::string& id);
 void erase_candidate(Json& record, const std::string& case_name, int coordinates,

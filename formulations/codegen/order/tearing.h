@@ -25,8 +25,8 @@ class Matcher {
   /// Differentiates the equations by the unknowns. facts must outlive the matcher.
   Matcher(std::vector<Expr> equations, std::vector<Expr> unknowns, const Facts& facts);
 
-  /// Returns a closed form for a set. Both lists are ascending and of one size. The reference is
-  /// valid as long as the matcher.
+  /// Returns the closed form for a set, if a rule applies. Both lists are ascending and of one
+  /// size. The reference is valid as long as the matcher.
   const Match& match(const std::vector<int>& unknowns, const std::vector<int>& equations);
 
   /// Returns the unknowns that an equation reads, ascending.

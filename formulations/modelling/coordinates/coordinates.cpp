@@ -200,7 +200,7 @@ class Modeller {
   const Placement placement_;
   const std::vector<Motion>& motions_;
   Coordinates result_;
-  Model& m_;  // result_.mechanism
+  Model& m_;  // result_.model
   int constant_groups_ = 0;
   std::vector<std::vector<int>> measured_by_;  // positions in `measured`, by structural group
 };

@@ -20,8 +20,9 @@ class InverseNorm {
  public:
   explicit InverseNorm(int n) : x_(n, 2), sign_(n) {}
 
-  /// Returns the estimate. factors: solve(x) overwrites x with A⁻¹ x, and
-  /// solve_transposed(x, columns) overwrites an array of columns with A⁻ᵀ of each.
+  /// Returns the estimate of max w |A⁻¹| f, and where it is attained. factors: solve(x) overwrites
+  /// x with A⁻¹ x, and solve_transposed(x, columns) overwrites an array of columns with A⁻ᵀ of
+  /// each.
   template <class Factors>
   WorstCase operator()(Factors& factors, const Eigen::ArrayXd& w, const Eigen::ArrayXd& f) {
     const Eigen::Index n = sign_.size();
