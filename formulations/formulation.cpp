@@ -1,5 +1,8 @@
 #include "formulations/formulation.h"
 
+#include <stdexcept>
+#include <string>
+
 #include "formulations/stepping/formulation_core.h"
 
 namespace desmo {
@@ -16,6 +19,13 @@ long refactorisations(const Formulation& f) {
   long sum = 0;
   for (const DefinedPart& part : parts_of(f)) sum += part.solver->refactorisations();
   return sum;
+}
+
+void Formulation::solve_only(std::span<const Level> needed) {
+  if (std::ssize(needed) != model_.coordinates())
+    throw std::invalid_argument("there are " + std::to_string(needed.size()) + " levels for " +
+                                std::to_string(model_.coordinates()) + " coordinates");
+  leave_out_levels(needed);
 }
 
 std::span<const double> Formulation::q() const {

@@ -41,7 +41,9 @@ class Formulation {
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
   /// Assembles where nothing was solved before. After a failure positions are those before the
   /// call, so that a later step can go on from there; rates are unspecified. Where earlier instants
-  /// were solved to lower levels than Settings::guess needs, a simpler guess replaces it.
+  /// were solved to lower levels than Settings::guess needs, a simpler guess replaces it. t may be
+  /// any number: an earlier one goes back, and the one of the last instant solves that again. NaN
+  /// or an infinite t fails, as Status::not_finite.
   Summary step(double t, Level level = Level::acceleration) { return step_to(t, level); }
 
   /// Runs through the motion that the model's drivers have: assembles at the first instant of the
@@ -55,8 +57,10 @@ class Formulation {
   /// Solves each part only to the highest level that is needed of its unknowns. needed: the level
   /// of each coordinate, as Plan::levels has them: a coordinate that a part reads must have the
   /// part's level or a higher one. Values above these levels are unspecified. A stride solves all
-  /// levels, since it interpolates with them.
-  virtual void solve_only(std::span<const Level> needed) = 0;
+  /// levels, since it interpolates with them. Call it between steps or runs, never in a run. Where
+  /// it raises levels, assemble next: a step would predict from rates that were not solved. Throws
+  /// std::invalid_argument where `needed` has not one level for each coordinate.
+  void solve_only(std::span<const Level> needed);
 
   const Model& model() const { return model_; }
 
@@ -81,6 +85,7 @@ class Formulation {
 
   virtual Summary assemble_at(double t, Level level) = 0;
   virtual Summary step_to(double t, Level level) = 0;
+  virtual void leave_out_levels(std::span<const Level> needed) = 0;
 
   const Model& model_;
   const Settings settings_;

@@ -73,11 +73,19 @@ std::vector<std::string> faulty_libraries();
 /// for settings that it does not offer (unsupported_reason, unavailable_reason).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
                                               const Settings& settings = {});
+std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model&& model,
+                                              const Settings& settings = {}) = delete;
 
 /// Makes a formulation with code that was generated for the model (generate_code). table: outlives
 /// the formulation.
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
                                               const Settings& settings, const KernelTable& table);
+std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model&& model,
+                                              const Settings& settings,
+                                              const KernelTable& table) = delete;
+std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
+                                              const Settings& settings,
+                                              const KernelTable&& table) = delete;
 
 /// Returns the libraries of linear algebra that are present, by backend name, and their versions.
 std::vector<std::pair<std::string, std::string>> library_versions();

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "formulations/base/output_writer.h"
 #include "formulations/formulation.h"
 
 namespace desmo::bench {

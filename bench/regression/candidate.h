@@ -6,6 +6,7 @@
 #include "bench/kit/delivery.h"
 #include "bench/kit/problem.h"
 #include "bench/regression/candidate_name.h"
+#include "formulations/base/output_writer.h"
 #include "formulations/formulation.h"
 #include "formulations/id.h"
 

@@ -5,12 +5,12 @@
 
 namespace desmo {
 
-void Summary::add(const Summary& instant) {
+void BasicSummary::add(const BasicSummary& instant) {
   time = instant.time;
   iterations += instant.iterations;
   updates += instant.updates;
   sub_steps += instant.sub_steps;
-  if (instant.ok()) {
+  if (instant.status == Status::solved) {
     ++instants;
     residual = std::max(residual, instant.residual);
     return;

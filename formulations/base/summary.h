@@ -13,11 +13,8 @@ enum class Status {
   not_finite,     ///< Φ is not a finite number
 };
 
-/// Outcome of a step or of a whole run:
-///
-///   const Summary summary = formulation->step(0.01);
-///   if (!summary.ok()) std::puts(describe(summary, model).c_str());
-struct [[nodiscard]] Summary {
+/// The content of every summary. It has no verdict: each kind of summary has one of its own.
+struct BasicSummary {
   Status status = Status::solved;
   long instants = 0;    ///< number of instants solved or interpolated
   long iterations = 0;  ///< Newton iterations of the slowest part, summed over instants
@@ -32,11 +29,18 @@ struct [[nodiscard]] Summary {
   int constraint = -1;   ///< on failure, the constraint most concerned; -1: unknown
   double time = 0;       ///< time of the last instant tried [s]
   bool stopped = false;  ///< the observer ended the run
-  bool ok() const { return status == Status::solved; }
 
   /// Adds the summary of the next instant. If that failed, takes over its status, group, constraint
   /// and residual.
-  void add(const Summary& instant);
+  void add(const BasicSummary& instant);
+};
+
+/// Outcome of a step or of a whole run:
+///
+///   const Summary summary = formulation->step(0.01);
+///   if (!summary.ok()) std::puts(describe(summary, model).c_str());
+struct [[nodiscard]] Summary : BasicSummary {
+  bool ok() const { return status == Status::solved; }
 };
 
 /// Returns a sentence for people: the status and, on failure, group, constraint and time.

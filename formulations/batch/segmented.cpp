@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "formulations/base/output_writer.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo {
@@ -78,7 +79,7 @@ Segmented::Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<Segmen
       steps_(std::move(steps)),
       executor_(std::move(executor)) {}
 
-void Segmented::solve_only(std::span<const Level> needed) {
+void Segmented::leave_out_levels(std::span<const Level> needed) {
   executor_->solve_only(needed);
   steps_->solve_only(needed);
 }

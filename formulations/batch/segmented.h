@@ -44,7 +44,7 @@ class Segmented final : public SegmentSolver {
   bool start_at(std::span<const double> q, double t) override { return steps_->start_at(q, t); }
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
-  void solve_only(std::span<const Level> needed) override;
+  void leave_out_levels(std::span<const Level> needed) override;
   long run_by_steps() const override { return run_by_steps_; }
   const std::vector<DefinedPart>& parts() const override { return steps_->parts(); }
   const State& state() const override { return steps_->state(); }

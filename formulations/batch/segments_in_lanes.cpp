@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "formulations/base/output_writer.h"
 #include "formulations/batch/layout.h"
 #include "formulations/stepping/driver_continuation.h"
 

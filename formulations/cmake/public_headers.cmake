@@ -19,8 +19,8 @@ set(reference_h formulations/verification/condition.h formulations/verification/
   formulations/verification/reference/reference.h)
 # What these include.
 set(installed_headers cases/io/input_error.h cases/mechanism/level.h
-  formulations/base/lane_values.h formulations/base/live_row.h formulations/base/output.h
-  formulations/base/per_level.h formulations/base/reference_instant.h formulations/scaling/scales.h
+  formulations/base/live_row.h formulations/base/output.h formulations/base/per_level.h
+  formulations/base/reference_instant.h formulations/scaling/scales.h
   formulations/verification/assessment/assembly_error.h
   formulations/verification/assessment/assessment.h)
 

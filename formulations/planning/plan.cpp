@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "formulations/structure/partition.h"
@@ -169,6 +171,10 @@ Plan make_plan(const Model& whole, std::span<const Asked> asked) {
       everything.push_back({e, Level::acceleration});
     asked = everything;
   }
+  for (const Asked& a : asked)
+    if (a.entity < 0 || a.entity >= static_cast<EntityId>(whole.entities.size()))
+      throw std::invalid_argument("a request names entity " + std::to_string(a.entity) +
+                                  ", which the model does not have");
   Upstream up(whole);
   for (const Asked& a : asked) up.ask(a);
   up.keep_consequences();

@@ -41,7 +41,9 @@ struct Plan {
 /// Reduces a model to what a request needs. Keeps the irreducible blocks upstream of the requested
 /// entities, with the entities that they determine or read and their drivers. Entities and
 /// constraints are kept as a whole. Needed levels propagate upstream: an acceleration needs the
-/// accelerations it depends on. An empty request keeps everything, at the level of acceleration.
+/// accelerations it depends on. An empty request keeps everything, at the level of acceleration. An
+/// entity that is named twice is solved to the higher level, and is in Plan::outputs twice. Throws
+/// std::invalid_argument for an entity that the model does not have.
 Plan make_plan(const Model& whole, std::span<const Asked> asked);
 
 /// Returns the request of a scene in terms of its whole model.

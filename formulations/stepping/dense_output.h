@@ -7,6 +7,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/base/index_range.h"
 #include "formulations/base/observer.h"
+#include "formulations/base/output_writer.h"
 #include "formulations/base/state.h"
 #include "formulations/stepping/segment_solver.h"
 
@@ -76,7 +77,7 @@ class Interpolated final : public FormulationCore {
   Summary step_to(double t, Level level) override { return inner_->step(t, level); }
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
-  void solve_only(std::span<const Level>) override {}
+  void leave_out_levels(std::span<const Level>) override {}
   long run_by_steps() const override { return inner_->run_by_steps(); }
   const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }
   const State& state() const override { return inner_->state(); }

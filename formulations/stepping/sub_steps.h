@@ -6,10 +6,11 @@ namespace desmo {
 
 /// Goes from a time to another in sub-steps. One that cannot be gone is halved, down to 2⁻¹⁰ of
 /// the whole step; the next is twice as long again. go(to) goes there, and returns whether it
-/// could. Returns whether `to` was reached, with max_tries calls.
+/// could. Returns whether `to` was reached, with max_tries calls. No infinite way can be gone.
 template <class Go>
 bool go_in_sub_steps(double from, double to, int max_tries, Go&& go) {
-  constexpr double min_sub_step = 0x1p-10;  // of the whole step
+  if (!std::isfinite(to - from)) return false;  // halves of it would not end
+  constexpr double min_sub_step = 0x1p-10;      // of the whole step
   double reached = from, sub_step = (to - from) / 2;
   for (int tries = 0; tries < max_tries; ++tries) {
     const bool is_last = !(std::abs(to - reached) > std::abs(sub_step));

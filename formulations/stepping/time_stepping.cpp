@@ -36,7 +36,7 @@ void TimeStepping::prepare() {
   read_outside_.reset();
 }
 
-void TimeStepping::solve_only(std::span<const Level> needed) {
+void TimeStepping::leave_out_levels(std::span<const Level> needed) {
   sequence_.solve_only(needed);
   prepare();
 }

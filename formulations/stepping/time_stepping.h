@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/output_writer.h"
 #include "formulations/prediction/driver_source.h"
 #include "formulations/prediction/state_predictor.h"
 #include "formulations/stepping/part_sequence.h"
@@ -25,7 +26,7 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   bool start_at(std::span<const double> q, double t) override;
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
-  void solve_only(std::span<const Level> needed) override;
+  void leave_out_levels(std::span<const Level> needed) override;
   const LiveSteps* live() const override { return this; }
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }

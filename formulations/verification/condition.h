@@ -17,6 +17,7 @@ class ConditionNumber {
  public:
   /// Analyses the model, which must outlive this object.
   explicit ConditionNumber(const Model& model);
+  explicit ConditionNumber(const Model&& model) = delete;
   ~ConditionNumber();
 
   /// Returns the condition number at positions q, in coordinate order; infinity where Φ_φ is

@@ -47,9 +47,13 @@ class ErrorMeasure final : public Observer {
   /// Compares all outputs at all levels. The reference must outlive the measure.
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales);
+  ErrorMeasure(const Model& model, const std::vector<ReferenceInstant>&& reference,
+               const Scales& scales) = delete;
   /// Compares only these outputs, each up to its requested level (Plan::outputs); skips fixed ones.
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales, std::span<const Asked> outputs);
+  ErrorMeasure(const Model& model, const std::vector<ReferenceInstant>&& reference,
+               const Scales& scales, std::span<const Asked> outputs) = delete;
 
   Flow observe(const Instant& instant) noexcept override;
   /// Returns the errors of the instants observed so far. SolutionError::instants counts the

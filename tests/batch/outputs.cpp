@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/generators/cases.h"
+#include "formulations/base/output_writer.h"
 #include "formulations/id.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/variants.h"

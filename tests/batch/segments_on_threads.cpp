@@ -221,7 +221,8 @@ TEST(SegmentsOnThreads, StandsInTheId) {
   EXPECT_EQ(c.settings.threads, 2);
   EXPECT_EQ(id_with(*c.variant, c.settings), id);
   EXPECT_THROW(parse_id("group_symbolic_explicit/threads:65"), std::invalid_argument);
-  EXPECT_THROW(make_formulation(*c.variant, truck_model(1), {.threads = 0}), std::invalid_argument);
+  const Model m = truck_model(1);
+  EXPECT_THROW(make_formulation(*c.variant, m, {.threads = 0}), std::invalid_argument);
 }
 
 }  // namespace

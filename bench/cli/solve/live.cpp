@@ -23,7 +23,7 @@ std::string_view outcome_name(const LiveSummary& s) {
 /// The row and the rows before it, in the words of a motion known in advance.
 MonitoredSummary as_motion(const LiveSummary& s) {
   MonitoredSummary motion;
-  static_cast<Summary&>(motion) = s;
+  static_cast<BasicSummary&>(motion) = s;
   motion.condition = s.assessment.condition;
   motion.bound = s.assessment.bound;
   if (s.degraded) motion.first_degraded = Degradation{0, s.time, s.assessment};

@@ -120,7 +120,7 @@ void MotionRecorder::forgive(const MonitoredSummary& summary) {
 void MotionRecorder::flag_failures(const MonitoredSummary& summary) {
   for (const Gap& gap : summary.gaps) {
     MonitoredSummary failure;
-    static_cast<Summary&>(failure) = gap.failure;
+    static_cast<BasicSummary&>(failure) = gap.failure;
     failure.assembly_error = gap.assembly_error;
     Flag& flag =
         flags_.emplace_back(Flag::Kind::failed, gap.from, gap.to, failure_text(failure, model_));

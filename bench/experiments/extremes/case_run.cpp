@@ -150,7 +150,7 @@ class Record final : public Observer {
 
   void note_flag(const MonitoredSummary& s, const Model& m) {
     if (!run_.message.empty() || s.outcome() == desmo::Outcome::converged) return;
-    const Summary& failure = s.gaps.empty() ? s : s.gaps.front().failure;
+    const Summary failure = s.gaps.empty() ? Summary{s} : s.gaps.front().failure;
     run_.failed_group = failure.group;
     run_.message = !failure.ok() ? desmo::describe(failure, m)
                    : s.crossing  ? describe(*s.crossing)

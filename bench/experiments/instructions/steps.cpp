@@ -31,7 +31,7 @@ desmo::Summary run_monitored(SteppedCandidate& candidate) {
   if (s.status == desmo::Status::solved && s.outcome() != desmo::Outcome::converged)
     throw std::runtime_error("the motion is not an ordinary one: " +
                              describe_accuracy(s.condition, s.bound, desmo::Level::acceleration));
-  return s;
+  return desmo::Summary{s};
 }
 
 }  // namespace

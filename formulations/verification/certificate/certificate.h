@@ -50,6 +50,7 @@ class Certifier {
   /// coordinate is solved (Plan::levels); empty: as far as the instant. Both must outlive the
   /// certifier.
   explicit Certifier(const Model& model, std::span<const Level> levels = {});
+  explicit Certifier(const Model&& model, std::span<const Level> levels = {}) = delete;
   ~Certifier();
 
   /// Certifies an instant of all coordinates, up to the levels that it has, with the motions of the

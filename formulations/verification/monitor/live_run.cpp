@@ -69,6 +69,7 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   if (options.level >= Level::velocity) good_.velocity.resize(n);
   if (options.level >= Level::acceleration) good_.acceleration.resize(n);
   if (!options.levels.empty()) f.solve_only(options.levels);
+  options_.levels = {};  // the caller's memory may be gone from here on
   monitors_->corrections.emplace(parts_of(f));
   restart();
 }
@@ -101,7 +102,7 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   std::ranges::copy(row.z, tried_.begin());
   const Summary step =
       steps_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
-  static_cast<Summary&>(summary) = step;
+  static_cast<BasicSummary&>(summary) = step;
   if (step.ok()) assess(row, summary);
   return summary;
 }
@@ -110,7 +111,7 @@ std::string describe(const LiveSummary& s, const Model& m) {
   switch (s.fault) {
     case RowFault::none:
       return s.violated >= 0 ? "another branch: constraint '" + m.constraints[s.violated].name + "'"
-                             : describe(static_cast<const Summary&>(s), m);
+                             : describe(Summary{s}, m);
     case RowFault::wrong_size:
       return "refused: there is not one value for each driver";
     case RowFault::not_finite:

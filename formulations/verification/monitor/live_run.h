@@ -15,8 +15,9 @@ namespace desmo {
 
 struct LiveOptions {
   Level level = Level::acceleration;  ///< that is solved and assessed
-  std::span<const Level> levels{};    ///< level asked for of each coordinate; empty: all;
-                                      ///< read by the constructor alone
+  /// Level asked for of each coordinate (Plan::levels); empty: all. The constructor of LiveRun
+  /// alone reads it.
+  std::span<const Level> levels{};
   /// The velocities and accelerations that bounds are relative to, which only the caller can know
   /// in advance; empty: the largest so far, which at the beginning may be small.
   std::optional<Scales> scales{};
@@ -34,9 +35,8 @@ enum class RowFault {
 };
 
 /// The outcome of one row of driver values; LiveRun itself has the coordinates that it led to.
-/// outcome() says whether they may be used.
-struct [[nodiscard]] LiveSummary : Summary {
-  bool ok() const = delete;         // it does not tell degraded rows
+/// outcome() says whether they may be used. It is no Summary, whose ok() tells no degraded rows.
+struct [[nodiscard]] LiveSummary : BasicSummary {
   RowFault fault = RowFault::none;  ///< not none: the row was refused before anything was tried
   Assessment assessment{};          ///< of a row that was solved (MonitoredInstant)
   bool corrected = false;           ///< the values are better than the formulation's
@@ -87,7 +87,8 @@ class LiveRun {
  public:
   /// The formulation outlives the run, which is the only one to use it. Throws
   /// std::invalid_argument where the formulation needs a motion known in advance
-  /// (unsupported_live_reason), and for options that are out of range.
+  /// (unsupported_live_reason), for options that are out of range, and where `levels` is not empty
+  /// and has not one level for each coordinate.
   explicit LiveRun(Formulation& formulation, const LiveOptions& options = {});
   ~LiveRun();
 
@@ -124,7 +125,7 @@ class LiveRun {
   void go_back();
 
   Formulation& formulation_;
-  const LiveOptions options_;
+  LiveOptions options_;  // without levels, which are in the plan of the monitors
   struct Monitors;
   std::unique_ptr<Monitors> monitors_;
   std::vector<double> unit_;            // magnitude of each driver

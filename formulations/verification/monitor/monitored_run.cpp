@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formulations/algebra/linear_solver.h"
+#include "formulations/base/output_writer.h"
 #include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/stepping/strided_steps.h"
@@ -48,6 +49,8 @@ std::vector<Level> with_velocities(std::vector<Level> levels) {
 
 /// Returns the level to which each coordinate is asked for.
 std::vector<Level> asked_levels(const Model& m, Level level, std::span<const Level> given) {
+  if (!given.empty() && std::ssize(given) != m.coordinates())
+    throw std::invalid_argument("a monitored run is not given one level for each coordinate");
   std::vector<Level> levels(given.begin(), given.end());
   levels.resize(m.coordinates(), level);
   return levels;
@@ -82,7 +85,7 @@ class Run final : Observer {
 
   MonitoredSummary operator()() {
     const Summary ran = formulation_.run(grid_, request_, *this);
-    if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
+    if (!ran.stopped) static_cast<BasicSummary&>(summary_) = ran;  // or the observer has said why
     summary_.iterations = ran.iterations;
     tried_ = static_cast<int>(summary_.instants);  // all before it were handed on
     // Assembled in one go, but elsewhere.

@@ -30,10 +30,9 @@ struct Gap {
 };
 
 /// Outcome of a monitored run and accuracy of its instants. outcome() says whether its answers may
-/// be used.
-struct [[nodiscard]] MonitoredSummary : Summary {
-  bool ok() const = delete;  // it tells neither degraded instants nor another branch
-  bool refused = false;      ///< a strict run ended at `first_degraded` or `crossing`
+/// be used. It is no Summary, whose ok() tells neither degraded instants nor another branch.
+struct [[nodiscard]] MonitoredSummary : BasicSummary {
+  bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
   int violated = -1;     ///< constraint that the last instant violates, since it lies on another
                          ///< branch (BranchMonitor); that instant was not delivered
   double condition = 0;  ///< largest condition number (see Assessment)
@@ -76,12 +75,14 @@ inline constexpr int usual_assessment_interval = 2000;
 
 /// Settings of a monitored run. The tolerance is that of the formulation.
 struct MonitoredRunOptions {
-  /// Level asked for of each coordinate (Plan::levels); empty: that of the request.
+  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. Must live until
+  /// run_monitored() returns.
   std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled
   int every = usual_assessment_interval;  ///< instants from one assessment to the next, at most
-  /// Callback that receives each instant before the observer does; empty: none.
+  /// Callback that receives each instant before the observer does; empty: none. It must not throw:
+  /// it is called through Observer::observe(), where an exception ends the program.
   std::function<void(const MonitoredInstant&)> monitored{};
 };
 
@@ -90,7 +91,8 @@ struct MonitoredRunOptions {
 /// cannot be assembled, is singular or lies on another branch. All instants before it were
 /// delivered. With `past_failures` it continues at the next instant that can be assembled from the
 /// model's initial estimate, which declares the branch. Throws std::invalid_argument for a request
-/// that names coordinates: the monitors need all.
+/// that names coordinates: the monitors need all. Throws it, too, where `levels` is not empty and
+/// has not one level for each coordinate.
 ///
 ///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
 ///   const MonitoredSummary s = run_monitored(*formulation, grid, {Level::acceleration}, observer);

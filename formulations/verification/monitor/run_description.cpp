@@ -14,7 +14,7 @@ std::string describe(const MonitoredSummary& s, const Model& m) {
   };
   if (s.violated >= 0)
     return "another branch" + at(s.time) + ", constraint '" + m.constraints[s.violated].name + "'";
-  if (s.status != Status::solved) return describe(static_cast<const Summary&>(s), m);
+  if (s.status != Status::solved) return describe(Summary{s}, m);
   std::string flags;
   if (s.first_degraded)
     flags += "instants " + std::to_string(s.degraded) + ", the first" + at(s.first_degraded->time) +

@@ -1,12 +1,10 @@
-#include "formulations/base/output.h"
+#include "formulations/base/output_writer.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
-
-#include "formulations/base/observer.h"
 
 namespace desmo {
 
