@@ -25,8 +25,6 @@ class FormulationCandidate : public Candidate {
   std::string id() const;
   std::string name() const override;
 
-  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
-
   /// Takes a sample of a step's CPU time by a formulation made anew on a fresh heap (see
   /// step_seconds). Nothing unless it is verified.
   void sample_afresh(double duration);
@@ -65,6 +63,7 @@ class FormulationCandidate : public Candidate {
   const Request asked_;
 
  private:
+  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
   std::size_t delivered() const {
     return asked_.coordinates.empty() ? coordinates : asked_.coordinates.size();

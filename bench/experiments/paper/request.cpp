@@ -154,7 +154,7 @@ RequestCandidate::Checked RequestCandidate::check(ReferenceCache& references, Ve
     return failed(
         formatted("differs from the solution of the whole mechanism by %.1e (allowed: %.0e)",
                   difference, allowed_request_difference));
-  return compare_with([&] { return references.get(request_->whole, grid, settings().stride); },
+  return compare_with([&] { return references.get(request_->whole, grid(), settings().stride); },
                       found);
 }
 
@@ -187,7 +187,7 @@ void RequestCandidate::compare_with_whole(std::size_t parts) {
   const auto kept = desmo::make_formulation(variant(), request_->plan.model, own);
   kept->solve_only(request_->plan.levels);
   const Differences largest =
-      max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid);
+      max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid());
   difference = std::max({largest.position, largest.velocity, largest.acceleration});
 }
 

@@ -57,9 +57,9 @@ std::vector<Candidate*> selected(const std::vector<std::unique_ptr<Candidate>>& 
 
 /// Throws std::invalid_argument where time grids differ: a record has one.
 void require_one_grid(const std::vector<std::unique_ptr<Candidate>>& all) {
-  const TimeGrid& first = all.front()->grid;
+  const TimeGrid& first = all.front()->grid();
   for (const auto& candidate : all)
-    if (candidate->grid.step != first.step || candidate->grid.instants != first.instants)
+    if (candidate->grid().step != first.step || candidate->grid().instants != first.instants)
       throw std::invalid_argument(
           "the cases differ in step or duration: give --step and --duration");
 }
@@ -177,8 +177,8 @@ int run(const bench::CommandLine& line) {
   const Json measured = measure_all(series_of(chosen, together), chosen.size(), asked_repetitions);
   benchmark::Shutdown();
   if (recording)
-    recording->write(chosen.front()->grid, measured["lists"],
-                     static_cast<int>(TimingWindows(chosen.front()->grid.instants).count()));
+    recording->write(chosen.front()->grid(), measured["lists"],
+                     static_cast<int>(TimingWindows(chosen.front()->grid().instants).count()));
   return measured["failed"] ? 1 : 0;
 }
 
