@@ -51,7 +51,7 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
     }
     ++verified;
     EXPECT_TRUE(candidate->is_verified()) << candidate->name() << ": " << candidate->message();
-    EXPECT_LE(candidate->difference, allowed_request_difference) << candidate->name();
+    EXPECT_LE(candidate->difference(), allowed_request_difference) << candidate->name();
     EXPECT_EQ(candidate->verifying_run().errors.instants, 51);
     EXPECT_LT(candidate->request().unknowns, candidate->request().all_unknowns);
     candidate->measure([](VerifiedCandidate& verified) { verified.time_afresh(); });
