@@ -22,6 +22,7 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/peer_candidate.h"
 #include "bench/experiments/paper/request.h"
+#include "bench/kit/options.h"
 #include "bench/kit/process/own_process.h"
 #include "formulations/variants.h"
 
@@ -161,7 +162,7 @@ int run(const bench::CommandLine& line) {
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
   const bool listing = std::ranges::any_of(arguments, is_listing),
              together = has_output_file(arguments);
-  if (!initialise(arguments)) return 64;
+  if (!initialise(arguments)) return bench::usage_error;
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
   const std::vector<std::unique_ptr<Candidate>> all = all_candidates(options);
