@@ -27,11 +27,11 @@ struct CommonOptions {
   std::string filter;   ///< regular expression; empty: everything
 };
 
-/// The help text that an experiment gives them.
+/// What the common options mean in one experiment, for its help.
 struct CommonHelp {
   std::string quick;        ///< what is left out
-  std::string filtered;     ///< what the filter is searched in: "<case>/<coordinates>/<id>"
-  std::string repetitions;  ///< how many there are without the option; empty: no such option
+  std::string filtered;     ///< where --filter looks for a match: "<case>/<coordinates>/<id>"
+  std::string repetitions;  ///< how many samples it takes by itself; empty: it has no such option
 };
 
 /// Adds the options to those of an experiment; `options` must outlive them.

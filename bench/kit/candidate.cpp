@@ -9,11 +9,11 @@
 
 namespace desmo::bench {
 
-VerifiedCandidate::VerifiedCandidate(Candidate& candidate)
-    : candidate_(candidate), windows_(candidate.grid.instants, candidate.clock) {}
+VerifiedCandidate::VerifiedCandidate(Key, Candidate& candidate)
+    : candidate_(candidate), windows_(candidate.grid().instants, candidate.clock()) {}
 
 double VerifiedCandidate::time_afresh() {
-  const Clock clock = candidate_.clock;
+  const Clock clock = candidate_.clock();
   double least = std::numeric_limits<double>::infinity();
   on_fresh_heap([&] {
     const auto analysis = candidate_.make_analysis(windows_);
@@ -37,7 +37,7 @@ void Candidate::verify_by(const std::function<Checked(VerifyingRun&)>& check) {
     if (Checked wrong = check(verifying_run_))
       refuse(*std::move(wrong));
     else
-      state_.emplace<VerifiedCandidate>(*this);
+      state_.emplace<VerifiedCandidate>(VerifiedCandidate::Key(), *this);
   } catch (const std::exception& e) {
     refuse(failed(e.what()));
   }

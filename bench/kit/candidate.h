@@ -53,16 +53,26 @@ class Analysis {
   virtual void run() = 0;
 };
 
-/// A candidate that passed its verification, and its times. Only Candidate makes one.
+/// A candidate that passed its verification, and its times. Only Candidate makes one, and lends it
+/// to what measures (Candidate::measure).
 class VerifiedCandidate {
  public:
-  explicit VerifiedCandidate(Candidate& candidate);
+  /// What Candidate alone has, to make one in place.
+  class Key {
+    friend class Candidate;
+    Key() {}
+  };
+
+  VerifiedCandidate(Key, Candidate& candidate);
+  VerifiedCandidate(const VerifiedCandidate&) = delete;
+  VerifiedCandidate& operator=(const VerifiedCandidate&) = delete;
 
   /// Makes an analysis, runs it, and discards it, on a fresh heap (see on_fresh_heap). Returns the
   /// seconds of its run; by the wall clock, the least of several runs: others may interrupt one.
   /// Throws what the run throws.
   double time_afresh();
 
+  /// Adds a time that was measured by the candidate's clock.
   void add_sample(double seconds) { seconds_.push_back(seconds); }
 
   const std::vector<double>& seconds() const { return seconds_; }  ///< samples
@@ -95,9 +105,6 @@ class Candidate {
   /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 
-  /// Makes what is timed, and assembles it once. The windows take its times; they outlive it.
-  virtual std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const = 0;
-
   /// Runs a measurement of what is verified; nothing otherwise. What it throws becomes a refusal.
   void measure(const std::function<void(VerifiedCandidate&)>& measurement);
 
@@ -113,14 +120,14 @@ class Candidate {
   /// Returns what its verification found, as far as it came.
   const VerifyingRun& verifying_run() const { return verifying_run_; }
 
-  const TimeGrid grid;
-  const int threads;  ///< on which it is solved
-  const Clock clock;  ///< of seconds, windows and the verified analysis
+  const TimeGrid& grid() const { return grid_; }
+  int threads() const { return threads_; }  ///< on which it is solved
+  Clock clock() const { return clock_; }    ///< of seconds, windows and the verified analysis
 
  protected:
   /// Several threads are timed by the wall clock, whatever `by` says.
   explicit Candidate(const TimeGrid& instants, int on_threads = 1, Clock by = Clock::cpu)
-      : grid(instants), threads(on_threads), clock(on_threads > 1 ? Clock::wall : by) {}
+      : grid_(instants), threads_(on_threads), clock_(on_threads > 1 ? Clock::wall : by) {}
 
   /// The result of a check; nothing: all is right.
   using Checked = std::optional<Refusal>;
@@ -128,6 +135,10 @@ class Candidate {
   /// Solves the whole motion and compares it with a reference. Fills in what it finds. What it
   /// throws is a failure.
   virtual Checked check(ReferenceCache& references, VerifyingRun& found) = 0;
+
+  /// Makes what is timed, and assembles it once. The windows take its times; they outlive it. Only
+  /// for VerifiedCandidate.
+  virtual std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const = 0;
 
   /// Verifies it by another check than its own, once.
   void verify_by(const std::function<Checked(VerifyingRun&)>& check);
@@ -137,10 +148,15 @@ class Candidate {
   void refuse(Refusal why) { state_ = std::move(why); }
 
  private:
+  friend class VerifiedCandidate;
+
   struct Unverified {};
 
   bool is_refused(Refusal::Kind kind) const;
 
+  const TimeGrid grid_;
+  const int threads_;
+  const Clock clock_;
   std::variant<Unverified, Refusal, VerifiedCandidate> state_;
   VerifyingRun verifying_run_;
 };

@@ -48,7 +48,7 @@ FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string
       configuration_(c) {}
 
 std::string FormulationCandidate::id() const {
-  return id_ + (clock == Clock::wall && threads == 1 ? "/clock:wall" : "");
+  return id_ + (clock() == Clock::wall && threads() == 1 ? "/clock:wall" : "");
 }
 
 std::string FormulationCandidate::name() const {
@@ -77,9 +77,9 @@ FormulationCandidate::Checked FormulationCandidate::compare_with(
 
   const std::span<const ReferenceInstant> right = reference();
   const auto observer = comparing(right);
-  const double start = now(clock);
-  const Summary summary = formulation->run(grid, asked_, *observer);
-  found.analysis_seconds = now(clock) - start;
+  const double start = now(clock());
+  const Summary summary = formulation->run(grid(), asked_, *observer);
+  found.analysis_seconds = now(clock()) - start;
   const Comparison comparison = observer->compare();
   found.errors = comparison.errors;
   found.results = comparison.results;
@@ -102,16 +102,16 @@ std::unique_ptr<ComparingObserver> FormulationCandidate::comparing(
 /// compared with is treated alike.
 std::unique_ptr<Formulation> FormulationCandidate::make_assembled() const {
   auto formulation = make_formulation();
-  static_cast<void>(formulation->assemble(grid.time(0), asked_.level));  // verified to go well
+  static_cast<void>(formulation->assemble(grid().time(0), asked_.level));  // verified to go well
   Delivery elsewhere(delivered(), asked_.level);
-  const double begin = now(clock);
-  while (clock == Clock::wall && now(clock) - begin < min_wall_seconds)
-    static_cast<void>(formulation->run(grid, asked_, elsewhere));
+  const double begin = now(clock());
+  while (clock() == Clock::wall && now(clock()) - begin < min_wall_seconds)
+    static_cast<void>(formulation->run(grid(), asked_, elsewhere));
   return formulation;
 }
 
 std::unique_ptr<Analysis> FormulationCandidate::make_analysis(TimingWindows& windows) const {
-  return std::make_unique<FormulationAnalysis>(make_assembled(), grid, asked_, delivered(),
+  return std::make_unique<FormulationAnalysis>(make_assembled(), grid(), asked_, delivered(),
                                                windows);
 }
 
@@ -127,7 +127,7 @@ double FormulationCandidate::step_seconds(Formulation& formulation, double durat
   double spent = 0;
   long instants = 0;
   do {
-    const Summary summary = formulation.run(grid, asked_, delivery);
+    const Summary summary = formulation.run(grid(), asked_, delivery);
     if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
     instants += summary.instants;
     spent = cpu_now() - start;
@@ -142,7 +142,7 @@ double FormulationCandidate::min_seconds() const {
 
 bool FormulationCandidate::is_sampled(double dear_seconds) const {
   return is_verified() && verified()->seconds().size() >= 2 &&
-         min_seconds() * grid.instants > dear_seconds;
+         min_seconds() * grid().instants > dear_seconds;
 }
 
 ProblemCandidate::ProblemCandidate(const Problem& problem, const Configuration& c)
@@ -166,8 +166,8 @@ void ProblemCandidate::verify() {
 }
 
 ProblemCandidate::Checked ProblemCandidate::check(ReferenceCache& references, VerifyingRun& found) {
-  return compare_with([&] { return references.get(problem_.plan.model, grid, settings().stride); },
-                      found);
+  return compare_with(
+      [&] { return references.get(problem_.plan.model, grid(), settings().stride); }, found);
 }
 
 }  // namespace desmo::bench

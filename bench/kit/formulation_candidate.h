@@ -25,15 +25,13 @@ class FormulationCandidate : public Candidate {
   std::string id() const;
   std::string name() const override;
 
-  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
-
   /// Takes a sample of a step's CPU time by a formulation made anew on a fresh heap (see
-  /// step_seconds). Nothing unless it is verified.
+  /// step_seconds). duration: least CPU time of the sample [s]. Nothing unless it is verified.
   void sample_afresh(double duration);
   /// Returns the least of the samples; infinite when there is none.
   double min_seconds() const;
-  /// Tells whether it has two samples and its motion takes longer than that, in seconds: no more
-  /// are worth it.
+  /// Tells whether two samples are enough: it has them, and its motion takes longer than
+  /// dear_seconds [s], so that more samples would cost too much.
   bool is_sampled(double dear_seconds) const;
 
   const int coordinates;
@@ -59,12 +57,13 @@ class FormulationCandidate : public Candidate {
   std::unique_ptr<Formulation> make_formulation() const;
   /// Returns the CPU time of a step: the whole motion with its assembly, drivers and delivery into
   /// plain vectors, divided by the number of instants delivered; repeated until that took
-  /// `duration`. Throws std::runtime_error where the motion cannot be solved.
+  /// `duration` [s]. Throws std::runtime_error where the motion cannot be solved.
   double step_seconds(Formulation& formulation, double duration) const;
 
   const Request asked_;
 
  private:
+  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
   std::size_t delivered() const {
     return asked_.coordinates.empty() ? coordinates : asked_.coordinates.size();

@@ -18,8 +18,9 @@ struct Problem {
   TimeGrid grid;
   Reference reference = {};  ///< at instants of the grid, the first and the last among them
   double tolerance = Settings{}.tolerance;
-  /// The origin of the reference: "quadruple", two solutions in quadruple precision, which agree;
-  /// "double", where these would take minutes: one in double precision, by code of its own as well.
+  /// The origin of the reference. "quadruple": two solutions in quadruple precision, which agree.
+  /// "double": one in double precision, by code that no formulation uses, where the two would take
+  /// minutes.
   const char* checked_against = "quadruple";
   KernelTable kernels{};  ///< generated code, apart from what desmo was built with
 

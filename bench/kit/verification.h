@@ -16,8 +16,10 @@
 
 namespace desmo::bench {
 
-/// Largest differences over all coordinates and compared instants, absolute, in units of the case,
-/// unlike the relative errors of formulations/verification.
+/// Largest differences over all coordinates and compared instants, absolute, in units of the case.
+/// The suite's own cases are of ordinary size, so one allowed difference fits them all, and a
+/// scale, itself computed, cannot hide an error. Errors of formulations/verification are relative:
+/// they judge mechanisms of any size.
 struct Differences {
   int instants = 0;
   double position = 0, velocity = 0, acceleration = 0;

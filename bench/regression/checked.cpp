@@ -8,7 +8,7 @@
 #include "bench/kit/formulation_candidate.h"
 #include "bench/kit/record/environment.h"
 #include "bench/kit/record/record.h"
-#include "bench/regression/candidate.h"
+#include "bench/regression/stepped_formulation.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/kit/options.h"
 #include "bench/kit/process/callgrind.h"
 #include "bench/regression/candidate_name.h"
 
@@ -16,8 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int usage_error = 64;  // of desmo_steps: it has no such candidate
-
 std::vector<std::string> steps_command(const Side& side, const std::string& name, int count) {
   const CandidateName parsed = parse_name(name);
   return {side.folder + "/desmo_steps",
@@ -25,18 +24,20 @@ std::vector<std::string> steps_command(const Side& side, const std::string& name
           std::to_string(parsed.coordinates),
           parsed.id,
           std::to_string(count),
-          std::to_string(iterations),
+          std::to_string(CountingSettings::iterations),
           std::to_string(name == side.slowed ? side.percent : 0)};
 }
 
+/// Tells whether the side's desmo_steps knows the candidate: it refuses others as wrong usage.
 bool exists(const Side& side, const std::string& name) {
   std::string output;
-  return run_to_end(bench::fixed_launch(steps_command(side, name, 0)), output) != usage_error;
+  return run_to_end(bench::fixed_launch(steps_command(side, name, 0)), output) !=
+         bench::usage_error;
 }
 
 std::int64_t count(const Side& side, const std::string& name) {
   try {
-    return bench::count_steps(steps_command(side, name, steps));
+    return bench::count_steps(steps_command(side, name, CountingSettings::steps));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error("the instructions of " + name + " cannot be counted in " + side.name +
                              ": " + error.what());

@@ -87,7 +87,7 @@ std::string name_of(const Json& candidate) {
 
 /// Returns the record of each side, with every candidate verified.
 Json verified(const std::vector<Side>& sides, const Names& names) {
-  std::vector<std::string> question{"verify", std::to_string(instants)};
+  std::vector<std::string> question{"verify", std::to_string(TimingSettings::instants)};
   question.insert(question.end(), names.begin(), names.end());
   Json records;
   for (const Side& side : sides) records[side.name] = Json::parse(asked(side, question));
@@ -114,8 +114,8 @@ void add_times(Json& check, const std::string& pass, const Times& times) {
       for (const auto& [side, seconds] : by_side) append(check["second"][candidate][side], seconds);
     return;
   }
-  for (const auto& [side, seconds] : times.at(control)) {
-    append(check[control][side], seconds);
+  for (const auto& [side, seconds] : times.at(control_name)) {
+    append(check[control_name][side], seconds);
     for (Json& candidate : check[side]["paper"]["cells"]) {
       const auto timed = times.find(name_of(candidate));
       if (timed == times.end()) continue;
@@ -141,8 +141,8 @@ Json counted(const Names& names, const std::vector<Side>& sides) {
   for (std::size_t i = 0; i < instructions.size(); ++i)
     counts[names[i / sides.size()]][sides[i % sides.size()].name] = instructions[i];
   return {{"tool", bench::counting_tool()},
-          {"steps", steps - uncounted_steps},
-          {"iterations", iterations},
+          {"steps", CountingSettings::steps - CountingSettings::uncounted_steps},
+          {"iterations", CountingSettings::iterations},
           {"instructions", counts}};
 }
 
@@ -167,12 +167,14 @@ void measure(const Options& o) {
   for (const std::string& name : o.names) require_known(all, name, "--cell");
   const Names& chosen = o.names.empty() ? all : o.names;
   Json check = {{"schema", "desmo-check"}, {"schema_version", bench::schema_version}};
-  check["settings"] = {{"seed", o.seed}, {"turns", turns}, {"repetitions", repetitions}};
+  check["settings"] = {{"seed", o.seed},
+                       {"turns", TimingSettings::turns},
+                       {"repetitions", TimingSettings::repetitions}};
   if (!o.slow.empty()) check["settings"]["slowed"] = o.slow;
   check.update(verified(sides, chosen));
   const Names names = sound(chosen, check, sides);
   if (o.work) check["work"] = counted(names, sides);
-  if (o.time) add_times(check, "first", time_rounds(sides, names, rounds, o.seed));
+  if (o.time) add_times(check, "first", time_rounds(sides, names, TimingSettings::rounds, o.seed));
   mark_untimed(check, sides);
   save(check.dump() + '\n', o.file);
 }
@@ -183,7 +185,7 @@ void measure_more(Options o) {
   if (check["settings"].contains("slowed")) o.slow = check["settings"]["slowed"];
   const std::uint64_t seed = check["settings"]["seed"];
   const std::uint64_t added = check.dump().size();  // another order whenever something was added
-  add_times(check, o.pass, time_rounds(sides_of(o), o.names, rounds, seed + added));
+  add_times(check, o.pass, time_rounds(sides_of(o), o.names, TimingSettings::rounds, seed + added));
   save(check.dump() + '\n', o.file);
 }
 
@@ -221,7 +223,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 64;
+    return app.exit(error) == 0 ? 0 : bench::usage_error;
   }
   if (all->parsed())
     measure(o);
@@ -241,7 +243,7 @@ int main(int argc, char** argv) {
     return desmo::regression::run(argc, argv);
   } catch (const std::invalid_argument& e) {
     std::cerr << "desmo_check: " << e.what() << '\n';
-    return 64;
+    return desmo::bench::usage_error;
   } catch (const std::exception& e) {
     std::cerr << "desmo_check: " << e.what() << '\n';
     return 74;

@@ -18,8 +18,9 @@
 #include "bench/kit/memory.h"
 #include "bench/kit/options.h"
 #include "bench/kit/time/clock.h"
-#include "bench/regression/candidate.h"
 #include "bench/regression/checked.h"
+#include "bench/regression/rounds.h"
+#include "bench/regression/stepped_formulation.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::regression {
@@ -75,19 +76,19 @@ class Timer {
       : instants_(instants), slowed_(std::move(slowed)), percent_(percent) {}
 
   double time(const std::string& name, int repetitions, int placement) const {
-    if (name == "control")
+    if (name == control_name)
       return min_seconds(repetitions, [] { control_result = control_kernel(); });
     // The place of the candidate's data in cache lines and pages is luck; it is drawn anew every
     // time.
     const std::vector<char> shift(16 * static_cast<std::size_t>(placement));
     const CandidateName parsed = parse_name(name);
     const bench::Problem problem = problem_of(parsed, instants_);
-    SteppedCandidate candidate(problem, parsed.id);
-    const int last = candidate.last_instant();
+    SteppedFormulation stepped(problem, parsed.id);
+    const int last = stepped.last_instant();
     const int extra = name == slowed_ ? extra_steps(last, percent_) : 0;
     return min_seconds(repetitions, [&] {
-      Summary s = candidate.run();
-      if (s.ok() && extra > 0) s = candidate.walk(last - 1, last - extra);
+      Summary s = stepped.run();
+      if (s.ok() && extra > 0) s = stepped.walk(last - 1, last - extra);
       if (!s.ok()) throw std::runtime_error(describe(s, problem.plan.model));
     });
   }
@@ -125,13 +126,14 @@ int run(std::vector<std::string> arguments) {
     if (arguments.size() == 3) {
       constexpr std::string_view option = "--slow=";
       const std::size_t colon = arguments[2].rfind(':');
-      if (!arguments[2].starts_with(option) || colon == std::string::npos) return 64;
+      if (!arguments[2].starts_with(option) || colon == std::string::npos)
+        return bench::usage_error;
       slowed = arguments[2].substr(option.size(), colon - option.size());
       percent = bench::whole_number(arguments[2].substr(colon + 1), 0, max_number);
     }
     serve(Timer(bench::whole_number(arguments[1], 2, max_number), slowed, percent));
   } else {
-    return 64;
+    return bench::usage_error;
   }
   return 0;
 }
@@ -143,13 +145,13 @@ int run(std::vector<std::string> arguments) {
 int main(int argc, char** argv) {
   try {
     const int code = desmo::regression::run({argv + 1, argv + argc});
-    if (code == 64)
+    if (code == desmo::bench::usage_error)
       std::cerr << "usage: desmo_probe names | verify INSTANTS NAME... | "
                    "time INSTANTS [--slow=NAME:PERCENT]\n";
     return code;
   } catch (const std::invalid_argument& e) {
     std::cerr << "desmo_probe: " << e.what() << '\n';
-    return 64;
+    return desmo::bench::usage_error;
   } catch (const std::exception& e) {
     std::cerr << "desmo_probe: " << e.what() << '\n';
     return 1;

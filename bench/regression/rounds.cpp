@@ -17,7 +17,7 @@ using Random = std::mt19937_64;
 constexpr int placements = 256;  // of 16 bytes each: a page
 
 std::unique_ptr<bench::Child> start(const Side& side, int core) {
-  std::vector<std::string> arguments{"time", std::to_string(instants)};
+  std::vector<std::string> arguments{"time", std::to_string(TimingSettings::instants)};
   if (!side.slowed.empty())
     arguments.push_back("--slow=" + side.slowed + ":" + std::to_string(side.percent));
   bench::Launch launch = side.probe(std::move(arguments));
@@ -27,7 +27,8 @@ std::unique_ptr<bench::Child> start(const Side& side, int core) {
 }
 
 double ask(bench::Child& probe, const std::string& name, Random& random) {
-  probe.say(name + ' ' + std::to_string(repetitions) + ' ' + std::to_string(random() % placements));
+  probe.say(name + ' ' + std::to_string(TimingSettings::repetitions) + ' ' +
+            std::to_string(random() % placements));
   return std::stod(probe.answer());
 }
 
@@ -43,7 +44,7 @@ Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names
   Random random(seed);
   const std::vector<int> cores = bench::usable_cores();
   bench::Progress progress("rounds of " + std::to_string(names.size()) + " candidates", count);
-  names.push_back(control);
+  names.push_back(control_name);
   std::vector<std::size_t> order(sides.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
 
@@ -55,7 +56,7 @@ Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names
     std::ranges::shuffle(names, random);
     for (const std::string& name : names) {
       std::vector<double> least(sides.size(), std::numeric_limits<double>::infinity());
-      for (int turn = 0; turn < turns; ++turn) {
+      for (int turn = 0; turn < TimingSettings::turns; ++turn) {
         std::ranges::shuffle(order, random);
         for (const std::size_t i : order)
           least[i] = std::min(least[i], ask(*probes[i], name, random));

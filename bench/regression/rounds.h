@@ -10,15 +10,19 @@
 namespace desmo::regression {
 
 /// Settings with which the time of a candidate is measured.
-inline constexpr int instants = 51;    ///< of one analysis, 10 ms apart
-inline constexpr int rounds = 25;      ///< each with processes of its own; odd, so has a median
-inline constexpr int turns = 3;        ///< of base and head with a candidate in a round
-inline constexpr int repetitions = 2;  ///< of the analysis in a turn, after one to warm up
+struct TimingSettings {
+  static constexpr int instants = 51;    ///< of one analysis, 10 ms apart
+  static constexpr int rounds = 25;      ///< each with processes of its own; odd, so has a median
+  static constexpr int turns = 3;        ///< of base and head with a candidate in a round
+  static constexpr int repetitions = 2;  ///< of the analysis in a turn, after one to warm up
+};
 
-/// Settings with which its instructions are counted.
-inline constexpr int steps = 105;
-inline constexpr int uncounted_steps = 5;  ///< the first of them (see desmo_steps)
-inline constexpr int iterations = 3;       ///< of Newton–Raphson in every step
+/// Settings with which the instructions of a candidate are counted.
+struct CountingSettings {
+  static constexpr int steps = 105;
+  static constexpr int uncounted_steps = 5;  ///< the first of them (see desmo_steps)
+  static constexpr int iterations = 3;       ///< of Newton–Raphson in every step
+};
 
 /// A side: one of the two trees that are compared.
 struct Side {
@@ -31,8 +35,9 @@ struct Side {
   bench::Launch probe(std::vector<std::string> arguments) const;
 };
 
-/// Name of the fixed kernel that is timed like a candidate in every round.
-inline constexpr const char* control = "control";
+/// Name of the fixed kernel that is timed like a candidate in every round. The report reads the
+/// same one (report/check/check_record.h).
+inline constexpr const char* control_name = "control";
 
 /// Least CPU time [s] of each candidate, and of the control, on each side: a value a round.
 using Times = std::map<std::string, std::map<std::string, std::vector<double>>>;

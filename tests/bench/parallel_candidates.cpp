@@ -36,7 +36,7 @@ TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
   CaseCandidate candidate(find_case("truck_suspension"), 225, *c.variant, options, c.settings);
   candidate.verify(references);
   ASSERT_TRUE(candidate.is_verified()) << candidate.message();
-  EXPECT_EQ(candidate.clock, Clock::wall);
+  EXPECT_EQ(candidate.clock(), Clock::wall);
   candidate.measure(
       [](VerifiedCandidate& verified) { verified.add_sample(verified.time_afresh()); });
   ASSERT_TRUE(candidate.is_timed()) << candidate.message();
@@ -52,8 +52,8 @@ TEST(ParallelCandidates, StandBesideOneThreadByTheWallClock) {
   std::set<std::string> names;
   for (const auto& candidate : make_case_candidates({})) {
     names.insert(candidate->name());
-    EXPECT_EQ(candidate->clock == Clock::wall,
-              candidate->threads > 1 || candidate->name().ends_with("/clock:wall"))
+    EXPECT_EQ(candidate->clock() == Clock::wall,
+              candidate->threads() > 1 || candidate->name().ends_with("/clock:wall"))
         << candidate->name();
   }
   for (const auto& request : make_request_candidates({})) names.insert(request->name());

@@ -11,10 +11,12 @@
 #include <sstream>
 
 #include "bench/kit/process/child.h"
-#include "bench/regression/candidate.h"
 #include "bench/regression/checked.h"
+#include "bench/regression/rounds.h"
+#include "bench/regression/stepped_formulation.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
+#include "report/check/check_record.h"
 
 namespace desmo::regression::regression_test {
 namespace {
@@ -30,6 +32,8 @@ TEST(CandidateNames, AreReadOrRefused) {
   for (const char* bad : {"", "four_bar", "four_bar/24", "four_bar/24/", "four_bar/x/id", "a//b"})
     EXPECT_THROW(parse_name(bad), std::invalid_argument) << bad;
 }
+
+TEST(Control, HasTheNameThatTheReportReads) { EXPECT_STREQ(control_name, report::control_name); }
 
 TEST(Launch, PassesOnWhereLibrariesAre) {
   ::setenv("DESMO_LIBCOINHSL", "/some/libcoinhsl.so", 1);
@@ -56,19 +60,19 @@ TEST(Checked, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   }
 }
 
-TEST(SteppedCandidate, WalksBackAndForthToTheSameSolution) {
+TEST(SteppedFormulation, WalksBackAndForthToTheSameSolution) {
   const bench::Problem problem = problem_of({"four_bar", 24, {}}, 21);
-  SteppedCandidate candidate(problem, "group_symbolic_klu");
-  ASSERT_TRUE(candidate.run().ok());
-  EXPECT_EQ(candidate.last_instant(), 20);
-  const Summary back = candidate.walk(19, 10);
+  SteppedFormulation stepped(problem, "group_symbolic_klu");
+  ASSERT_TRUE(stepped.run().ok());
+  EXPECT_EQ(stepped.last_instant(), 20);
+  const Summary back = stepped.walk(19, 10);
   ASSERT_TRUE(back.ok());
   EXPECT_DOUBLE_EQ(back.time, 0.1);
   EXPECT_LT(back.residual, Settings{}.tolerance);
-  EXPECT_TRUE(candidate.walk(11, 20).ok());
+  EXPECT_TRUE(stepped.walk(11, 20).ok());
 }
 
-TEST(SteppedCandidate, ExtraStepsAreTheShareAskedFor) {
+TEST(SteppedFormulation, ExtraStepsAreTheShareAskedFor) {
   EXPECT_EQ(extra_steps(100, 1), 1);
   EXPECT_EQ(extra_steps(100, 10), 10);
   EXPECT_EQ(extra_steps(50, 10), 5);

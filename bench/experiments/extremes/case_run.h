@@ -50,13 +50,14 @@ struct CaseRun {
   Stated max{};                               ///< over all instants
   std::vector<Gap> gaps;                      ///< that it went on after
   GroupId failed_group = -1;                  ///< of the first flag
-  /// Bytes by which the heap has grown from the first that is solved after 1000 instants, or
-  /// starts, to the last; 0 where the last is not solved.
+  /// Bytes by which the heap grew after its start-up: from the first solved instant, or start,
+  /// after the 1000th to the last one. 0 where the last is not solved.
   std::int64_t heap_growth = 0;
 };
 
 /// Solves the case as `desmo solve` does (run_monitored), to the first failure or, where the case
-/// says so, past it; or from every start. without: monitors left out.
+/// says so, past it; or from every start. without: Monitor bits
+/// (AccuracyMonitorOptions) that are left out.
 CaseRun run_case(const KnownCase& known, const Configuration& configuration, unsigned without = 0);
 
 }  // namespace desmo::extremes

@@ -11,7 +11,7 @@
 
 namespace desmo::extremes {
 
-/// A case of a row in one formulation.
+/// The verdict on one formulation in one case; a row of the table has many cases.
 struct Result {
   const Extreme* row;
   std::string case_name;
@@ -24,8 +24,8 @@ struct Selection {
   Extent extent = Extent::full;
   /// To be found in ids, and in the names of cases; by default they are in all.
   std::regex formulations{""}, cases{""};
-  unsigned without =
-      0;  ///< monitors left out (AccuracyMonitorOptions), which names of cases then tell
+  /// Monitor bits (AccuracyMonitorOptions) that are left out; Result::case_name then lists them.
+  unsigned without = 0;
   std::function<void(const std::string&)> say = {};  ///< called with what comes next; may be empty
 };
 

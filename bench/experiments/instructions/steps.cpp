@@ -13,21 +13,22 @@
 
 #include "bench/experiments/instructions/step_counts.h"
 #include "bench/kit/options.h"
-#include "bench/regression/candidate.h"
 #include "bench/regression/rounds.h"
+#include "bench/regression/stepped_formulation.h"
 #include "formulations/verification/monitor/monitored_run.h"
 
 namespace {
 
-using desmo::regression::SteppedCandidate;
+using desmo::regression::SteppedFormulation;
 
-static_assert(desmo::regression::uncounted_steps == desmo::instructions::uncounted_steps);
+static_assert(desmo::regression::CountingSettings::uncounted_steps ==
+              desmo::instructions::uncounted_steps);
 
 /// Runs the whole motion under all monitors. Throws std::runtime_error where one of them finds
 /// something: that is not the motion whose instructions are asked for.
-desmo::Summary run_monitored(SteppedCandidate& candidate) {
+desmo::Summary run_monitored(SteppedFormulation& stepped) {
   const desmo::MonitoredSummary s =
-      run_monitored(candidate.formulation(), candidate.grid, {}, candidate.delivery(), {});
+      run_monitored(stepped.formulation(), stepped.grid, {}, stepped.delivery(), {});
   if (s.status == desmo::Status::solved && s.outcome() != desmo::Outcome::converged)
     throw std::runtime_error("the motion is not an ordinary one: " +
                              describe_accuracy(s.condition, s.bound, desmo::Level::acceleration));
@@ -36,20 +37,20 @@ desmo::Summary run_monitored(SteppedCandidate& candidate) {
 
 }  // namespace
 
-extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(SteppedCandidate& candidate,
+extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(SteppedFormulation& stepped,
                                                                 bool monitored, int first, int last,
                                                                 int repeated) {
-  if (monitored) return run_monitored(candidate);
-  if (candidate.runs_at_once()) return candidate.run();
-  const desmo::Summary s = candidate.walk(first, last);
-  return s.ok() && repeated > 0 ? candidate.walk(last - 1, last - repeated) : s;
+  if (monitored) return run_monitored(stepped);
+  if (stepped.runs_at_once()) return stepped.run();
+  const desmo::Summary s = stepped.walk(first, last);
+  return s.ok() && repeated > 0 ? stepped.walk(last - 1, last - repeated) : s;
 }
 
 int main(int argc, char** argv) {
   using namespace desmo;
   if (argc < 5 || argc > 7) {
     std::cerr << "usage: desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]\n";
-    return 64;
+    return desmo::bench::usage_error;
   }
   try {
     const auto whole = [](const char* text) { return bench::whole_number(text, 0, 1'000'000'000); };
@@ -60,20 +61,19 @@ int main(int argc, char** argv) {
     const bool monitored = instructions::is_monitored(argv[3]);
     const std::string id(instructions::formulation_of(argv[3]));
     const bench::Problem problem = regression::problem_of({argv[1], whole(argv[2]), id}, steps + 1);
-    SteppedCandidate candidate(problem, id, settings);
+    SteppedFormulation stepped(problem, id, settings);
     Summary s;
-    if (!monitored && !candidate.runs_at_once()) s = candidate.walk(0, first);
+    if (!monitored && !stepped.runs_at_once()) s = stepped.walk(0, first);
     if (s.ok() && first < steps)
-      s = desmo_counted_steps(candidate, monitored, first + 1, steps,
+      s = desmo_counted_steps(stepped, monitored, first + 1, steps,
                               regression::extra_steps(steps - first, repeated));
-    if (s.ok() &&
-        s.residual > candidate.settings().tolerance)  // possible with fixed iterations only
+    if (s.ok() && s.residual > stepped.settings().tolerance)  // possible with fixed iterations only
       s.status = Status::not_converged;
     if (s.ok()) return 0;
     std::cerr << "desmo_steps: " << describe(s, problem.plan.model) << '\n';
     return 1;
   } catch (const std::exception& e) {
     std::cerr << "desmo_steps: " << e.what() << '\n';
-    return 64;
+    return desmo::bench::usage_error;
   }
 }

@@ -62,7 +62,7 @@ const Problem& CaseCandidate::problem() const {
 CaseCandidate::Checked CaseCandidate::check(ReferenceCache& references, VerifyingRun& found) {
   const Model& m = problem().plan.model;
   found.model = model_digest(m);
-  return compare_with([&] { return references.get(m, grid, settings().stride); }, found);
+  return compare_with([&] { return references.get(m, grid(), settings().stride); }, found);
 }
 
 void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {
@@ -83,8 +83,8 @@ void CaseCandidate::profile() {
   if (id() != variant().id && id() != reference_of_one_block) return;
   // Reading the clock costs more than what it measures in blocks of one unknown.
   if (variant().partition == Partition::block) return;
-  TimeGrid first = grid;
-  first.instants = std::min(grid.instants, profiled_instants);
+  TimeGrid first = grid();
+  first.instants = std::min(grid().instants, profiled_instants);
   phases = measure_phases(variant(), settings(), problem().plan.model, first);
 }
 

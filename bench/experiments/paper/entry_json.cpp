@@ -19,9 +19,9 @@ nlohmann::ordered_json with_measurement(nlohmann::ordered_json j, const bench::C
   if (!c.is_timed()) return j;
   if (parts.difference) j["difference"] = *parts.difference;
   j["verification"] = bench::errors_json(found.errors, parts.level);
-  if (c.threads > 1) j["threads"] = c.threads;
-  j["time"] = bench::time_json(c.verified()->seconds(), c.clock);
-  if (c.clock == bench::Clock::cpu)
+  if (c.threads() > 1) j["threads"] = c.threads();
+  j["time"] = bench::time_json(c.verified()->seconds(), c.clock());
+  if (c.clock() == bench::Clock::cpu)
     j["time"]["windows"] = bench::windows_json(c.verified()->windows());
   j["setup_time"] = bench::time_json({found.setup_seconds});
   j["iterations_per_step"] = found.iterations_per_step;

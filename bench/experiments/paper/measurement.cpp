@@ -104,7 +104,7 @@ Json measure(const std::vector<Candidate*>& all, std::optional<int> asked_repeti
     const auto verify = [&] { candidate->verify(references); };
     // The threads that it makes end with the one that it is on: those of a repetition have no
     // others next to them, for which they would have to make room.
-    candidate->threads > 1 ? on_fresh_heap(verify) : verify();
+    candidate->threads() > 1 ? on_fresh_heap(verify) : verify();
     candidate->profile();
     progress.done(candidate->is_verified() ? 1 : work_of_candidate);
     if (!candidate->is_verified()) {

@@ -9,7 +9,8 @@
 
 namespace desmo::paper {
 
-/// Work of a candidate on the progress line: verification, and all its repetitions.
+/// Units of work that a candidate adds to the progress line: one for its verification, one for all
+/// its repetitions.
 inline constexpr double work_of_candidate = 2;
 
 /// Verifies and profiles all, and times what is verified by Google Benchmark, whose flags have been

@@ -102,21 +102,21 @@ PeerCandidate::Checked PeerCandidate::check(ReferenceCache& references, Verifyin
   const auto solver = peer.make(scene, model);
   found.setup_seconds = cpu_now() - before_setup;
 
-  const auto reference = references.get(model, grid);
+  const auto reference = references.get(model, grid());
   const double start = cpu_now();
-  for (int i = 0; i < grid.instants; ++i) {
-    solve(*solver, grid, i);
+  for (int i = 0; i < grid().instants; ++i) {
+    solve(*solver, grid(), i);
     const std::size_t next = found.errors.instants;
-    if (next < reference.size() && reference[next].time == grid.time(i))
+    if (next < reference.size() && reference[next].time == grid().time(i))
       compare(found.errors, solver->answer(), reference[next]);
     if (i + 1 != instants_of_estimate) continue;
-    const double whole = (cpu_now() - start) / instants_of_estimate * grid.instants;
+    const double whole = (cpu_now() - start) / instants_of_estimate * grid().instants;
     if (whole > limit_)
       return not_run(
           formatted("the whole motion would take some %.0f s; the limit is %.0f s", whole, limit_));
   }
   found.analysis_seconds = cpu_now() - start;
-  found.iterations_per_step = static_cast<double>(solver->iterations()) / grid.instants;
+  found.iterations_per_step = static_cast<double>(solver->iterations()) / grid().instants;
   std::string wrong = verification_failure(found.errors, reference.size());
   if (wrong.empty()) return {};
   return failed(std::move(wrong));
@@ -124,8 +124,8 @@ PeerCandidate::Checked PeerCandidate::check(ReferenceCache& references, Verifyin
 
 std::unique_ptr<Analysis> PeerCandidate::make_analysis(TimingWindows& windows) const {
   auto solver = peer.make(solved().scene, solved().model);
-  solver->assemble(grid.time(0));
-  return std::make_unique<PeerAnalysis>(std::move(solver), grid, windows);
+  solver->assemble(grid().time(0));
+  return std::make_unique<PeerAnalysis>(std::move(solver), grid(), windows);
 }
 
 void PeerCandidate::add_to(nlohmann::ordered_json& lists) const {

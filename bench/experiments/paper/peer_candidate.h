@@ -21,7 +21,6 @@ class PeerCandidate final : public Candidate {
   /// <case>/<coordinates>/peer:<name>
   std::string name() const override;
   void add_to(nlohmann::ordered_json& lists) const override;
-  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
 
   const Case& definition;
   const int coordinates;
@@ -39,6 +38,7 @@ class PeerCandidate final : public Candidate {
   /// Compares in the coordinates that the peer finds. Leaves it out when the whole motion would
   /// take longer than the options allow.
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
+  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
 
   const double limit_;                            // CPU seconds of the whole motion
   mutable std::unique_ptr<const Solved> solved_;  // made at the first call of solved()

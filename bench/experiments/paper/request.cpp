@@ -150,11 +150,11 @@ RequestCandidate::Checked RequestCandidate::check(ReferenceCache& references, Ve
   reason = missing_code(*formulation);
   if (!reason.empty()) return not_run(std::move(reason));
   compare_with_whole(parts_of(*formulation).size());
-  if (difference > allowed_request_difference)
+  if (difference_ > allowed_request_difference)
     return failed(
         formatted("differs from the solution of the whole mechanism by %.1e (allowed: %.0e)",
-                  difference, allowed_request_difference));
-  return compare_with([&] { return references.get(request_->whole, grid, settings().stride); },
+                  difference_, allowed_request_difference));
+  return compare_with([&] { return references.get(request_->whole, grid(), settings().stride); },
                       found);
 }
 
@@ -168,7 +168,7 @@ void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
                         {"level", level_names[request_->plan.level()]},
                         {"unknowns", request_->unknowns},
                         {"all_unknowns", request_->all_unknowns}},
-                       *this, {.level = request_->plan.level(), .difference = difference}));
+                       *this, {.level = request_->plan.level(), .difference = difference_}));
 }
 
 std::unique_ptr<ComparingObserver> RequestCandidate::comparing(
@@ -187,8 +187,8 @@ void RequestCandidate::compare_with_whole(std::size_t parts) {
   const auto kept = desmo::make_formulation(variant(), request_->plan.model, own);
   kept->solve_only(request_->plan.levels);
   const Differences largest =
-      max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid);
-  difference = std::max({largest.position, largest.velocity, largest.acceleration});
+      max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid());
+  difference_ = std::max({largest.position, largest.velocity, largest.acceleration});
 }
 
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {

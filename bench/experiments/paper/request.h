@@ -60,7 +60,9 @@ class RequestCandidate final : public FormulationCandidate {
 
   const PlannedRequest& request() const { return *request_; }
 
-  double difference = 0;  ///< from the whole mechanism, at any level
+  /// Returns the largest difference from the whole mechanism, at any level; 0 before it is
+  /// verified.
+  double difference() const { return difference_; }
 
  private:
   const Problem& problem() const override { return *request_; }
@@ -69,10 +71,11 @@ class RequestCandidate final : public FormulationCandidate {
   /// Compares with the whole mechanism, both converged as far as double precision goes, which shows
   /// that nothing needed was left out; and, as it is timed, with the quadruple-precision reference.
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
-  /// Sets `difference`. parts: of the formulation that solves the request.
+  /// Sets difference(). parts: of the formulation that solves the request.
   void compare_with_whole(std::size_t parts);
 
   std::shared_ptr<const PlannedRequest> request_;
+  double difference_ = 0;
 };
 
 /// Returns every request of the library with every formulation that requests are timed with.

@@ -22,6 +22,7 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/peer_candidate.h"
 #include "bench/experiments/paper/request.h"
+#include "bench/kit/options.h"
 #include "bench/kit/process/own_process.h"
 #include "formulations/variants.h"
 
@@ -57,9 +58,9 @@ std::vector<Candidate*> selected(const std::vector<std::unique_ptr<Candidate>>& 
 
 /// Throws std::invalid_argument where time grids differ: a record has one.
 void require_one_grid(const std::vector<std::unique_ptr<Candidate>>& all) {
-  const TimeGrid& first = all.front()->grid;
+  const TimeGrid& first = all.front()->grid();
   for (const auto& candidate : all)
-    if (candidate->grid.step != first.step || candidate->grid.instants != first.instants)
+    if (candidate->grid().step != first.step || candidate->grid().instants != first.instants)
       throw std::invalid_argument(
           "the cases differ in step or duration: give --step and --duration");
 }
@@ -161,7 +162,7 @@ int run(const bench::CommandLine& line) {
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
   const bool listing = std::ranges::any_of(arguments, is_listing),
              together = has_output_file(arguments);
-  if (!initialise(arguments)) return 64;
+  if (!initialise(arguments)) return bench::usage_error;
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
   const std::vector<std::unique_ptr<Candidate>> all = all_candidates(options);
@@ -177,8 +178,8 @@ int run(const bench::CommandLine& line) {
   const Json measured = measure_all(series_of(chosen, together), chosen.size(), asked_repetitions);
   benchmark::Shutdown();
   if (recording)
-    recording->write(chosen.front()->grid, measured["lists"],
-                     static_cast<int>(TimingWindows(chosen.front()->grid.instants).count()));
+    recording->write(chosen.front()->grid(), measured["lists"],
+                     static_cast<int>(TimingWindows(chosen.front()->grid().instants).count()));
   return measured["failed"] ? 1 : 0;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "bench/experiments/promise/judgeable.h"
 #include "formulations/id.h"
 #include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/error.h"
@@ -14,17 +15,6 @@
 namespace desmo::promise {
 
 namespace {
-
-constexpr double well_conditioned = 1e6;
-/// A bound of half a scale says that no digit is known; an error cannot contradict it.
-constexpr double no_digit = 0.5;
-/// What does not accelerate is judged by its speed, as monitors do.
-constexpr double min_scale = 0.01;
-
-bool has_answer(const TrueInstant& t) { return !t.instant.q.empty(); }
-
-/// Returns the error that the truth itself may have: quadruple precision, near a singular position.
-PerLevel<double> floor_of(const TrueInstant& t) { return accuracy_limit(t.condition, 1e-32); }
 
 /// Returns the least scales of rates: what hardly moves is judged by its drivers, as monitors do.
 Scales scales_of_drivers(const DrawnScene& scene) {
@@ -39,8 +29,8 @@ Scales scales_of_drivers(const DrawnScene& scene) {
     }
   Scales result;
   for (const Level l : {Level::velocity, Level::acceleration}) {
-    result.length[l] = min_scale * size * rotation[l];
-    result.rotation[l] = min_scale * length[l] / size;
+    result.length[l] = VerdictLimits::min_scale * size * rotation[l];
+    result.rotation[l] = VerdictLimits::min_scale * length[l] / size;
   }
   return result;
 }
@@ -61,7 +51,8 @@ Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
     PerLevel<double>& s = scales.*column;
     for (const Level level : levels)
       s[level] = std::max({s[level], (others.*column)[level], (drivers.*column)[level]});
-    s.acceleration = std::max(s.acceleration, min_scale * s.velocity * s.velocity / s.position);
+    s.acceleration =
+        std::max(s.acceleration, VerdictLimits::min_scale * s.velocity * s.velocity / s.position);
   }
   return scales;
 }
@@ -69,36 +60,6 @@ Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
 /// Returns whether an instant is after a crossing that the run reports.
 bool is_doubtful(const MonitoredSummary& s, double time) {
   return s.crossing && (time > s.crossing->after || time >= s.crossing->before);
-}
-
-/// Returns whether the true motion is well-conditioned from one instant to another, on the way too.
-bool is_regular(const DrawnScene& scene, int from, int to) {
-  for (int i = std::max(from, 0); i <= std::min<int>(to, std::ssize(scene.truth) - 1); ++i) {
-    const TrueInstant& t = scene.truth[i];
-    const double condition = i == from ? t.condition : std::max(t.condition, t.path_condition);
-    if (!has_answer(t) || condition * scene.rounding >= well_conditioned) return false;
-  }
-  return true;
-}
-
-/// Returns the first instant from which on rounding decides between two motions. Rounding by u
-/// moves a path across to another one that comes within √u of it, where the condition number is
-/// 1/√u.
-/// - double precision: the scene's own numbers are rounded. Only paths that come near each other
-///   between two instants count; at an instant a flag is due.
-/// - single precision: the run cannot tell such paths apart, wherever they are.
-int decided_until(const DrawnScene& scene, bool is_single) {
-  constexpr double undecided = 1e9, undecided_single = 4e4;
-  const int instants = static_cast<int>(std::ssize(scene.truth));
-  for (int i = 0; i < instants; ++i) {
-    const TrueInstant& t = scene.truth[i];
-    if (is_single && std::max(t.condition, i > 0 ? t.path_condition : 0) > undecided_single)
-      return i;
-    const double ends = std::max(t.condition, i > 0 ? scene.truth[i - 1].condition : 0);
-    if (i > 0 && t.path_condition > std::max(undecided, 100 * ends) && t.path_condition < INFINITY)
-      return i;
-  }
-  return instants;
 }
 
 struct Worst {
@@ -110,8 +71,8 @@ void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double
              const TrueInstant& truth, const char* what) {
   const PerLevel<double> floor = floor_of(truth);
   for (const Level level : levels) {
-    const double limit = 1.01 * allowed[level] + floor[level];
-    if (limit >= no_digit) continue;
+    const double limit = VerdictLimits::scale_slack * allowed[level] + floor[level];
+    if (limit >= VerdictLimits::no_digit) continue;
     if (!(errors[level] > worst.ratio * limit)) continue;
     worst.ratio = errors[level] / limit;
     worst.details = {PromiseVerdict::wrong, what,           level, errors[level], allowed[level],

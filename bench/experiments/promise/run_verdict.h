@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/experiments/promise/drawn_scene.h"
@@ -24,18 +27,29 @@ struct SolvedScene {
   bool is_single = false;  ///< in single precision
 };
 
-/// PromiseVerdict on a run.
+/// What a run is worth.
 enum class PromiseVerdict {
   right,           ///< without a flag
   flagged,         ///< with one for which there is a cause
-  false_flag,      ///< with one for which there is none: κ < 1e6, and all numbers are right
-  false_failure,   ///< failed at an instant where κ < 1e6
+  false_flag,      ///< with one for which there is none: the motion is well-conditioned, and all
+                   ///< numbers are right
+  false_failure,   ///< failed where the motion is well-conditioned
   wrong,           ///< a wrong number without a flag
   not_applicable,  ///< the formulation does not offer these settings
 };
 
-/// The letter of each verdict in a record.
-inline constexpr const char* verdict_letters = ".fFNW-";
+/// The letter of each verdict in a record, in the order of the enumerators.
+inline constexpr std::array<std::pair<PromiseVerdict, char>, 6> verdict_letters{{
+    {PromiseVerdict::right, '.'},
+    {PromiseVerdict::flagged, 'f'},
+    {PromiseVerdict::false_flag, 'F'},
+    {PromiseVerdict::false_failure, 'N'},
+    {PromiseVerdict::wrong, 'W'},
+    {PromiseVerdict::not_applicable, '-'},
+}};
+static_assert(std::ranges::all_of(verdict_letters, [i = 0](const auto& row) mutable {
+  return static_cast<int>(row.first) == i++;
+}));
 
 /// A verdict, and the number that it is about.
 struct RunVerdict {

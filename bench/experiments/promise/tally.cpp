@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <string_view>
 #include <utility>
 
 #include "bench/kit/problem.h"
@@ -16,7 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view letters = verdict_letters;
 constexpr std::size_t printed = 20;  // of the worst scenes
 
 Json finding_json(const SceneResult::Finding& f) {
@@ -45,9 +43,19 @@ bool is_worse(const RunVerdict& a, const RunVerdict& b) {
   return a.error * std::max(b.allowed, 1e-300) > b.error * std::max(a.allowed, 1e-300);
 }
 
-long count(const SceneResult& r, char letter) { return std::ranges::count(r.verdicts, letter); }
+char letter_of(PromiseVerdict verdict) {
+  return verdict_letters[static_cast<std::size_t>(verdict)].second;
+}
 
-void add(Counts& counts, char letter) { ++counts[letters.find(letter)]; }
+long count(const SceneResult& r, PromiseVerdict verdict) {
+  return std::ranges::count(r.verdicts, letter_of(verdict));
+}
+
+void add(Counts& counts, char letter) {
+  const auto row =
+      std::ranges::find(verdict_letters, letter, &std::pair<PromiseVerdict, char>::second);
+  ++counts.at(row - verdict_letters.begin());
+}
 
 void print_counts(std::ostream& out, const std::string& name, const Counts& c) {
   out << formatted("%-46s %8ld %8ld %8ld %8ld %8ld %8ld\n", name.c_str(), c[0], c[1], c[2], c[3],
@@ -76,7 +84,7 @@ SceneResult verify_scene(std::uint64_t seed, int number, const std::vector<std::
   r.aim = scene->aim;
   for (const std::string& id : ids) {
     const RunVerdict j = verify_id(*scene, id);
-    r.verdicts += letters[static_cast<int>(j.verdict)];
+    r.verdicts += letter_of(j.verdict);
     if (j.verdict == PromiseVerdict::wrong && (!r.wrong || is_worse(j, r.wrong->details)))
       r.wrong = {id, j};
     const bool is_flag =
@@ -126,7 +134,9 @@ std::vector<SceneResult> worst(std::vector<SceneResult> results, std::size_t cou
   std::erase_if(results, [](const SceneResult& r) { return !r.wrong && !r.flag; });
   std::ranges::stable_sort(results, [](const SceneResult& a, const SceneResult& b) {
     const auto rank = [](const SceneResult& r) {
-      return std::pair(count(r, 'W'), count(r, 'F') + count(r, 'N'));
+      return std::pair(
+          count(r, PromiseVerdict::wrong),
+          count(r, PromiseVerdict::false_flag) + count(r, PromiseVerdict::false_failure));
     };
     return rank(a) > rank(b);
   });
@@ -161,8 +171,9 @@ void print(std::ostream& out, const std::vector<SceneResult>& results,
   }
   out << '\n' << t.scenes << " scenes, " << t.not_drawn << " not drawn. The worst:\n";
   for (const SceneResult& r : worst(results, printed)) {
-    out << "\nscene " << r.number << ": " << r.family << ", " << r.aim << ": " << count(r, 'W')
-        << " wrong, " << count(r, 'F') << " flagged and " << count(r, 'N')
+    out << "\nscene " << r.number << ": " << r.family << ", " << r.aim << ": "
+        << count(r, PromiseVerdict::wrong) << " wrong, " << count(r, PromiseVerdict::false_flag)
+        << " flagged and " << count(r, PromiseVerdict::false_failure)
         << " failed without a cause\n";
     if (r.wrong) print_finding(out, "wrong", *r.wrong);
     if (r.flag) print_finding(out, "flag", *r.flag);

@@ -40,7 +40,7 @@ nlohmann::ordered_json to_json(const SceneResult& result);
 SceneResult from_json(const nlohmann::ordered_json& json);
 
 /// Numbers of each verdict, in the order of `verdict_letters`.
-using Counts = std::array<long, 6>;
+using Counts = std::array<long, verdict_letters.size()>;
 
 /// Counts of all scenes, by what they have in common.
 struct Tally {

@@ -1,4 +1,4 @@
-#include "bench/regression/candidate.h"
+#include "bench/regression/stepped_formulation.h"
 
 #include <cmath>
 
@@ -14,8 +14,8 @@ bench::Problem problem_of(const CandidateName& name, int instants) {
   return problem;
 }
 
-SteppedCandidate::SteppedCandidate(const bench::Problem& problem, std::string_view id,
-                                   const Settings& others)
+SteppedFormulation::SteppedFormulation(const bench::Problem& problem, std::string_view id,
+                                       const Settings& others)
     : grid(problem.grid),
       configuration_(parse_id(id, others)),
       formulation_(
@@ -23,7 +23,7 @@ SteppedCandidate::SteppedCandidate(const bench::Problem& problem, std::string_vi
       output_({}, problem.plan.model.coordinates()),
       delivery_(problem.plan.model.coordinates()) {}
 
-Summary SteppedCandidate::walk(int first, int last) {
+Summary SteppedFormulation::walk(int first, int last) {
   const int direction = first <= last ? 1 : -1;
   for (int i = first;; i += direction) {
     const Summary s = formulation_->step(grid.time(i));

@@ -19,11 +19,12 @@ bench::Problem problem_of(const CandidateName& name, int instants);
 /// A formulation ready to be run, or stepped through, while its instructions are counted. It is no
 /// bench::Candidate: that would link the quadruple reference, whose copies of templates are
 /// compiled for size, into the counted program.
-class SteppedCandidate {
+class SteppedFormulation {
  public:
   /// others: settings that the id does not name. Throws std::invalid_argument when this build has
   /// no such formulation.
-  SteppedCandidate(const bench::Problem& problem, std::string_view id, const Settings& others = {});
+  SteppedFormulation(const bench::Problem& problem, std::string_view id,
+                     const Settings& others = {});
 
   /// Runs through the motion: first assembly, all steps, and the delivery of every instant.
   Summary run() { return formulation_->run(grid, {}, delivery_); }
