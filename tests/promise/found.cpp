@@ -9,10 +9,16 @@
 namespace desmo::promise::found_test {
 namespace {
 
+enum class Expected {
+  right,
+  flagged,  // with a cause
+  either,   // single precision is not the same with every compiler's options
+};
+
 struct Found {
   int scene;  // of seed 1
   const char *id, *name;
-  bool is_flagged = false;  // with a cause
+  Expected expected = Expected::right;
 };
 
 void PrintTo(const Found& found, std::ostream* out) { *out << found.scene << ", " << found.id; }
@@ -20,9 +26,12 @@ void PrintTo(const Found& found, std::ostream* out) { *out << found.scene << ", 
 class FoundScene : public testing::TestWithParam<Found> {};
 
 TEST_P(FoundScene, IsRightOrFlaggedWithCause) {
-  const auto& [scene, id, name, is_flagged] = GetParam();
+  const auto& [scene, id, name, expected] = GetParam();
   const RunVerdict v = verify_id(draw_scene(1, scene), id);
-  EXPECT_EQ(v.verdict, is_flagged ? PromiseVerdict::flagged : PromiseVerdict::right)
+  const bool is_right = v.verdict == PromiseVerdict::right;
+  const bool is_flagged = v.verdict == PromiseVerdict::flagged;
+  EXPECT_TRUE((is_right && expected != Expected::flagged) ||
+              (is_flagged && expected != Expected::right))
       << v.what << ": " << v.error << ", allowed " << v.allowed << ", t = " << v.time;
 }
 
@@ -35,11 +44,13 @@ constexpr Found all[] = {
     {473, "global_automatic_klu", "AStepToAnotherBranch"},
     {167, "block_automatic_klu", "AnInstantSolvedTwice"},
     {966, "global_automatic_cholmod", "RatesByNormalEquations"},
-    {395, "block_symbolic_inlined/guess:adams8", "AStepFromUnknownAccelerations", true},
-    {539, "global_automatic_klu/stride:4", "ARowCorrectedBeforeASingularPosition", true},
-    {317, "global_automatic_klu/iterations:1", "TooFewIterationsNearAFold", true},
+    {395, "block_symbolic_inlined/guess:adams8", "AStepFromUnknownAccelerations",
+     Expected::flagged},
+    {539, "global_automatic_klu/stride:4", "ARowCorrectedBeforeASingularPosition",
+     Expected::flagged},
+    {317, "global_automatic_klu/iterations:1", "TooFewIterationsNearAFold", Expected::flagged},
     {527, "group_automatic_eigen/scalar:float/tolerance:1e-3",
-     "BranchesThatSinglePrecisionCannotTell"},
+     "BranchesThatSinglePrecisionCannotTell", Expected::either},
 };
 
 INSTANTIATE_TEST_SUITE_P(Promise, FoundScene, testing::ValuesIn(all),
