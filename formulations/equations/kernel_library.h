@@ -11,9 +11,9 @@ namespace desmo {
 /// Compiled kernels: of a set that desmo was built with, or of a file that it loads, whose exported
 /// object `desmo_kernels` has this type.
 struct KernelLibrary {
-  std::span<const Kernel> kernels;
-  std::span<const ExplicitKernel> explicit_kernels;
-  std::span<const LaneKernel> lane_kernels;
+  std::span<const Kernel> kernels = {};
+  std::span<const ExplicitKernel> explicit_kernels = {};
+  std::span<const LaneKernel> lane_kernels = {};
 };
 
 }  // namespace desmo

@@ -16,9 +16,9 @@ struct DrawnScene {
   std::string family;
   std::string aim;   ///< "random", or "pass 1e-08": kind and distance to a singular position
   std::string text;  ///< scene file
-  Scene scene;       ///< read from the text
-  Model model;
-  std::vector<TrueInstant> truth;  ///< (instants)
+  Scene scene = {};  ///< read from the text
+  Model model = {};
+  std::vector<TrueInstant> truth = {};  ///< (instants)
   /// Magnitude of coordinates over the mechanism's size, times that of the drivers, at least 1:
   /// rounding grows with it.
   double rounding = 1;
