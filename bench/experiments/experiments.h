@@ -27,7 +27,7 @@ struct CommonOptions {
   std::string filter;   ///< regular expression; empty: everything
 };
 
-/// What the common options mean in one experiment, for its help.
+/// Meanings of the common options in one experiment, for its help.
 struct CommonHelp {
   std::string quick;        ///< what is left out
   std::string filtered;     ///< where --filter looks for a match: "<case>/<coordinates>/<id>"

@@ -57,7 +57,7 @@ class Analysis {
 /// to what measures (Candidate::measure).
 class VerifiedCandidate {
  public:
-  /// What Candidate alone has, to make one in place.
+  /// Key that Candidate alone has, to make one in place.
   class Key {
     friend class Candidate;
     Key() {}

@@ -58,7 +58,7 @@ struct ExtremeCase {
   std::optional<Starts> starts = {};
 };
 
-/// How many cases of an extreme to make: those that take seconds, or all.
+/// Number of cases of an extreme to make: those that take seconds, or all.
 enum class Extent { brief, full };
 
 /// Row of the table of extremes.

@@ -22,7 +22,7 @@ std::vector<std::string_view> guess_names();
 /// times.
 inline constexpr double max_step_growth = 4;
 
-/// What a predictor knows of the two instants before the one sought.
+/// Knowledge of a predictor about the two instants before the one sought.
 struct StepHistory {
   double h;                             ///< from the last instant to the one sought, s
   double h_before;                      ///< from the one before it to the last, s

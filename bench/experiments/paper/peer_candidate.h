@@ -27,7 +27,7 @@ class PeerCandidate final : public Candidate {
   const PeerDefinition& peer;
 
  private:
-  /// What peers refer to.
+  /// Problem that peers refer to.
   struct Solved {
     explicit Solved(Scene described);
     Scene scene;

@@ -12,7 +12,7 @@ struct VerdictLimits {
   static constexpr double well_conditioned = 1e6;
   /// A bound of half a scale says that no digit is known; an error cannot contradict it.
   static constexpr double no_digit = 0.5;
-  /// What does not accelerate is judged by its speed, as monitors do (RunningScales).
+  /// Least scale of accelerations over that of speeds, as in monitors (RunningScales).
   static constexpr double min_scale = 0.01;
   /// Error over its bound that is accepted: the run's scales are not exactly those of the truth.
   static constexpr double scale_slack = 1.01;

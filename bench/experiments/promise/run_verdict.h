@@ -27,7 +27,7 @@ struct SolvedScene {
   bool is_single = false;  ///< in single precision
 };
 
-/// What a run is worth.
+/// Verdict on a run.
 enum class PromiseVerdict {
   right,           ///< without a flag
   flagged,         ///< with one for which there is a cause
