@@ -9,9 +9,8 @@
 
 namespace desmo {
 
-/// A predictor of some coordinates, called once in every step. It uses the guess that is wanted.
-/// Where too few instants are known for that guess, it uses the best one that they allow
-/// (best_guess).
+/// A predictor of some coordinates, called once in every step. It uses the guess that is wanted,
+/// or the best one that the known instants allow (best_guess).
 class Predictor {
  public:
   Predictor() = default;  ///< predicts no coordinate
