@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <list>
 #include <stdexcept>
 
 #include "cases/io/new_files.h"
@@ -32,7 +33,8 @@ enum ExitCode {
 };
 
 struct TablesCommand {
-  std::vector<std::string> records, beside;
+  std::string record;
+  std::vector<std::string> beside;
   std::string folder;  // empty: standard output only
   std::vector<std::string> formats;
   std::vector<std::string> tables;  // empty: all
@@ -67,23 +69,13 @@ bool complain(const std::string& first, const std::string& second,
   return true;
 }
 
-std::vector<const Record*> pointers(const std::vector<Record>& records) {
-  std::vector<const Record*> all;
-  for (const Record& record : records) all.push_back(&record);
-  return all;
-}
-
 ExitCode tables(const TablesCommand& command) {
-  std::vector<Record> records;
-  for (const std::string& file : command.records) {
-    Record record = read_record(file);
-    for (std::size_t i = 0; i < records.size(); ++i)
-      if (complain(command.records[i], file, why_apart(records[i], record))) return incomparable;
-    records.push_back(std::move(record));
-  }
-  std::vector<Record> beside;
-  for (const std::string& file : command.beside) beside.push_back(read_record(file));
-  Document document = make_report(pointers(records), pointers(beside));
+  const Record record = read_record(command.record);
+  std::list<Record> others;
+  std::vector<const Record*> beside;
+  for (const std::string& file : command.beside)
+    beside.push_back(&others.emplace_back(read_record(file)));
+  Document document = make_report(record, beside);
   if (!command.history.empty()) {
     document.sections.push_back(history_section(read_history(command.history)));
     document.sections.back().chapter = document.sections.back().title;
@@ -151,9 +143,7 @@ int main(int argc, char** argv) {
   TablesCommand command;
   CLI::App* tables_app = app.add_subcommand(
       "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
-  tables_app
-      ->add_option("records", command.records,
-                   "The record of an experiment, .json or .json.gz, or one of each")
+  tables_app->add_option("record", command.record, "The record of an experiment, .json or .json.gz")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");

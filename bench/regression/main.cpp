@@ -162,6 +162,8 @@ void save(const std::string& text, const std::string& path) {
 }
 
 void measure(const Options& o) {
+  if (o.time && o.base.empty())
+    throw std::invalid_argument("times need --base: head alone is counted (--no-time)");
   const std::vector<Side> sides = sides_of(o);
   const Names all = all_names(sides.back());
   for (const std::string& name : o.names) require_known(all, name, "--cell");

@@ -12,10 +12,9 @@ std::vector<double> read_side(const RecordValue& node) {
   return samples;
 }
 
-Rounds read_rounds(const RecordValue& node, bool two_sides) {
-  Rounds rounds{{}, read_side(node["head"])};
-  if (two_sides) rounds.base = read_side(node["base"]);
-  if (two_sides && rounds.base.size() != rounds.head.size())
+Rounds read_rounds(const RecordValue& node) {
+  Rounds rounds{read_side(node["base"]), read_side(node["head"])};
+  if (rounds.base.size() != rounds.head.size())
     node.complain("base and head differ in their number of rounds");
   return rounds;
 }
@@ -90,10 +89,10 @@ CheckRecord read_root(const RecordValue& root) {
   if (const auto base = root.find("base")) check.base = read_record(*base);
   const bool two_sides = check.base.has_value();
   if (two_sides) check_pairs(check, root);
-  if (is_timed(check.head)) check.control = read_rounds(root[control_name], two_sides);
+  if (is_timed(check.head)) check.control = read_rounds(root[control_name]);
   if (const auto second = root.find("second"))
     for (const auto& [candidate, rounds] : second->members())
-      check.second.emplace(candidate, read_rounds(rounds, two_sides));
+      check.second.emplace(candidate, read_rounds(rounds));
   if (!check.second.empty() && !check.second.contains(control_name))
     root["second"].complain("the control is missing");
   if (const auto work = root.find("work")) check.work = read_work(*work, two_sides);

@@ -131,7 +131,6 @@ struct Record {
   // accuracy
   std::map<SeriesKey, Floor> floors;  ///< of every series with points
   std::map<PointKey, Point> points;   ///< time against error
-  std::vector<Promise> tuning;        ///< in the record's order
   // size
   std::map<CandidateKey, TimedSize> growth;      ///< time against coordinates
   std::map<CandidateKey, TimedSize> break_even;  ///< dense and sparse, by unknowns
@@ -148,7 +147,7 @@ inline bool has_paper(const Record& record) {
          !record.wall_candidates.empty() || !record.wall_requests.empty();
 }
 
-/// Something that a record may have measured, of which a page shows one record's.
+/// Something that a record may have measured.
 struct Experiment {
   const char* name;
   bool (*is_in)(const Record&);
@@ -158,7 +157,6 @@ struct Experiment {
 inline constexpr Experiment experiments[] = {
     {"paper", has_paper},
     {"accuracy", [](const Record& r) { return !r.points.empty(); }},
-    {"tuning", [](const Record& r) { return !r.tuning.empty(); }},
     {"size", [](const Record& r) { return !r.growth.empty() || !r.break_even.empty(); }},
     {"instructions", [](const Record& r) { return !r.instructions.empty(); }},
     {"extremes", [](const Record& r) { return !r.extremes.empty(); }}};

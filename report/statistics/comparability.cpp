@@ -97,9 +97,6 @@ void compare_settings(Comparison& all, const RecordSettings& a, const RecordSett
   all.require_same("iterations at most", static_cast<double>(a.max_iterations),
                    static_cast<double>(b.max_iterations));
   all.require_same("first guess", a.guess, b.guess);
-}
-
-void compare_motions(Comparison& all, const RecordSettings& a, const RecordSettings& b) {
   all.require_same("step", a.step_seconds, b.step_seconds);
   all.require_same("duration", a.duration_seconds, b.duration_seconds);
 }
@@ -139,7 +136,6 @@ void compare_measured(Comparison& all, const Record& first, const Record& second
 
 void compare_work(Comparison& all, const Record& first, const Record& second) {
   compare_settings(all, first.settings, second.settings);
-  compare_motions(all, first.settings, second.settings);
   compare_measured(all, first, second);
 }
 
@@ -159,16 +155,6 @@ std::vector<Difference> why_incomparable(const Record& first, const Record& seco
 std::vector<Difference> different_work_reason(const Record& first, const Record& second) {
   Comparison all;
   compare_work(all, first, second);
-  return all.differences;
-}
-
-std::vector<Difference> why_apart(const Record& first, const Record& second) {
-  Comparison all;
-  compare_environment(all, first, second);
-  compare_settings(all, first.settings, second.settings);
-  for (const Experiment& experiment : experiments)
-    if (experiment.is_in(first) && experiment.is_in(second))
-      all.differ("one record with " + std::string(experiment.name), "one", "another");
   return all.differences;
 }
 

@@ -232,9 +232,11 @@ TEST_F(Driver, ErrorsNameWhatIsWrongAndLeaveNoFile) {
   EXPECT_EQ(check("measure " + file("results.json") + " --slow sideways:" + name + ":5"), 64);
   EXPECT_EQ(check("measure " + file("results.json") + " --slow head:" + name + ":much"), 64);
   EXPECT_EQ(check("measure " + file("results.json") + " --cell no/1/such"), 64);
-  EXPECT_EQ(shell(std::string(DESMO_CHECK) + " --head " + file("nowhere") + " measure " +
-                  file("results.json")),
-            74);
+  const std::string alone =
+      std::string(DESMO_CHECK) + " --head " + file("nowhere") + " measure " + file("results.json");
+  EXPECT_EQ(shell(alone), 64);
+  EXPECT_NE(text("err").find("times need --base"), std::string::npos) << text("err");
+  EXPECT_EQ(shell(alone + " --no-time"), 74);
   EXPECT_NE(text("err").find(file("nowhere")), std::string::npos) << text("err");
   EXPECT_EQ(check("more " + file("results.json") + " first " + name), 74);
   EXPECT_EQ(check("measure " + file("no/folder.json") + " --no-work --cell " + name), 74);
