@@ -1,4 +1,4 @@
-// desmo_report: from records to the paper's tables and figures, to comparisons and verdicts.
+// desmo_report: from records to the paper's tables and figures, and to the verdict of a check.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
@@ -13,7 +13,6 @@
 #include "report/read/record_file.h"
 #include "report/report.h"
 #include "report/site.h"
-#include "report/statistics/comparability.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
 
@@ -23,14 +22,7 @@ using namespace desmo;
 using namespace desmo::report;
 
 // From 64 on, the numbers of sysexits.h.
-enum ExitCode {
-  success = 0,
-  no_verdict = 3,
-  incomparable = 4,
-  usage_error = 64,
-  invalid_data = 65,
-  io_error = 74
-};
+enum ExitCode { success = 0, incomparable = 4, usage_error = 64, invalid_data = 65, io_error = 74 };
 
 struct TablesCommand {
   std::string record;
@@ -57,16 +49,6 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
     throw std::invalid_argument("no table " + missing.front() + " in this report");
   std::erase_if(document.sections, [](const Section& section) { return section.tables.empty(); });
   return document;
-}
-
-// Says why two records cannot be put beside each other; nothing when they can.
-bool complain(const std::string& first, const std::string& second,
-              const std::vector<Difference>& differences) {
-  if (differences.empty()) return false;
-  std::cerr << "desmo_report: " << first << " and " << second << " cannot be compared:\n";
-  for (const Difference& d : differences)
-    std::cerr << d.what << ": " << d.first << " here, " << d.second << " there\n";
-  return true;
 }
 
 ExitCode tables(const TablesCommand& command) {
@@ -99,27 +81,6 @@ ExitCode tables(const TablesCommand& command) {
   return success;
 }
 
-struct CompareCommand {
-  std::string first, second;
-  std::string format = "terminal";
-};
-
-ExitCode compare(const CompareCommand& command) {
-  const Record first = read_record(command.first), second = read_record(command.second);
-  const bool two_machines = are_of_two_machines(first, second);
-  if (complain(
-          command.first, command.second,
-          two_machines ? different_work_reason(first, second) : why_incomparable(first, second)))
-    return incomparable;
-  write_standard_output(printed(make_comparison(first, second), {command.format}));
-  if (!two_machines) return success;
-  std::cerr << "desmo_report: "
-            << sentence("machines_section.no_verdict",
-                        {{"first", first.machine.cpu}, {"second", second.machine.cpu}})
-            << "\n";
-  return no_verdict;
-}
-
 struct SiteCommand {
   std::string results, folder;
 };
@@ -133,7 +94,7 @@ ExitCode site(const SiteCommand& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"The paper's tables and figures from records, comparisons and verdicts"};
+  CLI::App app{"The paper's tables and figures from records, and the verdict of a check"};
   app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
   const auto add_format = [](CLI::App* command, auto& formats) {
@@ -153,14 +114,6 @@ int main(int argc, char** argv) {
                          "Also the speed-ups of these records that other machines made");
   tables_app->add_option("--history", command.history, "Also this file of bench/check --history");
   tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
-  CompareCommand comparison;
-  CLI::App* compare_app =
-      app.add_subcommand("compare",
-                         "How many times as fast the second record is; of two machines, their "
-                         "speed-ups side by side (exit code 3)");
-  compare_app->add_option("A", comparison.first, "The first record")->required();
-  compare_app->add_option("B", comparison.second, "The second record")->required();
-  add_format(compare_app, comparison.format);
   SiteCommand filed;
   CLI::App* site_app = app.add_subcommand("site", "A static site of all filed records");
   site_app->add_option("results", filed.results, "The folder with records/ and history.json")
@@ -184,7 +137,7 @@ int main(int argc, char** argv) {
   try {
     if (check_app->parsed()) return run(check);
     if (site_app->parsed()) return site(filed);
-    return compare_app->parsed() ? compare(comparison) : tables(command);
+    return tables(command);
   } catch (const std::invalid_argument& error) {
     return failed(error, usage_error);
   } catch (const MixedRecord& error) {

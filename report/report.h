@@ -1,4 +1,4 @@
-// The documents of the program: the report of one record, and one record compared with another.
+// The report of a record.
 #pragma once
 
 #include <vector>
@@ -17,10 +17,5 @@ Document make_report(const Record& record, const std::vector<const Record*>& bes
 /// machine, each over the usual reference in its own record: of each machine the record that has
 /// most in common. Without tables where there is none.
 Section machines(const Record& record, const std::vector<const Record*>& others);
-
-/// Says how many times as fast the second record is, for all that both have timed. Of two machines
-/// no seconds are shown: see machines(). The records are comparable, or agree in what was solved
-/// (statistics/comparability.h).
-Document make_comparison(const Record& first, const Record& second);
 
 }  // namespace desmo::report

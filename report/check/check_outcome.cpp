@@ -53,12 +53,6 @@ CheckVerdict overall(CheckOutcome& j) {
   return CheckVerdict::pass;
 }
 
-bool has_times(const Record& record) {
-  return std::ranges::any_of(record.candidates, [](const auto& candidate) {
-    return candidate.second.status == Status::ok;
-  });
-}
-
 }  // namespace
 
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline) {

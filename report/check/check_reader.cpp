@@ -36,12 +36,6 @@ Work read_work(const RecordValue& node, bool two_sides) {
   return work;
 }
 
-bool is_timed(const Record& record) {
-  return std::ranges::any_of(record.candidates, [](const auto& candidate) {
-    return candidate.second.status == Status::ok;
-  });
-}
-
 // Both sides have the same candidates; what was timed on one was timed on the other, in the same
 // rounds.
 void check_pairs(const CheckRecord& check, const RecordValue& root) {
@@ -89,7 +83,7 @@ CheckRecord read_root(const RecordValue& root) {
   if (const auto base = root.find("base")) check.base = read_record(*base);
   const bool two_sides = check.base.has_value();
   if (two_sides) check_pairs(check, root);
-  if (is_timed(check.head)) check.control = read_rounds(root[control_name]);
+  if (has_times(check.head)) check.control = read_rounds(root[control_name]);
   if (const auto second = root.find("second"))
     for (const auto& [candidate, rounds] : second->members())
       check.second.emplace(candidate, read_rounds(rounds));
@@ -102,6 +96,11 @@ CheckRecord read_root(const RecordValue& root) {
 }
 
 }  // namespace
+
+bool has_times(const Record& side) {
+  return std::ranges::any_of(
+      side.candidates, [](const auto& candidate) { return candidate.second.status == Status::ok; });
+}
 
 CheckRecord parse_check(std::string_view text, const std::string& file) {
   return read_document(text, file, read_root);

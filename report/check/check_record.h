@@ -43,6 +43,9 @@ struct CheckRecord {
   std::string slowed;  ///< what was made slower on purpose, SIDE:CELL:PERCENT; empty: nothing
 };
 
+/// Tells whether a side has times, of any candidate.
+bool has_times(const Record& side);
+
 /// Checks everything that a verdict relies on: that both sides have the same candidates, and that
 /// what is right on both was measured by all that was used, Time, Work or both. The two sides are
 /// records of their own, read as such. Throws InputError, naming the place; UnsupportedVersion

@@ -10,15 +10,15 @@
 namespace desmo::report {
 namespace {
 
-Timing timing_of_steps(bool is_ok, const std::string& message, const std::vector<double>& seconds) {
-  if (!is_ok) return {{std::nullopt, failed_mark}, message, {}};
-  return {{summarise(seconds), {}}, {}, {}};
+Timing timing_of_steps(bool is_ok, const std::vector<double>& seconds) {
+  if (!is_ok) return {{std::nullopt, failed_mark}, {}};
+  return {{summarise(seconds), {}}, {}};
 }
 
 std::map<CandidateKey, Timing> timings_of(const std::map<CandidateKey, TimedSize>& entries) {
   std::map<CandidateKey, Timing> all;
   for (const auto& [key, entry] : entries)
-    all[key] = timing_of_steps(entry.status == Status::ok, entry.message, entry.seconds_per_step);
+    all[key] = timing_of_steps(entry.status == Status::ok, entry.seconds_per_step);
   return all;
 }
 
@@ -26,7 +26,7 @@ std::map<CandidateKey, Timing> timings_of(const std::map<PointKey, Point>& point
   std::map<CandidateKey, Timing> all;
   for (const auto& [key, point] : points)
     all[timing_key(key)] =
-        timing_of_steps(point.status == Point::Status::ok, point.message, point.seconds_per_step);
+        timing_of_steps(point.status == Point::Status::ok, point.seconds_per_step);
   return all;
 }
 
@@ -40,12 +40,12 @@ CandidateKey timing_key(const PointKey& point) {
 }
 
 std::vector<TimedGroup> timed_groups(const Record& record) {
-  return {{"comparison", "CPU seconds", timings(record, Clock::cpu)},
-          {"comparison_wall", "Wall-clock seconds", timings(record, Clock::wall)},
-          {"comparison_growth", "CPU seconds of a step, growth", timings_of(record.growth)},
-          {"comparison_break_even", "CPU seconds of a step, dense and sparse",
+  return {{"machines", "CPU seconds", timings(record, Clock::cpu)},
+          {"machines_wall", "Wall-clock seconds", timings(record, Clock::wall)},
+          {"machines_growth", "CPU seconds of a step, growth", timings_of(record.growth)},
+          {"machines_break_even", "CPU seconds of a step, dense and sparse",
            timings_of(record.break_even)},
-          {"comparison_accuracy", "CPU seconds of a step, accuracy", timings_of(record.points)}};
+          {"machines_accuracy", "CPU seconds of a step, accuracy", timings_of(record.points)}};
 }
 
 CandidateKey reference_of(const CandidateKey& key) {

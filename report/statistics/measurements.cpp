@@ -26,16 +26,16 @@ std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
   const bool by_wall = clock == Clock::wall;
   std::map<CandidateKey, Timing> all;
   const auto add = [&](const CandidateKey& key, const MeasuredCandidate& candidate) {
-    all[key] = {measured(candidate), remark(candidate), candidate.origin};
+    all[key] = {measured(candidate), candidate.origin};
   };
   for (const auto& [key, candidate] : by_wall ? record.wall_candidates : record.candidates)
     add(key, candidate);
-  for (const MeasuredRequest& request : by_wall ? record.wall_requests : record.requests) {
+  if (by_wall) return all;
+  for (const MeasuredRequest& request : record.requests) {
     CandidateKey key = request.key;
     key.id += "/request:" + request.name;
     add(key, request.solved);
   }
-  if (by_wall) return all;
   for (const Peer& peer : record.peers) add(key_of(peer), peer.solved);
   return all;
 }

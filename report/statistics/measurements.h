@@ -27,10 +27,9 @@ struct Measured {
 Measured measured(const Record& record, const CandidateKey& key);
 Measured measured(const MeasuredCandidate& candidate);
 
-/// The time of a candidate, request or peer, and a remark where there is none.
+/// The time of a candidate, request or peer.
 struct Timing {
   Measured time;
-  std::string remark;  ///< why there is no time; empty when there is one
   Origin origin;
 };
 
