@@ -57,6 +57,9 @@ std::unique_ptr<LinearSolver<double>> make_sparse_solver(const Pattern& pattern,
 /// Returns the libraries of this build that are present on this machine, in a fixed order.
 std::span<const Backend* const> backends();
 
+/// Returns the present library of that name; null: there is none.
+const Backend* find_backend(std::string_view name);
+
 /// Returns the libraries of this build that are absent on this machine.
 std::span<const Backend* const> absent_backends();
 

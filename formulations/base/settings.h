@@ -4,6 +4,19 @@
 
 namespace desmo {
 
+/// Ways to cut the unknowns into parts that are solved one after the other.
+enum class Partition {
+  global,  ///< one part: all structural groups at once
+  group,   ///< one part per structural group
+  block,   ///< one part per irreducible block of a group's equations
+};
+
+/// Ways to evaluate the equations.
+enum class Evaluation {
+  automatic,  ///< a loop over constraint objects
+  symbolic,   ///< generated straight-line code
+};
+
 /// The prediction from which Newton–Raphson starts in a step.
 enum class Guess {
   previous,   ///< q of the last instant

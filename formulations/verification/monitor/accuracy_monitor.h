@@ -17,7 +17,7 @@
 
 namespace desmo {
 
-class PivotReuse;  // algebra/linear_solver.h
+class PivotReuse;  // base/part.h
 
 /// A monitor or a rule of a monitored run, which tests leave out to see what it alone finds.
 enum class Monitor : unsigned {

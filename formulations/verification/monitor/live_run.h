@@ -42,7 +42,8 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   bool corrected = false;           ///< the values are better than the formulation's
   bool degraded = false;            ///< conditioning keeps the bounds above their limits
   std::optional<SingularityCrossing> crossing{};  ///< since the last good position
-  int violated = -1;  ///< failed: the constraint that holds only on another branch (BranchMonitor)
+  int violated =
+      no_position;  ///< failed: the constraint that holds only on another branch (BranchMonitor)
 
   Outcome outcome() const {
     return status != Status::solved ? Outcome::failed
@@ -111,8 +112,8 @@ class LiveRun {
 
   /// The obstacle to a row that could not be solved.
   struct Obstacle {
-    GroupId group = -1;
-    int constraint = -1;
+    GroupId group = no_position;   ///< group that could not be solved, if known
+    int constraint = no_position;  ///< constraint most concerned, if known
     std::optional<AssemblyError> assembly_error;
   };
   /// Finds what kept the row that failed last from being solved. Allocates, and takes long.

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "formulations/algebra/linear_solver.h"
 #include "formulations/base/output_writer.h"
+#include "formulations/base/part.h"
 #include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/stepping/strided_steps.h"

@@ -33,9 +33,10 @@ struct Gap {
 /// be used. It is no Summary, whose ok() tells neither degraded instants nor another branch.
 struct [[nodiscard]] MonitoredSummary : BasicSummary {
   bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
-  int violated = -1;     ///< constraint that the last instant violates, since it lies on another
-                         ///< branch (BranchMonitor); that instant was not delivered
-  double condition = 0;  ///< largest condition number (see Assessment)
+  /// Constraint that the last instant violates, since it lies on another branch (BranchMonitor).
+  /// That instant was not delivered.
+  int violated = no_position;
+  double condition = 0;      ///< largest condition number (see Assessment)
   PerLevel<double> bound{};  ///< error bounds, relative to …
   Scales scales{};           ///< … the scales of the motion
   long assessed = 0;         ///< instants assessed

@@ -22,11 +22,11 @@ enum class RangeStop {
 /// End of a driver's way in one direction. Values are the driver's, in rad or the unit of length.
 struct RangeEnd {
   RangeStop stop = RangeStop::none;
-  double value = 0;    ///< last one with a solved position
-  double beyond = 0;   ///< next to it, one without a position on this branch; the same where the
-                       ///< mechanism does not lock
-  int turns = 0;       ///< full_turn: until it is back, 1 or 2
-  GroupId group = -1;  ///< dead_point: group that locks
+  double value = 0;   ///< last one with a solved position
+  double beyond = 0;  ///< next to it, one without a position on this branch; the same where the
+                      ///< mechanism does not lock
+  int turns = 0;      ///< full_turn: until it is back, 1 or 2
+  GroupId group = no_position;     ///< dead_point: group that locks
   std::vector<EntityId> moving{};  ///< dead_point: what can still move while all drivers rest
   std::vector<int> constraints{};  ///< dead_point: those that hold the driver, by force
 };
