@@ -76,7 +76,7 @@ class VerifiedCandidate {
   void add_sample(double seconds) { seconds_.push_back(seconds); }
 
   const std::vector<double>& seconds() const { return seconds_; }  ///< samples
-  const TimingWindows& windows() const { return windows_; }        ///< of all analyses
+  const TimingWindows& windows() const { return windows_; }  ///< timing windows of all analyses
 
  private:
   Candidate& candidate_;
@@ -99,13 +99,14 @@ class Candidate {
   /// unless the candidate brings its own. Does nothing when it was verified or refused before.
   void verify(ReferenceCache& references);
 
-  /// Measures where the time goes, where that is shown. Nothing unless it is verified.
+  /// Measures where the time goes, for candidates whose split is shown. Does nothing unless it is
+  /// verified.
   virtual void profile() {}
 
   /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 
-  /// Runs a measurement of what is verified; nothing otherwise. What it throws becomes a refusal.
+  /// Runs a measurement if the candidate is verified. An exception of it becomes a refusal.
   void measure(const std::function<void(VerifiedCandidate&)>& measurement);
 
   /// Returns null unless it is verified.

@@ -86,7 +86,7 @@ class Part {
   virtual void end_assembly() {}
 };
 
-/// What a part also is whose linear solver may reuse a pivot order (Part::reuses_pivots).
+/// Second interface of a part whose linear solver may reuse a pivot order (Part::reuses_pivots).
 class PivotReuse {
  public:
   virtual ~PivotReuse() = default;

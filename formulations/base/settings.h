@@ -69,7 +69,7 @@ struct Settings {
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;
   Factorisation factorisation = Factorisation::shared;
-  BlockTriangularForm btf = BlockTriangularForm::on;  ///< of KLU alone
+  BlockTriangularForm btf = BlockTriangularForm::on;  ///< used by KLU alone
   Scalar scalar = Scalar::double_precision;
   /// Number of equal subsystems, or parts of one type, that a batch solves at once on wide
   /// registers: 4 or, where the processor has AVX-512, 8. 1: no batches. For `explicit` alone.

@@ -61,7 +61,7 @@ class DriverSource {
     }
   }
 
-  std::vector<bool> in_row_;  // of each position in the state: some reader takes it from the row
+  std::vector<bool> in_row_;  // by position in the state: some reader takes it from the row
   std::vector<Driven> drivers_;
   std::vector<Driven> written_;  // by sample()
   MotionsAhead motions_;

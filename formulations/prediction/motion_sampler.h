@@ -71,7 +71,7 @@ class MotionSampler {
   std::vector<int> others_;  // motions that are no harmonic sum
   std::vector<Sums> sums_;
   std::vector<double> frequencies_;      // each once
-  std::vector<double> sines_, cosines_;  // of each at each time
+  std::vector<double> sines_, cosines_;  // by frequency and time
 };
 
 }  // namespace desmo

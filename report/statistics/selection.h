@@ -20,8 +20,8 @@ using Points = std::vector<const NamedPoint*>;
 /// Errors that answers are wanted within: relative, of position, the largest.
 inline constexpr std::array accuracies{1e-3, 1e-6, 1e-9, 1e-12};
 
-/// The motion that most is known of: of the case's largest size at the record's own step, the one
-/// with most instants. Nothing when there is none at that step.
+/// Returns the motion that is known best: the one with most instants, at the case's largest size
+/// and the record's own step. Returns nothing when there is none at that step.
 std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name);
 
 Points points_of(const Record& record, const SeriesKey& series);

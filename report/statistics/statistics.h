@@ -67,7 +67,7 @@ struct SpeedUp {
   double high = 0;
   double percent = 0;           ///< improvement 100 (1 - 1/S), from the unrounded S
   std::size_t repetitions = 0;  ///< the fewer of both sides
-  bool spread = false;          ///< enough of them for an interval: low and high mean something
+  bool spread = false;          ///< there are enough repetitions for low and high to be an interval
 
   double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
   /// Returns whether the interval is too wide for the number to be quoted.

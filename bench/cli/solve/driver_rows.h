@@ -44,14 +44,14 @@ class DriverRows {
 
   std::string source_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::vector<std::vector<std::string>> names_, units_;  // of each level and driver of `whole`
-  std::vector<int> wanted_;                              // of each: its place in rows, or -1
+  std::vector<std::vector<std::string>> names_, units_;  // by level and driver of `whole`
+  std::vector<int> wanted_;                              // by driver: its place in rows, or -1
   int level_;
   long line_ = 0;
   std::string text_;
   std::vector<std::string_view> fields_;
   std::size_t time_column_ = 0;
-  std::vector<Target> targets_;  // of each column, once known
+  std::vector<Target> targets_;  // by column, once known
   std::vector<double> values_[3];
 };
 

@@ -15,7 +15,7 @@ struct Options : bench::CommonOptions {
   double step = 0;                        ///< s; 0: the case's own
   double duration = 0;                    ///< s; 0: the case's own
   int dense_limit = 114;                  ///< coordinates up to which dense global solves run
-  int slow_limit = 114;                   ///< likewise of libraries that are slow (slow_reason)
+  int slow_limit = 114;                   ///< most coordinates for slow libraries (slow_reason)
   double peer_limit = 60;                 ///< s of CPU time a peer may take for the motion
   std::vector<std::string> formulations;  ///< ids with settings, to be run as well as the table's
   bool help = false;

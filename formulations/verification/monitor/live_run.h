@@ -14,7 +14,7 @@
 namespace desmo {
 
 struct LiveOptions {
-  Level level = Level::acceleration;  ///< that is solved and assessed
+  Level level = Level::acceleration;  ///< highest level that is solved and assessed
   /// Level asked for of each coordinate (Plan::levels); empty: all. The constructor of LiveRun
   /// alone reads it.
   std::span<const Level> levels{};
@@ -23,7 +23,7 @@ struct LiveOptions {
   std::optional<Scales> scales{};
   /// Shorter steps that one row may take, to be solved or to be followed on its branch.
   int max_sub_steps = 64;
-  int every = usual_assessment_interval;  ///< rows from one assessment to the next, at most
+  int every = usual_assessment_interval;  ///< most rows from one assessment to the next
 };
 
 /// A fault that keeps a row from being tried.

@@ -37,8 +37,8 @@ struct [[nodiscard]] MonitoredSummary : BasicSummary {
   /// That instant was not delivered.
   int violated = no_position;
   double condition = 0;      ///< largest condition number (see Assessment)
-  PerLevel<double> bound{};  ///< error bounds, relative to …
-  Scales scales{};           ///< … the scales of the motion
+  PerLevel<double> bound{};  ///< error bounds, relative to `scales`
+  Scales scales{};           ///< scales of the motion
   long assessed = 0;         ///< instants assessed
   long corrected = 0;        ///< instants corrected
   long degraded = 0;         ///< instants degraded
