@@ -11,8 +11,8 @@ namespace desmo::report {
 namespace {
 
 Timing timing_of_steps(bool is_ok, const std::vector<double>& seconds) {
-  if (!is_ok) return {{std::nullopt, failed_mark}, {}};
-  return {{summarise(seconds), {}}, {}};
+  if (!is_ok) return {{std::nullopt, failed_mark}, {}, {}};
+  return {{summarise(seconds), {}}, {}, {}};
 }
 
 std::map<CandidateKey, Timing> timings_of(const std::map<CandidateKey, TimedSize>& entries) {

@@ -26,7 +26,7 @@ std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
   const bool by_wall = clock == Clock::wall;
   std::map<CandidateKey, Timing> all;
   const auto add = [&](const CandidateKey& key, const MeasuredCandidate& candidate) {
-    all[key] = {measured(candidate), candidate.origin};
+    all[key] = {measured(candidate), remark(candidate), candidate.origin};
   };
   for (const auto& [key, candidate] : by_wall ? record.wall_candidates : record.candidates)
     add(key, candidate);

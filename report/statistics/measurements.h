@@ -27,9 +27,10 @@ struct Measured {
 Measured measured(const Record& record, const CandidateKey& key);
 Measured measured(const MeasuredCandidate& candidate);
 
-/// The time of a candidate, request or peer.
+/// The time of a candidate, request or peer, and a remark where there is none.
 struct Timing {
   Measured time;
+  std::string remark;  ///< why there is no time; empty when there is one
   Origin origin;
 };
 
