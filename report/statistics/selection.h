@@ -49,9 +49,8 @@ struct StepTime {
 StepTime step_time(std::vector<double> samples);
 StepTime step_time(const NamedPoint& point);
 
-/// Ratio of the least times; from the reference's least over the variant's second least to the
-/// reverse. Of samples, at least one each, or of points that are solved.
-SpeedUp step_ratio(const std::vector<double>& reference, const std::vector<double>& variant);
+/// Returns the ratio of the least times of two solved points; its interval goes from the
+/// reference's least over the variant's second least to the reverse.
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
 
 /// The fastest of the solved points within an error, of those that `may`; null when there is none.
