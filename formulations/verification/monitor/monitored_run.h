@@ -74,14 +74,14 @@ struct MonitoredInstant {
 /// Longest interval between assessments, in instants.
 inline constexpr int usual_assessment_interval = 2000;
 
-/// Settings of a monitored run. The tolerance is that of the formulation.
+/// Settings of a monitored run. The tolerance is Formulation::tolerance().
 struct MonitoredRunOptions {
   /// Level asked for of each coordinate (Plan::levels); empty: that of the request. Must live until
   /// run_monitored() returns.
   std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled
-  int every = usual_assessment_interval;  ///< instants from one assessment to the next, at most
+  int every = usual_assessment_interval;  ///< most instants from one assessment to the next
   /// Callback that receives each instant before the observer does; empty: none. It must not throw:
   /// it is called through Observer::observe(), where an exception ends the program.
   std::function<void(const MonitoredInstant&)> monitored{};
@@ -106,10 +106,12 @@ MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
 /// accuracy of the instants. model: the formulation's.
 std::string describe(const MonitoredSummary& summary, const Model& model);
 
-/// Returns "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration"
+/// Returns the accuracy in words, up to a level: "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11
+/// in velocity, 7.3e-11 in acceleration".
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level);
 
-/// Returns "relative to 0.2 m or 1 rad, 1.3 m/s or 6.3 rad/s, 8 m/s^2 or 39 rad/s^2"
+/// Returns the scales in words, up to a level: "relative to 0.2 m or 1 rad, 1.3 m/s or 6.3 rad/s, 8
+/// m/s^2 or 39 rad/s^2".
 std::string describe_scales(const Scales& scales, Level level, const Model& model);
 
 }  // namespace desmo
