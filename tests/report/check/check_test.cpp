@@ -249,7 +249,7 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
   EXPECT_NE(complaint([](Json& c) {
               c.erase("base");
               c["control"].erase("base");
-            }).find("the key \"base\" is missing"),
+            }).find("the key 'base' is missing"),
             std::string::npos);
   EXPECT_NE(complaint([](Json& c) { c["base"]["paper"]["cells"].erase(0); }).find("base"),
             std::string::npos);
