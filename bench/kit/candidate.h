@@ -137,8 +137,8 @@ class Candidate {
   /// throws is a failure.
   virtual Checked check(ReferenceCache& references, VerifyingRun& found) = 0;
 
-  /// Makes what is timed, and assembles it once. The windows take its times; they outlive it. Only
-  /// for VerifiedCandidate.
+  /// Makes the analysis that is timed, and assembles it once. windows: receives its times; outlives
+  /// it. Called by VerifiedCandidate only.
   virtual std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const = 0;
 
   static Refusal failed(std::string why) { return {Refusal::Kind::failed, std::move(why)}; }

@@ -21,8 +21,8 @@ struct Options : bench::CommonOptions {
   bool help = false;
 };
 
-/// Takes our options out of the arguments and leaves the flags of Google Benchmark, those that our
-/// options stand for among them; prints the help that is asked for. Throws std::invalid_argument,
+/// Takes our options out of the arguments. Leaves the flags of Google Benchmark, and adds those
+/// that our options stand for. Prints the help that is asked for. Throws std::invalid_argument,
 /// naming the option, for a missing or unusable value.
 Options take_options(std::vector<std::string>& arguments);
 
