@@ -28,6 +28,7 @@ Scales scales_of_drivers(const DrawnScene& scene) {
       s.acceleration = std::max(s.acceleration, std::abs(z.acceleration));
     }
   Scales result;
+  result.length.position = result.rotation.position = 0;
   for (const Level l : {Level::velocity, Level::acceleration}) {
     result.length[l] = VerdictLimits::min_scale * size * rotation[l];
     result.rotation[l] = VerdictLimits::min_scale * length[l] / size;

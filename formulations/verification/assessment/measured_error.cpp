@@ -22,7 +22,7 @@ constexpr double shrinks = 0.125;
 constexpr double too_large = 1e-13;
 constexpr int max_corrections = 24;
 /// What is stated of a measured error, and of what the last corrections may make of each level.
-constexpr double margin = 1.1, of_rounding = 8;
+constexpr double margin = 1.001, of_rounding = 8;
 
 /// An error, and what the rounding of the measurement may have made of it.
 struct Measurement {
@@ -187,7 +187,9 @@ PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales&
                                            double condition, const PerLevel<double>& limit) {
   auto& [extended, quadruple] = *refinements_;
   const Measurement m = extended(instant, scales, condition);
-  if (!exceeds(m.stated(), limit) || exceeds(m.error, limit)) return m.stated();
+  const bool decides = std::ranges::all_of(
+      levels, [&](Level l) { return m.rounding[l] <= m.error[l] || m.rounding[l] <= limit[l]; });
+  if (!exceeds(m.stated(), limit) || (decides && exceeds(m.error, limit))) return m.stated();
   if (!quadruple) quadruple.emplace(extended);
   return (*quadruple)(instant, scales, condition).stated();
 }

@@ -56,8 +56,7 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
   if (!has(Monitor::bounds) || !started) return s;
   PerLevel<double>& bound = s.assessment.bound;
   if (instant.interpolated || has_bad_pivots()) {
-    const PerLevel<double> shown =
-        backward_error(instant, assessor.system(), scales.current(), expected.condition);
+    const PerLevel<double> shown = backward_error(instant, scales.current(), expected.condition);
     if (instant.interpolated) bound.position += error_over_shown * shown.position;
     // Of solved positions the residual tells, with what they make of rates.
     double before = instant.interpolated ? bound.position : 0;
@@ -139,6 +138,7 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     if (weights.size() == 0) weights = sensitivity.weights();
     weights = weights.max(sensitivity.weights());
     conditioning.reset(j.instant, assessor.system());
+    backward_error.take_row_sums(assessor.system());
     if (!last.singular) j.crossing = crossing(j.instant);
     started = true;
   }
@@ -224,6 +224,7 @@ void AccuracyMonitor::State::look_at_scales(const Instant& instant) {
   const Scales before = scales.current();
   if (!scales.take(instant)) return;
   rescale(worst, before, scales.current());
+  rescale(worst_before, before, scales.current());
   expectation.rescale(before, scales.current());
   degradations.rescale(before, scales.current());
 }
