@@ -215,7 +215,7 @@ std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Mean
 std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
                                                const Means& means) {
   const auto jump = go(recent_[0], instant, end, means);
-  if (!jump || jump->at_turn) return jump;
+  if (!jump) return jump;
   correct(view_of(recent_[0], instant), means.assessor, start_);
   if (end == End::solved) return go(start_, instant, end, means);
   correct(instant, means.assessor, end_);
@@ -235,7 +235,7 @@ void Continuity::correct(const Instant& instant, Assessor& assessor, Node& resul
 std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant& instant, End end,
                                                const Means& means) {
   const auto& [assessor, scales, weights, signs] = means;
-  const double whole = instant.time - start.time;
+  const double whole = instant.time - start.time, least = shortest * std::abs(whole);
   std::span<const double> turns = turns_.times();  // that are ahead
   reached_ = start;
   double step = whole / 2;
@@ -245,7 +245,8 @@ std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant&
                 to_turn};
   };
   for (int i = 0; i < max_steps_; ++i) {
-    to_turn = !turns.empty() && turns[0] < instant.time;
+    while (!turns.empty() && turns[0] - reached_.time <= least) turns = turns.subspan(1);
+    to_turn = !turns.empty() && turns[0] < instant.time - least;
     const double target = to_turn ? turns[0] : instant.time, left = target - reached_.time;
     const bool to_end = std::abs(step) >= std::abs(left);
     const bool is_given = to_end && !to_turn && end == End::given;
@@ -266,7 +267,7 @@ std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant&
       }
       std::swap(reached_, next_);
       step *= 2;
-    } else if (std::abs(step) > shortest * std::abs(whole)) {
+    } else if (std::abs(step) > least) {
       step = (to_end ? left : step) / 2;
     } else {
       const bool rates_agree = mismatch(from, next, weights) <= smooth * moved(from, next, weights);
