@@ -22,7 +22,7 @@ constexpr double shrinks = 0.125;
 constexpr double too_large = 1e-13;
 constexpr int max_corrections = 24;
 /// What is stated of a measured error, and of what the last corrections may make of each level.
-constexpr double margin = 1.001, of_rounding = 8;
+constexpr double margin = 1.01, of_rounding = 8;
 
 /// An error, and what the rounding of the measurement may have made of it.
 struct Measurement {
