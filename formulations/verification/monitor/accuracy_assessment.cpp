@@ -156,8 +156,7 @@ bool AccuracyMonitor::State::is_too_coarse(const Instant& instant, const Assessm
 /// Measures errors where bounds would flag an instant. Leaves its factors.
 void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
   if (a.singular || !exceeds(a.bound, limits.degraded)) return;
-  const PerLevel<double> error =
-      measured(instant, scales.with(instant), a.condition, limits.degraded);
+  const PerLevel<double> error = measured(instant, scales.with(instant), a, limits.degraded);
   for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
 }
 
