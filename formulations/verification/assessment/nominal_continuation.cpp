@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "formulations/scaling/characteristic_lengths.h"
@@ -102,12 +103,14 @@ bool NominalContinuation::begin() {
   is_at_nominal_ = true;
   signs_.assign(signs.begin(), signs.end());
   if (signs_ != declared) return false;
-  const double condition = this->condition();
+  std::optional<double> nearest_of_many;
   const std::vector<double> lengths = CharacteristicLengths(model_, nominal_.q).of_coordinates();
   for (int j = 0; j < system_.size(); ++j) {
     const int i = system_.unknowns()[j];
     if (system_.block_size(j) == 1) continue;  // signs decide
-    const double nearest = system_.block_size(j) <= two_fold ? 1 : 1 / condition;
+    const bool is_two_fold = system_.block_size(j) <= two_fold;
+    if (!is_two_fold && !nearest_of_many) nearest_of_many = 1 / condition();
+    const double nearest = is_two_fold ? 1 : *nearest_of_many;
     if (std::abs(nominal_.q[i] - model_.estimate[i]) > estimate_share * nearest * lengths[i])
       return false;
   }

@@ -51,14 +51,12 @@ double max_of_chunks(Eigen::Index n, Find&& find) {
 ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
       unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
-      per_turn_(Eigen::ArrayXd::Zero(m.coordinates())),
       right_(system.size(), 4),
       x_(system.size(), 4),
       way_(m.coordinates()),
       share_before_(m.groups.size()),
       way_of_group_(m.groups.size()),
       per_way_of_group_(m.groups.size()),
-      looks_(std::clamp(max_look_numbers / (4 * std::max(1, m.coordinates())), 2, max_looks)),
       then_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))),
       drivers_(Eigen::ArrayXd::Zero(m.coordinates())) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
@@ -77,20 +75,14 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
   distance_before_.resize(blocks);
   of_block_.resize(blocks);
   for (int j = 0; j < system.size(); ++j) of_block_[block_[j]] = group_[j];
-  for (Look& look : looks_) {
-    look.q.resize(m.coordinates());
-    look.per_way.resize(m.coordinates());
-    look.share.resize(then_.size());
-    look.distance.resize(blocks);
-    look.signs.resize(blocks);
-  }
   signs_.resize(blocks);
+  make_looks();
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     drivers_[i] = 1 / unit_[i];
   }
   for (const Entity& e : m.entities)
-    if (!e.fixed && e.kind == EntityKind::angle) per_turn_[e.first] = 1 / (2 * std::numbers::pi);
+    if (!e.fixed && e.kind == EntityKind::angle) angles_.push_back(e.first);
   reads_.resize(m.groups.size());
   system.equations().jacobian<double>(std::vector<double>(m.state_size(), 1),
                                       [&](int row, int i, double) {
@@ -103,30 +95,45 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
   }
 }
 
+void ConditionMonitor::make_looks() {
+  const Eigen::Index n = unit_.size(), groups = then_.size(), blocks = distance_before_.size();
+  const int count =
+      std::clamp(max_look_numbers / (4 * std::max(1, static_cast<int>(n))), 2, max_looks);
+  numbers_.resize(2 * n + groups + blocks, count);
+  signs_of_looks_.resize(signs_.size() * count);
+  for (int k = 0; k < count; ++k) {
+    double* const x = numbers_.col(k).data();
+    looks_.push_back(
+        {.q = {x, n},
+         .per_way = {x + n, n},
+         .share = {x + 2 * n, groups},
+         .distance = {x + 2 * n + groups, blocks},
+         .signs = std::span(signs_of_looks_).subspan(k * signs_.size(), signs_.size())});
+  }
+}
+
 /// Returns the part of the way that is used up.
 double ConditionMonitor::used(const Look& look, std::span<const double> q) {
   return ((mapped(q) - look.q).abs() * look.per_way).maxCoeff();
 }
 
-/// Returns whether a look holds at q, whatever whole turns its angles are away, and takes these
-/// away if so.
+/// Returns whether a look holds at q, whatever whole turns its angles are away, which it takes
+/// away.
 bool ConditionMonitor::turn_to(Look& look, std::span<const double> q) const {
+  constexpr double turn = 2 * std::numbers::pi;
+  for (const int i : angles_) look.q[i] += std::nearbyint((q[i] - look.q[i]) * (1 / turn)) * turn;
   const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
   Eigen::Index last = 0;
   const auto find = [&](Eigen::Index i, Eigen::Index n) {
-    const auto way = now.segment(i, n) - look.q.segment(i, n);
-    const auto turns = (way * per_turn_.segment(i, n)).round() * (2 * std::numbers::pi);
     last = i;
-    return ((way - turns).abs() * look.per_way.segment(i, n)).maxCoeff();
+    return ((now.segment(i, n) - look.q.segment(i, n)).abs() * look.per_way.segment(i, n))
+        .maxCoeff();
   };
   const Eigen::Index first = look.decisive, few = std::min(chunk, now.size() - first);
   if (few > 0 && find(first, few) >= 1) return false;
-  if (max_of_chunks(now.size(), find) >= 1) {
-    look.decisive = last;
-    return false;
-  }
-  look.q += ((now - look.q) * per_turn_).round() * (2 * std::numbers::pi);
-  return true;
+  const bool holds = max_of_chunks(now.size(), find) < 1;
+  if (!holds) look.decisive = last;
+  return holds;
 }
 
 void ConditionMonitor::go_on(const Instant& instant, const Ways& ways) {

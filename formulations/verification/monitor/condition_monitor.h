@@ -52,17 +52,18 @@ class ConditionMonitor {
 
  private:
   struct Look {
-    Eigen::ArrayXd q;
-    Eigen::ArrayXd per_way;     // 1 / change of each coordinate up to which it holds
-    double max_per_way = 0;     // the largest, by magnitudes
+    Eigen::Map<Eigen::ArrayXd> q;
+    Eigen::Map<Eigen::ArrayXd> per_way;   // 1 / change of each coordinate up to which it holds
+    Eigen::Map<Eigen::ArrayXd> share;     // ‖x‖∞ of each group
+    Eigen::Map<Eigen::ArrayXd> distance;  // d of each block
+    std::span<signed char> signs;
+    double max_per_way = 0;     // the largest of per_way, by magnitudes
     Eigen::Index decisive = 0;  // the first of those that ruled it out last
-    Eigen::ArrayXd share;       // ‖x‖∞ of each group
-    Eigen::ArrayXd distance;    // d of each block
-    std::vector<signed char> signs;
   };
   static double used(const Look& look, std::span<const double> q);
   bool turn_to(Look& look, std::span<const double> q) const;
   void take(const Instant& instant, ScaledSystem& system);
+  void make_looks();
   Look& add(const Instant& instant);
   void measure(Look& look, ScaledSystem& system);
   void schedule(Look& look);
@@ -73,7 +74,7 @@ class ConditionMonitor {
 
   std::vector<double> state_;
   Eigen::ArrayXd unit_;                  // 1 / magnitude of each coordinate
-  Eigen::ArrayXd per_turn_;              // of each coordinate: 1 / 2π of angles, else 0
+  std::vector<int> angles_;              // coordinates
   std::vector<std::vector<int>> reads_;  // coordinates that each group reads, its own included
   std::vector<GroupId> group_;           // group of each unknown
   std::vector<int> block_;               // irreducible block of each unknown
@@ -84,6 +85,8 @@ class ConditionMonitor {
   Eigen::ArrayXd share_before_, distance_before_;  // of that look
   std::vector<double> way_of_group_;               // the largest of what each group reads
   std::vector<double> per_way_of_group_;
+  Eigen::ArrayXXd numbers_;  // of looks, in columns
+  std::vector<signed char> signs_of_looks_;
   std::vector<Look> looks_;  // in turn; the oldest is replaced
   int count_ = 0, newest_ = -1, current_ = 0;
   Eigen::ArrayXd then_;                // shares at the assessment
