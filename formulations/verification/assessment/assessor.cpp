@@ -91,11 +91,9 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
   equations_of(Level::position);
   const Bound position = of_outputs(Level::position, scales);
   a.rounding = position.rounding;
-  of_residuals_.begin_like(to_outputs_.position);
   a.per_residual = of_residuals();
   enclose(Level::position);
   widen(Level::position, 2);
-  of_change_.begin_like(to_errors_.position);
   const double closeness = contraction();  // η
   if (!(closeness < 0.5)) return undetermined(a, a.group);
   const double share = 1 / (1 - closeness);
@@ -103,15 +101,12 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
   widen(Level::position, share);
   if (instant.qd.empty()) return a;
 
-  to_outputs_.velocity.begin_like(to_outputs_.position);
-  to_errors_.velocity.begin_like(to_errors_.position);
   equations_of(Level::velocity);
   a.bound.velocity = share * of_outputs(Level::velocity, scales).whole;
   enclose(Level::velocity);
   widen(Level::velocity, share);
   if (instant.qdd.empty()) return a;
 
-  to_outputs_.acceleration.begin_like(to_outputs_.velocity);
   equations_of(Level::acceleration);
   a.bound.acceleration = share * of_outputs(Level::acceleration, scales).whole;
   return a;

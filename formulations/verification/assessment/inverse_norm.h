@@ -20,11 +20,6 @@ class InverseNorm {
  public:
   explicit InverseNorm(int n) : x_(n, 2), sign_(n) {}
 
-  /// Begins the first search where that for another norm of the same system ended.
-  void begin_like(const InverseNorm& other) {
-    if (last_worst_ < 0) last_worst_ = other.last_worst_;
-  }
-
   /// Returns the estimate of max w |A⁻¹| f, and where it is attained. factors: solve(x) overwrites
   /// x with A⁻¹ x, and solve_transposed(x, columns) overwrites an array of columns with A⁻ᵀ of
   /// each.
