@@ -1,5 +1,4 @@
 // desmo tune: the cheapest settings that are accurate enough for a scene, on this machine.
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -27,11 +26,11 @@ constexpr std::size_t rows_shown = 12;
 struct TuneOptions {
   std::string scene;
   Level level = Level::position;
-  double max_error = 0;
+  double max_error = 0, budget = 0;
   bool write = false, quiet = false;
   GenerationOptions own_code;
 
-  accuracy::Goal goal() const { return {level, max_error}; }
+  accuracy::Goal goal() const { return {level, max_error, budget}; }
 };
 
 std::string microseconds(double seconds) { return formatted("%.4g us", 1e6 * seconds); }
@@ -53,17 +52,25 @@ std::string evidence(const accuracy::Found& found) {
 
 [[noreturn]] void refuse(const accuracy::Found& found, const accuracy::Problem& whole,
                          const TuneOptions& options, const Input& input) {
-  std::string text = input.source + ": nothing holds a relative " +
-                     std::string(bench::level_names[options.level]) + " error of " +
-                     formatted("%.2g", options.max_error);
-  const auto nearest = std::ranges::min_element(found.tried, {}, &accuracy::Tried::error);
-  if (nearest != found.tried.end())
-    text += "; the most accurate is " + nearest->id + " with " + formatted("%.2g", nearest->error) +
-            " in " + microseconds(nearest->seconds);
-  text += "; conditioning sets a floor of the order of " +
-          formatted("%.1g", accuracy_limit(accuracy::max_condition(whole),
-                                           std::ldexp(1, -53))[options.level]);
-  throw CommandError(not_solved, text + "; ask for a larger error");
+  const accuracy::Tried* nearest = nullptr;
+  const bool budget = options.budget > 0;
+  for (const accuracy::Tried& t : found.tried)
+    if (!nearest || (budget ? t.seconds < nearest->seconds : t.error < nearest->error))
+      nearest = &t;
+  std::string text = input.source + ": ";
+  if (budget)
+    text += "nothing takes at most " + microseconds(options.budget) + " a step here";
+  else
+    text += "nothing holds a relative " + std::string(bench::level_names[options.level]) +
+            " error of " + formatted("%.2g", options.max_error);
+  if (nearest)
+    text += "; the " + std::string(budget ? "fastest" : "most accurate") + " is " + nearest->id +
+            " with " + formatted("%.2g", nearest->error) + " in " + microseconds(nearest->seconds);
+  if (!budget)
+    text += "; conditioning sets a floor of the order of " +
+            formatted("%.1g", accuracy_limit(accuracy::max_condition(whole),
+                                             std::ldexp(1, -53))[options.level]);
+  throw CommandError(not_solved, text + "; ask for " + (budget ? "more time" : "a larger error"));
 }
 
 void write_scene(const std::string& path, const std::string& id) {
@@ -82,6 +89,8 @@ KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptio
 }
 
 void tune(const TuneOptions& options) {
+  if ((options.max_error > 0) == (options.budget > 0))
+    throw CommandError(usage_error, "give either --max-error or --budget");
   const Input input = load_scene(options.scene);
   if (options.write && !input.is_file)
     throw CommandError(usage_error, "--write: " + input.source +
@@ -131,8 +140,14 @@ void add_tune(CLI::App& program) {
   command
       ->add_option("--max-error", options->max_error,
                    "Largest error, relative to the size (speed, acceleration) of the mechanism")
-      ->required()
       ->check(refuse_nan)
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--budget", options->budget,
+                   "Time that a step may take, such as 50us: the most accurate within it")
+      ->transform(CLI::AsNumberWithUnit(
+          std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
+          CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
       ->check(CLI::PositiveNumber);
   std::map<std::string, Level> by_name;
   for (const Level level : levels) by_name.emplace(bench::level_names[level], level);

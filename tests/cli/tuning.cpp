@@ -12,24 +12,32 @@ TEST_F(Cli, TunesASceneAndStoresTheChoice) {
   EXPECT_EQ(err_, "");
   const std::string id = lines().at(0);
   EXPECT_TRUE(prints("relative error over the motion: position ")) << out_;
-  EXPECT_TRUE(prints("those than which no faster one was as accurate")) << out_;
   const std::string after = text_of(folder_ / "mine.json");
   EXPECT_EQ(after, before.substr(0, before.size() - 1) + ",\n  \"formulation\": \"" + id + "\"}");
   ASSERT_EQ(desmo("solve mine.json --format jsonl"), 0) << err_;
   EXPECT_TRUE(prints(id)) << "solve obeys";
 }
 
-TEST_F(Cli, SaysWhenNothingIsAccurateEnough) {
+TEST_F(Cli, TunesWithinABudget) {
+  ASSERT_EQ(desmo("tune slider_crank --budget 1s --quiet"), 0) << err_;
+  EXPECT_TRUE(prints("those than which no faster one was as accurate")) << out_;
+}
+
+TEST_F(Cli, SaysWhenNothingIsAccurateOrFastEnough) {
   EXPECT_EQ(desmo("tune slider_crank --max-error 1e-19 --quiet"), 1);
   EXPECT_TRUE(says("nothing holds a relative position error of 1e-19; the most accurate is "));
   EXPECT_TRUE(says("conditioning sets a floor of the order of ")) << err_;
+  EXPECT_EQ(desmo("tune slider_crank --budget 0.001ns --quiet"), 1);
+  EXPECT_TRUE(says("nothing takes at most 1e-06 us a step here; the fastest is ")) << err_;
 }
 
 TEST_F(Cli, TuneIsToldWhatToDo) {
   const std::pair<const char*, const char*> wrong[] = {
-      {"tune slider_crank", "--max-error is required"},
+      {"tune slider_crank", "give either --max-error or --budget"},
+      {"tune slider_crank --max-error 1e-6 --budget 1us", "give either --max-error or --budget"},
       {"tune slider_crank --max-error 0", "--max-error"},
       {"tune slider_crank --max-error nan", "--max-error"},
+      {"tune slider_crank --budget 50", "--budget"},
       {"tune slider_crank --max-error 1e-6 --level speed", "--level"},
       {"tune slider_crank --max-error 1e-6 --write", "is not a scene file"},
   };

@@ -159,7 +159,7 @@ TEST_P(Choice, KeepsItsPromiseOnTheWholeMotion) {
         promises.end(),
         {{1e-3, position}, {1e-7, position}, {1e-7, acceleration}, {1e-11, acceleration}});
   for (const auto& [allowed, level] : promises) {
-    const Found found = search(motion, {level, allowed}, effort);
+    const Found found = search(motion, {level, allowed, 0}, effort);
     ASSERT_TRUE(found.choice) << allowed;
     EXPECT_LE(found.error[level].max, allowed / 2);
     EXPECT_LE(error_elsewhere(scene, *found.choice, level), allowed)
@@ -170,6 +170,15 @@ TEST_P(Choice, KeepsItsPromiseOnTheWholeMotion) {
 INSTANTIATE_TEST_SUITE_P(Mechanisms, Choice,
                          testing::Values("truck_suspension_114", "four_bar_114", "slider_crank",
                                          "rssr", "stewart"));
+
+TEST(Search, GivesTheMostAccurateWithinABudget) {
+  const TunedMotion motion = begin_and_whole(library_scene("slider_crank"));
+  const Effort effort{.formulations = {&find_variant("group_automatic_klu")}, .rounds = 1};
+  const Found found = search(motion, {Level::position, 0, 1.0}, effort);
+  ASSERT_TRUE(found.choice);
+  EXPECT_LT(found.error.position.max, 1e-13);
+  EXPECT_FALSE(search(motion, {Level::position, 0, 1e-12}, effort).choice);
+}
 
 // A record of the program is one that the report reads, and has what the filter lets through.
 TEST(AccuracyRecord, IsReadByTheReport) {

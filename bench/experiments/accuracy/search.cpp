@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <list>
+#include <span>
 
 #include "bench/experiments/accuracy/settings_grid.h"
 
@@ -19,6 +20,7 @@ constexpr double max_ratio_of_formulations = 1.6;  // with other settings
 constexpr double max_ratio_of_samples = 1.5;       // with further samples
 constexpr double max_ratio_of_motions = 1.25;      // on the whole motion instead of its begin
 constexpr std::size_t finalists = 16;
+constexpr std::size_t max_tried_on_whole = 100;  // the most accurate within a budget
 
 /// Settings that tell formulations apart: the paper's, and what usually costs least.
 std::vector<Settings> telling_settings() {
@@ -40,7 +42,7 @@ class Searcher {
     for (Trial& t : trials) t.time(min_sample);
     std::vector<Trial*> hopeful;
     for (Trial& t : trials)
-      if (holds_error(t)) hopeful.push_back(&t);
+      if (meets_goal(t)) hopeful.push_back(&t);
     decide(hopeful);
     for (const Trial& t : trials) tried_.push_back(tried(t, false));
     std::ranges::stable_sort(tried_, {}, &Tried::seconds);
@@ -85,17 +87,39 @@ class Searcher {
   double error(const Trial& t) const {
     return t.is_verified() ? t.error[goal_.level].max : infinity;
   }
-  bool holds_error(const Trial& t) const { return error(t) <= goal_.max_error / safety; }
+  bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / safety; }
+  bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
+  bool meets_goal(const Trial& t) const {
+    if (!t.is_verified()) return false;
+    return goal_.budget > 0 ? is_cheap(t.min_seconds()) : is_accurate(t);
+  }
 
-  static void sort(std::vector<Trial*>& trials) {
-    std::ranges::stable_sort(trials, {}, &Trial::min_seconds);
+  /// Returns the error in half decades: what rounding makes of it does not decide.
+  double error_class(const Trial& t) const { return std::round(2 * std::log10(error(t))); }
+
+  bool is_indistinct(const Trial& best, const Trial& other) const {
+    return other.min_seconds() <= max_ratio_of_motions * best.min_seconds() &&
+           (goal_.budget == 0 || error_class(other) <= error_class(best));
+  }
+
+  /// The best first, as far as their motion tells.
+  void sort(std::vector<Trial*>& trials) const {
+    const auto time = [](const Trial* t) { return t->min_seconds(); };
+    std::ranges::stable_sort(trials, {}, time);
+    if (goal_.budget > 0)
+      std::ranges::stable_sort(trials, {}, [&](const Trial* t) { return error_class(*t); });
   }
 
   /// Samples the times that decide once more, in turn, and tries the best on the whole motion until
-  /// one holds the error there.
+  /// one holds the goal there.
   void decide(std::vector<Trial*> hopeful) {
     sample_again(hopeful);
     sort(hopeful);
+    std::list<Trial> on_the_whole;
+    if (goal_.budget > 0) {
+      hopeful = tried_on_the_whole(hopeful, on_the_whole);
+      sort(hopeful);
+    }
     for (std::size_t first = 0; first < hopeful.size() && !found_.choice; first += finalists) {
       const std::size_t last = std::min(hopeful.size(), first + finalists);
       std::vector<Trial*> batch(hopeful.begin() + static_cast<std::ptrdiff_t>(first),
@@ -124,16 +148,27 @@ class Searcher {
     return trial;
   }
 
-  /// Chooses among those of a batch, best first, that hold the error on the whole motion: the
-  /// first, and what its begin cannot tell from it.
+  /// Tries on the whole motion: the most accurate on its begin need not be so later.
+  std::vector<Trial*> tried_on_the_whole(const std::vector<Trial*>& hopeful,
+                                         std::list<Trial>& trials) {
+    std::vector<Trial*> kept;
+    for (const Trial* t : std::span(hopeful).first(std::min(hopeful.size(), max_tried_on_whole))) {
+      Trial& trial = try_on_whole(trials, *t);
+      if (meets_goal(trial)) kept.push_back(&trial);
+    }
+    return kept;
+  }
+
+  /// Chooses among those of a batch, best first, that hold the goal on the whole motion: the first,
+  /// and what its begin cannot tell from it.
   void choose_on_whole(const std::vector<Trial*>& batch) {
     std::list<Trial> trials;
     std::vector<Trial*> holding;
     const Trial* first = nullptr;
     for (const Trial* t : batch) {
-      if (first && t->min_seconds() > max_ratio_of_motions * first->min_seconds()) break;
+      if (first && !is_indistinct(*first, *t)) break;
       Trial& trial = try_on_whole(trials, *t);
-      if (!holds_error(trial)) continue;
+      if (!meets_goal(trial)) continue;
       holding.push_back(&trial);
       if (!first) first = t;
     }

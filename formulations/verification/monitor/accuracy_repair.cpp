@@ -48,6 +48,8 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instan
   RecentInstants& recent = continuity.recent();
   if (recent.count() > 0 && recent[0].is_assessed) signs.take_back();
   recent.drop();
+  degradations.take_back(instant.index);
+  worst = worst_before;
   if (!continuity.is_known()) return {};
   const auto solved = solve(instant);
   return solved ? solved : pass(instant);
@@ -72,7 +74,7 @@ bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
 /// what it leads to.
 void AccuracyMonitor::State::declare(MonitoredInstant& j) {
   if (!has(Monitor::orientation) || !has(Monitor::continuation)) return;
-  NominalContinuation way(model, assessor);
+  NominalContinuation way(model, assessor.system());
   is_declared = way.begin() && way.go_to(continuity.driven(j.instant));
   if (!is_declared) return;
   declared.assign(way.q().begin(), way.q().end());
