@@ -71,8 +71,9 @@ struct ComparedCandidates {
   std::vector<Candidate*> candidates;
 };
 
-/// Returns the series of all candidates.
-std::vector<ComparedCandidates> series_of(const std::vector<Candidate*>& all) {
+/// Returns the series of all candidates; together: as one.
+std::vector<ComparedCandidates> series_of(const std::vector<Candidate*>& all, bool together) {
+  if (together) return {{"desmo_bench", all}};
   std::vector<ComparedCandidates> series;
   for (Candidate* candidate : all) {
     const std::string name = candidate->name();
@@ -82,6 +83,13 @@ std::vector<ComparedCandidates> series_of(const std::vector<Candidate*>& all) {
     it->candidates.push_back(candidate);
   }
   return series;
+}
+
+/// Google Benchmark writes it anew in every process.
+bool has_output_file(const std::vector<std::string>& arguments) {
+  return std::ranges::any_of(arguments, [](std::string_view a) {
+    return a.starts_with("--benchmark_out=") && !a.ends_with('=');
+  });
 }
 
 bool is_listing(std::string_view argument) {
@@ -139,9 +147,10 @@ Json measure_all(const std::vector<ComparedCandidates>& all, std::size_t candida
 int run(const bench::CommandLine& line) {
   std::vector<std::string> arguments = line.arguments;
   for (const std::string_view a : arguments)
-    if (a.starts_with("--benchmark_report_aggregates_only") ||
-        a.starts_with("--benchmark_format") || a.starts_with("--benchmark_out"))
-      throw std::invalid_argument(std::string(a) + ": not here, every sample is in --record");
+    if (a.starts_with("--benchmark_report_aggregates_only") || a.starts_with("--benchmark_format"))
+      throw std::invalid_argument(std::string(a) +
+                                  ": not here, every sample is recorded; see --record and "
+                                  "--benchmark_out");
   const Options options = take_options(arguments);
 
   // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
@@ -151,7 +160,8 @@ int run(const bench::CommandLine& line) {
   if (options.help) arguments.push_back("--help");
   // Before Google Benchmark takes its flags away.
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
-  const bool listing = std::ranges::any_of(arguments, is_listing);
+  const bool listing = std::ranges::any_of(arguments, is_listing),
+             together = has_output_file(arguments);
   if (!initialise(arguments)) return bench::usage_error;
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
@@ -165,7 +175,7 @@ int run(const bench::CommandLine& line) {
   }
   std::optional<RecordWriter> recording;
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
-  const Json measured = measure_all(series_of(chosen), chosen.size(), asked_repetitions);
+  const Json measured = measure_all(series_of(chosen, together), chosen.size(), asked_repetitions);
   benchmark::Shutdown();
   if (recording)
     recording->write(chosen.front()->grid(), measured["lists"],
