@@ -8,8 +8,6 @@
 #include <string_view>
 #include <variant>
 
-#include "formulations/constraints/constraints.h"
-
 namespace desmo::bench {
 
 namespace {
@@ -69,12 +67,6 @@ void describe(ModelText& d, const Spline& motion) {
   for (const Spline::Piece& piece : motion.pieces()) d.reals(piece);
 }
 
-std::string_view kind_name(int kind) {
-  std::string_view name;
-  visit_kind(kind, [&](auto tag) { name = decltype(tag)::name; });
-  return name;
-}
-
 }  // namespace
 
 std::string model_digest(const Model& m) {
@@ -85,7 +77,7 @@ std::string model_digest(const Model& m) {
     d.whole(e.group).end_line();
   }
   for (const Constraint& c : m.constraints) {
-    d.word("constraint").word(kind_name(c.kind)).wholes(c.operands).reals(c.constants);
+    d.word("constraint").word(constraint_kind_name(c.kind)).wholes(c.operands).reals(c.constants);
     d.whole(c.group).whole(c.left_out).end_line();
   }
   for (const Group& g : m.groups)

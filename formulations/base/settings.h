@@ -59,11 +59,11 @@ inline constexpr int max_threads = 64;
 struct Settings {
   /// Limit of ‖Φ‖₂ of the whole model. Each equation is divided by its natural magnitude, such as
   /// the mechanism's size for a difference of points. To first order ‖Φ‖₂ is then a relative error
-  /// of position, whatever the units.
+  /// of position, whatever the units. Positive.
   double tolerance = default_tolerance;
-  int max_iterations = 25;  ///< limit of Newton–Raphson iterations in a step
+  int max_iterations = 25;  ///< limit of Newton–Raphson iterations in a step, 1 or more
   Guess guess = Guess::previous;
-  /// 0: iterate until the tolerance is met. Otherwise exactly this number of iterations a step,
+  /// 0: iterate until the tolerance is met. 1 or more: exactly this number of iterations a step,
   /// whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding; an assembly repeats them
   /// until the tolerance is met or max_iterations times.
   int fixed_iterations = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 #include <unordered_set>
 
 #include "formulations/constraints/constraints.h"
@@ -92,6 +93,12 @@ std::vector<bool> independent_coordinates(const Model& m) {
   std::vector<bool> independent(m.coordinates(), false);
   for (const Driver& d : m.drivers) independent[m.entities[d.coordinate].first] = true;
   return independent;
+}
+
+std::string_view constraint_kind_name(int kind) {
+  std::string_view name;
+  visit_kind(kind, [&](auto tag) { name = decltype(tag)::name; });
+  return name;
 }
 
 int rows(const Constraint& constraint) {

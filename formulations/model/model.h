@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -31,7 +32,7 @@ struct Entity {
 /// A constraint: a kind applied to entities, with its dimensions.
 struct Constraint {
   std::string name;
-  int kind;  ///< position in ConstraintKinds
+  int kind;  ///< position in the fixed list of kinds; constraint_kind_name() tells its name
   std::vector<EntityId> operands;
   std::vector<double> constants;
   GroupId group;          ///< group that it determines
@@ -59,6 +60,9 @@ struct Driver {
 ///
 /// The *state* is q followed by the components of the fixed entities, so that constraints read
 /// both alike.
+///
+/// The vectors may be changed directly; validate() then checks them. Only add() and add_fixed()
+/// tell find() of a name: it knows no entity that was appended or renamed directly.
 struct Model {
   std::string name;
   std::string length_unit = "m";  ///< "1": an unspecified unit
@@ -86,7 +90,8 @@ struct Model {
   /// Returns the number of structural groups without the constant ones, as the paper counts.
   int structural_groups() const;
 
-  /// Returns the entity of that name. Throws std::invalid_argument when there is none.
+  /// Returns the first entity that was added with that name. Throws std::invalid_argument when
+  /// there is none.
   EntityId find(const std::string& entity_name) const;
 
   GroupId add_group(std::string group_name, std::vector<std::string> bodies);
@@ -114,6 +119,9 @@ std::vector<EntityId> entity_of_coordinate(const Model& model);
 
 /// Returns for each coordinate whether it is driven.
 std::vector<bool> independent_coordinates(const Model& model);
+
+/// Returns the name of a kind of constraint, such as "distance2"; empty where kind is out of range.
+std::string_view constraint_kind_name(int kind);
 
 /// Returns the number of scalar equations of a constraint, omitted ones included.
 int rows(const Constraint& constraint);

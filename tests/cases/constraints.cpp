@@ -13,6 +13,7 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <string_view>
 #include <vector>
 
 namespace desmo::constraints_test {
@@ -165,7 +166,10 @@ TYPED_TEST(ConstraintKind, EmitsItsEntriesOnceAndInTheSameOrder) {
 TEST(ConstraintKinds, HaveDistinctNames) {
   std::set<std::string_view> names;
   for (int kind = 0; kind < constraint_kind_count; ++kind)
-    visit_kind(kind, [&](auto k) { EXPECT_TRUE(names.insert(k.name).second) << k.name; });
+    EXPECT_TRUE(names.insert(constraint_kind_name(kind)).second) << constraint_kind_name(kind);
+  EXPECT_EQ(constraint_kind_name(kind_index<Distance<2>>()), "distance2");
+  EXPECT_EQ(constraint_kind_name(-1), "");
+  EXPECT_EQ(constraint_kind_name(constraint_kind_count), "");
   EXPECT_EQ(names.size(), static_cast<std::size_t>(constraint_kind_count));
 }
 

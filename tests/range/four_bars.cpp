@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <stdexcept>
 
 #include "cases/generators/dyad_chain.h"
 #include "formulations/modelling/modelling.h"
@@ -150,6 +152,14 @@ TEST(FourBarRange, NeedsAPositionToStartFrom) {
     m.drivers[0].motion = Polynomial{{out_of_reach}};
     EXPECT_THROW(range_of(m), std::runtime_error);
   }
+}
+
+TEST(FourBarRange, RefusesADriverOrAPositionThatTheModelHasNot) {
+  const Model m = four_bar({2, 3, 6, 8}, 1);
+  const std::vector<double> q = solved_start(m);
+  for (const int driver : {-1, 1})
+    EXPECT_THROW(find_range(m, q, driver), std::invalid_argument) << driver;
+  EXPECT_THROW(find_range(m, std::span(q).first(q.size() - 1), 0), std::invalid_argument);
 }
 
 TEST(FourBarRange, OfACrankAloneIsATurn) {

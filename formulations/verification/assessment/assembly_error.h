@@ -10,8 +10,9 @@ namespace desmo {
 
 /// Closure error of a group that cannot be assembled.
 struct AssemblyError {
-  GroupId group = -1;
-  int constraint = -1;  ///< the worst satisfied one at the position that satisfies all best
+  GroupId group = no_position;
+  /// The worst satisfied constraint at the position that satisfies all best.
+  int constraint = no_position;
   /// Distance by which a point, or a length, would have to change for the constraint to hold. A
   /// constraint without lengths has the change of a direction's component or of an angle instead.
   double amount = 0;

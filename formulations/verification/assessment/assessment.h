@@ -23,9 +23,9 @@ struct Assessment {
   /// Bound on the error of any output, measured as in verification/error.h. Infinity where
   /// singular, 0 at levels that were not solved.
   PerLevel<double> bound;
-  double rounding = 0;      ///< bound.position if Φ were nothing but its rounding
-  double per_residual = 0;  ///< bound.position over ‖Φ‖₂ (Settings::tolerance), at worst
-  GroupId group = -1;       ///< group of the unknown with the worst condition
+  double rounding = 0;          ///< bound.position if Φ were nothing but its rounding
+  double per_residual = 0;      ///< bound.position over ‖Φ‖₂ (Settings::tolerance), at worst
+  GroupId group = no_position;  ///< group of the unknown with the worst condition, if known
   Limit limit = Limit::rounding;  ///< cause, set for degraded instants only
 };
 

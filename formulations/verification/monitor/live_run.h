@@ -15,8 +15,8 @@ namespace desmo {
 
 struct LiveOptions {
   Level level = Level::acceleration;  ///< highest level that is solved and assessed
-  /// Level asked for of each coordinate (Plan::levels); empty: all. The constructor of LiveRun
-  /// alone reads it.
+  /// Level asked for of each coordinate (Plan::levels); empty: `level`. The memory must last until
+  /// the constructor of LiveRun returns.
   std::span<const Level> levels{};
   /// The velocities and accelerations that bounds are relative to, which only the caller can know
   /// in advance; empty: the largest so far, which at the beginning may be small.
@@ -42,8 +42,8 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   bool corrected = false;           ///< the values are better than the formulation's
   bool degraded = false;            ///< conditioning keeps the bounds above their limits
   std::optional<SingularityCrossing> crossing{};  ///< since the last good position
-  int violated =
-      no_position;  ///< failed: the constraint that holds only on another branch (BranchMonitor)
+  /// Constraint that the solved position violates, since it lies on another branch; the row failed.
+  int violated = no_position;
 
   Outcome outcome() const {
     return status != Status::solved ? Outcome::failed
@@ -68,18 +68,16 @@ std::string describe(const LiveSummary& summary, const Model& model);
 /// The motions of the model's drivers are not used: any will do.
 /// The first row is assembled from the model's estimate. Every other row is solved from the
 /// prediction or, where that fails, in sub-steps: drivers then move linearly from the last good
-/// row. Every answer is monitored like those of run_monitored() (AccuracyMonitor). The monitor
-/// takes driver values as exact. Between two rows it takes the quintic through both, or the cubic
-/// where accelerations are not solved. Where the rates do not lead from one row to the next, it
-/// follows the motion in shorter steps and assesses the row.
+/// row. Every answer is monitored like those of run_monitored(). The monitor takes driver
+/// values as exact. Between two rows it takes the quintic through both, or the cubic where
+/// accelerations are not solved. Where the rates do not lead from one row to the next, it follows
+/// the motion in shorter steps and assesses the row.
 ///
-// clang-format off
-///   row                                 outcome
-///   NaN or infinite, wrong size         failed, `fault`; nothing was tried
-///   t that repeats or goes back         failed, `fault`; set_time() allows it
-///   z that jumps                        solved, by sub-steps; `crossing` where the branch was left
-///   z out of reach                      failed: not_converged or singular
-// clang-format on
+/// Outcomes of unusual rows:
+/// - NaN, infinity or a wrong size: failed, with a `fault`; nothing was tried
+/// - a time that repeats or goes back: failed, with a `fault`; set_time() allows it
+/// - values that jump: solved, by sub-steps; with a `crossing` where the branch was left
+/// - values out of reach: failed, not_converged or singular
 ///
 /// After a failure the values are those of the last good row, and the next row starts there. From
 /// the second good row on nothing is taken from the heap, but by libraries of linear algebra.

@@ -15,7 +15,8 @@ namespace desmo {
 
 /// Outcome of a monitored run.
 enum class Outcome {
-  converged,  ///< every bound is within 100, 100² and 100³ times the tolerance (AccuracyMonitor)
+  converged,  ///< bounds of position, velocity and acceleration are within 100, 100² and 100³
+              ///< times the tolerance
   degraded,   ///< solved, but conditioning keeps some instants from meeting their limits, or a
               ///< singular position or a gap was passed
   failed,     ///< solved only before the instant that the summary names
@@ -33,8 +34,9 @@ struct Gap {
 /// be used. It is no Summary, whose ok() tells neither degraded instants nor another branch.
 struct [[nodiscard]] MonitoredSummary : BasicSummary {
   bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
-  /// Constraint that the last instant violates, since it lies on another branch (BranchMonitor).
-  /// That instant was not delivered.
+  /// Constraint that the last instant violates, since it lies on another branch. One of its
+  /// equations was left out as dependent, or its angle turned by half a turn. The instant was not
+  /// delivered.
   int violated = no_position;
   double condition = 0;      ///< largest condition number (see Assessment)
   PerLevel<double> bound{};  ///< error bounds, relative to `scales`
@@ -65,10 +67,12 @@ struct MonitoredInstant {
   /// It was interpolated, and is not as accurate as solved instants are to be. It counts nowhere:
   /// the caller solves it, or hands in one of a shorter stride.
   bool too_coarse = false;
-  /// No angle is half a turn from where the instant before leads it: see BranchMonitor.
+  /// No angle is half a turn from where the rates of the instant before lead it.
   bool angles_follow = false;
   std::optional<SingularityCrossing> crossing{};
-  Assessment assessment{};  ///< assessed, or an expectation with margin (Expectation)
+  /// Between two assessments it is predicted, with a margin, from the last one, the residual and
+  /// the growth of the condition number.
+  Assessment assessment{};
 };
 
 /// Longest interval between assessments, in instants.
@@ -76,8 +80,8 @@ inline constexpr int usual_assessment_interval = 5000;
 
 /// Settings of a monitored run. The tolerance is Formulation::tolerance().
 struct MonitoredRunOptions {
-  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. Must live until
-  /// run_monitored() returns.
+  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. The memory must
+  /// last until run_monitored() returns.
   std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +11,14 @@
 namespace desmo {
 
 DriverRange find_range(const Model& m, std::span<const double> q, int driver) {
+  if (std::ssize(q) != m.coordinates())
+    throw std::invalid_argument("find_range: q has " + std::to_string(q.size()) +
+                                " values; the model has " + std::to_string(m.coordinates()) +
+                                " coordinates");
+  if (driver < 0 || driver >= m.degrees_of_freedom())
+    throw std::invalid_argument("find_range: driver " + std::to_string(driver) +
+                                " does not exist; the model has " +
+                                std::to_string(m.degrees_of_freedom()));
   std::vector<double> state(q.begin(), q.end());
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   SolutionCurve curve(m, driver);

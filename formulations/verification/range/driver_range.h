@@ -13,7 +13,7 @@ enum class RangeStop {
   dead_point,    ///< the mechanism locks: the driver turns back along the curve of positions
   full_turn,     ///< the mechanism is back at its start
   zero_length,   ///< the driven distance has become zero
-  other_branch,  ///< an equation that was left out as dependent holds no longer (BranchMonitor)
+  other_branch,  ///< an equation that was left out as dependent holds no longer
   start,         ///< the start is singular: curves of positions cross there
   not_reached,   ///< no position is found any further, for a reason unknown
   none,          ///< nothing: two turns, or ten times the mechanism's size
@@ -51,15 +51,16 @@ struct DriverRange {
 };
 
 /// Finds the range of a driver along the branch of a position. It follows the curve of positions
-/// by its arc (SolutionCurve) in steps that are refused where the curve bends or signs of
-/// determinants change, so as to stay on the branch. A dead point is bracketed by two solved
-/// positions of the curve, between which the driver turns back: `value` and `beyond` differ by less
-/// than 1e-9 rad or characteristic lengths. Change points are found to the same accuracy where they
-/// are simple, and where a determinant has a double root (DoubleRootSearch); roots of a higher
-/// order without a change of sign are not noticed.
-///
-/// q: the position (coordinates), solved or, at a dead point, nearly so. driver: position in
-/// Model::drivers. Throws std::runtime_error where there is no position near q.
+/// by its arc length in steps that are refused where the curve bends or signs of determinants
+/// change, so as to stay on the branch. A dead point is bracketed by two solved positions of the
+/// curve, between which the driver turns back: `value` and `beyond` differ by less than 1e-9 rad or
+/// characteristic lengths. Change points are found to the same accuracy where they are simple, and
+/// where a determinant has a double root; roots of a higher order without a change of sign are not
+/// noticed.
+/// - q: the position, solved or, at a dead point, nearly so (coordinates)
+/// - driver: position in Model::drivers
+/// Throws std::invalid_argument for a q of another size and a driver that the model does not have.
+/// Throws std::runtime_error where there is no position near q.
 ///
 /// It belongs to verification, since it needs determinants of irreducible blocks and the check of
 /// branches. Not for timed code: it allocates.
