@@ -49,20 +49,6 @@ const Variant& find_variant(std::string_view id) {
   throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
 }
 
-bool is_dense_global(const Variant& v) {
-  const Backend* const backend = find_backend(v.algebra);
-  return v.partition == Partition::global && backend && backend->dense;
-}
-
-std::string_view slow_reason(const Variant& v) {
-  const Backend* const backend = find_backend(v.algebra);
-  if (!backend) return {};
-  if (v.partition != Partition::block || !backend->slow_reason.empty()) return backend->slow_reason;
-  return backend->slow_blocks_reason;
-}
-
-bool has_phases(const Variant& v) { return !v.is_generated(); }
-
 std::string unsupported_reason(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "

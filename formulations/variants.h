@@ -36,17 +36,6 @@ std::span<const Variant> variants();
 /// cannot be had on this machine (unavailable_reason), else with a list of all ids.
 const Variant& find_variant(std::string_view id);
 
-/// Returns whether a variant solves all unknowns at once with dense matrices, at O(n³) a step.
-bool is_dense_global(const Variant& variant);
-
-/// Returns why a variant is too slow to be timed with many coordinates, though not dense: what it
-/// serves instead. Empty: it is not.
-std::string_view slow_reason(const Variant& variant);
-
-/// Returns whether the phases of a variant's steps can be measured (see Phase). Generated
-/// eliminations have none.
-bool has_phases(const Variant& variant);
-
 /// Returns why a variant does not offer these settings, in a sentence without a full stop; empty
 /// when it does. Settings that are not offered are refused, never silently replaced.
 std::string unsupported_reason(const Variant& variant, const Settings& settings);

@@ -85,7 +85,14 @@ class VerifiedCandidate {
 };
 
 /// A formulation, or a peer, that solves a motion. It is verified first. Only then it turns into
-/// something that can be timed, a VerifiedCandidate; otherwise it has a Refusal.
+/// something that can be timed, a VerifiedCandidate; otherwise it has a Refusal:
+///
+///   unverified ── verify() ──→ verified ── measure(), add_sample() ──→ timed
+///        │                        │                                      │
+///        │ refuse(), verify()     │ an exception in measure()            │ the same
+///        └──────────────────→ refused ←──────────────────────────────────┘
+///
+/// Nothing leads out of `refused`.
 class Candidate {
  public:
   virtual ~Candidate() = default;
@@ -106,10 +113,11 @@ class Candidate {
   /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 
-  /// Runs a measurement if the candidate is verified. An exception of it becomes a refusal.
+  /// Runs a measurement if the candidate is verified. An exception of it becomes a refusal: the
+  /// VerifiedCandidate is destroyed with all its samples, and what verified() returned dangles.
   void measure(const std::function<void(VerifiedCandidate&)>& measurement);
 
-  /// Returns null unless it is verified.
+  /// Returns what can be timed; null unless it is verified. Valid until it is refused.
   const VerifiedCandidate* verified() const { return std::get_if<VerifiedCandidate>(&state_); }
   bool is_verified() const { return verified() != nullptr; }
   bool is_failed() const { return is_refused(Refusal::Kind::failed); }

@@ -35,8 +35,7 @@ struct Backend {
   /// True for the one backend that generated eliminations fall back to: dense, with pivoting,
   /// without heap memory.
   bool is_fallback = false;
-  std::string_view
-      slow_reason{};  ///< why it is slow in any partition (slow_reason()); empty: it is not
+  std::string_view slow_reason{};         ///< why it is slow in any partition; empty: it is not
   std::string_view slow_blocks_reason{};  ///< why it is slow in blocks; empty: it is not
 };
 

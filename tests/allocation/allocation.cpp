@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bench/kit/variant_costs.h"
 #include "bench/peers/peer.h"
 #include "cases/generators/cases.h"
 #include "formulations/algebra/backend.h"
@@ -108,7 +109,7 @@ class EveryStep : public EveryVariant {};
 TEST_P(EveryStep, AllocatesNothingInAStep) {
   const Variant& v = GetParam();
   for (const Case& c : cases()) {
-    const Model m = make_model(describe(c, is_dense_global(v) ? 114 : 558));
+    const Model m = make_model(describe(c, bench::is_dense_global(v) ? 114 : 558));
     const auto f = make_formulation(v, m);
     ASSERT_TRUE(f->assemble(0).ok());
     constexpr int steps = 50;

@@ -16,6 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "formulations/model/model.h"
+
 namespace desmo::constraints_test {
 namespace {
 

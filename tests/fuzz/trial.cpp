@@ -8,6 +8,7 @@
 #include <optional>
 #include <typeinfo>
 
+#include "bench/kit/variant_costs.h"
 #include "cases/io/files.h"
 #include "cases/mechanism/names.h"
 #include "formulations/modelling/modelling.h"
@@ -178,7 +179,7 @@ void check_code(const Variant& variant, const Model& mechanism, const TimeGrid& 
 }
 
 const Variant& affordable(const Variant& variant, const Model& mechanism) {
-  return is_dense_global(variant) && mechanism.coordinates() > max_dense
+  return bench::is_dense_global(variant) && mechanism.coordinates() > max_dense
              ? find_variant("global_automatic_klu")
              : variant;
 }

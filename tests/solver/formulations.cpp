@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/kit/variant_costs.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
@@ -102,7 +103,7 @@ TEST_P(Sizes, EveryFormulationAgreesWithTheQuadrupleReference) {
   const Motion& motion =
       motion_of(*definition, coordinates, smallest ? DESMO_TEST_SECONDS : short_motion);
   for (const Variant& v : tested_variants())
-    if (!is_dense_global(v) || coordinates <= 114) expect_agreement(v, motion);
+    if (!bench::is_dense_global(v) || coordinates <= 114) expect_agreement(v, motion);
 }
 
 /// All sizes; with sanitizers the two smallest, as more of the same finds no other error of memory.
@@ -123,7 +124,7 @@ TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
   const auto [definition, coordinates] = GetParam();
   const Motion& motion = motion_of(*definition, coordinates, short_motion);
   for (const Variant& v : variants())
-    if (is_dense_global(v)) expect_agreement(v, motion);
+    if (bench::is_dense_global(v)) expect_agreement(v, motion);
 }
 
 class LargestSizes : public testing::TestWithParam<const Case*> {};
@@ -181,7 +182,7 @@ TEST_P(EveryFormulation, KeepsTheChainParallel) {
   };
   // A turn of the crank takes 6.3 s; the longer chain shows what errors grow by along it.
   const Motion turn{37, std::min<double>(DESMO_TEST_SECONDS, 7)};
-  const Motion begin{is_dense_global(v) ? 37 : 185, DESMO_SANITIZED ? 0.2 : 1};
+  const Motion begin{bench::is_dense_global(v) ? 37 : 185, DESMO_SANITIZED ? 0.2 : 1};
   for (const auto& [dyads, seconds] : {turn, begin}) {
     const Model m = four_bar_model(dyads);
     ChainObserver observer(m);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "bench/experiments/accuracy/settings_grid.h"
+#include "bench/kit/variant_costs.h"
 
 namespace desmo::accuracy {
 
@@ -65,7 +66,7 @@ class Searcher {
     std::vector<const Variant*> all = effort_.formulations, kept;
     if (all.empty())
       for (const Variant& v : variants())
-        if (!is_dense_global(v) || whole_.plan.model.coordinates() <= dense_limit)
+        if (!bench::is_dense_global(v) || whole_.plan.model.coordinates() <= dense_limit)
           all.push_back(&v);
     say(std::to_string(all.size()) + " formulations");
     for (const Settings& s : telling_settings()) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bench/experiments/accuracy/settings_grid.h"
+#include "bench/kit/variant_costs.h"
 #include "formulations/algebra/backend.h"
 
 namespace desmo::accuracy {
@@ -33,7 +34,7 @@ bool is_in_table_2(const Variant& v) {
   if (v.is_generated()) return !v.is_explicit();
   if (find_backend(v.algebra)->dense)
     return v.partition == Partition::group && v.algebra == "lapack";
-  return slow_reason(v).empty() &&
+  return bench::slow_reason(v).empty() &&
          !(v.partition == Partition::global && v.evaluation == Evaluation::symbolic);
 }
 
@@ -71,7 +72,7 @@ void add_size(std::vector<AccuracySeries>& all, const Case& c, int coordinates, 
   AccuracySeries dense{&c, coordinates, usual_step, dense_instants, {}};
   Adder add_usual(usual), add_dense(dense);
   for (const Variant& v : variants()) {
-    if (is_dense_global(v))
+    if (bench::is_dense_global(v))
       add_dense(v, minimal_settings());
     else
       add_usual(v, reduced_settings());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bench/kit/memory.h"
+#include "bench/kit/variant_costs.h"
 #include "bench/kit/verification.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/stepping/formulation_core.h"
@@ -37,7 +38,7 @@ std::string unsupported(const Configuration& configuration, const KnownCase& kno
   const Variant& v = *configuration.variant;
   if (std::string why = unsupported_reason(v, configuration.settings); !why.empty()) return why;
   const int coordinates = known.modelled->model.coordinates();
-  if (is_dense_global(v) && coordinates > max_dense)
+  if (bench::is_dense_global(v) && coordinates > max_dense)
     return "dense matrices of all unknowns: a step costs O(n³)";
   if (v.partition == Partition::block && coordinates > max_in_blocks)
     return "workspaces of so many blocks take too much memory";

@@ -6,6 +6,7 @@
 
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/process/callgrind.h"
+#include "bench/kit/variant_costs.h"
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
 #include "formulations/structure/partition.h"
@@ -26,7 +27,8 @@ constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
                                "block_symbolic_inlined", "group_symbolic_explicit"};
 
 bool is_counted(const Variant& v) {
-  return v.partition != Partition::block && !is_dense_global(v) && slow_reason(v).empty();
+  return v.partition != Partition::block && !bench::is_dense_global(v) &&
+         bench::slow_reason(v).empty();
 }
 
 /// Leaves out what callgrind cannot count: it knows no registers wider than 256 bits; what threads

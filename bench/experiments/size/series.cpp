@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bench/kit/problem.h"
+#include "bench/kit/variant_costs.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/planning/plan.h"
 #include "formulations/variants.h"
@@ -50,7 +51,7 @@ std::vector<std::string_view> all_at_once() {
   std::vector<std::string_view> ids;
   for (const Variant& v : variants())
     if (v.partition == Partition::global && v.evaluation == Evaluation::automatic &&
-        slow_reason(v).empty())
+        bench::slow_reason(v).empty())
       ids.push_back(v.id);
   return ids;
 }
