@@ -126,7 +126,7 @@ class Candidate {
 
   /// Returns why it was refused; empty when it was not.
   std::string message() const;
-  /// Returns what its verification found, as far as it came.
+  /// Returns what its verification found before it ended or failed.
   const VerifyingRun& verifying_run() const { return verifying_run_; }
 
   const TimeGrid& grid() const { return grid_; }

@@ -140,9 +140,9 @@ double FormulationCandidate::min_seconds() const {
                     : std::numeric_limits<double>::infinity();
 }
 
-bool FormulationCandidate::is_sampled(double dear_seconds) const {
+bool FormulationCandidate::is_sampled(double long_motion_seconds) const {
   return is_verified() && verified()->seconds().size() >= 2 &&
-         min_seconds() * grid().instants > dear_seconds;
+         min_seconds() * grid().instants > long_motion_seconds;
 }
 
 ProblemCandidate::ProblemCandidate(const Problem& problem, const Configuration& c)

@@ -30,9 +30,9 @@ class FormulationCandidate : public Candidate {
   void sample_afresh(double duration);
   /// Returns the least of the samples; infinite when there is none.
   double min_seconds() const;
-  /// Tells whether two samples are enough: it has them, and its motion takes longer than
-  /// dear_seconds [s], so that more samples would cost too much.
-  bool is_sampled(double dear_seconds) const;
+  /// Returns whether two samples are enough: it has them, and its motion takes longer than
+  /// long_motion_seconds [s], so that more samples would cost too much.
+  bool is_sampled(double long_motion_seconds) const;
 
   int coordinates() const { return coordinates_; }  ///< of the whole model
 

@@ -62,11 +62,12 @@ VerifyingObserver::VerifyingObserver(std::span<const ReferenceInstant> reference
 Comparison VerifyingObserver::compare() const {
   Differences errors;
   ResultDigest results;
-  for_each([&](const ReferenceInstant& r, const State& came) {
+  for_each([&](const ReferenceInstant& r, const State& solved) {
     ++errors.instants;
-    bench::compare(errors.position, results, came.q, r.q, allowed_difference.position);
-    bench::compare(errors.velocity, results, came.qd, r.qd, allowed_difference.velocity);
-    bench::compare(errors.acceleration, results, came.qdd, r.qdd, allowed_difference.acceleration);
+    bench::compare(errors.position, results, solved.q, r.q, allowed_difference.position);
+    bench::compare(errors.velocity, results, solved.qd, r.qd, allowed_difference.velocity);
+    bench::compare(errors.acceleration, results, solved.qdd, r.qdd,
+                   allowed_difference.acceleration);
   });
   return {errors, results.hex()};
 }

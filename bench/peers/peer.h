@@ -13,13 +13,12 @@
 
 namespace desmo {
 
-/// The kinematics of a mechanism solved by another library, or by code written for it by hand.
-/// Plain on purpose: what a library's headers need of the compiler stays in the file that includes
-/// them.
+/// The kinematics of a mechanism solved by another library, or by code written for it by hand. The
+/// interface includes no library's headers: what these need of the compiler stays in their file.
 class Peer {
  public:
-  /// Coordinates of the mechanism that the peer finds, each once, and their values: the peer's own
-  /// coordinates are others, and need not tell all of ours.
+  /// The model's coordinates that the peer finds, each once, and their values. The peer solves for
+  /// coordinates of its own, from which not all of the model's need follow.
   struct Answer {
     std::vector<int> coordinates;
     std::vector<double> q, qd, qdd;  ///< in the order of `coordinates`

@@ -85,8 +85,8 @@ class Solver {
   virtual void assemble(double t) = 0;
   /// Solves at time t [s], starting from q + q̇ h + q̈ h²/2 of the last instant.
   virtual void step(double t) = 0;
-  /// Returns what is followed, component after component, with its first and its second
-  /// derivatives: (components of tree.followed) each, at the last instant.
+  /// Returns the components of all of Tree::followed at the last instant, in their order, then
+  /// their first and their second time derivatives.
   virtual const std::array<std::vector<double>, 3>& values() const = 0;
   /// Returns the iterations of projectQ, since the last assembly and with it.
   virtual long iterations() const = 0;

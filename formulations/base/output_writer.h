@@ -10,23 +10,26 @@
 
 namespace desmo {
 
-/// Returns the requested coordinates of a model with `coordinates` of them. Throws
-/// std::invalid_argument where one is named twice or does not exist.
+/// Returns the coordinates that a request names, or all where it names none. Throws
+/// std::invalid_argument where one is named twice or does not exist. coordinates: their number in
+/// the model.
 std::vector<int> requested_coordinates(const Request& request, int coordinates);
 
 /// Writes requested coordinates of instants into memory that an observer lends, range by range.
 class OutputWriter {
  public:
   OutputWriter() = default;
-  /// coordinates: of the model. Throws as requested_coordinates() does.
+  /// coordinates: their number in the model. Throws as requested_coordinates() does.
   OutputWriter(const Request& request, int coordinates);
 
-  /// places: of each coordinate in an output, or −1: another writes it. outputs: of `size` places.
+  /// places: the place of each coordinate in an output; −1: another writes it. size: of an output.
   OutputWriter(std::span<const int> places, std::size_t size);
 
-  /// Copies from an instant of all coordinates to its output, which its spans then show.
+  /// Copies the requested coordinates of an instant to the instant's output. The instant's spans
+  /// then view the output. On entry they view all coordinates.
   void write(Instant& instant) const;
-  /// Hands an instant of all coordinates to an observer, in its memory where it lends any.
+  /// Hands the requested coordinates of an instant to an observer, in its memory where it lends
+  /// any.
   Flow hand_over(const Instant& instant, Observer& observer) const;
 
  private:
@@ -38,11 +41,11 @@ class OutputWriter {
   std::size_t size_ = 0;
 };
 
-/// Memory to lend: outputs of one level, as many as are lent at once. Each begins on cache lines
-/// of its own, for threads fill several.
+/// A pool of outputs of one level, which grows to the number that is lent at once. Each output
+/// begins on cache lines of its own, since several threads fill them.
 class OutputPool {
  public:
-  /// size: of coordinates in an output.
+  /// size: number of coordinates in an output.
   OutputPool(std::size_t size, Level level) : size_(size), level_(level) {}
   OutputPool(OutputPool&&) = default;  // outputs stay where they are
 

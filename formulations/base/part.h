@@ -59,22 +59,24 @@ class Part {
   ///   finds no solution from the prediction starts anew from these.
   virtual PartResult solve(State& state, std::span<const double> last, Level level) = 0;
 
-  /// Returns the coordinates that solve() reads. equations: those of Newton's method, that is, all
-  /// unknowns of the part, predicted, and all other coordinates in its equations.
+  /// Returns the coordinates that solve() reads. equations: the coordinates that Newton's method
+  /// reads: all unknowns of the part, as predicted ones, and all others in its equations.
   virtual PartInputs inputs(PartInputs equations) const { return equations; }
 
   /// Returns the part as one that keeps what it finds; null: it leaves all in the state.
   virtual ResidentPart* resident() { return nullptr; }
 
-  /// Makes a chain of the first of `parts`, this one and as many as can be solved in one call; null
-  /// where that is not worth while.
+  /// Makes a chain of the first of `parts`: this one and as many more as can be solved in one call.
+  /// Returns null where a chain would save nothing.
   virtual std::unique_ptr<PartChain> make_chain(std::span<Part* const> parts) {
     static_cast<void>(parts);
     return nullptr;
   }
 
-  /// Returns how often an order of pivots that is meant to last, of the factorisation before or of
-  /// generated code, had gone bad, and pivots were chosen anew.
+  /// Returns how often a pivot order that is meant to last had gone bad, and pivots were chosen
+  /// anew:
+  /// - linear solvers that reuse pivots: new choices of the order after the first
+  /// - generated code: steps left to the pivoting part (GuardedPart::fallbacks)
   virtual long refactorisations() const { return 0; }
 
   /// Returns whether rates may come from an order of pivots that was chosen at another position.

@@ -30,7 +30,7 @@ class Batch {
  public:
   /// The outcome of a step.
   struct Step {
-    unsigned accepted = 0;                      ///< bit l: every part of subsystem l was
+    unsigned accepted = 0;                      ///< bit l: every part of subsystem l is accepted
     int iterations = 0;                         ///< the most of any part
     std::array<double, max_lanes> residual2{};  ///< ‖Φ‖₂² of each; of meaning where accepted
   };
@@ -43,10 +43,11 @@ class Batch {
   std::span<Subsystem> subsystems() const { return subsystems_; }
   unsigned all() const { return (1u << subsystems_.size()) - 1; }
 
+  /// Return the coordinates that the parts read: driven ones in the order of the row, and others.
   /// See PartInputs.
   std::vector<int> drivers() const;
   std::vector<int> reads() const;
-  /// See Part.
+  /// See ResidentPart.
   void bind(const PartOutputs& outputs);
   void begin_step(const StepHistory& history, const MotionRow& row);
   /// Returns how many numbers of the row are its drivers.
@@ -64,7 +65,8 @@ class Batch {
 
   void deliver(const OutputView& output, Level level) const;
 
-  /// Writes the observed numbers to the state, up to `level`; without a prediction all positions.
+  /// Writes the observed coordinates and their rates to the state, up to `level`. Writes all
+  /// positions unless they were predicted().
   void write_observed(State& state, Level level) const;
   /// Writes the solution of one subsystem to the state: its unknowns and drivers.
   void store(std::size_t subsystem, State& state) const { store(own_, subsystem, state); }

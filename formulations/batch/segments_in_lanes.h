@@ -13,8 +13,8 @@
 
 namespace desmo {
 
-/// Length of the shortest segment worth entering, in instants. In a shorter one, lanes gain less
-/// than entering costs.
+/// Length of the shortest segment that is solved in lanes, in instants. In a shorter one, lanes
+/// gain less than the continuation to its start costs.
 inline constexpr int min_segment = 16;
 
 /// Solves as many equal segments of a motion as there are lanes, one in each lane of a batch of the
@@ -69,14 +69,14 @@ class SegmentsInLanes final : public SegmentExecutor {
   BatchState state_;
   LaneValues entered_;                        // positions at the first instant of each segment
   LaneValues residual2_;                      // of the step, by lane
-  State alone_;                               // of one lane …
-  std::vector<double> last_alone_;            // last positions of that segment
-  std::vector<std::vector<double>> changes_;  // of drivers, to each segment
+  State alone_;                               // workspace: the state of a lane solved alone
+  std::vector<double> last_alone_;            // workspace: last positions of that lane
+  std::vector<std::vector<double>> changes_;  // of drivers, to the start of each segment
   std::vector<int> requested_;                // where requested coordinates begin in lanes
-  std::vector<int> indices_;                  // of instants for which memory was borrowed …
-  std::vector<OutputView> outputs_;           // … and this …
-  std::size_t used_ = 0;                      // … so many of them already
-  std::vector<double> beyond_;                // takes what lies after the end of the motion
+  std::vector<int> indices_;                  // instants for which memory is borrowed
+  std::vector<OutputView> outputs_;           // borrowed memory, by position in indices_
+  std::size_t used_ = 0;                      // outputs used so far
+  std::vector<double> beyond_;                // receives instants after the end of the motion
 };
 
 }  // namespace desmo

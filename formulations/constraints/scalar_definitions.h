@@ -47,17 +47,18 @@ struct Reach {
 
 namespace vec {
 
-/// Equation f × d = 0 of plane directions d and f = r R(θ) e, and its derivatives: d is parallel to
-/// direction e turned by θ and scaled by the constant r.
+/// The equation Φ = f × d = 0 and its derivatives: the plane direction d is parallel to f = r R(θ)
+/// e, the direction e turned by θ and scaled by the constant r.
 template <class S>
 struct Parallel {
   std::array<S, 2> f, d;
 
   S residual() const { return cross(f.data(), d.data()); }
-  /// Returns ∂/∂dᵢ.
+  /// Returns ∂Φ/∂dᵢ.
   S of_d(int i) const { return i == 0 ? -f[1] : f[0]; }
+  /// Returns ∂Φ/∂θ.
   S of_theta() const { return -dot<2>(f.data(), d.data()); }
-  /// Returns ∂/∂eᵢ. turn: r R(θ).
+  /// Returns ∂Φ/∂eᵢ. turn: r R(θ).
   S of_e(const Turn<S>& turn, int i) const {
     return i == 0 ? turn.cosine * d[1] - turn.sine * d[0]
                   : -(turn.sine * d[1] + turn.cosine * d[0]);

@@ -25,7 +25,8 @@ class ExplicitPart final : public GuardedPart {
                std::unique_ptr<Part> fallback);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
-  /// Closed forms need no prediction. Before any position, all start from the last.
+  /// Returns the torn unknowns as the predicted ones: those in closed form need no prediction. The
+  /// first solution after forget() starts from the last positions and needs none at all.
   PartInputs inputs(PartInputs equations) const override;
   /// Makes a chain of parts that share the kernel.
   std::unique_ptr<PartChain> make_chain(std::span<Part* const> parts) override;

@@ -14,12 +14,13 @@ class GuardedPart : public Part {
   /// Returns the number of steps left to the pivoting part, without assemblies, which start from
   /// estimates.
   virtual long fallbacks() const = 0;
+  /// Returns fallbacks(): in each of these steps the pivoting part chose pivots anew.
   long refactorisations() const final { return fallbacks(); }
   /// Returns the number of these steps that ended on another branch than the step before, where the
   /// part can tell.
   virtual long branch_changes() const { return 0; }
-  /// Sets whether Newton's method makes one more correction where the tolerance is met but more
-  /// than rounding is left. Monitored runs ask for it: what is left is an error of κ times as much.
+  /// Sets whether Newton's method makes one more correction where the tolerance is met but ‖Φ‖ is
+  /// above rounding. Monitored runs ask for it: the position's error is κ times as large as ‖Φ‖.
   virtual void correct_once_more(bool asked) { static_cast<void>(asked); }
 };
 

@@ -29,6 +29,13 @@ namespace desmo {
 /// LinearSolver::break_even_solves more corrections at that rate would not meet the tolerance.
 /// (‖Φ‖ is what is compared with the tolerance, it has one unit, and its rate is known one solve
 /// earlier than that of ‖Δφ‖.)
+///
+/// A step calls, in this order:
+/// 1. begin_position()
+/// 2. in each iteration give_up() if led_away(), else prepare_correction() and solve()
+/// 3. end_at_position() where the step ends at the level of positions, otherwise
+///    prepare_rates(), evaluate_known(), and solve_rates() for velocity
+/// 4. solve_rates() for acceleration, after factor_at() where each level makes factors of its own
 template <class Real>
 class JacobianFactors {
  public:
@@ -100,8 +107,9 @@ class JacobianFactors {
     return true;
   }
 
-  // Parts are small and these are called in every iteration: the compiler is told to inline them,
-  // since it decides otherwise as soon as the surroundings change.
+  // Members marked always_inline are called in every iteration of small parts. The compiler would
+  // decide otherwise as soon as the surroundings change.
+
   /// Evaluates Φ_φ at q and factorises it. Returns false where it is singular.
   [[gnu::always_inline]] bool factor_at(const Real* q) {
     equations_.jacobian(q, values_.data());

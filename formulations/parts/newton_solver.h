@@ -30,13 +30,15 @@ struct NewtonLimits {
     max_iterations = min_iterations;
   }
 
-  /// Accepts positions by the tolerance alone, whatever factors led there.
+  /// The rule that ends the iterations of one position. It ends them at the first position within
+  /// the tolerance, whatever factors led there, but not before min_iterations. Where
+  /// `corrects_solved` it asks for one more correction first, unless max_iterations are done.
   class Acceptance {
    public:
     explicit Acceptance(const NewtonLimits& limits)
         : limits_(limits), is_last_(!limits.corrects_solved) {}
 
-    /// Returns whether the iterations end at this position.
+    /// Returns whether the iterations end at this position. Notes that the tolerance was met.
     bool accepts(double residual, int iterations) {
       if (!(residual < limits_.tolerance) || iterations < limits_.min_iterations) return false;
       return std::exchange(is_last_, true) || iterations == limits_.max_iterations;
@@ -50,7 +52,11 @@ struct NewtonLimits {
 
 /// Newton–Raphson on a part's equations (paper, Fig. 2b), for every way of evaluating equations
 /// and of solving linear systems. Real is double or float. JacobianFactors decides when Φ_φ is
-/// factorised. A correction by old factors that made ‖Φ‖ larger is taken back.
+/// factorised. A correction by old factors is taken back unless it made ‖Φ‖ smaller or met the
+/// tolerance; one that led to NaN is taken back, too.
+///
+/// A step that fails is tried a second time, from the same prediction, where factors or a pivot
+/// order may have been old. The second attempt discards both and factorises in every iteration.
 template <class Real>
 class NewtonSolver {
  public:
@@ -136,7 +142,7 @@ class NewtonSolver {
       if (!factors_.prepare_correction(q, residual)) return failure(result, Status::singular);
       factors_.solve(b_);                                          // Φ_φ Δφ = Φ
       unknowns_.for_each([&](int at, int i) { q[at] -= b_[i]; });  // eq. (2)
-      if (factors_.corrects_with_old()) b_.swap(correction_);
+      if (factors_.corrects_with_old()) b_.swap(correction_);      // kept for retract()
     }
   }
 

@@ -15,7 +15,7 @@ struct Asked {
   Level level;      ///< highest level that is asked
 };
 
-/// Reduced model that suffices for a request, and how it came about.
+/// Reduced model that suffices for a request, and what was left out of the whole model.
 struct Plan {
   /// Use of one group of the whole model.
   struct GroupUse {

@@ -75,8 +75,8 @@ struct Attributes {
   posix_spawnattr_t values;
 };
 
-/// Holds interruptions back: one that came after a program was started, and before it is known to
-/// run, would leave it running.
+/// Holds interruptions back. One between the start of a program and the moment when its process is
+/// known would leave it running.
 class Uninterrupted {
  public:
   Uninterrupted() {

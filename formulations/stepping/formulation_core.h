@@ -80,8 +80,7 @@ inline const std::vector<DefinedPart>& parts_of(const Formulation& formulation) 
 std::unique_ptr<Formulation> make_profiled_formulation(const Variant& variant, const Model& model,
                                                        const Settings& settings, Profile& profile);
 
-/// Returns how often, in all parts, an order of pivots that was to be kept had gone bad and was
-/// chosen anew.
+/// Returns the sum of Part::refactorisations over all parts.
 long refactorisations(const Formulation& formulation);
 
 }  // namespace desmo

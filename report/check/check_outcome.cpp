@@ -35,7 +35,7 @@ bool any(const Findings& findings, Finding outcome) {
   return std::ranges::any_of(findings, [&](const auto& f) { return f.outcome == outcome; });
 }
 
-/// The verdict, and nothing of what is wrong but that it is.
+/// Returns the verdict.
 CheckVerdict overall(CheckOutcome& j) {
   for (const Excluded& wrong : j.invalid)
     std::erase_if(j.work.candidates,

@@ -10,11 +10,16 @@
 namespace desmo::report {
 
 /// The verdict of a check; its number is the exit code of `desmo_report check`. Where several hold,
-/// the first of this order counts: invalid, regression, incomparable, inconclusive, pass.
+/// the first of this order counts:
+/// 1. invalid
+/// 2. regression
+/// 3. incomparable
+/// 4. inconclusive
+/// 5. pass
 enum class CheckVerdict {
   pass = 0,          ///< nothing became slower
   regression = 1,    ///< time or work of some candidate raised an alarm, twice for time
-  invalid = 2,       ///< answers are wrong, or a candidate has no counterpart
+  invalid = 2,       ///< answers are wrong, or head lacks a candidate of the base or baseline
   inconclusive = 3,  ///< times are too noisy, or a second pass is missing
   incomparable = 4,  ///< no time and no work may be compared
 };
@@ -28,8 +33,8 @@ struct Excluded {
 struct CheckOutcome {
   CheckVerdict verdict = CheckVerdict::pass;
   std::vector<Excluded> invalid;        ///< candidates whose answers in head are wrong
-  std::vector<std::string> missing;     ///< candidates of the baseline that head lacks
-  std::vector<Excluded> excluded;       ///< candidates without anything to compare with
+  std::vector<std::string> missing;     ///< candidates of the base or baseline that head lacks
+  std::vector<Excluded> excluded;       ///< candidates that are new, or were wrong before
   std::vector<Difference> differences;  ///< why no time is compared; empty when times are
   TimeFindings time;
   WorkFindings work;

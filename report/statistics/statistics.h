@@ -58,11 +58,12 @@ inline constexpr double max_conclusive_width = 0.05;
 /// A speed-up: S = t_reference / t_variant.
 struct SpeedUp {
   double value = 0;  ///< ratio of the times
-  /// With samples of windows on both sides: what the ratio becomes without the best repetition of
-  /// either side; narrow where two repetitions or more say the same of both. With the least times
-  /// of windows: the 95 % interval of a ratio of sums over pairs, from how far the windows are
-  /// from having that ratio, by Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6).
-  /// Without: the reference's least over the variant's largest, and the reverse.
+  /// Limits of the ratio, by what is known of both sides:
+  /// - samples of windows: the ratios without the best repetition of either side; they are close
+  ///   where two repetitions or more agree
+  /// - least times of windows: the 95 % interval of a ratio of sums over pairs of windows, by
+  ///   Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6)
+  /// - neither: the reference's least time over the variant's largest, and the reverse
   double low = 0;
   double high = 0;
   double percent = 0;           ///< improvement 100 (1 - 1/S), from the unrounded S

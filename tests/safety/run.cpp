@@ -183,7 +183,7 @@ TEST(MonitoredRun, SaysThatAChangePointWasPassed) {
   EXPECT_EQ(m.groups[s.crossing->group].name, "dyad1/SG-I");
 }
 
-/// Newton's method takes the turn that the links cannot. The step is gone again in shorter ones,
+/// Newton's method takes the turn that the links cannot. The step is retried in shorter ones,
 /// behind which the coupler stays parallel to the ground.
 TEST(MonitoredRun, RepairsAJumpAtAChangePoint) {
   const Model m = parallelogram();
@@ -206,7 +206,7 @@ TEST(MonitoredRun, RepairsAJumpAtAChangePoint) {
   EXPECT_EQ(m.groups[s.crossing->group].name, "dyad1/SG-I");
 }
 
-/// Steps of a radian are gone again in shorter ones, and found to lead where they ended.
+/// Steps of a radian are retried in shorter ones, and found to lead where they ended.
 TEST(MonitoredRun, DoesNotTakeALongStepForAJump) {
   for (const double step : {0.3, 1.0}) {
     Discard observer;

@@ -68,8 +68,8 @@ struct Ignored final : Observer {
   Flow observe(const Instant&) noexcept override { return Flow::go_on; }
 };
 
-/// Position at the start, and what assembling it came to. In a dead point nothing can be assembled,
-/// but the estimate may be near enough.
+/// The position at the start, and the outcome of its assembly. At a dead point nothing can be
+/// assembled, but the estimate may be near enough.
 struct Start {
   MonitoredSummary summary;
   std::vector<double> q;

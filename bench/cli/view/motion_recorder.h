@@ -14,7 +14,7 @@ namespace desmo::cli {
 struct RecordedInstant {
   int index;                  ///< in the grid
   std::vector<double> state;  ///< q, q̇, q̈, of all coordinates each
-  double condition;           ///< the largest since the instant kept before
+  double condition;           ///< largest since the instant kept before
   PerLevel<double> bound;     ///< error bounds
 };
 
@@ -27,8 +27,8 @@ struct Flag {
   std::vector<EntityId> open{};  ///< entities of the constraint that does not close
 };
 
-/// Observer that keeps instants: at most `max_kept`, by leaving out more and more of them, and the
-/// last one of every interval without gaps.
+/// An observer that keeps every n-th instant, and the last one of every interval without gaps. When
+/// more than `max_kept` are kept, it doubles n and drops the others.
 class MotionRecorder final : public Observer {
  public:
   /// progress: null where none is shown.

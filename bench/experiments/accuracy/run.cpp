@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 constexpr int compared_instants = 21;
 constexpr int usual_repetitions = 5;
 constexpr double sample_seconds = 0.01;
-constexpr double dear_seconds = 0.3;  // a motion that takes longer has two samples only
+constexpr double long_motion_seconds = 0.3;  // a motion that takes longer has two samples only
 
 double rounded(double value) { return bench::rounded(value, 6); }
 
@@ -95,7 +95,7 @@ void measure(const AccuracySeries& series, const Problem& problem, int repetitio
   }
   for (int round = 0; round < repetitions; ++round)
     for (Trial& trial : trials) {
-      if (!trial.is_sampled(dear_seconds)) trial.time(sample_seconds);
+      if (!trial.is_sampled(long_motion_seconds)) trial.time(sample_seconds);
       progress.done();
     }
   for (const Trial& trial : trials) points.push_back(point_json(series, trial));

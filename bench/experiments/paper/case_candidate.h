@@ -16,7 +16,7 @@ namespace desmo::paper {
 /// A case at one size with one formulation.
 class CaseCandidate final : public FormulationCandidate {
  public:
-  /// Left out, with the reason, where it would be too costly.
+  /// Refuses the candidate (Refusal::Kind::not_run), with the reason, where it would be too costly.
   CaseCandidate(const Case& definition, int coordinates, const Variant& variant,
                 const Options& options, const Settings& settings = {}, Clock clock = Clock::cpu);
 

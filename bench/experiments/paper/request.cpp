@@ -49,7 +49,7 @@ class VerifyingRequest final : public ComparingObserver {
   Comparison compare() const override {
     Differences errors;
     ResultDigest results;
-    for_each([&](const ReferenceInstant& r, const State& came) {
+    for_each([&](const ReferenceInstant& r, const State& solved) {
       ++errors.instants;
       for (const AskedComponent& a : request_.asked) {
         const std::size_t place =
@@ -61,9 +61,9 @@ class VerifyingRequest final : public ComparingObserver {
           widen(largest, value, reference[a.whole]);
           results.add(value, reference[a.whole], unit);
         };
-        compare(Level::position, errors.position, came.q, r.q, allowed_difference.position);
-        compare(Level::velocity, errors.velocity, came.qd, r.qd, allowed_difference.velocity);
-        compare(Level::acceleration, errors.acceleration, came.qdd, r.qdd,
+        compare(Level::position, errors.position, solved.q, r.q, allowed_difference.position);
+        compare(Level::velocity, errors.velocity, solved.qd, r.qd, allowed_difference.velocity);
+        compare(Level::acceleration, errors.acceleration, solved.qdd, r.qdd,
                 allowed_difference.acceleration);
       }
     });

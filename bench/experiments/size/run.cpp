@@ -23,8 +23,8 @@ using bench::ProblemCandidate;
 using Json = nlohmann::ordered_json;
 
 constexpr int usual_repetitions = 5;
-constexpr double min_seconds = 0.02;  // of a sample
-constexpr double dear_seconds = 1;    // a motion that takes longer has two samples only
+constexpr double min_seconds = 0.02;       // of a sample
+constexpr double long_motion_seconds = 1;  // a motion that takes longer has two samples only
 
 double work_of(const SizeSeries& series) {
   return series.size * static_cast<double>(series.ids.size());
@@ -66,7 +66,7 @@ bool measure(const SizeSeries& series, int repetitions, Json& list) {
         .verify(references);
   for (int round = 0; round < repetitions; ++round)
     for (ProblemCandidate& candidate : candidates)
-      if (!candidate.is_sampled(dear_seconds)) candidate.sample_afresh(min_seconds);
+      if (!candidate.is_sampled(long_motion_seconds)) candidate.sample_afresh(min_seconds);
   bool right = true;
   for (const ProblemCandidate& candidate : candidates) {
     list.push_back(entry_json(series, problem, candidate));

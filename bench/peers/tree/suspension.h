@@ -10,9 +10,14 @@
 
 namespace desmo::tree {
 
-/// A lever of the stabiliser, on the axle, and its link to the chassis. Relative coordinate: the
-/// lever's angle φ, which the link's length gives in closed form. With D = A − G, λ = ‖B − A‖ and
-/// the link's length L,
+/// A lever of the stabiliser, on the axle, and its link to the chassis. Symbols:
+///
+///   A        lever's joint on the axle            B   joint of lever and link
+///   G        link's joint on the chassis          D   A − G
+///   x2, z2   axes of the axle's frame             e   direction of the lever, from A to B
+///   λ        length of the lever, ‖B − A‖         L   length of the link, ‖B − G‖
+///
+/// Relative coordinate: the lever's angle φ, which the link's length gives in closed form:
 ///   ‖D + λ e‖ = L,  e = −cos φ x2 + sin φ z2.
 class Stabiliser {
  public:

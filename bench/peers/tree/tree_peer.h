@@ -27,11 +27,11 @@ class TreePeer : public Peer {
   AnswerWriter writer() { return {answer_.q.data(), answer_.qd.data(), answer_.qdd.data()}; }
 };
 
-/// truck_suspension, one axle after the other. The guess is that of the two angles of an axle for
-/// which Newton's method is needed.
+/// Makes a peer of truck_suspension, which solves one axle after the other. guess: predicts the two
+/// angles of an axle that Newton's method finds.
 std::unique_ptr<Peer> make_truck(const Scene& scene, const Model& model, Guess guess);
 
-/// four_bar, one dyad after the other, in closed form.
+/// Makes a peer of four_bar, which solves one dyad after the other in closed form.
 std::unique_ptr<Peer> make_four_bar(const Scene& scene, const Model& model);
 
 }  // namespace desmo::tree

@@ -42,8 +42,8 @@ struct ExplicitPlan {
   /// Squared norm of each section's residuals, each times the weights of its equations.
   std::vector<Expr> residual2;
   std::vector<Root> roots;  ///< square roots of all definitions, in order
-  std::map<int, std::string>
-      places;  ///< C++ text that reads a position or rate, by node: "q[in[3]]"
+  /// C++ text that reads a position or rate, by node: "q[in[3]]".
+  std::map<int, std::string> places;
 
   /// Return the torn unknowns and the angles with a bearing, in solution order. The kernel reads
   /// their last positions.
@@ -58,7 +58,8 @@ struct ExplicitPlan {
 
 /// Writes the function `solve` of an explicit kernel, a template on value type and level. It
 /// computes positions, residuals of the original equations, monitors and rates, section by section.
-/// Returns the expressions of dimensions that it reads as elements of `f`.
+/// Returns the expressions of dimensions alone. The function reads their values in its array `f`,
+/// which is computed once for a mechanism (ExplicitKernel::fold).
 std::vector<Expr> write_solve(std::ostream& out, const ExplicitPlan& plan);
 
 }  // namespace desmo::generate

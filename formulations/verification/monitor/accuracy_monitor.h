@@ -32,13 +32,13 @@ enum class Monitor : unsigned {
   turns = 1 << 7,        ///< drivers that turn back within a step (DriverTurns)
   branch = 1 << 8,       ///< conditions beyond the equations that were solved (BranchMonitor)
   // Reactions to what is found.
-  correction = 1 << 9,    ///< Newton's method makes one more correction (OneMoreCorrection)
-  repair = 1 << 10,       ///< instants are corrected, and doubtful steps gone again in shorter ones
-  measurement = 1 << 11,  ///< the error is measured where a bound would flag it (MeasuredError)
-  pivots = 1 << 12,       ///< reused pivots that have shrunk: residuals of rates
-  rows = 1 << 13,         ///< interpolated instants are judged
-  look_back = 1 << 14,    ///< instants before one that turned out worse than expected are assessed
-  passage = 1 << 15,      ///< singular positions at which the motion is smooth are passed
+  correction = 1 << 9,  ///< Newton's method makes one more correction (OneMoreCorrection)
+  repair = 1 << 10,     ///< instants are corrected, and doubtful steps are retried in shorter ones
+  measurement = 1 << 11,   ///< the error is measured where a bound would flag it (MeasuredError)
+  pivots = 1 << 12,        ///< reused pivots that have shrunk: residuals of rates
+  rows = 1 << 13,          ///< interpolated instants are judged
+  look_back = 1 << 14,     ///< instants before one that turned out worse than expected are assessed
+  passage = 1 << 15,       ///< singular positions at which the motion is smooth are passed
   continuation = 1 << 16,  ///< a start on another branch is reached from the nominal position
 };
 
@@ -82,7 +82,7 @@ struct AccuracyMonitorOptions {
   std::vector<const PivotReuse*> parts{};
   unsigned without = 0;            ///< Monitor bits left out
   std::optional<Scales> scales{};  ///< to which bounds are relative; empty: the motion's
-  int max_steps = 4096;            ///< shorter steps in which a doubtful step is gone again
+  int max_steps = 4096;            ///< shorter steps in which a doubtful step is retried
   int max_degradations = 1000000;  ///< degraded instants reconsidered when scales grow
 };
 

@@ -97,7 +97,7 @@ struct AccuracyMonitor::State {
   Start beyond{};                   // a singular position, where the last instant lies in one
   desmo::State improved{};  // values of the instant examined, where they are not those given
 
-  Assessment last{};  // that was made
+  Assessment last{};  // the latest one
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false, is_doubted = false;
