@@ -32,8 +32,8 @@ enum class Monitor : unsigned {
   turns = 1 << 7,        ///< drivers that turn back within a step (DriverTurns)
   branch = 1 << 8,       ///< conditions beyond the equations that were solved (BranchMonitor)
   // Reactions to what is found.
-  correction = 1 << 9,  ///< Newton's method makes one more correction (OneMoreCorrection)
-  repair = 1 << 10,     ///< instants are corrected, and doubtful steps are retried in shorter ones
+  correction = 1 << 9,     ///< Newton's method makes one more correction (OneMoreCorrection)
+  repair = 1 << 10,        ///< instants are corrected, doubtful steps retried in shorter ones
   measurement = 1 << 11,   ///< the error is measured where a bound would flag it (MeasuredError)
   pivots = 1 << 12,        ///< reused pivots that have shrunk: residuals of rates
   rows = 1 << 13,          ///< interpolated instants are judged
