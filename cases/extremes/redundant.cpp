@@ -39,8 +39,9 @@ ExtremeCase parallel_cranks(std::string name, double off) {
     theta.of = {-1, a, b};
     theta.driven = true;
   }
-  return {.name = std::move(name),
-          .scene = {"parallel_cranks", d.take(), {Polynomial{{start, 1}}}, redundant_grid, {}, {}}};
+  return {
+      .name = std::move(name),
+      .scene = {"parallel_cranks", d.release(), {Polynomial{{start, 1}}}, redundant_grid, {}, {}}};
 }
 
 /// Bricard's mechanism with right angles: six edges of a cube, hinged at its corners. The fourth
@@ -71,7 +72,7 @@ ExtremeCase bricard(std::string name, double off) {
   theta.towards = {towards, -1, -1};
   theta.driven = true;
   return {.name = std::move(name),
-          .scene = {"bricard", d.take(), {Polynomial{{0, 0.5}}}, redundant_grid, {}, {}}};
+          .scene = {"bricard", d.release(), {Polynomial{{0, 0.5}}}, redundant_grid, {}, {}}};
 }
 
 }  // namespace

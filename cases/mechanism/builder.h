@@ -21,7 +21,7 @@ namespace desmo {
 ///       builder.coordinate("angle", Mechanism::CoordinateType::angle);
 ///   angle.of = {.from = a, .to = b};
 ///   angle.driven = true;
-///   const Mechanism mechanism = builder.take();
+///   const Mechanism mechanism = builder.release();
 class MechanismBuilder {
  public:
   /// Begins with the ground alone. dimension: 2 or 3.
@@ -80,7 +80,7 @@ class MechanismBuilder {
   }
 
   /// Returns the mechanism; the builder is then empty.
-  Mechanism take() { return std::move(d_); }
+  Mechanism release() { return std::move(d_); }
 
   /// Sets Mechanism::length_unit: "m" (the default) or "1".
   void set_length_unit(std::string unit) { d_.length_unit = std::move(unit); }

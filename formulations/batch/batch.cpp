@@ -180,7 +180,7 @@ const Batch::Step& Batch::solve(const State& s) {
   return step_;
 }
 
-void Batch::take(const State& s) {
+void Batch::copy_from(const State& s) {
   for (LaneState* values : {&state_.now(), &state_.before()})
     constants_.gather<1>({s.q.data()}, {values->q.data()});
   for (std::size_t l = 0; l < lanes_; ++l)

@@ -61,7 +61,7 @@ class Batch {
   /// has no branch yet (see assembled_). Results that are not accepted are unspecified.
   const Step& solve(const State& state);
   /// Copies from the state the solutions of subsystems that were solved alone.
-  void take(const State& state);
+  void copy_from(const State& state);
 
   void deliver(const OutputView& output, Level level) const;
 

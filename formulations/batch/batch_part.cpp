@@ -65,7 +65,7 @@ void BatchPart::solve(Batch& batch, State& s, std::span<const double> last, Leve
     else
       solve_alone(batch.subsystems()[l], s, last_, level, all);
   }
-  batch.take(s);
+  batch.copy_from(s);
 }
 
 /// Up to the first part that cannot be solved: the next may need it.

@@ -46,7 +46,8 @@ class BatchMaker {
       kinds_[model.entities[d.coordinate].first] = StateKind::driven;
   }
 
-  std::vector<DefinedPart> take() {
+  /// Returns the parts, with batches in place of those that they solve; the maker is then empty.
+  std::vector<DefinedPart> make() {
     Positions left;
     for (int i = 0; i < size(); ++i)
       if (parts_[i].definition.constant) left.push_back(i);
@@ -206,7 +207,7 @@ class BatchMaker {
 std::vector<DefinedPart> make_batches(const Model& model, std::vector<DefinedPart> parts,
                                       const std::vector<int>& type_ends, const Settings& settings,
                                       const KernelTable& table) {
-  return BatchMaker(model, std::move(parts), type_ends, settings, table).take();
+  return BatchMaker(model, std::move(parts), type_ends, settings, table).make();
 }
 
 }  // namespace desmo

@@ -23,7 +23,7 @@ inline Scene turned_chain(int dyads) {
   builder.set_length_unit("1");
   add(builder, chain);
   return {"turned_four_bar",
-          builder.take(),
+          builder.release(),
           {Polynomial{{chain.start, 1}}},
           time_grid(30, 0.01),
           {},

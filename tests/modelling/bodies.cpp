@@ -43,7 +43,7 @@ Mechanism welded_coupler(Coupler split) {
   d.revolute(at_rocker, rocker, C);
   d.revolute(Sketch::ground, rocker, D);
   d.angle("theta", line(A, B)).driven = true;
-  return d.take();
+  return d.release();
 }
 
 TEST(FixedJoint, WeldedBodiesMoveAsTheirMergedBodyDoes) {
@@ -79,8 +79,8 @@ TEST(FixedJoint, BodyFixedToTheGroundIsGround) {
   d.revolute(foot, rocker, D);
   d.angle("theta", line(A, B)).driven = true;
   const std::vector<double> times = instants(1);
-  const Solved actual(d.take(), turning, times);
-  const Solved expected(driven(four_bar_sketch().take(), {"theta"}), turning, times);
+  const Solved actual(d.release(), turning, times);
+  const Solved expected(driven(four_bar_sketch().release(), {"theta"}), turning, times);
   const Model& m = actual.model();
   EXPECT_TRUE(m.entities[m.find("D")].fixed);
   EXPECT_TRUE(m.entities[m.find("E")].fixed);
@@ -98,7 +98,7 @@ TEST(FixedJoint, GivenLengthIsThatOfItsOwnLinkOnly) {
   d.revolute(Sketch::ground, plate, O);
   d.angle("theta", line(O, P)).driven = true;
   const std::vector<double> times = instants(1);
-  const Solved s(d.take(), {Polynomial{{0, 1}}}, times);
+  const Solved s(d.release(), {Polynomial{{0, 1}}}, times);
   for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
     expect_near(s.position(k, "P"), polar(3, times[k]), 1e-12, "P");
     EXPECT_NEAR(norm(s.position(k, "B") - s.position(k, "A")), 1, 1e-12);
@@ -122,7 +122,7 @@ TEST(Length, IsKeptByALinkThatCarriesAVectorToo) {
     d.revolute(Sketch::ground, rocker, D);
     d.angle("theta", line(A, B)).driven = true;
     const std::vector<double> times = instants(1);
-    const Solved s(d.take(), turning, times);
+    const Solved s(d.release(), turning, times);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k)
       EXPECT_NEAR(norm(s.position(k, "C") - s.position(k, "B")), 3.1, 1e-12)
           << (with_vector ? "with" : "without") << " a vector";
@@ -151,7 +151,7 @@ TEST(Derived, CouplerPointsAndVectorsFollowRigidly) {
     d.revolute(coupler, rocker, C);
     d.revolute(Sketch::ground, rocker, D);
     d.angle("theta", line(A, B)).driven = true;
-    const Mechanism described = d.take();
+    const Mechanism described = d.release();
     const Solved s(described, turning, instants(2));
     expect_rigid_bodies(described, s, 1e-11);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k)
@@ -206,7 +206,7 @@ TEST(Derived, SpatialBodiesFollowRigidlyWhateverTheyAreBuiltOn) {
     };
     drive(0, 0, o[0], 0.3), drive(0, 1, o[1], -0.2), drive(0, 2, o[2], 0.1);
     drive(1, 1, p[1], 0.25), drive(1, 2, p[2], -0.35), drive(2, 2, q[2], 0.2);
-    const Mechanism described = d.take();
+    const Mechanism described = d.release();
     const Solved s(described, motions, instants(0.5));
     expect_rigid_bodies(described, s, 1e-10);
     EXPECT_NEAR(s.position(50, "p0")[0], b.points[0] == o ? o[0] + 0.15 : s.position(50, "p0")[0],
@@ -237,7 +237,7 @@ TEST(Derived, PointOfTwoBodiesBeyondTheBasisOfBoth) {
       d.revolute(Sketch::ground, last, E);
     }
     d.angle("theta", line(A, B)).driven = true;
-    const Mechanism described = d.take();
+    const Mechanism described = d.release();
     try {
       const Solved s(described, turning, instants(1));
       EXPECT_EQ(s.model().structural_groups(), with_hanging_link ? 3 : 2);
@@ -265,7 +265,7 @@ TEST(Derived, DriverOfAPointThatALaterGroupBuildsOn) {
       d.angle("drive", line(A, B)).driven = true;
     else
       d.component("drive", B, 0).driven = true;
-    const Mechanism described = d.take();
+    const Mechanism described = d.release();
     const double start = by_angle ? 1 : std::cos(1);
     try {
       const Solved s(described, {Polynomial{{start, -0.5}}}, instants(0.5));
@@ -300,7 +300,7 @@ TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
     d.revolute(Sketch::ground, block, O);
     d.angle("theta", line(A, B)).driven = true;
     const std::string what = "kind " + std::to_string(static_cast<int>(kind));
-    Mechanism described = d.take();
+    Mechanism described = d.release();
     if (kind == Guide::along_with_a_link) described.bodies[block].length = 2;
     const std::vector<double> times = instants(1);
     try {
@@ -327,7 +327,7 @@ TEST(GivenLength, IsKeptToTheLastBit) {
   const int crank = d.link("crank", O, M, 1);
   d.revolute(Sketch::ground, crank, O);
   d.angle("theta", line(O, M)).driven = true;
-  const Model m = model_mechanism(d.take(), turning).model;
+  const Model m = model_mechanism(d.release(), turning).model;
   int lengths = 0;
   for (const Constraint& c : m.constraints)
     for (const double constant : c.constants) {

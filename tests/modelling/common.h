@@ -99,7 +99,7 @@ inline Mechanism parallelogram(const std::vector<double>& pivots, double angle =
   const int coupler = d.body("coupler", ends);
   for (std::size_t i = 0; i < pivots.size(); ++i) d.revolute(cranks[i], coupler, ends[i]);
   d.angle("theta", line(feet[0], ends[0])).driven = true;
-  return d.take();
+  return d.release();
 }
 
 /// Returns a four-bar with the angles theta (crank) and psi (rocker), neither of them driven.

@@ -54,7 +54,7 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   d.along("backward", S, D, x);
   d.component("Px", P, 0);
   d.component("Py", P, 1);
-  const Mechanism described = d.take();
+  const Mechanism described = d.release();
   const std::vector<double> times = instants(2);
   const Solved s(described, turning, times);
   expect_rigid_bodies(described, s, 1e-10);
@@ -172,7 +172,7 @@ TEST(Coordinates, SlideIsMeasuredAgainFromTheOtherEndAndFromAside) {
     d.along("further", E, C, x);
     d.along("back", C, A, x);
     const std::vector<double> times = instants(6.3);
-    const Solved s(d.take(), {Polynomial{{tilt + 1, 1}}}, times);
+    const Solved s(d.release(), {Polynomial{{tilt + 1, 1}}}, times);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
       const double theta = 1 + times[k], sine = std::sin(theta);
       const double expected = std::cos(theta) + std::sqrt(9 - sine * sine);
@@ -217,7 +217,7 @@ TEST(Coordinates, SpatialOnesMeasureGeometry) {
     d.distance("reach", F, T);
     d.along("slide", P, S, r).driven = true;
     d.along("back", S, O, r);
-    const Mechanism described = d.take();
+    const Mechanism described = d.release();
     const std::vector<double> times = instants(1);
     const Solved s(described, {Polynomial{{start, 0.7}}, Polynomial{{0, 1}}, Polynomial{{1, 0.5}}},
                    times);
@@ -251,7 +251,7 @@ TEST(Coordinates, SpatialSlidingJointsHaveADistanceUnlessOneIsDeclared) {
     d.joint(JointType::prismatic, Sketch::ground, block, {O, P}, {x, z});
     if (declared) d.along("s", P, O, x);  // either way round
     d.component("at", P, 0).driven = true;
-    const Mechanism described = d.take();
+    const Mechanism described = d.release();
     const Solved s(described, {Polynomial{{2, 1}}}, instants(0.5));
     const Model& m = s.model();
     const std::string automatic = described.joints.front().name + "/distance";
@@ -271,7 +271,7 @@ TEST(Coordinates, AnyOfThemCanDrive) {
     d.angle("gamma", line(3, 2), line(3, 1));  // C-B from C-D
     d.component("Cx", 3, 0);
     d.component("By", 2, 1);
-    return driven(d.take(), {driver});
+    return driven(d.release(), {driver});
   };
   const double t = 0.2;
   const Solved expected(described("theta"), turning, std::vector{t});

@@ -27,7 +27,8 @@ TEST(IdleFreedom, OfACouplerBetweenTwoSphericalJointsIsItsSpin) {
 }
 
 TEST(IdleFreedom, NeitherInThePlaneNorOfWhatCarriesMore) {
-  EXPECT_TRUE(model_mechanism(driven(four_bar_sketch().take(), {"theta"}), turning).idle.empty());
+  EXPECT_TRUE(
+      model_mechanism(driven(four_bar_sketch().release(), {"theta"}), turning).idle.empty());
   Mechanism d = library_scene("rssr").mechanism;
   coupler_of(d).vectors.push_back(0);  // a vector across its line, which tells the spin
   EXPECT_TRUE(find_idle_freedoms(d, find_rigid_bodies(d)).empty());

@@ -93,7 +93,7 @@ Sample planar_sample() {
   d.angle("theta", line(A, B), {x}).driven = true;
   d.angle("mu", line(C, B), line(C, D));
   d.distance("AP", A, P);
-  return {d.take(), turning};
+  return {d.release(), turning};
 }
 
 /// Spatial: a crank about z and a rocker about x, joined by a rod with spherical ends (RSSR).
@@ -114,7 +114,7 @@ Sample spatial_sample() {
   theta.towards = {y};
   theta.driven = true;
   d.distance("AW", A, W);
-  return {d.take(), {Polynomial{{0.5, 1}}}};
+  return {d.release(), {Polynomial{{0.5, 1}}}};
 }
 
 Sample truck_sample() {
@@ -238,7 +238,7 @@ TEST(Invariance, ADriverOfASharedPointIsThatOfTheFirstBodyThatCarriesIt) {
     d.revolute(coupler, rocker, C);
     d.revolute(Sketch::ground, rocker, D);
     d.component("Bx", B, 0).driven = true;
-    return d.take();
+    return d.release();
   };
   const std::vector<Motion> abscissa{Polynomial{{std::cos(1.0), -0.5}}};
   const std::vector<double> times = instants(0.5);

@@ -70,7 +70,7 @@ TEST(Redundant, PlanarFourBarInSpaceWithParallelAxesIsAccepted) {
   auto& theta = d.angle("theta", line(A, B), {x});
   theta.towards = {y};
   theta.driven = true;
-  const Mechanism described = d.take();
+  const Mechanism described = d.release();
   const ModellingResult modelled = model_mechanism(described, turning);
   EXPECT_TRUE(std::ranges::any_of(modelled.left_out, &LeftOut::redundant));
   const std::vector<double> times = instants(1.5);
@@ -120,7 +120,7 @@ TEST(SpecialPosition, CrankRockerAtItsDeadPointKeepsAllItsEquations) {
     d.revolute(Sketch::ground, rocker, D);
     d.angle("theta", line(A, B)).driven = !driven_by_rocker;
     d.angle("psi", line(D, C)).driven = driven_by_rocker;
-    return d.take();
+    return d.release();
   };
   const double start = 2 * std::asin(3.0 / 8);
   const Model by_crank =
@@ -146,7 +146,7 @@ Mechanism slider_at_turning_point(bool driven_by_slider) {
   d.joint(JointType::revolute_on_slider, Sketch::ground, rod, {O, P}, {x});
   d.angle("theta", line(O, B)).driven = !driven_by_slider;
   d.along("s", O, P, x).driven = driven_by_slider;
-  return d.take();
+  return d.release();
 }
 
 TEST(SpecialPosition, SliderAtItsTurningPointKeepsAllItsEquations) {
@@ -187,7 +187,7 @@ TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) 
       d.revolute(cranks[i], lower, ears[i]);
     }
     d.distance("far", ends[1], ears[0]);
-    return d.take();
+    return d.release();
   };
   const std::vector<double> times = instants(1);
   for (const double angle : {1.0, 0.0}) {

@@ -15,7 +15,7 @@ namespace desmo::refusals_test {
 namespace {
 
 TEST(Refused, LinkOfZeroLength) {
-  Mechanism d = four_bar_sketch().take();
+  Mechanism d = four_bar_sketch().release();
   d.points[3].position = d.points[2].position;  // C at B
   expect_refused(driven(std::move(d), {"theta"}), turning, {"'coupler'", "zero length"});
 }
@@ -41,17 +41,17 @@ TEST(Refused, TriangleWithADriver) {
   d.revolute(Sketch::ground, right, B);
   d.revolute(left, right, C);
   d.angle("phi", line(A, C)).driven = true;
-  expect_refused(d.take(), {still}, {"over-constrained", "left strut", "right strut", "'phi'"});
+  expect_refused(d.release(), {still}, {"over-constrained", "left strut", "right strut", "'phi'"});
 }
 
 TEST(Refused, TooManyDrivers) {
   expect_refused(
-      driven(four_bar_sketch().take(), {"theta", "psi"}), {still, still},
+      driven(four_bar_sketch().release(), {"theta", "psi"}), {still, still},
       {"over-constrained", "crank", "coupler", "rocker", "'theta'", "'psi'", "too many drivers"});
 }
 
 TEST(Refused, MissingDriver) {
-  expect_refused(four_bar_sketch().take(), {},
+  expect_refused(four_bar_sketch().release(), {},
                  {"under-constrained", "'crank'", "'coupler'", "'rocker'", "add a driver",
                   "'theta'", "'psi'"});
 }
@@ -61,7 +61,7 @@ TEST(Refused, BothDriversOnOneChainWhileAnotherIsFree) {
   const int O = d.ground_point("O", {9, 0, 0}), E = d.point("E", {10, 0, 0});
   d.revolute(Sketch::ground, d.body("free arm", {O, E}), O);
   d.angle("alpha", line(O, E));
-  expect_refused(driven(d.take(), {"theta", "psi"}), {still, still},
+  expect_refused(driven(d.release(), {"theta", "psi"}), {still, still},
                  {"under-constrained", "'free arm'", "'alpha'"});
 }
 
@@ -78,19 +78,19 @@ TEST(Refused, FiveBarDrivenTwiceAtOneCrank) {
   d.revolute(Sketch::ground, second, E);
   d.angle("theta", line(A, B)).driven = true;
   d.component("height", B, 1).driven = true;
-  expect_refused(d.take(), {still, still}, {"under-constrained", "'second crank'"});
+  expect_refused(d.release(), {still, still}, {"under-constrained", "'second crank'"});
 }
 
 TEST(Refused, DriverThatMeasuresAConstantDistance) {
   // By their number the restrictions suffice; but a crank's length cannot be driven.
   Sketch d = four_bar_sketch();
   d.distance("spoke", 0, 2);  // A-B
-  expect_refused(driven(d.take(), {"spoke"}), {still},
+  expect_refused(driven(d.release(), {"spoke"}), {still},
                  {"crank", "'spoke'", "do not determine", "drive other coordinates"});
 }
 
 TEST(Refused, LinkThatCannotReach) {
-  expect_refused(driven(four_bar_sketch(100).take(), {"theta"}), turning,
+  expect_refused(driven(four_bar_sketch(100).release(), {"theta"}), turning,
                  {"cannot be assembled", "coupler", "rocker", "check the dimensions"});
 }
 
@@ -101,13 +101,13 @@ TEST(Refused, DistanceAlongAVectorThatTheBodyLeaves) {
   d.revolute(Sketch::ground, d.body("crank", {A, B}), A);
   d.angle("theta", line(A, B)).driven = true;
   d.along("s", A, B, x);
-  expect_refused(d.take(), {still}, {"over-constrained", "crank", "'theta'"});
+  expect_refused(d.release(), {still}, {"over-constrained", "crank", "'theta'"});
 }
 
 TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {
   Sketch d = four_bar_sketch();
   d.distance("base", 0, 1);  // A-D
-  const Mechanism measured = driven(d.take(), {"theta"});
+  const Mechanism measured = driven(d.release(), {"theta"});
   expect_refused(measured, turning, {"'base'", "measures nothing that can move"});
   expect_refused(driven(measured, {"theta", "base"}), {still, still},
                  {"'base'", "measures nothing that can move"});
@@ -116,17 +116,17 @@ TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {
 TEST(Refused, BodyThatCarriesNothing) {
   Sketch d = four_bar_sketch();
   d.body("ghost", {});
-  expect_refused(driven(d.take(), {"theta"}), turning, {"'ghost'", "carries no point"});
+  expect_refused(driven(d.release(), {"theta"}), turning, {"'ghost'", "carries no point"});
 }
 
 TEST(Refused, MechanismWithoutMovingBodies) {
   Sketch d("rock", 2);
   d.ground_point("A", {0, 0, 0});
-  expect_refused(d.take(), {}, {"rock", "no body that moves"});
+  expect_refused(d.release(), {}, {"rock", "no body that moves"});
 }
 
 TEST(Refused, MotionsThatAreNotOneForEachDriver) {
-  expect_refused(driven(four_bar_sketch().take(), {"theta"}), {},
+  expect_refused(driven(four_bar_sketch().release(), {"theta"}), {},
                  {"linkage", "0 motions for 1 driver"});
 }
 
@@ -135,7 +135,7 @@ TEST(Refused, TwoLinksOfDifferentLengthBetweenTheSamePoints) {
   const int twin = d.link("twin", 2, 3, 3.5);  // B-C, as the coupler
   d.revolute(1, twin, 2);
   d.revolute(3, twin, 3);
-  expect_refused(driven(d.take(), {"theta"}), turning, {"coupler", "twin"});
+  expect_refused(driven(d.release(), {"theta"}), turning, {"coupler", "twin"});
 }
 
 TEST(Refused, SpatialAngleFromASegment) {
@@ -148,7 +148,7 @@ TEST(Refused, SpatialAngleFromASegment) {
   auto& c = d.angle("phi", line(O, P), line(O, X));
   c.towards = line(O, Z);
   c.driven = true;
-  expect_refused(d.take(), turning, {"'phi'"});
+  expect_refused(d.release(), turning, {"'phi'"});
 }
 
 TEST(Refused, SpatialAngleBetweenDirectionsThatAreNotNormal) {
@@ -161,7 +161,7 @@ TEST(Refused, SpatialAngleBetweenDirectionsThatAreNotNormal) {
   auto& c = d.angle("phi", line(O, P), {x});
   c.towards = {oblique};
   c.driven = true;
-  expect_refused(d.take(), turning, {"'phi'"});
+  expect_refused(d.release(), turning, {"'phi'"});
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ Mechanism bricard(double theta) {
   driven.from = {u, -1, -1};
   driven.towards = {v, -1, -1};
   driven.driven = true;
-  return b.take();
+  return b.release();
 }
 
 TEST(Regular, BricardIsAtARightAngle) {
@@ -107,7 +107,7 @@ Mechanism on_an_arm(double arm) {
     driven.of = {-1, from, towards};
     driven.driven = true;
   }
-  return b.take();
+  return b.release();
 }
 
 TEST(Regular, AFourBarIsOnALongArm) {

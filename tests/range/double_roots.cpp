@@ -43,7 +43,7 @@ struct TwoFourBars {
                                       rocker, 1));
     MechanismBuilder builder("two_four_bars", 2);
     add(builder, chain);
-    return model_mechanism(builder.take(), {Polynomial{{start}}}).model;
+    return model_mechanism(builder.release(), {Polynomial{{start}}}).model;
   }
 };
 
@@ -104,7 +104,7 @@ struct Trammel {
     distance.of = {-1, foot, p};
     distance.vector = u;
     distance.driven = true;
-    Mechanism mechanism = builder.take();
+    Mechanism mechanism = builder.release();
     mechanism.joints[1].name = "along y";
     return model_mechanism(mechanism, {Polynomial{{length}}}).model;
   }
@@ -148,7 +148,7 @@ TEST(DoubleRoots, AreNotTheCrossingsOfEqualCrankAndRod) {
   Mechanism::Coordinate& angle = builder.coordinate("theta", Mechanism::CoordinateType::angle);
   angle.of = {-1, o, b};
   angle.driven = true;
-  const DriverRange r = range_of(model_mechanism(builder.take(), {Polynomial{{start}}}).model);
+  const DriverRange r = range_of(model_mechanism(builder.release(), {Polynomial{{start}}}).model);
   ASSERT_EQ(r.change_points.size(), 2u);
   EXPECT_NEAR(r.change_points[0].value, pi / 2, 1e-9);
   EXPECT_NEAR(r.change_points[1].value, 3 * pi / 2, 1e-9);

@@ -40,7 +40,7 @@ Model four_bar(const Links& links, double start, int side = 1, double unit = 1, 
     add(builder, chain);
   }
   std::vector<Motion> motions(dyads, Polynomial{{start}});
-  return model_mechanism(builder.take(), motions).model;
+  return model_mechanism(builder.release(), motions).model;
 }
 
 DriverRange range_of(const Model& m) { return find_range(m, solved_start(m), 0); }
@@ -165,7 +165,7 @@ TEST(FourBarRange, RefusesADriverOrAPositionThatTheModelHasNot) {
 TEST(FourBarRange, OfACrankAloneIsATurn) {
   MechanismBuilder builder("crank", 2);
   add(builder, {.crank = 1, .start = 0.5, .dyads = {}});
-  const Model m = model_mechanism(builder.take(), {Polynomial{{0.5}}}).model;
+  const Model m = model_mechanism(builder.release(), {Polynomial{{0.5}}}).model;
   const DriverRange r = range_of(m);
   EXPECT_EQ(r.up.stop, RangeStop::full_turn);
 }

@@ -52,7 +52,7 @@ Mechanism crank() {
   d.revolute(Sketch::ground, d.body("crank", {A, B}), A);
   d.angle("theta", line(A, B)).driven = true;
   d.angle("back", line(B, A));
-  return d.take();
+  return d.release();
 }
 
 const std::vector<Motion> turning{Polynomial{{1, 2}}};
@@ -137,7 +137,7 @@ TEST(Branch, OfRedundantCranksIsLeftWhereTheyFold) {
     d.revolute(crank, coupler, ends[i]);
   }
   d.angle("theta", line(feet[0], ends[0])).driven = true;
-  const Plan plan = make_plan(model_mechanism(d.take(), {Polynomial{{1, 1}}}).model, {});
+  const Plan plan = make_plan(model_mechanism(d.release(), {Polynomial{{1, 1}}}).model, {});
   const auto f =
       make_formulation(find_variant("block_automatic_klu"), plan.model, Settings{1e-10, 25});
   BranchMonitor monitor(plan.model, plan.levels, 1e-10);

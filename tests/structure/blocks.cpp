@@ -58,8 +58,8 @@ TEST(Blocks, AreSquareCoverEverythingAndReadOnlyWhatIsFoundBefore) {
   at_crank.drive("A0", "A");
   at_link.drive("C", "E");
   triad.drive("E0", "E");
-  for (Linkage* l : {&at_crank, &at_link, &triad}) expect_solvable_in_order(model(l->take()));
-  Mechanism d = stewart().take();
+  for (Linkage* l : {&at_crank, &at_link, &triad}) expect_solvable_in_order(model(l->release()));
+  Mechanism d = stewart().release();
   for (Mechanism::Coordinate& c : d.coordinates) c.driven = true;
   expect_solvable_in_order(model_mechanism(d, std::vector<Motion>(6, still)).model);
 }

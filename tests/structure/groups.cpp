@@ -53,7 +53,7 @@ TEST(Groups, OfASliderCrankAreTheCrankAndTheRodWithItsSlider) {
   l.sketch().joint(JointType::prismatic, Sketch::ground, l.body("slider"),
                    {l.point("O"), l.point("P")}, {x});
   l.drive("O", "B");
-  expect_groups(model(l.take()), {{{"crank"}, 1, {}}, {{"rod", "slider"}, 0, {0}}});
+  expect_groups(model(l.release()), {{{"crank"}, 1, {}}, {{"rod", "slider"}, 0, {0}}});
 }
 
 TEST(Groups, OfASliderCrankDrivenAtTheSliderStartThere) {
@@ -67,39 +67,40 @@ TEST(Groups, OfASliderCrankDrivenAtTheSliderStartThere) {
   l.sketch().joint(JointType::prismatic, Sketch::ground, l.body("slider"),
                    {l.point("O"), l.point("P")}, {x});
   l.sketch().along("s", l.point("O"), l.point("P"), x).driven = true;
-  expect_groups(model(l.take()), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
+  expect_groups(model(l.release()), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
 }
 
 TEST(Groups, OfWattsSixBarDependOnTheDrivenLink) {
   Linkage at_crank = watt();
   at_crank.drive("A0", "A");
   expect_groups(
-      model(at_crank.take()),
+      model(at_crank.release()),
       {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"link5", "link6"}, 0, {1}}});
 
   Linkage at_rocker = watt();
   at_rocker.drive("B0", "B");
   expect_groups(
-      model(at_rocker.take()),
+      model(at_rocker.release()),
       {{{"rocker"}, 1, {}}, {{"crank", "coupler"}, 0, {0}}, {{"link5", "link6"}, 0, {0, 1}}});
 
   // Driven at a floating link nothing can be solved before anything else.
   Linkage at_link = watt();
   at_link.drive("C", "E");
-  expect_groups(model(at_link.take()), {{{"crank", "coupler", "rocker", "link5", "link6"}, 1, {}}});
+  expect_groups(model(at_link.release()),
+                {{{"crank", "coupler", "rocker", "link5", "link6"}, 1, {}}});
 }
 
 TEST(Groups, OfStephensonsSixBarDependOnTheDrivenLink) {
   Linkage at_crank = stephenson();
   at_crank.drive("A0", "A");
   expect_groups(
-      model(at_crank.take()),
+      model(at_crank.release()),
       {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"link5", "link6"}, 0, {1}}});
 
   // From the other side: the coupler with its three arms is a triad, of four links.
   Linkage at_link6 = stephenson();
   at_link6.drive("E0", "E");
-  expect_groups(model(at_link6.take()),
+  expect_groups(model(at_link6.release()),
                 {{{"link6"}, 1, {}}, {{"crank", "coupler", "rocker", "link5"}, 0, {0}}});
 }
 
@@ -118,12 +119,12 @@ TEST(Groups, OfATriadAreNotSplit) {
   l.link("leg c", {"C", "R"});
   l.link("plate", {"P", "Q", "R"});
   l.drive("F", "A");
-  expect_groups(model(l.take()),
+  expect_groups(model(l.release()),
                 {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
 }
 
 TEST(Groups, OfAStewartPlatformDrivenAtItsLegsAreOne) {
-  Mechanism d = stewart().take();
+  Mechanism d = stewart().release();
   for (Mechanism::Coordinate& c : d.coordinates) c.driven = true;
   std::set<std::string> all;
   for (std::size_t b = 1; b < d.bodies.size(); ++b) all.insert(d.bodies[b].name);
@@ -144,7 +145,7 @@ TEST(Groups, OfAStewartPlatformWhosePoseIsGivenAreThePlatformAndItsLegs) {
     const std::string n = std::to_string(i);
     expected.push_back({{"cylinder" + n, "piston" + n}, 0, {0}});
   }
-  expect_groups(model(d.take()), expected);
+  expect_groups(model(d.release()), expected);
 }
 
 TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
@@ -162,7 +163,7 @@ TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
   l.link("crank", {"A", "B"});
   l.ground({"A", "D1", "D2"});
   l.drive("A", "B");
-  const Model m = model(l.take());
+  const Model m = model(l.release());
   expect_groups(
       m,
       {{{"crank"}, 1, {}}, {{"coupler1", "rocker1"}, 0, {0}}, {{"coupler2", "rocker2"}, 0, {1}}});
@@ -184,7 +185,7 @@ TEST(Groups, OfIndependentMechanismsInOneFileDoNotKnowEachOther) {
   l.link("rocker", {"D", "C"});
   l.drive("A", "B");
   l.drive("P", "Q");
-  expect_groups(model(l.take()),
+  expect_groups(model(l.release()),
                 {{{"other crank"}, 1, {}}, {{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {1}}});
 }
 
@@ -223,7 +224,7 @@ TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {
   auto& theta = d.angle("theta", line(A, B), {x});
   theta.towards = {y};
   theta.driven = true;
-  const Structure s = structure_of(d.take());
+  const Structure s = structure_of(d.release());
   ASSERT_EQ(s.groups.size(), 1u);
   EXPECT_EQ(s.groups[0].freedoms, 18);
   EXPECT_EQ(s.groups[0].restrictions, 21);

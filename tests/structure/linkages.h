@@ -43,7 +43,7 @@ class Linkage {
   Sketch& sketch() { return d_; }
   int point(const std::string& pin) const { return point_.at(pin); }
   int body(const std::string& name) const { return body_.at(name); }
-  Mechanism take() { return d_.take(); }
+  Mechanism release() { return d_.release(); }
 
  private:
   void join(const std::string& pin, int body) {

@@ -75,7 +75,7 @@ Model alone(const KnownCase& p, std::size_t index) {
   MechanismBuilder d(c.scene.mechanism.name, 2);
   d.set_length_unit(c.scene.mechanism.length_unit);
   add(d, c.chains[index]);
-  return model_mechanism(d.take(), {c.scene.motions[index]}).model;
+  return model_mechanism(d.release(), {c.scene.motions[index]}).model;
 }
 
 /// Where, on the way from a time to another, a chain that has an answer at one of them ceases or

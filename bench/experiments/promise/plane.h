@@ -79,8 +79,8 @@ class Plane {
   }
   int index(const std::string& name) { return points_[name]; }
   MechanismBuilder& builder() { return b_; }
-  Mechanism take() {
-    Mechanism m = b_.take();
+  Mechanism release() {
+    Mechanism m = b_.release();
     for (std::size_t i = 0; i < m.joints.size(); ++i) m.joints[i].name += "/" + std::to_string(i);
     return m;
   }

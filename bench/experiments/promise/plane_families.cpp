@@ -45,7 +45,7 @@ Mechanism closed_four_bar(std::string name, double crank, double coupler, double
   Plane p(std::move(name), {{"A", {}}, {"D", {base, 0, 0}}, {"B", b}, {"C", c}}, {"A", "D"});
   p.link("A", "B", crank), p.link("B", "C", coupler), p.link("D", "C", rocker);
   p.drive_angle("A", "B");
-  return p.take();
+  return p.release();
 }
 
 Drawn four_bar(Random& r) {
@@ -103,7 +103,7 @@ Drawn scott_russell(Random& r) {
   p.slide("C", p.link("M", "C", crank), "O", y);
   p.drive_angle("O", "M");
   p.angle("phi", "M", "C");
-  return {p.take(), {1.0}, 3, true};
+  return {p.release(), {1.0}, 3, true};
 }
 
 /// Crank OM, rod MC, whose end slides on a line that passes the pivot at a distance.
@@ -119,7 +119,7 @@ Mechanism sliding(std::string name, Random& r, bool crank_drives) {
   p.slide("C", p.link("M", "C", rod), "E", x);
   if (crank_drives) p.drive_angle("O", "M");
   p.drive_along("E", "C", x);
-  Mechanism result = p.take();
+  Mechanism result = p.release();
   result.coordinates.back().driven = !crank_drives;
   return result;
 }
@@ -147,7 +147,7 @@ Drawn oscillating_block(Random& r) {
   Mechanism::Coordinate& s = b.coordinate("s", Mechanism::CoordinateType::along);
   s.of = {-1, p.index("M"), p.index("G")};
   s.vector = u;
-  return {p.take(), {1.0}, 6.3};
+  return {p.release(), {1.0}, 6.3};
 }
 
 /// A bar whose ends slide on two lines, one end driven.
@@ -162,7 +162,7 @@ Drawn trammel(Random& r) {
   p.slide("P", bar, "O", x);
   p.slide("Q", bar, "O", y);
   p.drive_along("O", "P", x);
-  return {p.take(), {1.0}, 3, true};
+  return {p.release(), {1.0}, 3, true};
 }
 
 Drawn peaucellier(Random& r) {
@@ -175,7 +175,7 @@ Drawn peaucellier(Random& r) {
   p.link("G", "P", crank), p.link("O", "A", arm), p.link("O", "B", arm);
   p.link("P", "A", side), p.link("P", "B", side), p.link("Q", "A", side), p.link("Q", "B", side);
   p.drive_angle("G", "P");
-  return {p.take(), {1.0}, 3};
+  return {p.release(), {1.0}, 3};
 }
 
 Drawn chebyshev(Random& r) {
@@ -188,7 +188,7 @@ Drawn chebyshev(Random& r) {
   p.body("coupler", {"B", "C", "P"});
   p.link("D", "C");
   p.drive_angle("A", "B");
-  return {p.take(), {1.0}, 2};
+  return {p.release(), {1.0}, 2};
 }
 
 /// Two to eight parallelograms in a row.
@@ -205,7 +205,7 @@ Drawn two_loops(Random& r) {
     p.link("C" + std::to_string(k - 1), c, base), p.link(d, c, crank);
   }
   p.drive_angle("D0", "C0");
-  return {p.take(), {1.0}, 4, true};
+  return {p.release(), {1.0}, 4, true};
 }
 
 Drawn toggle_press(Random& r) {
@@ -222,7 +222,7 @@ Drawn toggle_press(Random& r) {
   p.link("O", "M"), p.link("M", "K"), p.link("D", "K");
   p.slide("R", p.link("K", "R"), "D", y);
   p.drive_angle("O", "M");
-  return {p.take(), {1.0}, 6.3};
+  return {p.release(), {1.0}, 6.3};
 }
 
 }  // namespace

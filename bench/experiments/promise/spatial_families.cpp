@@ -99,7 +99,7 @@ Drawn bennett(Random& r) {
   }
   b.joint(revolute, last, ground, {points[3]}, {axes[3]});
   drive(b, {-1, points[0], points[1]}, {1, 0, 0}, {0, 0, 1});
-  return {b.take(), {1.0}, 1};
+  return {b.release(), {1.0}, 1};
 }
 
 Drawn spherical_four_bar(Random& r) {
@@ -121,7 +121,7 @@ Drawn spherical_four_bar(Random& r) {
   b.joint(revolute, coupler, rocker, {o}, {axes[2]});
   b.joint(revolute, rocker, ground, {o}, {axes[3]});
   drive(b, {m, -1, -1}, zero, first);
-  return {b.take(), {1.0}, 1};
+  return {b.release(), {1.0}, 1};
 }
 
 /// RSSR.
@@ -135,7 +135,7 @@ Drawn spatial_four_bar(Random& r) {
   b.carry(ground, {c}, {w});
   b.joint(spherical, s.rod, rocker, {s.tip});
   b.joint(revolute, rocker, ground, {c}, {w});
-  return {b.take(), {1.0}, 1};
+  return {b.release(), {1.0}, 1};
 }
 
 Drawn rssp(Random& r) {
@@ -151,7 +151,7 @@ Drawn rssp(Random& r) {
   Mechanism::Coordinate& stroke = b.coordinate("stroke", along);
   stroke.of = {-1, c, s.tip};
   stroke.vector = w;
-  return {b.take(), {1.0}, 1};
+  return {b.release(), {1.0}, 1};
 }
 
 Drawn hooke_joint(Random& r) {
@@ -168,7 +168,7 @@ Drawn hooke_joint(Random& r) {
   b.joint(revolute, ground, second, {o}, {d});
   b.joint(universal, first, second, {o}, {c, e});
   drive(b, {c, -1, -1}, zero, axis);
-  return {b.take(), {1.0}, 1};
+  return {b.release(), {1.0}, 1};
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Candidates write_all(EquationWriter& w) {
   write_body_equations<D>(w);
   write_joint_equations(w);
   write_coordinate_equations<D>(w);
-  return w.take();
+  return w.release();
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::string EquationWriter::text(const Mechanism::Direction& d) const {
                      : mechanism.vectors[d.vector].name;
 }
 
-Candidates EquationWriter::take() {
+Candidates EquationWriter::release() {
   Model& m = coordinates_.model;
   std::vector<int> order(origins_.size());
   std::iota(order.begin(), order.end(), 0);

@@ -48,7 +48,7 @@ class EquationWriter {
   std::string text(const Mechanism::Direction& direction) const;
 
   /// Returns all candidates in group order; leaves the writer empty.
-  Candidates take();
+  Candidates release();
 
  private:
   GroupId last_group(const std::vector<EntityId>& operands) const;
