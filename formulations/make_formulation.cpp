@@ -31,8 +31,8 @@ const Backend& pivoting_backend() {
 
 /// What all parts of a formulation are made of.
 struct Common {
-  const Model& m;
-  const Variant& v;
+  const Model& model;
+  const Variant& variant;
   const Settings settings;  // with a part's share of the tolerance
   const Magnitudes magnitudes;
   std::shared_ptr<SinglePrecisionState> single;
@@ -58,8 +58,8 @@ PartSettings settings_of(const Common& common, const PartDefinition& part) {
 
 /// Makes a part solved by Newton's method; generated eliminations fall back to it.
 Draft make_newton(const Common& common, PartDefinition d) {
-  const Variant& v = common.v;
-  PartContext context{.model = common.m,
+  const Variant& v = common.variant;
+  PartContext context{.model = common.model,
                       .definition = d,
                       .weights = common.magnitudes.weights(d),
                       .kernels = std::nullopt,
@@ -68,7 +68,7 @@ Draft make_newton(const Common& common, PartDefinition d) {
                       .single = common.single,
                       .magnitudes = common.magnitudes.of_unknowns(d)};
   if (v.evaluation == Evaluation::symbolic)
-    context.kernels = bind_kernels(common.m, d, common.table);
+    context.kernels = bind_kernels(common.model, d, common.table);
   const Backend* const backend = find_backend(v.algebra);
   std::unique_ptr<Part> solver = make_newton_part(context, backend ? *backend : pivoting_backend());
   Draft draft{.part = {.definition = std::move(d),
@@ -104,7 +104,7 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
   for (Draft& d : drafts)
     if (d.bound) make_inlined(d);
   for (Draft& d : drafts)
-    if (d.bound && common.v.is_explicit()) make_explicit(common, d);
+    if (d.bound && common.variant.is_explicit()) make_explicit(common, d);
   std::vector<DefinedPart> parts;
   parts.reserve(drafts.size());
   for (Draft& d : drafts) parts.push_back(std::move(d.part));
@@ -144,7 +144,7 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
   if (settings.lanes > 1) parts = make_batches(m, std::move(parts), type_ends, settings, table);
   auto steps = std::make_unique<TimeStepping>(m, std::move(parts), settings);
   if (!segments) return steps;
-  return std::make_unique<Segmented>(std::move(steps), std::move(segments));
+  return std::make_unique<SegmentedFormulation>(std::move(steps), std::move(segments));
 }
 
 /// Makes a formulation. profile: null: no phases are measured.

@@ -35,7 +35,7 @@ constexpr Experiment all_experiments[] = {
     {"promise", "Random and aimed scenes: is every number right, or flagged?", desmo::promise::run},
 };
 
-enum ExitCode { success = 0, usage_error = 64, not_written = 74 };
+enum ExitCode { success = 0, usage_error = 64, not_completed = 74 };
 
 /// Returns the experiment that the first argument names. Throws std::invalid_argument for a name
 /// that no experiment has.
@@ -92,6 +92,6 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return failed(error.what(), usage_error);
   } catch (const std::exception& error) {
-    return failed(error.what(), not_written);
+    return failed(error.what(), not_completed);
   }
 }

@@ -74,27 +74,29 @@ bool segments_meet(const Model& m, std::span<const double> ended, std::span<cons
   });
 }
 
-Segmented::Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<SegmentExecutor> executor)
+SegmentedFormulation::SegmentedFormulation(std::unique_ptr<TimeStepping> steps,
+                                           std::unique_ptr<SegmentExecutor> executor)
     : SegmentSolver(steps->model(), steps->settings(), steps->tolerance()),
       steps_(std::move(steps)),
       executor_(std::move(executor)) {}
 
-void Segmented::leave_out_levels(std::span<const Level> needed) {
+void SegmentedFormulation::leave_out_levels(std::span<const Level> needed) {
   executor_->solve_only(needed);
   steps_->solve_only(needed);
 }
 
-Summary Segmented::run(const TimeGrid& grid, const Request& request, Observer& observer) {
+Summary SegmentedFormulation::run(const TimeGrid& grid, const Request& request,
+                                  Observer& observer) {
   if (grid.instants > 0 && steps_->assemble(grid.time(0), request.level).ok())
     if (const std::optional<Summary> total = run_on(grid, request, observer)) return *total;
-  ++run_by_steps_;
+  ++runs_without_segments_;
   return steps_->run(grid, request, observer);
 }
 
 /// Starts from the instant that was solved last: the first of the grid, or another from which it
 /// can be reached by continuation.
-std::optional<Summary> Segmented::run_on(const TimeGrid& grid, const Request& request,
-                                         Observer& observer) {
+std::optional<Summary> SegmentedFormulation::run_on(const TimeGrid& grid, const Request& request,
+                                                    Observer& observer) {
   const OutputWriter output(request, model().coordinates());
   const bool at_once = observer.any_order() && observer.lent_at_once() > 0;
   std::optional<MotionBuffer> buffer;

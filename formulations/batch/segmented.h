@@ -34,9 +34,10 @@ bool segments_meet(const Model& model, std::span<const double> ended,
 
 /// A formulation that solves the segments of a motion at once, in lanes or on threads, or, where
 /// they do not meet, the motion step by step after all. Single instants are solved by steps.
-class Segmented final : public SegmentSolver {
+class SegmentedFormulation final : public SegmentSolver {
  public:
-  Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<SegmentExecutor> executor);
+  SegmentedFormulation(std::unique_ptr<TimeStepping> steps,
+                       std::unique_ptr<SegmentExecutor> executor);
 
   Summary assemble_at(double t, Level level) override { return steps_->assemble(t, level); }
   Summary step_to(double t, Level level) override { return steps_->step(t, level); }
@@ -45,7 +46,7 @@ class Segmented final : public SegmentSolver {
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
   void leave_out_levels(std::span<const Level> needed) override;
-  long run_by_steps() const override { return run_by_steps_; }
+  long runs_without_segments() const override { return runs_without_segments_; }
   const std::vector<DefinedPart>& parts() const override { return steps_->parts(); }
   const State& state() const override { return steps_->state(); }
 
@@ -53,7 +54,7 @@ class Segmented final : public SegmentSolver {
   std::unique_ptr<TimeStepping> steps_;
   std::unique_ptr<SegmentExecutor> executor_;
   State last_;  // the instant where the executor ended
-  long run_by_steps_ = 0;
+  long runs_without_segments_ = 0;
 };
 
 }  // namespace desmo

@@ -55,8 +55,8 @@ class JacobianFactors {
         equilibrated_(equations.pattern(), weights, magnitudes),
         solver_(std::move(solver)),
         break_even_solves_(solver_->break_even_solves()),
-        rounds_(solver_->rounds_factors()),
-        update_(update),
+        has_rounded_factors_(solver_->rounds_factors()),
+        requested_update_(update),
         tolerance_(tolerance),
         values_(equations.pattern().size(), Real(0)),
         refinement_(rounded_weights, refines()) {
@@ -69,7 +69,7 @@ class JacobianFactors {
 
   /// Begins the iterations of a position.
   void begin_position(JacobianUpdate update) {
-    update_now_ = update;
+    active_update_ = update;
     corrected_with_old_ = false;
     is_first_ = true;
   }
@@ -85,7 +85,7 @@ class JacobianFactors {
   /// Chooses the factors of the next correction: those at hand, or new ones at q. Returns false
   /// where Φ_φ is singular.
   [[gnu::always_inline]] bool prepare_correction(const Real* q, double residual) {
-    corrected_with_old_ = update_now_ != JacobianUpdate::newton && has_factors_ &&
+    corrected_with_old_ = active_update_ != JacobianUpdate::newton && has_factors_ &&
                           (is_first_ || are_fast_enough(residual));
     is_first_ = false;
     last_residual_ = residual;
@@ -96,12 +96,12 @@ class JacobianFactors {
 
   /// Ends a step at the level of positions: factors of JacobianUpdate::step serve one step.
   void end_at_position() {
-    if (update_now_ == JacobianUpdate::step) has_factors_ = false;
+    if (active_update_ == JacobianUpdate::step) has_factors_ = false;
   }
 
   /// Prepares solve_rates() at the solved position. Returns false where Φ_φ is singular.
   bool prepare_rates(const Real* q) {
-    if (update_now_ != JacobianUpdate::chord || !has_factors_) return factor_at(q);
+    if (active_update_ != JacobianUpdate::chord || !has_factors_) return factor_at(q);
     equations_.jacobian(q, values_.data());
     factors_are_old_ = true;
     return true;
@@ -125,10 +125,10 @@ class JacobianFactors {
   /// Overwrites b with Φ_φ⁻¹ b for Φ_φ as evaluated last, whatever was factorised. Returns false
   /// where it is singular.
   bool solve_rates(Vector& b) {
-    if (refines() && (rounds_ || factors_are_old_)) {
+    if (refines() && (has_rounded_factors_ || factors_are_old_)) {
       if (solve_refined(b)) return true;
       if (!factors_are_old_ || !factor()) return false;
-      if (rounds_) return solve_refined(b);
+      if (has_rounded_factors_) return solve_refined(b);
     }
     solve(b);
     return true;
@@ -141,7 +141,9 @@ class JacobianFactors {
   }
 
  private:
-  bool refines() const { return rounds_ || update_ == JacobianUpdate::chord; }
+  bool refines() const {
+    return has_rounded_factors_ || requested_update_ == JacobianUpdate::chord;
+  }
 
   /// Returns whether corrections as slow as the last one still meet the tolerance in good time.
   bool are_fast_enough(double residual) const {
@@ -163,8 +165,8 @@ class JacobianFactors {
   Equilibration<Real> equilibrated_;
   std::unique_ptr<LinearSolver<Real>> solver_;
   int break_even_solves_;
-  bool rounds_;  // see LinearSolver::rounds_factors
-  JacobianUpdate update_, update_now_{};
+  bool has_rounded_factors_;  // see LinearSolver::rounds_factors
+  JacobianUpdate requested_update_, active_update_{};
   double tolerance_;
   std::vector<Real> values_;
   bool has_factors_ = false;

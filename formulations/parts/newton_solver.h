@@ -39,7 +39,7 @@ struct NewtonLimits {
         : limits_(limits), is_last_(!limits.corrects_solved) {}
 
     /// Returns whether the iterations end at this position. Notes that the tolerance was met.
-    bool accepts(double residual, int iterations) {
+    bool update(double residual, int iterations) {
       if (!(residual < limits_.tolerance) || iterations < limits_.min_iterations) return false;
       return std::exchange(is_last_, true) || iterations == limits_.max_iterations;
     }
@@ -130,7 +130,7 @@ class NewtonSolver {
       equations_->residual(q, b_.data());  // Φ
       const double residual = weights_.cwiseProduct(b_).norm();
       result.residual2 = residual * residual;
-      if (acceptance.accepts(residual, result.iterations)) return result;
+      if (acceptance.update(residual, result.iterations)) return result;
       const bool is_over = result.iterations == limits_.max_iterations;
       if (!is_over && factors_.led_away(residual)) {
         retract(q);

@@ -78,7 +78,7 @@ class Interpolated final : public FormulationCore {
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
   void leave_out_levels(std::span<const Level>) override {}
-  long run_by_steps() const override { return inner_->run_by_steps(); }
+  long runs_without_segments() const override { return inner_->runs_without_segments(); }
   const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }
   const State& state() const override { return inner_->state(); }
 

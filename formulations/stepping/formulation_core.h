@@ -49,7 +49,7 @@ class FormulationCore : public Formulation {
   virtual bool start_at(std::span<const double> q, double t) = 0;
 
   /// Returns how often a motion that was to be solved in segments was solved step by step instead.
-  virtual long run_by_steps() const { return 0; }
+  virtual long runs_without_segments() const { return 0; }
 
   /// Returns the steps for drivers that are handed in. Null: the settings need a motion known in
   /// advance (segments, threads, stride).

@@ -183,7 +183,7 @@ TEST(Outputs, AreWrittenByThreads) {
     for (const Level level : {Level::velocity, Level::acceleration}) {
       Lender lender(long_grid.instants, some, level);
       ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, lender).ok());
-      EXPECT_EQ(core_of(*parallel).run_by_steps(), 0);
+      EXPECT_EQ(core_of(*parallel).runs_without_segments(), 0);
       EXPECT_EQ(lender.instants, long_grid.instants);
       for (int i = 0; i < long_grid.instants; ++i)
         for (std::size_t n = 0; n < some.size(); ++n) {

@@ -62,7 +62,7 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
     const TimeGrid grid = time_grid(3, 0.01);
     Everything whole(grid.instants), some(grid.instants), expected(grid.instants);
     ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
-    EXPECT_EQ(core_of(*f).run_by_steps(), 0) << c.name;
+    EXPECT_EQ(core_of(*f).runs_without_segments(), 0) << c.name;
     EXPECT_EQ(whole.order.size(), static_cast<std::size_t>(grid.instants));
     EXPECT_TRUE(std::ranges::is_sorted(whole.order));
     expect_same(whole, expected, std::string(c.name));
@@ -117,7 +117,7 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   EXPECT_TRUE(stopped.ok() && stopped.stopped);
   EXPECT_EQ(stopped.instants, 20L * GetParam().segments + 1);
   EXPECT_EQ(lender.instants, stopped.instants);
-  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_kind()));
@@ -138,7 +138,7 @@ TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const TimeGrid grid = time_grid(0.2, 0.01);
   Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok());
-  EXPECT_EQ(core_of(*f).run_by_steps(), 1);
+  EXPECT_EQ(core_of(*f).runs_without_segments(), 1);
   EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants));
 }
 
@@ -182,8 +182,8 @@ TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   std::vector<DefinedPart> borrowed;
   for (const auto& p : parts_of(*g))
     borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
-  Segmented f(std::make_unique<TimeStepping>(m, std::move(borrowed), Settings{}),
-              std::make_unique<Reluctant>());
+  SegmentedFormulation f(std::make_unique<TimeStepping>(m, std::move(borrowed), Settings{}),
+                         std::make_unique<Reluctant>());
   const TimeGrid grid = time_grid(1, 0.01);
   Everything actual(grid.instants), expected(grid.instants);
   ASSERT_TRUE(f.run(grid, {}, actual).ok() && g->run(grid, {}, expected).ok());
@@ -192,7 +192,7 @@ TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   ASSERT_TRUE(f.run(grid, {.coordinates = std::vector{7}}, lender).ok());
   EXPECT_EQ(lender.restarts, 1);
   EXPECT_EQ(lender.instants, grid.instants + 1);
-  EXPECT_EQ(core_of(f).run_by_steps(), 2);
+  EXPECT_EQ(core_of(f).runs_without_segments(), 2);
 }
 
 TEST(SegmentsInLanes, StandInTheId) {

@@ -84,7 +84,7 @@ TEST(SegmentsOnThreads, IsSolvedByAsManyThreadsAsAskedFor) {
       const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
       Lender lender(grid.instants, {1}, Level::position);
       ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, lender).ok());
-      EXPECT_EQ(core_of(*f).run_by_steps(), 0) << c.name << " " << id;
+      EXPECT_EQ(core_of(*f).runs_without_segments(), 0) << c.name << " " << id;
       EXPECT_EQ(lender.threads.size(), 3u) << c.name << " " << id;
       EXPECT_EQ(lender.instants, grid.instants) << c.name << " " << id;
     }
@@ -111,7 +111,7 @@ TEST(SegmentsOnThreads, StaysOnOneThreadWhereThereIsLittleToDo) {
   const TimeGrid grid = time_grid(3, 0.01);
   Lender lender(grid.instants, {1}, Level::position);
   ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, lender).ok());
-  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
   EXPECT_EQ(lender.threads, std::set{std::this_thread::get_id()});
 }
 
@@ -153,7 +153,7 @@ TEST(SegmentsOnThreads, FailsAsStepsFail) {
   Everything actual(grid.instants), expected(grid.instants);
   const Summary a = f->run(grid, {}, actual), b = g->run(grid, {}, expected);
   ASSERT_FALSE(b.ok());
-  EXPECT_EQ(core_of(*f).run_by_steps(), 1);
+  EXPECT_EQ(core_of(*f).runs_without_segments(), 1);
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.group, b.group);
@@ -195,7 +195,7 @@ TEST(SegmentsOnThreads, StopsWhereTheObserverStops) {
   EXPECT_EQ(lender.restarts, 0);
   Everything observer(grid.instants);
   EXPECT_FALSE(f->run(grid, {}, observer).stopped);
-  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
 }
 
 /// Each thread has an observer of its own.
@@ -210,7 +210,7 @@ TEST(SegmentsOnThreads, NeedsNoLockWhereEveryThreadHasAnObserver) {
   } split(0, {}, Level::position);
   split.own.assign(2, Lender(grid.instants, {1}, Level::velocity));
   ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, split).ok());
-  EXPECT_EQ(core_of(*f).run_by_steps(), 0);
+  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
   EXPECT_EQ(split.instants, 0);
   EXPECT_EQ(split.own[0].instants + split.own[1].instants, grid.instants);
   for (const Lender& own : split.own) EXPECT_EQ(own.threads.size(), 1u);

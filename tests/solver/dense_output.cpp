@@ -203,7 +203,7 @@ TEST(DenseOutput, GoesWithSegmentsAndLanes) {
     const Summary s = f->run(grid, {}, observer);
     ASSERT_TRUE(s.ok());
     EXPECT_EQ(s.instants, grid.instants);
-    EXPECT_EQ(core_of(*f).run_by_steps(), 0);
+    EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
     ASSERT_EQ(observer.all.size(), by_steps.all.size());
     for (std::size_t i = 0; i < observer.all.size(); ++i) {
       EXPECT_EQ(observer.all[i].interpolated, by_steps.all[i].interpolated) << i;

@@ -163,7 +163,7 @@ std::string note_on_refusals(const Formulation& f) {
 }
 
 std::string note_on_steps(const Formulation& f) {
-  if (core_of(f).run_by_steps() == 0) return "";
+  if (core_of(f).runs_without_segments() == 0) return "";
   return "note: solved step by step, for the motion is short or could not be solved in segments\n";
 }
 

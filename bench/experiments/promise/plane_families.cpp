@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bench/experiments/promise/mechanisms.h"
-#include "bench/experiments/promise/plane.h"
+#include "bench/experiments/promise/plane_builder.h"
 #include "cases/generators/dyad_chain.h"
 
 namespace desmo::promise {
@@ -42,7 +42,7 @@ ExactCrank exact_crank(Random& r) {
 /// Crank AB, coupler BC, rocker DC.
 Mechanism closed_four_bar(std::string name, double crank, double coupler, double rocker,
                           double base, const Vec& b, const Vec& c) {
-  Plane p(std::move(name), {{"A", {}}, {"D", {base, 0, 0}}, {"B", b}, {"C", c}}, {"A", "D"});
+  PlaneBuilder p(std::move(name), {{"A", {}}, {"D", {base, 0, 0}}, {"B", b}, {"C", c}}, {"A", "D"});
   p.link("A", "B", crank), p.link("B", "C", coupler), p.link("D", "C", rocker);
   p.drive_angle("A", "B");
   return p.release();
@@ -97,7 +97,7 @@ Drawn deltoid(Random& r) {
 /// Crank and half of a bar whose end slides through the pivot.
 Drawn scott_russell(Random& r) {
   const auto [crank, m] = exact_crank(r);
-  Plane p("scott_russell", {{"O", {}}, {"M", m}, {"C", {0, 2 * m[1], 0}}}, {"O"});
+  PlaneBuilder p("scott_russell", {{"O", {}}, {"M", m}, {"C", {0, 2 * m[1], 0}}}, {"O"});
   const int y = p.ground_vector("y", {0, 1, 0});
   p.link("O", "M", crank);
   p.slide("C", p.link("M", "C", crank), "O", y);
@@ -112,8 +112,8 @@ Mechanism sliding(std::string name, Random& r, bool crank_drives) {
   const double offset = r.chance(0.3) ? 0 : crank * r.uniform(-0.15, 0.15);
   const Vec o{0, 0, 0}, m = polar(o, crank, r.uniform(0.5, 2.6)), e{0, offset, 0};
   const double rise = m[1] - offset, run = std::sqrt(rod * rod - rise * rise);
-  Plane p(std::move(name), {{"O", o}, {"E", e}, {"M", m}, {"C", {m[0] + run, offset, 0}}},
-          {"O", "E"});
+  PlaneBuilder p(std::move(name), {{"O", o}, {"E", e}, {"M", m}, {"C", {m[0] + run, offset, 0}}},
+                 {"O", "E"});
   const int x = p.ground_vector("x", {1, 0, 0});
   p.link("O", "M", crank);
   p.slide("C", p.link("M", "C", rod), "E", x);
@@ -135,7 +135,7 @@ Drawn oscillating_block(Random& r) {
   const double crank = r.uniform(0.3, 2);
   const Vec o{0, 0, 0}, m = polar(o, crank, r.uniform(0.3, 2.8));
   const Vec g{r.chance(0.2) ? crank : crank * r.uniform(0.5, 3), 0, 0};
-  Plane p("oscillating_block", {{"O", o}, {"G", g}, {"M", m}}, {"O", "G"});
+  PlaneBuilder p("oscillating_block", {{"O", o}, {"G", g}, {"M", m}}, {"O", "G"});
   p.link("O", "M", crank);
   const int rod = p.body("rod", {"M"});
   MechanismBuilder& b = p.builder();
@@ -153,7 +153,7 @@ Drawn oscillating_block(Random& r) {
 /// A bar whose ends slide on two lines, one end driven.
 Drawn trammel(Random& r) {
   const double length = eighths(r, 8, 24), angle = r.uniform(0.3, 1.2);
-  Plane p(
+  PlaneBuilder p(
       "trammel",
       {{"O", {}}, {"P", {length * std::cos(angle), 0, 0}}, {"Q", {0, length * std::sin(angle), 0}}},
       {"O"});
@@ -171,7 +171,8 @@ Drawn peaucellier(Random& r) {
   const Vec g{crank, 0, 0}, o{0, 0, 0}, c = polar(g, crank, r.uniform(-0.8, 0.8));
   const Vec a = meeting(o, arm, c, side, 1), b = meeting(o, arm, c, side, -1);
   const Vec q{a[0] + b[0] - c[0], a[1] + b[1] - c[1], 0};
-  Plane p("peaucellier", {{"O", o}, {"G", g}, {"P", c}, {"A", a}, {"B", b}, {"Q", q}}, {"O", "G"});
+  PlaneBuilder p("peaucellier", {{"O", o}, {"G", g}, {"P", c}, {"A", a}, {"B", b}, {"Q", q}},
+                 {"O", "G"});
   p.link("G", "P", crank), p.link("O", "A", arm), p.link("O", "B", arm);
   p.link("P", "A", side), p.link("P", "B", side), p.link("Q", "A", side), p.link("Q", "B", side);
   p.drive_angle("G", "P");
@@ -183,7 +184,7 @@ Drawn chebyshev(Random& r) {
   const Vec a{0, 0, 0}, d{4 * unit, 0, 0}, b = polar(a, 5 * unit, theta);
   const Vec c = meeting(b, 2 * unit, d, 5 * unit, r.sign());
   const Vec middle{(b[0] + c[0]) / 2, (b[1] + c[1]) / 2, 0};
-  Plane p("chebyshev", {{"A", a}, {"D", d}, {"B", b}, {"C", c}, {"P", middle}}, {"A", "D"});
+  PlaneBuilder p("chebyshev", {{"A", a}, {"D", d}, {"B", b}, {"C", c}, {"P", middle}}, {"A", "D"});
   p.link("A", "B");
   p.body("coupler", {"B", "C", "P"});
   p.link("D", "C");
@@ -195,7 +196,7 @@ Drawn chebyshev(Random& r) {
 Drawn two_loops(Random& r) {
   const auto [crank, pin] = exact_crank(r);
   const double base = crank + eighths(r, 1, 16);
-  Plane p("two_loops", {{"D0", {}}, {"C0", pin}}, {"D0"});
+  PlaneBuilder p("two_loops", {{"D0", {}}, {"C0", pin}}, {"D0"});
   p.link("D0", "C0", crank);
   const int loops = 2 + r.below(3) * r.below(3);
   for (int k = 1; k <= loops; ++k) {
@@ -217,7 +218,8 @@ Drawn toggle_press(Random& r) {
   const Vec knee = meeting(m, coupler, pivot, arm, r.sign());
   const double run = knee[0] - pivot[0];
   const Vec end{pivot[0], knee[1] - std::sqrt(std::max(0.01, ram * ram - run * run)), 0};
-  Plane p("toggle_press", {{"O", o}, {"M", m}, {"K", knee}, {"D", pivot}, {"R", end}}, {"O", "D"});
+  PlaneBuilder p("toggle_press", {{"O", o}, {"M", m}, {"K", knee}, {"D", pivot}, {"R", end}},
+                 {"O", "D"});
   const int y = p.ground_vector("y", {0, 1, 0});
   p.link("O", "M"), p.link("M", "K"), p.link("D", "K");
   p.slide("R", p.link("K", "R"), "D", y);

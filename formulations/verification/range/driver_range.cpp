@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/verification/range/way.h"
+#include "formulations/verification/range/driver_sweep.h"
 
 namespace desmo {
 
@@ -45,28 +45,29 @@ DriverRange find_range(const Model& m, std::span<const double> q, int driver) {
     start = curve.step(*start, beside);
     if (start && start->speed() < 0) start = SolutionCurve::reversed(*std::move(start));
   }
-  require(start && std::abs(curve.value(*start) - range.start) <= Way::accuracy * curve.scale(),
-          "no position was found");
+  require(
+      start && std::abs(curve.value(*start) - range.start) <= DriverSweep::accuracy * curve.scale(),
+      "no position was found");
 
-  Way up(m, curve, driver, *start, 1), down(m, curve, driver, *start, -1);
-  range.up = up.go();
+  DriverSweep up(m, curve, driver, *start, 1), down(m, curve, driver, *start, -1);
+  range.up = up.run();
   if (range.up.stop == RangeStop::full_turn) {
     range.down = range.up;
     range.down.value = range.down.beyond = 2 * range.start - range.up.value;
   } else {
-    range.down = down.go();
+    range.down = down.run();
   }
-  for (const auto& [way, end] : {std::pair(&up, &range.up), std::pair(&down, &range.down)})
+  for (const auto& [sweep, end] : {std::pair(&up, &range.up), std::pair(&down, &range.down)})
     if (end->stop == RangeStop::dead_point &&
-        std::abs(end->value - range.start) < Way::accuracy * curve.scale())
-      range.other_branch = way->go_back();
-  for (const Way* way : {&down, &up})
-    range.change_points.insert(range.change_points.end(), way->change_points().begin(),
-                               way->change_points().end());
+        std::abs(end->value - range.start) < DriverSweep::accuracy * curve.scale())
+      range.other_branch = sweep->run_after_dead_point();
+  for (const DriverSweep* sweep : {&down, &up})
+    range.change_points.insert(range.change_points.end(), sweep->change_points().begin(),
+                               sweep->change_points().end());
   std::ranges::sort(range.change_points, {}, &ChangePoint::value);
   // A double root next to an end of a turn is found at both.
   const auto is_double = [&](const ChangePoint& c, double value) {
-    return c.is_double && std::abs(c.value - value) < Way::same * curve.scale();
+    return c.is_double && std::abs(c.value - value) < DriverSweep::same * curve.scale();
   };
   const auto [rest, last] = std::ranges::unique(
       range.change_points,

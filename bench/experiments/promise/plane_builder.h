@@ -15,12 +15,12 @@ inline double length_between(const Mechanism::Vec& a, const Mechanism::Vec& b) {
 }
 
 /// A builder that pins all bodies with the same point to each other.
-class Plane {
+class PlaneBuilder {
  public:
   /// on_ground: points that rest.
-  explicit Plane(std::string name,
-                 const std::vector<std::pair<std::string, Mechanism::Vec>>& points = {},
-                 const std::vector<std::string>& on_ground = {})
+  explicit PlaneBuilder(std::string name,
+                        const std::vector<std::pair<std::string, Mechanism::Vec>>& points = {},
+                        const std::vector<std::string>& on_ground = {})
       : b_(std::move(name), 2) {
     b_.set_length_unit("1");
     for (const auto& [point_name, at] : points) point(point_name, at);

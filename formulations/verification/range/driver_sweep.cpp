@@ -1,4 +1,4 @@
-#include "formulations/verification/range/way.h"
+#include "formulations/verification/range/driver_sweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,24 +30,24 @@ bool is_positive(const Model& m, EntityId driver) {
 }  // namespace
 
 /// Returns the signs of the determinants of all blocks; none where one is singular.
-Way::Signs Way::signs(const Point& point) {
+DriverSweep::Signs DriverSweep::signs(const Point& point) {
   if (!system_.factor(point.state)) return {};
   return {system_.orientation().begin(), system_.orientation().end()};
 }
 
-std::vector<int> Way::changed_blocks(const Signs& before, const Signs& after) const {
+std::vector<int> DriverSweep::changed_blocks(const Signs& before, const Signs& after) const {
   std::vector<int> changed;
   for (std::size_t b = 0; b < std::min(before.size(), after.size()); ++b)
     if (before[b] != after[b]) changed.push_back(static_cast<int>(b));
   return changed;
 }
 
-bool Way::is_violated(const Point& point) {
+bool DriverSweep::is_violated(const Point& point) {
   const std::span<const double> state = point.state;
   return monitor_.violated({0, 0, state.first(m_.coordinates()), {}, {}}) >= 0;
 }
 
-bool Way::is_start(const Point& point) const {
+bool DriverSweep::is_start(const Point& point) const {
   const std::vector<EntityId> owner = entity_of_coordinate(m_);
   for (std::size_t j = 0; j < curve_.unknowns().size(); ++j) {
     const int i = curve_.unknowns()[j];
@@ -61,20 +61,20 @@ bool Way::is_start(const Point& point) const {
 
 /// Returns whether the driver may have turned back and forth within a step: its speed in the
 /// middle, by Simpson's rule, is not forward.
-bool Way::turns_twice(const Point& from, const Point& to, double length) const {
+bool DriverSweep::turns_twice(const Point& from, const Point& to, double length) const {
   const double mean =
       direction_ * (curve_.value(to) - curve_.value(from)) / curve_.scale() / length;
   return forward(from) > 0 && forward(to) > 0 &&
          1.5 * mean - (forward(from) + forward(to)) / 4 <= 0;
 }
 
-RangeEnd Way::end(RangeStop stop, const Point& point) const {
+RangeEnd DriverSweep::end(RangeStop stop, const Point& point) const {
   const double value = curve_.value(point);
   return {.stop = stop, .value = value, .beyond = value};
 }
 
 /// Looks whether a step passes a whole turn, and whether that is the start again.
-std::optional<RangeEnd> Way::after_turns(const Point& from, const Point& to) {
+std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point& to) {
   const Entity& driver = m_.entities[driver_];
   const bool turns = driver.kind == EntityKind::angle;
   const double far =
@@ -96,7 +96,7 @@ std::optional<RangeEnd> Way::after_turns(const Point& from, const Point& to) {
 
 /// Looks for a double root around the last point. What lies before the start is of the way in the
 /// other direction.
-void Way::look_for_double_root(const Point& next, double length) {
+void DriverSweep::look_for_double_root(const Point& next, double length) {
   if (const std::optional<DoubleRoot> root = double_roots_.add(next, length))
     if (direction_ * (root->value - curve_.value(start_)) > -same * curve_.scale() &&
         (change_points_.empty() ||
@@ -104,7 +104,7 @@ void Way::look_for_double_root(const Point& next, double length) {
       change_points_.push_back({root->value, root->group, true});
 }
 
-RangeEnd Way::go_from(Point point) {
+RangeEnd DriverSweep::run_from(Point point) {
   is_violated(start_);  // the declared position; angles are followed from it
   double length = max_step / 8;
   double_roots_.restart();

@@ -12,13 +12,14 @@
 namespace desmo {
 
 /// The way from a start in one direction.
-class Way {
+class DriverSweep {
  public:
   using Point = SolutionCurve::Point;
   static constexpr double accuracy = 1e-9;  ///< of values, scaled
   static constexpr double same = 1e-7;      ///< of two positions, scaled
 
-  Way(const Model& m, SolutionCurve& curve, int driver, const Point& start, double direction)
+  DriverSweep(const Model& m, SolutionCurve& curve, int driver, const Point& start,
+              double direction)
       : m_(m),
         curve_(curve),
         system_(m),
@@ -28,18 +29,18 @@ class Way {
         start_(start),
         direction_(direction) {}
 
-  RangeEnd go() { return go_from(direction_ > 0 ? start_ : SolutionCurve::reversed(start_)); }
+  RangeEnd run() { return run_from(direction_ > 0 ? start_ : SolutionCurve::reversed(start_)); }
   /// Goes on after a dead point on the branch that meets this one there.
-  RangeEnd go_back() {
+  RangeEnd run_after_dead_point() {
     direction_ = -direction_;
-    return go_from(*std::move(turned_));
+    return run_from(*std::move(turned_));
   }
   const std::vector<ChangePoint>& change_points() const { return change_points_; }
 
  private:
   using Signs = std::vector<signed char>;
 
-  RangeEnd go_from(Point point);
+  RangeEnd run_from(Point point);
   Signs signs(const Point& point);
   void look_for_double_root(const Point& next, double length);
   std::vector<int> changed_blocks(const Signs& before, const Signs& after) const;
