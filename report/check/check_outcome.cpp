@@ -11,23 +11,23 @@
 namespace desmo::report {
 namespace {
 
-/// Candidates whose answers are wrong, those that `then` does not have in order, and those that it
-/// alone has.
-void exclude(CheckOutcome& j, const CheckRecord& check, const Record& then) {
+/// Sorts out the candidates whose answers are wrong, those that `then` does not have in order, and
+/// those that it alone has.
+void exclude(CheckOutcome& outcome, const CheckRecord& check, const Record& then) {
   for (const auto& [key, head] : check.head.candidates) {
     const std::string name = name_of(key);
     const auto before = then.candidates.find(key);
     if (head.status == Status::failed)
-      j.invalid.push_back({name, head.message});
+      outcome.invalid.push_back({name, head.message});
     else if (before == then.candidates.end())
-      j.excluded.push_back({name, "new"});
+      outcome.excluded.push_back({name, "new"});
     else if (before->second.status == Status::failed)
-      j.excluded.push_back({name, "was wrong before: " + before->second.message});
+      outcome.excluded.push_back({name, "was wrong before: " + before->second.message});
     else if (!before->second.verification)
-      j.excluded.push_back({name, "new: " + before->second.message});
+      outcome.excluded.push_back({name, "new: " + before->second.message});
   }
   for (const auto& [key, candidate] : then.candidates)
-    if (!check.head.candidates.contains(key)) j.missing.push_back(name_of(key));
+    if (!check.head.candidates.contains(key)) outcome.missing.push_back(name_of(key));
 }
 
 template <class Findings>
@@ -35,18 +35,22 @@ bool any(const Findings& findings, Finding outcome) {
   return std::ranges::any_of(findings, [&](const auto& f) { return f.outcome == outcome; });
 }
 
-/// Returns the verdict.
-CheckVerdict overall(CheckOutcome& j) {
-  for (const Excluded& wrong : j.invalid)
-    std::erase_if(j.work.candidates,
+/// Removes the work of candidates whose answers are wrong: the verdict names only that they are.
+void remove_invalid_work(CheckOutcome& outcome) {
+  for (const Excluded& wrong : outcome.invalid)
+    std::erase_if(outcome.work.candidates,
                   [&](const WorkFinding& f) { return f.candidate == wrong.candidate; });
+}
 
-  const auto& times = j.time.candidates;
-  const auto& works = j.work.candidates;
-  if (!j.invalid.empty() || !j.missing.empty()) return CheckVerdict::invalid;
+/// Returns the verdict on all findings.
+CheckVerdict verdict_of(const CheckOutcome& outcome) {
+  const auto& times = outcome.time.candidates;
+  const auto& works = outcome.work.candidates;
+  if (!outcome.invalid.empty() || !outcome.missing.empty()) return CheckVerdict::invalid;
   if (any(times, Finding::regression) || any(works, Finding::regression))
     return CheckVerdict::regression;
-  if (!j.differences.empty() || !j.work.differences.empty()) return CheckVerdict::incomparable;
+  if (!outcome.differences.empty() || !outcome.work.differences.empty())
+    return CheckVerdict::incomparable;
   if (times.empty() && works.empty()) return CheckVerdict::incomparable;
   if (any(times, Finding::unconfirmed) || any(times, Finding::noisy))
     return CheckVerdict::inconclusive;
@@ -56,16 +60,17 @@ CheckVerdict overall(CheckOutcome& j) {
 }  // namespace
 
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline) {
-  CheckOutcome j;
+  CheckOutcome outcome;
   const Record& then = baseline ? baseline->head : check.base ? *check.base : check.head;
-  exclude(j, check, then);
+  exclude(outcome, check, then);
   if (!baseline && check.base && has_times(check.head)) {
-    j.differences = why_incomparable(then, check.head);
-    if (j.differences.empty()) j.time = find_times(check);
+    outcome.differences = why_incomparable(then, check.head);
+    if (outcome.differences.empty()) outcome.time = find_times(check);
   }
-  j.work = find_works(check, baseline);
-  j.verdict = overall(j);
-  return j;
+  outcome.work = find_works(check, baseline);
+  remove_invalid_work(outcome);
+  outcome.verdict = verdict_of(outcome);
+  return outcome;
 }
 
 std::vector<Pending> pending(const CheckOutcome& found) {
@@ -131,7 +136,7 @@ Table work_table(const WorkFindings& work, const Work& counted) {
   return table;
 }
 
-std::vector<std::string> summary(const CheckOutcome& j) {
+std::vector<std::string> summary(const CheckOutcome& outcome) {
   std::vector<std::string> lines;
   const auto say = [&](const char* name, const TextValues& values = {}) {
     lines.push_back(sentence(std::string("verdict.") + name, values));
@@ -146,23 +151,23 @@ std::vector<std::string> summary(const CheckOutcome& j) {
     for (const Difference& d : differences)
       say(name, {{"what", d.what}, {"first", d.first}, {"second", d.second}});
   };
-  const auto& times = j.time.candidates;
-  const auto& works = j.work.candidates;
-  for (const Excluded& e : j.invalid)
+  const auto& times = outcome.time.candidates;
+  const auto& works = outcome.work.candidates;
+  for (const Excluded& e : outcome.invalid)
     say("wrong", {{"candidate", e.candidate}, {"reason", e.reason}});
-  for (const std::string& name : j.missing) say("missing", {{"candidate", name}});
+  for (const std::string& name : outcome.missing) say("missing", {{"candidate", name}});
   say_candidates("slower", times, Finding::regression);
   say_candidates("more_work", works, Finding::regression);
   say_candidates("faster", times, Finding::improvement);
   say_candidates("less_work", works, Finding::improvement);
   say_candidates("unconfirmed", times, Finding::unconfirmed);
   say_candidates("noisy", times, Finding::noisy);
-  say_differences("times_differ", j.differences);
-  say_differences("counts_differ", j.work.differences);
-  if (j.verdict == CheckVerdict::incomparable && j.differences.empty() &&
-      j.work.differences.empty())
+  say_differences("times_differ", outcome.differences);
+  say_differences("counts_differ", outcome.work.differences);
+  if (outcome.verdict == CheckVerdict::incomparable && outcome.differences.empty() &&
+      outcome.work.differences.empty())
     say("nothing");
-  for (const Excluded& e : j.excluded)
+  for (const Excluded& e : outcome.excluded)
     say("not_compared", {{"candidate", e.candidate}, {"reason", e.reason}});
   if (lines.empty()) say("unchanged");
   return lines;
@@ -188,13 +193,14 @@ std::string provenance_line(const CheckRecord& check) {
 
 }  // namespace
 
-Document verdict_document(const CheckRecord& check, const CheckOutcome& j) {
+Document verdict_document(const CheckRecord& check, const CheckOutcome& outcome) {
   constexpr std::array names{"PASS", "REGRESSION", "INVALID", "INCONCLUSIVE", "INCOMPARABLE"};
   Section section =
-      headed_section("verdict", {{"verdict", names[static_cast<std::size_t>(j.verdict)]}});
-  section.paragraphs = summary(j);
-  if (!j.time.candidates.empty()) section.tables.push_back(time_table(j.time));
-  if (!j.work.candidates.empty()) section.tables.push_back(work_table(j.work, *check.work));
+      headed_section("verdict", {{"verdict", names[static_cast<std::size_t>(outcome.verdict)]}});
+  section.paragraphs = summary(outcome);
+  if (!outcome.time.candidates.empty()) section.tables.push_back(time_table(outcome.time));
+  if (!outcome.work.candidates.empty())
+    section.tables.push_back(work_table(outcome.work, *check.work));
   section.paragraphs.push_back(provenance_line(check));
   return {sentence("verdict.document"), {std::move(section)}};
 }
