@@ -35,6 +35,7 @@ constexpr Experiment all_experiments[] = {
     {"promise", "Random and aimed scenes: is every number right, or flagged?", desmo::promise::run},
 };
 
+/// not_completed: something cannot be measured or written.
 enum ExitCode { success = 0, usage_error = 64, not_completed = 74 };
 
 /// Returns the experiment that the first argument names. Throws std::invalid_argument for a name

@@ -14,10 +14,11 @@ inline double length_between(const Mechanism::Vec& a, const Mechanism::Vec& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/// A builder that pins all bodies with the same point to each other.
+/// A builder of planar mechanisms in which points have names. All bodies with the same point are
+/// pinned to each other there.
 class PlaneBuilder {
  public:
-  /// on_ground: points that rest.
+  /// points: names and nominal positions. on_ground: names of points that rest.
   explicit PlaneBuilder(std::string name,
                         const std::vector<std::pair<std::string, Mechanism::Vec>>& points = {},
                         const std::vector<std::string>& on_ground = {})
@@ -34,6 +35,8 @@ class PlaneBuilder {
   void ground(const std::vector<std::string>& names) {
     for (const std::string& n : names) carry(MechanismBuilder::ground, n);
   }
+  /// Adds a body "AB" with the points a and b, a link of constant length. Returns its position
+  /// among the bodies. Without a length it has the nominal one.
   int link(const std::string& a, const std::string& b) {
     return link(a, b, length_between(at_[a], at_[b]));
   }
@@ -43,42 +46,51 @@ class PlaneBuilder {
     pin(body, b);
     return body;
   }
+  /// Adds a rigid body with these points. Returns its position among the bodies.
   int body(const std::string& name, const std::vector<std::string>& names) {
     const int body = b_.body(name, {});
     for (const std::string& n : names) carry(body, n);
     return body;
   }
+  /// Fixes a point to a body.
   void carry(int body, const std::string& name) {
     b_.carry(body, {points_[name]});
     pin(body, name);
   }
-  /// The point slides on the line through `on` of the ground.
+  /// Lets a point of a body slide on a line of the ground: through the point `on`, along `vector`.
+  /// The body turns freely about the point.
   void slide(const std::string& point, int body, const std::string& on, int vector) {
     b_.joint(Mechanism::JointType::revolute_on_slider, MechanismBuilder::ground, body,
              {points_[on], points_[point]}, {vector});
   }
+  /// Adds a direction of the ground. Returns its position among the vectors.
   int ground_vector(const std::string& name, const Mechanism::Vec& direction) {
     const int v = b_.vector(name, direction);
     b_.carry(MechanismBuilder::ground, {}, {v});
     return v;
   }
+  /// Adds the angle of the line from a to b.
   Mechanism::Coordinate& angle(const std::string& name, const std::string& a,
                                const std::string& b) {
     Mechanism::Coordinate& c = b_.coordinate(name, Mechanism::CoordinateType::angle);
     c.of = {-1, points_[a], points_[b]};
     return c;
   }
+  /// Drives the angle of the line from a to b.
   void drive_angle(const std::string& a, const std::string& b) {
     angle("theta", a, b).driven = true;
   }
+  /// Drives the distance from a to b along a vector.
   void drive_along(const std::string& a, const std::string& b, int vector) {
     Mechanism::Coordinate& c = b_.coordinate("s", Mechanism::CoordinateType::along);
     c.of = {-1, points_[a], points_[b]};
     c.vector = vector;
     c.driven = true;
   }
+  /// Returns the position of a point in the mechanism.
   int index(const std::string& name) { return points_[name]; }
   MechanismBuilder& builder() { return b_; }
+  /// Returns the mechanism, its joints with distinct names; the builder is then empty.
   Mechanism release() {
     Mechanism m = b_.release();
     for (std::size_t i = 0; i < m.joints.size(); ++i) m.joints[i].name += "/" + std::to_string(i);

@@ -94,8 +94,8 @@ std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point&
   return {};
 }
 
-/// Looks for a double root around the last point. What lies before the start is of the way in the
-/// other direction.
+/// Looks for a double root around the last point. What lies before the start is of the sweep in
+/// the other direction.
 void DriverSweep::look_for_double_root(const Point& next, double length) {
   if (const std::optional<DoubleRoot> root = double_roots_.add(next, length))
     if (direction_ * (root->value - curve_.value(start_)) > -same * curve_.scale() &&

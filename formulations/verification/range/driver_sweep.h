@@ -11,7 +11,7 @@
 
 namespace desmo {
 
-/// The way from a start in one direction.
+/// A sweep of one driver from a start in one direction, until something stops it.
 class DriverSweep {
  public:
   using Point = SolutionCurve::Point;
@@ -29,12 +29,14 @@ class DriverSweep {
         start_(start),
         direction_(direction) {}
 
+  /// Sweeps from the start. Returns where it ends, and why.
   RangeEnd run() { return run_from(direction_ > 0 ? start_ : SolutionCurve::reversed(start_)); }
-  /// Goes on after a dead point on the branch that meets this one there.
+  /// Sweeps back on the other branch, which meets this one at the dead point where run() has ended.
   RangeEnd run_after_dead_point() {
     direction_ = -direction_;
     return run_from(*std::move(turned_));
   }
+  /// Returns the change points of all sweeps, in the order in which they were passed.
   const std::vector<ChangePoint>& change_points() const { return change_points_; }
 
  private:
