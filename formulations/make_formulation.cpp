@@ -63,6 +63,7 @@ Draft make_newton(const Common& common, PartDefinition d) {
                       .definition = d,
                       .weights = common.magnitudes.weights(d),
                       .kernels = std::nullopt,
+                      .analysis = common.settings,
                       .settings = settings_of(common, d),
                       .profile = common.profile,
                       .single = common.single,

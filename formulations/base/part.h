@@ -14,12 +14,19 @@ namespace desmo {
 
 class ResidentPart;  // base/resident_part.h
 
-/// Settings of one part.
+/// Settings of one part: those of the analysis that its solver reads, and its own tolerance.
 struct PartSettings {
-  PartSettings(const Settings& settings) : analysis(settings), tolerance(settings.tolerance) {}
+  explicit PartSettings(const Settings& s)
+      : tolerance(s.tolerance),
+        max_iterations(s.max_iterations),
+        fixed_iterations(s.fixed_iterations),
+        jacobian(s.jacobian),
+        factorisation(s.factorisation) {}
 
-  Settings analysis;  ///< in which the tolerance is not the part's
-  double tolerance;   ///< limit of ‖Φ‖₂ of the part's own equations, each over its magnitude
+  double tolerance;  ///< limit of ‖Φ‖₂ of the part's own equations, each over its magnitude
+  int max_iterations, fixed_iterations;  ///< see Settings
+  JacobianUpdate jacobian;
+  Factorisation factorisation;
   /// True where the requested tolerance is below the part's rounding floor, which replaces it.
   /// Newton's method then makes one more correction once it has met the tolerance. Explicit
   /// parts need none: their cores are iterated to a fraction of the tolerance.

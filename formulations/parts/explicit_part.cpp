@@ -67,11 +67,10 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
 
   const double tolerance2 = settings.tolerance * settings.tolerance;
   const ExplicitLimits limits =
-      settings.analysis.fixed_iterations > 0
-          ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0,
-                           settings.analysis.fixed_iterations}
+      settings.fixed_iterations > 0
+          ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0, settings.fixed_iterations}
           : ExplicitLimits{tolerance2, core_share * core_share * tolerance2,
-                           settings.analysis.max_iterations};
+                           settings.max_iterations};
   binding_ = {inputs_.data(), c, f, branch_, w, anchors_.data(), limits};
 }
 

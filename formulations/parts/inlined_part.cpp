@@ -18,16 +18,16 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
     : bound_(std::move(bound)),
       weights_(std::move(weights)),
       tolerance2_(settings.tolerance * settings.tolerance),
-      max_iterations_(settings.analysis.max_iterations),
+      max_iterations_(settings.max_iterations),
       accepted2_(tolerance2_),
       at_rounding_(settings.at_rounding),
       corrected_above2_(at_rounding_ ? -1 : infinity),
       fallback_(std::move(fallback)),
       unknowns_(std::move(unknowns)),
       start_(unknowns_.size()) {
-  if (settings.analysis.fixed_iterations == 0) return;
+  if (settings.fixed_iterations == 0) return;
   tolerance2_ = 0;
-  max_iterations_ = settings.analysis.fixed_iterations;
+  max_iterations_ = settings.fixed_iterations;
   accepted2_ = infinity;
 }
 

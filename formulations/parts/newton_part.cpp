@@ -85,14 +85,14 @@ std::unique_ptr<Part> make_part(const PartContext& c,
 }  // namespace
 
 std::unique_ptr<Part> make_newton_part(const PartContext& c, const Backend& backend) {
-  if (c.settings.analysis.scalar == Scalar::single_precision) {
+  if (c.analysis.scalar == Scalar::single_precision) {
     std::unique_ptr<const Equations<float>> equations =
         std::make_unique<BasicAutomaticEquations<float>>(c.model, c.definition);
     auto solver = backend.make_single_solver(equations->pattern());
     return make_part<SinglePrecisionPart>(c, std::move(equations), std::move(solver));
   }
   std::unique_ptr<const Equations<double>> equations = make_equations(c);
-  auto solver = backend.make_solver(equations->pattern(), c.settings.analysis);
+  auto solver = backend.make_solver(equations->pattern(), c.analysis);
   return make_part<DoublePrecisionPart>(c, std::move(equations), std::move(solver));
 }
 

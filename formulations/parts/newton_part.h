@@ -28,6 +28,8 @@ struct PartContext {
   /// Kernels of the symbolic equations, by bind_kernels(). Without them the equations are
   /// automatic.
   std::optional<std::vector<BoundKernel>> kernels;
+  /// Settings of the analysis, for the linear solver. The tolerance among them is not the part's.
+  const Settings& analysis;
   PartSettings settings;
   Profile* profile = nullptr;                      ///< receives the phases; null in timed code
   std::shared_ptr<SinglePrecisionState> single{};  ///< null unless the scalar is single
@@ -35,7 +37,7 @@ struct PartContext {
 };
 
 /// Makes the part that a context describes: Newton–Raphson (see NewtonSolver) with linear systems
-/// solved by `backend`, in the precision of context.settings.scalar. In single precision the
+/// solved by `backend`, in the precision of context.analysis.scalar. In single precision the
 /// equations are automatic. Throws std::invalid_argument when the backend cannot analyse the
 /// part's Jacobian.
 std::unique_ptr<Part> make_newton_part(const PartContext& context, const Backend& backend);

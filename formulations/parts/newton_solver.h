@@ -22,8 +22,8 @@ struct NewtonLimits {
 
   explicit NewtonLimits(const PartSettings& s)
       : tolerance(s.tolerance),
-        min_iterations(s.analysis.fixed_iterations),
-        max_iterations(s.analysis.max_iterations),
+        min_iterations(s.fixed_iterations),
+        max_iterations(s.max_iterations),
         corrects_solved(s.at_rounding) {
     if (min_iterations == 0) return;
     tolerance = std::numeric_limits<double>::infinity();
@@ -71,8 +71,8 @@ class NewtonSolver {
         pattern_(equations_->pattern()),
         unknowns_(pattern_.unknowns),
         limits_(settings),
-        update_(settings.analysis.jacobian),
-        per_level_(settings.analysis.factorisation == Factorisation::per_level),
+        update_(settings.jacobian),
+        per_level_(settings.factorisation == Factorisation::per_level),
         reuses_pivots_(linear_solver->reuses_pivots()),
         weights_(
             Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern_.n).template cast<Real>()),

@@ -138,7 +138,8 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
   const Settings settings{.tolerance = 1e-12, .max_iterations = 50};
   const std::vector<double> weights = Magnitudes(m).weights(parts[1]);
-  const PartContext context{m, parts[1], weights, bind_kernels(m, parts[1]), settings};
+  const PartContext context{
+      m, parts[1], weights, bind_kernels(m, parts[1]), settings, PartSettings(settings)};
   const Backend* eigen = nullptr;
   for (const Backend* b : backends())
     if (b->name == "eigen") eigen = b;
@@ -157,8 +158,8 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
     return s;
   };
   InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), weights,
-                   settings, make_newton_part(context, *eigen), parts[1].unknowns);
-  InlinedPart bad(sabotaged, weights, settings, make_newton_part(context, *eigen),
+                   PartSettings(settings), make_newton_part(context, *eigen), parts[1].unknowns);
+  InlinedPart bad(sabotaged, weights, PartSettings(settings), make_newton_part(context, *eigen),
                   parts[1].unknowns);
   State expected = at_start(), actual = at_start();
   const PartResult straight = good.solve(expected, expected.q, Level::acceleration),

@@ -22,7 +22,7 @@ namespace desmo::linear_algebra_test {
 namespace {
 
 PartContext context(const Model& m, const PartDefinition& part, const Settings& settings) {
-  return {m, part, Magnitudes(m).weights(part), std::nullopt, settings};
+  return {m, part, Magnitudes(m).weights(part), std::nullopt, settings, PartSettings(settings)};
 }
 
 class EveryBackend : public testing::TestWithParam<const Backend*> {};
