@@ -41,10 +41,10 @@ FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string
                                            int n, std::string_view id, const Configuration& c,
                                            Clock by, Request asked)
     : Candidate(instants, c.settings.threads, by),
-      coordinates(n),
       asked_(std::move(asked)),
       case_name_(case_name),
       id_(id),
+      coordinates_(n),
       configuration_(c) {}
 
 std::string FormulationCandidate::id() const {
@@ -52,7 +52,7 @@ std::string FormulationCandidate::id() const {
 }
 
 std::string FormulationCandidate::name() const {
-  return case_name_ + "/" + std::to_string(coordinates) + "/" + id();
+  return case_name_ + "/" + std::to_string(coordinates_) + "/" + id();
 }
 
 std::unique_ptr<Formulation> FormulationCandidate::make_formulation() const {
@@ -158,16 +158,13 @@ ProblemCandidate::ProblemCandidate(const Problem& problem, std::string_view id,
                            id, c, Clock::cpu, {problem.level(), {}}),
       problem_(problem) {}
 
-void ProblemCandidate::verify() {
-  verify_by([&](VerifyingRun& found) {
-    return compare_with(
-        [&] { return std::span<const ReferenceInstant>(problem_.reference.instants); }, found);
-  });
-}
-
 ProblemCandidate::Checked ProblemCandidate::check(ReferenceCache& references, VerifyingRun& found) {
+  const std::span<const ReferenceInstant> own = problem_.reference.instants;
   return compare_with(
-      [&] { return references.get(problem_.plan.model, grid(), settings().stride); }, found);
+      [&] {
+        return own.empty() ? references.get(problem_.plan.model, grid(), settings().stride) : own;
+      },
+      found);
 }
 
 }  // namespace desmo::bench

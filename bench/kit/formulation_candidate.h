@@ -34,7 +34,7 @@ class FormulationCandidate : public Candidate {
   /// dear_seconds [s], so that more samples would cost too much.
   bool is_sampled(double dear_seconds) const;
 
-  const int coordinates;
+  int coordinates() const { return coordinates_; }  ///< of the whole model
 
  protected:
   /// case_name, coordinates: of the problem. id: without settings that all candidates share.
@@ -66,14 +66,16 @@ class FormulationCandidate : public Candidate {
   std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
   std::size_t delivered() const {
-    return asked_.coordinates.empty() ? coordinates : asked_.coordinates.size();
+    return asked_.coordinates.empty() ? coordinates_ : asked_.coordinates.size();
   }
 
   const std::string case_name_, id_;
+  const int coordinates_;
   const Configuration configuration_;
 };
 
-/// A formulation that solves a problem made beforehand.
+/// A formulation that solves a problem made beforehand, and is compared with the problem's own
+/// reference where it has one.
 class ProblemCandidate : public FormulationCandidate {
  public:
   /// The problem must outlive the candidate.
@@ -81,10 +83,6 @@ class ProblemCandidate : public FormulationCandidate {
   /// id: as parse_id takes it, which throws for an unusable one. It stays the candidate's id;
   /// `others` are the settings that it does not name.
   ProblemCandidate(const Problem& problem, std::string_view id, const Settings& others);
-
-  using Candidate::verify;
-  /// Compares with the problem's own reference.
-  void verify();
 
  protected:
   const Problem& problem() const override { return problem_; }
@@ -95,9 +93,5 @@ class ProblemCandidate : public FormulationCandidate {
 
   const Problem& problem_;
 };
-
-/// Allowed difference of the answers of a request from those of the whole mechanism, both solved
-/// as far as double precision goes.
-inline constexpr double allowed_request_difference = 1e-12;
 
 }  // namespace desmo::bench

@@ -75,8 +75,9 @@ Summary TimeStepping::take_steps(const TimeGrid& grid, const Request& request, O
   return total;
 }
 
-/// Leaves the last instant in before_. Sines of drivers take longest and wait for nothing: they
-/// come first. Until it is predicted now_ holds the instant before the last one.
+/// Solves an instant from the prediction. Sines of drivers take longest and wait for nothing: they
+/// come first. The swap makes before_ the last instant. now_ still holds the one before that, from
+/// which the prediction is made in place.
 Summary TimeStepping::solve_at(double t, Level level) {
   const StepHistory history{t - now_.time, now_.time - before_.time, now_.level, before_.level};
   std::swap(now_, before_);

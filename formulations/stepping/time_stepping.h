@@ -17,7 +17,7 @@ namespace desmo {
 /// prediction, and the parts in order.
 class TimeStepping final : public SegmentSolver, private LiveSteps {
  public:
-  /// settings: those that the parts were made with. The model outlives this.
+  /// settings: the same that the parts were made with. The model outlives this object.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
 
   Summary assemble_at(double t, Level level) override;
@@ -54,8 +54,8 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
 
   /// The coordinates of each instant that are read outside the parts.
   struct ReadCoordinates {
-    std::vector<int> coordinates;  // empty: all …
-    bool lent;                     // … in memory that the observer lends, or in the state
+    std::vector<int> coordinates;  // empty: all
+    bool lent;  // they are read in memory that the observer lends; false: in the state
   };
 
   Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
@@ -77,7 +77,7 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   DriverSource drivers_;
   StatePredictor predict_;
   std::optional<ReadCoordinates> read_outside_;
-  OutputWriter output_;        // of what no part delivers
+  OutputWriter output_;        // writes what no part delivers
   SolvedState now_, before_;   // the instant solved last, and the one before it
   std::vector<double> start_;  // positions from which a step is tried again
   Failure failure_;

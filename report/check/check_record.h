@@ -17,10 +17,9 @@ namespace desmo::report {
 /// Name of the fixed kernel that is timed like a candidate.
 inline constexpr const char* control_name = "control";
 
-/// The least CPU seconds of a candidate in each round.
+/// The least CPU seconds of a candidate in each round, as many on either side.
 struct Rounds {
-  std::vector<double> base,
-      head;  ///< as many of either; base is empty when head was measured alone
+  std::vector<double> base, head;
 };
 
 /// Instructions of a candidate's counted steps.
@@ -30,19 +29,23 @@ struct Instructions {
 
 struct Work {
   std::string tool;
-  std::int64_t steps = 0, iterations = 0;  ///< of which the counts are; equal work needs equal ones
+  std::int64_t steps = 0, iterations = 0;  ///< steps counted, and iterations in each; counts
+                                           ///< compare where both are equal
   std::map<std::string, Instructions> instructions;  ///< by candidate
 };
 
 struct CheckRecord {
-  std::optional<Record> base;  ///< none when head was measured alone
+  std::optional<Record> base;  ///< none when head was counted alone: nothing is timed then
   Record head;                 ///< samples: the first pass, a value a round
-  Rounds control;              ///< likewise
+  Rounds control;              ///< times of the fixed kernel in the first pass
   std::map<std::string, Rounds>
       second;  ///< pass that confirms the first, by candidate, with the control
   std::optional<Work> work;
-  std::string slowed;  ///< what was made slower on purpose, SIDE:CELL:PERCENT; empty: nothing
+  std::string slowed;  ///< what was made slower on purpose, SIDE:CANDIDATE:PERCENT; empty: nothing
 };
+
+/// Tells whether a side has times, of any candidate.
+bool has_times(const Record& side);
 
 /// Checks everything that a verdict relies on: that both sides have the same candidates, and that
 /// what is right on both was measured by all that was used, Time, Work or both. The two sides are

@@ -1,5 +1,5 @@
-// By how much a time has changed: the median over rounds of the logarithm of a ratio, and its
-// bootstrap interval.
+// The change of a time: the median over rounds of the logarithm of a ratio, and its bootstrap
+// interval.
 #pragma once
 
 #include <cstddef>
@@ -30,9 +30,5 @@ MedianDistribution bootstrap_median(std::span<const double> values);
 
 /// Returns exp of the median of one or more logarithms, with its interval.
 Change median_change(std::span<const double> logarithms);
-
-/// Returns exp of the difference of the medians of two independent sets, now − then, with its
-/// interval.
-Change median_change(std::span<const double> now, std::span<const double> then);
 
 }  // namespace desmo::report

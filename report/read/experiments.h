@@ -56,27 +56,11 @@ struct Point {
       {};  ///< samples of CPU time; never empty when ok, else always
 };
 
-/// A configuration of desmo tune, measured apart from any search.
-struct TunedChoice {
-  std::string id;
-  double error = 0;                      ///< relative, of position, the largest
-  std::vector<double> seconds_per_step;  ///< samples of CPU time, at least one
-};
-
-/// A search of desmo tune, and its control.
-struct Promise {
-  std::string mechanism;
-  std::int64_t coordinates = 0;
-  double allowed = 0;   ///< error that was asked for
-  double promised = 0;  ///< that the search says its choice has
-  TunedChoice choice, best;
-};
-
 // ---- size: time against size ----
 
 /// A formulation at one size of a case.
 struct TimedSize {
-  Status status = Status::failed;  ///< ok or failed
+  Status status = Status::failed;  ///< Status::ok or Status::failed
   std::string message;             ///< why it failed
   std::int64_t unknowns = 0;
   double tolerance = 0;
@@ -84,8 +68,8 @@ struct TimedSize {
   std::optional<LevelNumbers> verification = {};  ///< always when ok
   double iterations_per_step = 0;
   double state_bytes = 0;                     ///< q, q', q''
-  std::optional<double> bytes = {};           ///< that the formulation keeps in memory
-  std::vector<double> seconds_per_step = {};  ///< as of a Point
+  std::optional<double> bytes = {};           ///< memory that the formulation keeps
+  std::vector<double> seconds_per_step = {};  ///< samples, like those of a Point
 };
 
 // ---- instructions ----
@@ -94,15 +78,16 @@ struct TimedSize {
 struct StepCount {
   std::int64_t instructions = 0;
   std::int64_t steps = 0;  ///< counted
-  std::string tool;        ///< what counted, and what else counts depend on
+  std::string tool;        ///< the counting program, and what else counts depend on
 };
 
 // ---- extremes ----
 
 struct ExtremeRow {
   std::int64_t number = 0;
-  std::string name;               ///< short
-  std::string extreme, expected;  ///< what is extreme, and what every formulation should do
+  std::string name;  ///< short
+  std::string extreme,
+      expected;  ///< the difficulty, and the answer that every formulation should give
 };
 
 /// The worst error of a level, with the floor that conditioning sets.
@@ -122,7 +107,7 @@ struct ExtremeResult {
   std::string case_name;
   std::string id;  ///< a formulation, with settings
   Verdict verdict = Verdict::as_expected;
-  std::string reason;                                     ///< when not as expected
+  std::string reason;                                     ///< empty when as expected
   std::optional<std::array<ExtremeError, 3>> worst = {};  ///< position, velocity, acceleration
 };
 

@@ -80,8 +80,8 @@ Table time_split(const Record& record);
 
 // ---- accuracy ----
 
-/// Returns all that follows in sections, the front first. The record has points. What is asked of a
-/// case by name needs its main series (statistics/selection.h).
+/// Returns all of the accuracy experiment in sections, the front first. The record has points. The
+/// functions below that take a case need its main series (statistics/selection.h).
 std::vector<Section> accuracy_sections(const Record& record);
 
 /// Returns the data of the work–precision figure of a case at its largest size: every configuration
@@ -96,9 +96,6 @@ Table guesses(const Record& record);
 
 /// Shows table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);
-
-/// Shows what the choices of desmo tune are worth, the front first. The record has tuning.
-std::vector<Section> tuning_sections(const Record& record);
 
 // ---- size, instructions, extremes ----
 

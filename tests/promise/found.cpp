@@ -49,6 +49,12 @@ constexpr Found all[] = {
     {539, "global_automatic_klu/stride:4", "ARowCorrectedBeforeASingularPosition",
      Expected::flagged},
     {317, "global_automatic_klu/iterations:1", "TooFewIterationsNearAFold", Expected::flagged},
+    {375, "block_symbolic_inlined/stride:32", "RowsNextToAStepThatFailed", Expected::flagged},
+    {345, "global_automatic_eigen", "AnErrorJustBelowItsLimit"},
+    {454, "global_automatic_klu/guess:hermite5/iterations:1", "ADegradedInstantSolvedAgain"},
+    {230, "global_automatic_klu/tolerance:1e-6", "DriversThatTurnAtTheSameTime"},
+    {998, "global_automatic_lapack/scalar:float/tolerance:1e-4", "AFailureAfterACoarseInstant",
+     Expected::either},
     {527, "group_automatic_eigen/scalar:float/tolerance:1e-3",
      "BranchesThatSinglePrecisionCannotTell", Expected::either},
 };

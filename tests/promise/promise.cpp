@@ -135,6 +135,22 @@ TEST(Promise, JudgeFindsWhatIsPlanted) {
   needless.summary.status = Status::solved;
   needless.summary.crossing = {-0.25, -0.125, 0, SingularityCrossing::Kind::jumped};
   EXPECT_EQ(verify(s, needless).verdict, PromiseVerdict::false_flag);
+  needless.instants[3].qd[c] += 1e-11;  // above the bound stated
+  EXPECT_EQ(verify(s, needless).verdict, PromiseVerdict::flagged);
+}
+
+TEST(Promise, JudgeMeasuresASmallMechanismByItsSize) {
+  const DrawnScene s = draw_scene(1, 998);
+  const double size = nominal_size(s.model);
+  ASSERT_LT(size, 0.01);
+  SolvedScene wrong = truth_as_solution(s);
+  wrong.summary.bound.position = 1e-9;
+  EXPECT_EQ(verify(s, wrong).verdict, PromiseVerdict::right) << verify(s, wrong).what;
+  const auto point = std::ranges::find_if(
+      s.model.entities, [](const Entity& e) { return !e.fixed && e.kind == EntityKind::point; });
+  ASSERT_NE(point, s.model.entities.end());
+  wrong.instants[5].q[point->first] += 2e-10 * size;
+  EXPECT_EQ(verify(s, wrong).what, "promise");
 }
 
 TEST(Promise, ScenesAreDrawnAgainFromTheirNumber) {

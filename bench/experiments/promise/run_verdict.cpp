@@ -28,6 +28,7 @@ Scales scales_of_drivers(const DrawnScene& scene) {
       s.acceleration = std::max(s.acceleration, std::abs(z.acceleration));
     }
   Scales result;
+  result.length.position = result.rotation.position = 0;
   for (const Level l : {Level::velocity, Level::acceleration}) {
     result.length[l] = VerdictLimits::min_scale * size * rotation[l];
     result.rotation[l] = VerdictLimits::min_scale * length[l] / size;
@@ -145,7 +146,10 @@ RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
     j.time = s.crossing->before;
     const int to = index(s.crossing->before), from = index(s.crossing->after);
     j.condition = scene.truth[to].condition;
-    if (is_regular(scene, from - 1, to + 1) && all_right(scene, solved))
+    SolvedScene unflagged = solved;
+    unflagged.summary.crossing.reset();
+    if (is_regular(scene, from - 1, to + 1) && all_right(scene, solved) &&
+        !find_wrong(scene, unflagged))
       j.verdict = PromiseVerdict::false_flag;
   } else {
     j.time = s.first_degraded->time;

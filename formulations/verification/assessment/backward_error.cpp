@@ -18,19 +18,26 @@ std::vector<Level> levels_of_rows(const Model& m, std::span<const Level> levels)
   return result;
 }
 
-BackwardError::BackwardError(const Model& m, std::span<const Level> levels)
+BackwardError::BackwardError(const Model& m, const WholeSystem& equations,
+                             std::span<const Level> levels)
     : model_(m),
       levels_(levels),
       row_levels_(levels_of_rows(m, levels)),
+      equations_(equations),
       size_(nominal_size(m)),
+      sums_(Eigen::ArrayXd::Ones(row_levels_.size())),
       state_(m.state_size()),
       phi_(row_levels_.size()) {
   for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
     state_[m.coordinates() + i] = m.fixed_values[i];
 }
 
-PerLevel<double> BackwardError::operator()(const Instant& instant, const ScaledSystem& system,
-                                           const Scales& scales, double condition) {
+void BackwardError::take_row_sums(const ScaledSystem& system) {
+  sums_ = system.row_sums() * system.row_shares();
+}
+
+PerLevel<double> BackwardError::operator()(const Instant& instant, const Scales& scales,
+                                           double condition) {
   const auto rate = [&](std::span<const double> values, Level level, int i) {
     return values.empty() || levels_[i] < level ? 0 : values[i];
   };
@@ -51,13 +58,13 @@ PerLevel<double> BackwardError::operator()(const Instant& instant, const ScaledS
     if (!instant.qd.empty()) meet(Level::velocity, used.first, z.velocity);
     if (!instant.qdd.empty()) meet(Level::acceleration, used.second, z.acceleration);
   }
-  system.equations().residual<Jet<double>>(state_, phi_);
+  equations_.residual<Jet<double>>(state_, phi_);
   PerLevel<double> off;  // the largest of each level, in magnitudes of the whole mechanism
-  for (int r = 0; r < system.size(); ++r) {
-    const double sum = system.row_sums()[r] * system.row_shares()[r];
+  for (int r = 0; r < sums_.size(); ++r) {
     const auto add = [&](Level level, double value) {
-      if (sum > 0 && row_levels_[r] >= level)
-        off[level] = std::max(off[level], std::isnan(value) ? INFINITY : std::abs(value) / sum);
+      if (sums_[r] > 0 && row_levels_[r] >= level)
+        off[level] =
+            std::max(off[level], std::isnan(value) ? INFINITY : std::abs(value) / sums_[r]);
     };
     add(Level::position, phi_[r].value);
     if (!instant.qd.empty()) add(Level::velocity, phi_[r].first);

@@ -28,6 +28,10 @@ class Degradations {
     for (const Level l : levels) degradation.assessment.bound[l] /= share_[l];
     kept_.push_back(degradation);
   }
+  /// Forgets an instant that is solved again, if it was the last one added.
+  void take_back(int index) {
+    if (others_ == 0 && !kept_.empty() && kept_.back().index == index) kept_.pop_back();
+  }
   /// Converts all bounds to grown scales.
   void rescale(const Scales& from, const Scales& to) { desmo::rescale(share_, from, to); }
 

@@ -21,10 +21,10 @@ constexpr double shrinks = 0.125;
 /// A correction, in magnitudes, that is too large for a last one.
 constexpr double too_large = 1e-13;
 constexpr int max_corrections = 24;
-/// What is stated of a measured error, and of what the last corrections may make of each level.
-constexpr double margin = 1.1, of_rounding = 8;
+/// Margin of a measured error for scales, and of the last correction for what it may leave.
+constexpr double margin = 1.01, of_rounding = 8;
 
-/// An error, and what the rounding of the measurement may have made of it.
+/// An error, and what the rounding of the measurement may have made of it, relative to scales.
 struct Measurement {
   PerLevel<double> error{}, rounding{};
 
@@ -62,7 +62,7 @@ class MeasuredError::Refinement {
   explicit Refinement(const Refinement<Other>& like)
       : Refinement(like.model_, like.system_, like.levels_, like.asked_) {}
 
-  Measurement operator()(const Instant& instant, const Scales& scales, double condition);
+  Measurement operator()(const Instant& instant, const Scales& scales, const Assessment& a);
 
  private:
   template <class>
@@ -83,21 +83,28 @@ class MeasuredError::Refinement {
 
 template <class Wide>
 Measurement MeasuredError::Refinement<Wide>::operator()(const Instant& instant,
-                                                        const Scales& scales, double condition) {
+                                                        const Scales& scales, const Assessment& a) {
+  const double finer = static_cast<double>(std::numeric_limits<Wide>::epsilon()) /
+                       std::numeric_limits<double>::epsilon();
   take(instant);
   std::ranges::copy(instant.q, position_.begin());
-  double rest = system_.factor(position_) ? 0 : INFINITY;  // that rounding leaves, in magnitudes
+  double rest = system_.factor(position_) ? finer * a.rounding : INFINITY;
   Measurement result;
   for (const Level level : levels) {
     if (level == Level::velocity && instant.qd.empty()) break;
     if (level == Level::acceleration && instant.qdd.empty()) break;
-    rest = rest < INFINITY ? condition * rest + refine(level) : INFINITY;
-    const auto unit = [](double magnitude, double scale) {
-      return scale > 0 ? magnitude / scale : 0;
+    const auto over = [&](Level of, double length, double rotation) {
+      const auto ratio = [](double x, double scale) { return scale > 0 ? x / scale : 0; };
+      return std::max(ratio(length, scales.length[of]), ratio(rotation, scales.rotation[of]));
     };
-    const double units =
-        std::max(unit(nominal_size(model_), scales.length[level]), unit(1, scales.rotation[level]));
-    result.rounding[level] = rest < INFINITY ? of_rounding * rest * units : INFINITY;
+    const double size = nominal_size(model_);
+    if (level > Level::position) rest *= a.condition;
+    if (level == Level::acceleration) {  // of which velocities squared are a part
+      const double v = scales.length.velocity, w = scales.rotation.velocity;
+      rest *= std::max(1.0, over(level, v * v / size, w * w));
+    }
+    if (rest < INFINITY) rest += of_rounding * refine(level) * over(level, size, 1);
+    result.rounding[level] = rest;
     if (rest < INFINITY) result.error[level] = error(instant, level, scales);
   }
   return result;
@@ -184,12 +191,14 @@ MeasuredError::MeasuredError(const Model& m, ScaledSystem& system, std::span<con
 MeasuredError::~MeasuredError() = default;
 
 PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales& scales,
-                                           double condition, const PerLevel<double>& limit) {
+                                           const Assessment& a, const PerLevel<double>& limit) {
   auto& [extended, quadruple] = *refinements_;
-  const Measurement m = extended(instant, scales, condition);
-  if (!exceeds(m.stated(), limit) || exceeds(m.error, limit)) return m.stated();
+  const Measurement m = extended(instant, scales, a);
+  const bool decides = std::ranges::all_of(
+      levels, [&](Level l) { return m.rounding[l] <= m.error[l] || m.rounding[l] <= limit[l]; });
+  if (!exceeds(m.stated(), limit) || (decides && exceeds(m.error, limit))) return m.stated();
   if (!quadruple) quadruple.emplace(extended);
-  return (*quadruple)(instant, scales, condition).stated();
+  return (*quadruple)(instant, scales, a).stated();
 }
 
 }  // namespace desmo

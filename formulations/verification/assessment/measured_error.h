@@ -6,6 +6,7 @@
 #include "formulations/base/observer.h"
 #include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
+#include "formulations/verification/assessment/assessment.h"
 #include "formulations/verification/assessment/scaled_system.h"
 
 namespace desmo {
@@ -25,9 +26,9 @@ class MeasuredError {
   /// Returns the errors with a margin, as bounds of an Assessment; infinity where the refinement
   /// does not converge fast, 0 at levels that the instant does not have. Overwrites the system's
   /// factors. Allocates in KLU, and where 113 bits decide for the first time.
-  /// - condition: the condition number of the instant's assessment
+  /// - a: the instant's assessment, relative to these scales
   /// - limit: what the errors are compared with
-  PerLevel<double> operator()(const Instant& instant, const Scales& scales, double condition,
+  PerLevel<double> operator()(const Instant& instant, const Scales& scales, const Assessment& a,
                               const PerLevel<double>& limit);
 
  private:

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "formulations/algebra/linear_solver.h"
+#include "formulations/base/part.h"
 #include "formulations/verification/monitor/accuracy_state.h"
 
 namespace desmo {
@@ -68,8 +68,7 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
   if (!has(Monitor::bounds) || !started) return s;
   PerLevel<double>& bound = s.assessment.bound;
   if (instant.interpolated || has_bad_pivots()) {
-    const PerLevel<double> shown =
-        backward_error(instant, assessor.system(), scales.current(), expected.condition);
+    const PerLevel<double> shown = backward_error(instant, scales.current(), expected.condition);
     if (instant.interpolated) bound.position += error_over_shown * shown.position;
     // Of solved positions the residual tells, with what they make of rates.
     double before = instant.interpolated ? bound.position : 0;
@@ -154,6 +153,7 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     most_over_weights = (weights > 0).select(weights / now, 1).maxCoeff();
     speeds = {};
     conditioning.reset(j.instant, assessor.system(), now);
+    backward_error.take_row_sums(assessor.system());
     if (!last.singular) j.crossing = crossing(j.instant);
     started = true;
   }
@@ -171,8 +171,7 @@ bool AccuracyMonitor::State::is_too_coarse(const Instant& instant, const Assessm
 /// Measures errors where bounds would flag an instant. Leaves its factors.
 void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
   if (a.singular || !exceeds(a.bound, limits.degraded)) return;
-  const PerLevel<double> error =
-      measured(instant, scales.with(instant), a.condition, limits.degraded);
+  const PerLevel<double> error = measured(instant, scales.with(instant), a, limits.degraded);
   for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
 }
 
@@ -240,6 +239,7 @@ void AccuracyMonitor::State::look_at_scales(const Instant& instant) {
   const Scales before = scales.current();
   if (!scales.take(instant)) return;
   rescale(worst, before, scales.current());
+  rescale(worst_before, before, scales.current());
   expectation.rescale(before, scales.current());
   degradations.rescale(before, scales.current());
 }

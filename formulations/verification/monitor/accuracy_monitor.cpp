@@ -26,7 +26,7 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
       sensitivity(m, assessor.levels(), assessor.system().magnitudes()),
       conditioning(m, assessor.system()),
       continuity(m, grid, assessor.system().magnitudes(), o.max_steps),
-      backward_error(m, assessor.levels()),
+      backward_error(m, assessor.system().equations(), assessor.levels()),
       signs(m, assessor.system()),
       entity(entity_of_coordinate(m)),
       degradations(limits.degraded, o.max_degradations) {
@@ -85,6 +85,7 @@ void AccuracyMonitor::State::deliver(const MonitoredInstant& j, bool is_assessed
   }
   beyond = {};
   condition = std::max(condition, j.assessment.condition);
+  worst_before = worst;
   add({j.instant.index, j.instant.time, j.assessment}, j.degraded);
 }
 

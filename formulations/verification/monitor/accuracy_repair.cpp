@@ -48,6 +48,8 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instan
   RecentInstants& recent = continuity.recent();
   if (recent.count() > 0 && recent[0].is_assessed) signs.take_back();
   recent.drop();
+  degradations.take_back(instant.index);
+  worst = worst_before;
   if (!continuity.is_known()) return {};
   const auto solved = solve(instant);
   return solved ? solved : pass(instant);

@@ -105,7 +105,7 @@ struct AccuracyMonitor::State {
   std::vector<double> declared;  // to these positions
   int since = 0;                 // instants since the last assessment
   double condition = 0;
-  PerLevel<double> worst{};
+  PerLevel<double> worst{}, worst_before{};  // the largest bounds; without the last instant's
   Degradations degradations;
   long assessed = 0, corrected = 0;
 };

@@ -56,7 +56,7 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
   const std::vector<bool> driven = independent_coordinates(m);
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle && !driven[e.first]) angles_.push_back(e.first);
-  std::vector<Node*> nodes{&reached_, &next_};
+  std::vector<Node*> nodes{&reached_, &next_, &start_, &end_};
   for (Node& node : passage_) nodes.push_back(&node);
   for (Node* node : nodes)
     for (std::vector<double>* values : {&node->state.q, &node->state.qd, &node->state.qdd})
@@ -211,12 +211,34 @@ std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Mean
   return view_of(next_, instant);
 }
 
+/// Goes from the instant taken last. What a coarse tolerance leaves off at the ends does not lead
+/// on as movement does: where there is a jump, it goes again between ends that are corrected.
 std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
                                                const Means& means) {
+  const auto jump = go(recent_[0], instant, end, means);
+  if (!jump) return jump;
+  correct(view_of(recent_[0], instant), means.assessor, start_);
+  if (end == End::solved) return go(start_, instant, end, means);
+  correct(instant, means.assessor, end_);
+  return go(start_, view_of(end_, instant), end, means);
+}
+
+/// result = the instant corrected by Newton's method, if that settles.
+void Continuity::correct(const Instant& instant, Assessor& assessor, Node& result) {
+  Instant solved = assessor.corrected(driven(instant));
+  if (!(assessor.last_correction() <= settled)) solved = instant;
+  result.time = instant.time;
+  std::ranges::copy(solved.q, result.state.q.begin());
+  std::ranges::copy(solved.qd, result.state.qd.begin());
+  std::ranges::copy(solved.qdd, result.state.qdd.begin());
+}
+
+std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant& instant, End end,
+                                               const Means& means) {
   const auto& [assessor, scales, weights, signs] = means;
-  const double whole = instant.time - recent_[0].time;
+  const double whole = instant.time - start.time, least = shortest * std::abs(whole);
   std::span<const double> turns = turns_.times();  // that are ahead
-  reached_ = recent_[0];
+  reached_ = start;
   double step = whole / 2;
   bool to_turn = false;
   const auto jump = [&](const Instant& from, const Instant& to, int coordinate) {
@@ -224,7 +246,8 @@ std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
                 to_turn};
   };
   for (int i = 0; i < max_steps_; ++i) {
-    to_turn = !turns.empty() && turns[0] < instant.time;
+    while (!turns.empty() && turns[0] - reached_.time <= least) turns = turns.subspan(1);
+    to_turn = !turns.empty() && turns[0] < instant.time - least;
     const double target = to_turn ? turns[0] : instant.time, left = target - reached_.time;
     const bool to_end = std::abs(step) >= std::abs(left);
     const bool is_given = to_end && !to_turn && end == End::given;
@@ -238,14 +261,14 @@ std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
         if (const Assessment a = assessor(next, scales); a.singular)
           return Jump{{from.time, target, a.group, SingularityCrossing::Kind::jumped}, true};
         if (const int block = signs.changed_block(); block >= 0)
-          return Jump{{recent_[0].time, target, assessor.system().group_of_block(block),
+          return Jump{{start.time, target, assessor.system().group_of_block(block),
                        SingularityCrossing::Kind::passed},
                       true};
         turns = turns.subspan(1);
       }
       std::swap(reached_, next_);
       step *= 2;
-    } else if (std::abs(step) > shortest * std::abs(whole)) {
+    } else if (std::abs(step) > least) {
       step = (to_end ? left : step) / 2;
     } else {
       const bool rates_agree = mismatch(from, next, weights) <= smooth * moved(from, next, weights);

@@ -113,6 +113,8 @@ class Continuity {
   void predict(double t, const Instant& like, Assessor& assessor);
   enum class End { given, solved };
   std::optional<Jump> go(const Instant& instant, End end, const Means& means);
+  std::optional<Jump> go(const Node& start, const Instant& instant, End end, const Means& means);
+  void correct(const Instant& instant, Assessor& assessor, Node& result);
   bool do_angles_follow(const Instant& instant) const;
   bool turns_further(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   double moved(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
@@ -133,7 +135,7 @@ class Continuity {
   double fastest_ = 0;          // largest rate of the drivers so far [magnitudes/s]
   double fastest_at_last_ = 0;  // the same of the last instant
   RecentInstants recent_;
-  Node reached_, next_;
+  Node reached_, next_, start_, end_;
   std::array<Node, 6> passage_;  // two before, two beyond, two between
   Eigen::ArrayXd turned_;        // position_mismatch()
   int max_steps_;

@@ -1,6 +1,5 @@
 #include "formulations/verification/monitor/running_scales.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -36,9 +35,9 @@ std::vector<double> looks_ahead(const TimeGrid& grid) {
 
 RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
                              const std::optional<Scales>& given)
-    : are_given_(given), is_length_(m.coordinates()) {
+    : are_given_(given) {
   for (const Entity& e : m.entities)
-    if (!e.fixed) std::fill_n(is_length_.begin() + e.first, e.size, is_length(e.kind) ? 1.0 : 0.0);
+    if (!e.fixed) moving_.push_back({e.first, e.size, is_length(e.kind)});
   const double size = nominal_size(m);
   Largest length, rotation;
   for (const Driver& d : m.drivers)
@@ -69,13 +68,15 @@ bool RunningScales::grow(Scales& seen, const Instant& instant) const {
   if (are_given_) return false;
   const auto largest = [&](std::span<const double> values, double& length, double& rotation) {
     if (values.empty()) return false;
-    const auto n = static_cast<Eigen::Index>(values.size());
-    const auto size = Eigen::Map<const Eigen::ArrayXd>(values.data(), n).abs();
-    const Eigen::Map<const Eigen::ArrayXd> mask(is_length_.data(), n);
-    const double l = (size * mask).maxCoeff(), r = (size * (1 - mask)).maxCoeff();
-    const bool grows = l > length || r > rotation;
-    length = std::max(length, l);
-    rotation = std::max(rotation, r);
+    bool grows = false;
+    for (const auto& [first, size, is_length] : moving_) {
+      double squares = 0;
+      for (int i = first; i < first + size; ++i) squares += values[i] * values[i];
+      double& largest = is_length ? length : rotation;
+      if (!(squares > largest * largest)) continue;
+      largest = std::sqrt(squares);
+      grows = true;
+    }
     return grows;
   };
   const bool v = largest(instant.qd, seen.length.velocity, seen.rotation.velocity);

@@ -14,7 +14,7 @@ namespace desmo {
 std::vector<double> looks_ahead(const TimeGrid& grid);
 
 /// Scales of a motion (see Scales) while it is being solved. They start from the drivers' rates and
-/// grow with the instants so far. The largest component stands for the norm.
+/// grow with the instants so far.
 class RunningScales {
  public:
   /// given: scales that are known, and do not change.
@@ -31,7 +31,11 @@ class RunningScales {
   bool grow(Scales& seen, const Instant& instant) const;
   static Scales completed(Scales seen);
 
-  std::vector<double> is_length_;  // mask (coordinates): 1 for a length, 0 for others
+  struct Moving {
+    int first, size;  // coordinates
+    bool is_length;
+  };
+  std::vector<Moving> moving_;
   Scales seen_, scales_;
 };
 
