@@ -1,7 +1,8 @@
-// desmo_report: from records to the paper's tables and figures, to comparisons and verdicts.
+// desmo_report: from records to the paper's tables and figures, and to the verdict of a check.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <list>
 #include <stdexcept>
 
 #include "cases/io/new_files.h"
@@ -12,7 +13,6 @@
 #include "report/read/record_file.h"
 #include "report/report.h"
 #include "report/site.h"
-#include "report/statistics/comparability.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
 
@@ -22,17 +22,11 @@ using namespace desmo;
 using namespace desmo::report;
 
 // From 64 on, the numbers of sysexits.h.
-enum ExitCode {
-  success = 0,
-  no_verdict = 3,
-  incomparable = 4,
-  usage_error = 64,
-  invalid_data = 65,
-  io_error = 74
-};
+enum ExitCode { success = 0, incomparable = 4, usage_error = 64, invalid_data = 65, io_error = 74 };
 
 struct TablesCommand {
-  std::vector<std::string> records, beside;
+  std::string record;
+  std::vector<std::string> beside;
   std::string folder;  // empty: standard output only
   std::vector<std::string> formats;
   std::vector<std::string> tables;  // empty: all
@@ -57,33 +51,13 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
   return document;
 }
 
-// Says why two records cannot be put beside each other; nothing when they can.
-bool complain(const std::string& first, const std::string& second,
-              const std::vector<Difference>& differences) {
-  if (differences.empty()) return false;
-  std::cerr << "desmo_report: " << first << " and " << second << " cannot be compared:\n";
-  for (const Difference& d : differences)
-    std::cerr << d.what << ": " << d.first << " here, " << d.second << " there\n";
-  return true;
-}
-
-std::vector<const Record*> pointers(const std::vector<Record>& records) {
-  std::vector<const Record*> all;
-  for (const Record& record : records) all.push_back(&record);
-  return all;
-}
-
 ExitCode tables(const TablesCommand& command) {
-  std::vector<Record> records;
-  for (const std::string& file : command.records) {
-    Record record = read_record(file);
-    for (std::size_t i = 0; i < records.size(); ++i)
-      if (complain(command.records[i], file, why_apart(records[i], record))) return incomparable;
-    records.push_back(std::move(record));
-  }
-  std::vector<Record> beside;
-  for (const std::string& file : command.beside) beside.push_back(read_record(file));
-  Document document = make_report(pointers(records), pointers(beside));
+  const Record record = read_record(command.record);
+  std::list<Record> others;
+  std::vector<const Record*> beside;
+  for (const std::string& file : command.beside)
+    beside.push_back(&others.emplace_back(read_record(file)));
+  Document document = make_report(record, beside);
   if (!command.history.empty()) {
     document.sections.push_back(history_section(read_history(command.history)));
     document.sections.back().chapter = document.sections.back().title;
@@ -107,27 +81,6 @@ ExitCode tables(const TablesCommand& command) {
   return success;
 }
 
-struct CompareCommand {
-  std::string first, second;
-  std::string format = "terminal";
-};
-
-ExitCode compare(const CompareCommand& command) {
-  const Record first = read_record(command.first), second = read_record(command.second);
-  const bool two_machines = are_of_two_machines(first, second);
-  if (complain(
-          command.first, command.second,
-          two_machines ? different_work_reason(first, second) : why_incomparable(first, second)))
-    return incomparable;
-  write_standard_output(printed(make_comparison(first, second), {command.format}));
-  if (!two_machines) return success;
-  std::cerr << "desmo_report: "
-            << sentence("machines_section.no_verdict",
-                        {{"first", first.machine.cpu}, {"second", second.machine.cpu}})
-            << "\n";
-  return no_verdict;
-}
-
 struct SiteCommand {
   std::string results, folder;
 };
@@ -141,7 +94,7 @@ ExitCode site(const SiteCommand& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"The paper's tables and figures from records, comparisons and verdicts"};
+  CLI::App app{"The paper's tables and figures from records, and the verdict of a check"};
   app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
   const auto add_format = [](CLI::App* command, auto& formats) {
@@ -151,9 +104,7 @@ int main(int argc, char** argv) {
   TablesCommand command;
   CLI::App* tables_app = app.add_subcommand(
       "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
-  tables_app
-      ->add_option("records", command.records,
-                   "The record of an experiment, .json or .json.gz, or one of each")
+  tables_app->add_option("record", command.record, "The record of an experiment, .json or .json.gz")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");
@@ -163,14 +114,6 @@ int main(int argc, char** argv) {
                          "Also the speed-ups of these records that other machines made");
   tables_app->add_option("--history", command.history, "Also this file of bench/check --history");
   tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
-  CompareCommand comparison;
-  CLI::App* compare_app =
-      app.add_subcommand("compare",
-                         "How many times as fast the second record is; of two machines, their "
-                         "speed-ups side by side (exit code 3)");
-  compare_app->add_option("A", comparison.first, "The first record")->required();
-  compare_app->add_option("B", comparison.second, "The second record")->required();
-  add_format(compare_app, comparison.format);
   SiteCommand filed;
   CLI::App* site_app = app.add_subcommand("site", "A static site of all filed records");
   site_app->add_option("results", filed.results, "The folder with records/ and history.json")
@@ -194,7 +137,7 @@ int main(int argc, char** argv) {
   try {
     if (check_app->parsed()) return run(check);
     if (site_app->parsed()) return site(filed);
-    return compare_app->parsed() ? compare(comparison) : tables(command);
+    return tables(command);
   } catch (const std::invalid_argument& error) {
     return failed(error, usage_error);
   } catch (const MixedRecord& error) {

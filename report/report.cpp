@@ -43,23 +43,9 @@ void move_figure_to_front(std::vector<Section>& sections) {
 constexpr std::pair<std::string_view, std::vector<Section> (*)(const Record&)> sections_of[] = {
     {"paper", paper_sections},
     {"accuracy", accuracy_sections},
-    {"tuning", tuning_sections},
     {"size", size_sections},
     {"instructions", instructions_sections},
     {"extremes", extremes_sections}};
-
-/// A table of each; the names of the later ones are numbered.
-Section measured_how(const std::vector<const Record*>& records) {
-  Section section = headed_section("measured");
-  for (const Record* record : records) {
-    section.tables.push_back(provenance(*record));
-    if (const std::size_t count = section.tables.size(); count > 1) {
-      section.tables.back().name += "_" + std::to_string(count);
-      section.tables.back().title += ", record " + std::to_string(count);
-    }
-  }
-  return section;
-}
 
 /// Leaves of a long table of speed-ups the paper's largest size of each case, or the largest.
 Table on_page(Table table) {
@@ -74,51 +60,35 @@ Table on_page(Table table) {
   return table;
 }
 
-/// What several records say alike is said once.
-Section joint_limitations(const std::vector<const Record*>& records) {
-  Section section = limitations(*records.front());
-  for (const Record* record : records)
-    for (const std::string& line : limitations(*record).paragraphs)
-      if (std::ranges::find(section.paragraphs, line) == section.paragraphs.end())
-        section.paragraphs.push_back(line);
-  return section;
-}
-
 }  // namespace
 
-Document make_report(const std::vector<const Record*>& records,
-                     const std::vector<const Record*>& beside) {
+Document make_report(const Record& record, const std::vector<const Record*>& beside) {
   Document document{.title = {}, .sections = {}};
   const auto add = [&document](Section section, const std::string& chapter) {
     section.chapter = chapter;
     document.sections.push_back(std::move(section));
   };
   for (const auto& [name, sections_of_record] : sections_of) {
-    const auto is_in = std::ranges::find(experiments, name, &Experiment::name)->is_in;
-    const auto record = std::ranges::find_if(records, [&](const Record* r) { return is_in(*r); });
-    if (record == records.end()) continue;
+    if (!std::ranges::find(experiments, name, &Experiment::name)->is_in(record)) continue;
     const std::string title = sentence("experiments." + std::string(name));
     if (document.title.empty()) document.title = "desmo: " + title;
-    std::vector<Section> sections = sections_of_record(**record);
+    std::vector<Section> sections = sections_of_record(record);
     move_figure_to_front(sections);
     sections.front().front = true;
     for (Section& section : sections) add(std::move(section), title);
   }
-  Section others = headed_section("machines_section");
-  for (const Record* record : records)
-    for (Section found = machines(*record, beside); Table & table : found.tables)
-      others.tables.push_back(on_page(std::move(table)));
+  Section others = machines(record, beside);
+  for (Table& table : others.tables) table = on_page(std::move(table));
   if (others.tables.empty()) others.paragraphs = {sentence("machines_section.none")};
   if (!beside.empty()) add(std::move(others), sentence("machines_section.chapter"));
   const std::string about = sentence("about.chapter");
-  add(measured_how(records), about);
-  add(joint_limitations(records), about);
-  for (const Record* record : records)
-    if (const auto lines = failures(*record); !lines.empty())
-      add({headed_section("failures").title, lines, {}}, about);
+  Section measured = headed_section("measured");
+  measured.tables = {provenance(record)};
+  add(std::move(measured), about);
+  add(limitations(record), about);
+  if (const auto lines = failures(record); !lines.empty())
+    add({headed_section("failures").title, lines, {}}, about);
   return document;
 }
-
-Document make_report(const Record& record) { return make_report({&record}); }
 
 }  // namespace desmo::report

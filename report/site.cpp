@@ -32,7 +32,7 @@ std::vector<SitePage> make_site(const std::filesystem::path& results) {
   std::vector<const Record*> all;
   for (const auto& [name, record] : records) all.push_back(&record);
   for (const auto& [name, record] : records)
-    add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report({&record}, all));
+    add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report(record, all));
   if (exists(history_file)) {
     const History history = read_history(history_file);
     add({"history", "", history.points.empty() ? "" : history.points.back().date.substr(0, 10)},

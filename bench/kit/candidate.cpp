@@ -28,13 +28,9 @@ double VerifiedCandidate::time_afresh() {
 }
 
 void Candidate::verify(ReferenceCache& references) {
-  verify_by([&](VerifyingRun& found) { return check(references, found); });
-}
-
-void Candidate::verify_by(const std::function<Checked(VerifyingRun&)>& check) {
   if (!std::holds_alternative<Unverified>(state_)) return;
   try {
-    if (Checked wrong = check(verifying_run_))
+    if (Checked wrong = check(references, verifying_run_))
       refuse(*std::move(wrong));
     else
       state_.emplace<VerifiedCandidate>(VerifiedCandidate::Key(), *this);

@@ -95,8 +95,8 @@ class Candidate {
   /// Returns the name of the benchmark: <case>/<coordinates>/<id>, and what else tells it apart.
   virtual std::string name() const = 0;
 
-  /// Solves the whole motion and compares it with a reference. Nothing when it was verified or
-  /// refused before.
+  /// Solves the whole motion and compares it with a reference, which is made or found in the cache
+  /// unless the candidate brings its own. Does nothing when it was verified or refused before.
   void verify(ReferenceCache& references);
 
   /// Measures where the time goes, where that is shown. Nothing unless it is verified.
@@ -139,9 +139,6 @@ class Candidate {
   /// Makes what is timed, and assembles it once. The windows take its times; they outlive it. Only
   /// for VerifiedCandidate.
   virtual std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const = 0;
-
-  /// Verifies it by another check than its own, once.
-  void verify_by(const std::function<Checked(VerifyingRun&)>& check);
 
   static Refusal failed(std::string why) { return {Refusal::Kind::failed, std::move(why)}; }
   static Refusal not_run(std::string why) { return {Refusal::Kind::not_run, std::move(why)}; }

@@ -73,7 +73,8 @@ class FormulationCandidate : public Candidate {
   const Configuration configuration_;
 };
 
-/// A formulation that solves a problem made beforehand.
+/// A formulation that solves a problem made beforehand, and is compared with the problem's own
+/// reference where it has one.
 class ProblemCandidate : public FormulationCandidate {
  public:
   /// The problem must outlive the candidate.
@@ -81,10 +82,6 @@ class ProblemCandidate : public FormulationCandidate {
   /// id: as parse_id takes it, which throws for an unusable one. It stays the candidate's id;
   /// `others` are the settings that it does not name.
   ProblemCandidate(const Problem& problem, std::string_view id, const Settings& others);
-
-  using Candidate::verify;
-  /// Compares with the problem's own reference.
-  void verify();
 
  protected:
   const Problem& problem() const override { return problem_; }
@@ -95,9 +92,5 @@ class ProblemCandidate : public FormulationCandidate {
 
   const Problem& problem_;
 };
-
-/// Allowed difference of the answers of a request from those of the whole mechanism, both solved
-/// as far as double precision goes.
-inline constexpr double allowed_request_difference = 1e-12;
 
 }  // namespace desmo::bench

@@ -1,9 +1,6 @@
 #include "bench/regression/counts.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -55,19 +52,6 @@ std::size_t place_of(const std::string& name, Json& history) {
   return place;
 }
 
-void print_changes(const Json& names, const Json& before, const Json& point) {
-  constexpr double shown = 2;  // [%]
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const Json &was = before["instructions"][i], &is = point["instructions"][i];
-    if (was.is_null() || is.is_null()) continue;
-    const double change = 100 * (is.get<double>() / was.get<double>() - 1);
-    if (std::abs(change) > shown)
-      std::printf("%s: %s %+.1f %% since %s\n", point["commit"].get<std::string>().c_str(),
-                  names[i].get<std::string>().c_str(), change,
-                  before["commit"].get<std::string>().c_str());
-  }
-}
-
 }  // namespace
 
 std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
@@ -104,7 +88,6 @@ void add_point(Json& history, const Side& programs, const Commit& commit,
   const auto later = std::find_if(points.begin(), points.end(), [&](const Json& p) {
     return p["date"].get<std::string>() > commit.date;
   });
-  if (later != points.begin()) print_changes(history["cells"], *std::prev(later), point);
   points.insert(later, point);
 }
 

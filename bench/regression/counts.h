@@ -24,8 +24,8 @@ struct Commit {
 
 /// Counts the candidates in a commit's programs and adds a point to a history, which may be empty.
 /// A candidate that the programs do not have is null in the point; one that the history does not
-/// have yet is null in all earlier points. Prints which candidates moved by more than 2 % since the
-/// point before. Throws std::runtime_error when something cannot be counted.
+/// have yet is null in all earlier points. Throws std::runtime_error when something cannot be
+/// counted.
 void add_point(nlohmann::ordered_json& history, const Side& programs, const Commit& commit,
                const std::vector<std::string>& names);
 

@@ -59,7 +59,7 @@ void require_known(const Names& all, const std::string& name, const std::string&
     throw std::invalid_argument(option + ": there is no candidate '" + name + "'");
 }
 
-/// Reads SIDE:CELL:PERCENT into the side that it names.
+/// Reads SIDE:CANDIDATE:PERCENT into the side that it names.
 void make_slower(std::vector<Side>& sides, const std::string& slow) {
   const std::size_t first = slow.find(':'), last = slow.rfind(':');
   for (Side& side : sides) {
@@ -68,7 +68,7 @@ void make_slower(std::vector<Side>& sides, const std::string& slow) {
     side.percent = bench::whole_number(slow.substr(last + 1), 1, 90);
     return require_known(all_names(sides.back()), side.slowed, "--slow");
   }
-  throw std::invalid_argument("--slow: '" + slow + "' is not SIDE:CELL:PERCENT");
+  throw std::invalid_argument("--slow: '" + slow + "' is not SIDE:CANDIDATE:PERCENT");
 }
 
 std::vector<Side> sides_of(const Options& o) {
@@ -103,24 +103,21 @@ Names sound(Names sound, const Json& check, const std::vector<Side>& sides) {
   return sound;
 }
 
-void append(Json& samples, const std::vector<double>& seconds) {
-  for (const double value : seconds) samples.push_back(value);
-}
-
 /// Adds the samples of a pass: those of the first stand in the records.
 void add_times(Json& check, const std::string& pass, const Times& times) {
   if (pass == "second") {
     for (const auto& [candidate, by_side] : times)
-      for (const auto& [side, seconds] : by_side) append(check["second"][candidate][side], seconds);
+      for (const auto& [side, seconds] : by_side)
+        for (const double s : seconds) check["second"][candidate][side].push_back(s);
     return;
   }
   for (const auto& [side, seconds] : times.at(control_name)) {
-    append(check[control_name][side], seconds);
+    for (const double s : seconds) check[control_name][side].push_back(s);
     for (Json& candidate : check[side]["paper"]["cells"]) {
       const auto timed = times.find(name_of(candidate));
       if (timed == times.end()) continue;
       candidate["time"]["clock"] = "cpu";
-      append(candidate["time"]["seconds"], timed->second.at(side));
+      for (const double s : timed->second.at(side)) candidate["time"]["seconds"].push_back(s);
     }
   }
 }
@@ -162,6 +159,8 @@ void save(const std::string& text, const std::string& path) {
 }
 
 void measure(const Options& o) {
+  if (o.time && o.base.empty())
+    throw std::invalid_argument("times need --base: head alone is counted (--no-time)");
   const std::vector<Side> sides = sides_of(o);
   const Names all = all_names(sides.back());
   for (const std::string& name : o.names) require_known(all, name, "--cell");
@@ -205,20 +204,19 @@ int run(int argc, char** argv) {
   CLI::App* all = app.add_subcommand("measure", "Verifies, counts and times every candidate");
   all->add_option("file", o.file, "Results file to write")->required();
   all->add_option("--slow", o.slow,
-                  "SIDE:CELL:PERCENT: make a candidate slower, to test the check");
+                  "SIDE:CANDIDATE:PERCENT: make a candidate slower, to test the check");
   all->add_option("--cell", o.names, "Measure only these");
   all->add_flag("!--no-time", o.time, "Count instructions only");
   all->add_flag("!--no-work", o.work, "Measure times only");
-  CLI::App* more = app.add_subcommand("more", "Adds rounds of some cells to a results file");
+  CLI::App* more = app.add_subcommand("more", "Adds rounds of some candidates to a results file");
   more->add_option("file", o.file, "Results file")->required();
   more->add_option("pass", o.pass)->required()->check(CLI::IsMember({"first", "second"}));
   more->add_option("cells", o.names)->required();
-  CLI::App* history = app.add_subcommand("history", "Counts a commit's cells and adds them");
+  CLI::App* history = app.add_subcommand("history", "Counts a commit's candidates and adds them");
   history->add_option("file", o.file, "History to add to; made where there is none")->required();
   history->add_option("--commit", o.commit.name)->required();
   history->add_option("--date", o.commit.date)->required();
   history->add_option("--subject", o.commit.message)->required();
-  history->add_option("--slow", o.slow, "head:CELL:PERCENT, as above");
   history->add_option("cells", o.names)->required();
   try {
     app.parse(argc, argv);

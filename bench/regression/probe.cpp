@@ -1,10 +1,10 @@
 // desmo_probe: what bench/check builds of both trees and puts questions to.
 //   desmo_probe names                                 the candidates that bench/check measures
 //   desmo_probe verify INSTANTS NAME...               a record of them, verified and not timed
-//   desmo_probe time INSTANTS [--slow=NAME:PERCENT]   times candidates as standard input asks
-// --slow makes a candidate slower on purpose, to test what is to find it. A question is a line NAME
-// REPETITIONS PLACEMENT, where NAME may be "control"; the answer is the least CPU time of one
-// analysis among the repetitions.
+//   desmo_probe time INSTANTS [NAME PERCENT]          times candidates as standard input asks,
+//                                                   NAME by PERCENT slower, to test the check
+// A question is a line NAME REPETITIONS PLACEMENT, where NAME may be "control"; the answer is the
+// least CPU time of one analysis among the repetitions.
 
 #include <algorithm>
 #include <exception>
@@ -12,7 +12,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/kit/memory.h"
@@ -69,7 +68,7 @@ double min_seconds(int repetitions, const Call& call) {
   return least;
 }
 
-/// Times candidates, and makes one slower on purpose where --slow says so.
+/// Times candidates, and makes the slowed one slower on purpose.
 class Timer {
  public:
   Timer(int instants, std::string slowed, double percent)
@@ -120,18 +119,10 @@ int run(std::vector<std::string> arguments) {
     std::cout << verified_record(bench::whole_number(arguments[1], 2, max_number),
                                  {arguments.begin() + 2, arguments.end()})
               << '\n';
-  } else if (command == "time" && (arguments.size() == 2 || arguments.size() == 3)) {
-    std::string slowed;
-    double percent = 0;
-    if (arguments.size() == 3) {
-      constexpr std::string_view option = "--slow=";
-      const std::size_t colon = arguments[2].rfind(':');
-      if (!arguments[2].starts_with(option) || colon == std::string::npos)
-        return bench::usage_error;
-      slowed = arguments[2].substr(option.size(), colon - option.size());
-      percent = bench::whole_number(arguments[2].substr(colon + 1), 0, max_number);
-    }
-    serve(Timer(bench::whole_number(arguments[1], 2, max_number), slowed, percent));
+  } else if (command == "time" && (arguments.size() == 2 || arguments.size() == 4)) {
+    const bool slowed = arguments.size() == 4;
+    serve(Timer(bench::whole_number(arguments[1], 2, max_number), slowed ? arguments[2] : "",
+                slowed ? bench::whole_number(arguments[3], 0, max_number) : 0));
   } else {
     return bench::usage_error;
   }
@@ -147,7 +138,7 @@ int main(int argc, char** argv) {
     const int code = desmo::regression::run({argv + 1, argv + argc});
     if (code == desmo::bench::usage_error)
       std::cerr << "usage: desmo_probe names | verify INSTANTS NAME... | "
-                   "time INSTANTS [--slow=NAME:PERCENT]\n";
+                   "time INSTANTS [NAME PERCENT]\n";
     return code;
   } catch (const std::invalid_argument& e) {
     std::cerr << "desmo_probe: " << e.what() << '\n';

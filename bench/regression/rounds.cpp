@@ -19,7 +19,7 @@ constexpr int placements = 256;  // of 16 bytes each: a page
 std::unique_ptr<bench::Child> start(const Side& side, int core) {
   std::vector<std::string> arguments{"time", std::to_string(TimingSettings::instants)};
   if (!side.slowed.empty())
-    arguments.push_back("--slow=" + side.slowed + ":" + std::to_string(side.percent));
+    arguments.insert(arguments.end(), {side.slowed, std::to_string(side.percent)});
   bench::Launch launch = side.probe(std::move(arguments));
   launch.core = core;
   launch.fresh_copy = true;

@@ -18,11 +18,12 @@ double extent(const Model& m, std::span<const double> q, const Constraint& c) {
   const auto position = [&](EntityId e) {
     return (m.entities[e].fixed ? m.fixed_values.data() : q.data()) + m.entities[e].first;
   };
-  for (const EntityId a : c.operands) {
+  for (auto at = c.operands.begin(); at != c.operands.end(); ++at) {
+    const EntityId a = *at;
     const double* x = position(a);
     if (m.entities[a].kind == EntityKind::distance) at_least(std::abs(*x));
     if (m.entities[a].kind != EntityKind::point) continue;
-    for (const EntityId b : c.operands) {
+    for (const EntityId b : std::span(at + 1, c.operands.end())) {
       if (m.entities[b].kind != EntityKind::point) continue;
       const double* y = position(b);
       double distance = 0;

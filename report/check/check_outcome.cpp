@@ -53,21 +53,15 @@ CheckVerdict overall(CheckOutcome& j) {
   return CheckVerdict::pass;
 }
 
-bool has_times(const Record& record) {
-  return std::ranges::any_of(record.candidates, [](const auto& candidate) {
-    return candidate.second.status == Status::ok;
-  });
-}
-
 }  // namespace
 
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline) {
   CheckOutcome j;
   const Record& then = baseline ? baseline->head : check.base ? *check.base : check.head;
   exclude(j, check, then);
-  if (&then != &check.head && has_times(check.head)) {
+  if (!baseline && check.base && has_times(check.head)) {
     j.differences = why_incomparable(then, check.head);
-    if (j.differences.empty()) j.time = baseline ? find_times(check, *baseline) : find_times(check);
+    if (j.differences.empty()) j.time = find_times(check);
   }
   j.work = find_works(check, baseline);
   j.verdict = overall(j);
@@ -82,9 +76,6 @@ std::vector<Pending> pending(const CheckOutcome& found) {
     if (f.outcome != Finding::unconfirmed && f.outcome != Finding::noisy) continue;
     const bool first = f.outcome == Finding::noisy && (first_unsteady || !f.second);
     all.push_back({first ? "first" : "second", f.candidate});
-    // A ratio needs both its times in the same rounds; the control is in all of them.
-    if (!f.reference.empty() && f.reference != control_name)
-      all.push_back({all.back().pass, f.reference});
   }
   return all;
 }
@@ -112,18 +103,13 @@ std::string outcome_word(Finding outcome) {
   return sentence(names[static_cast<std::size_t>(outcome)]);
 }
 
-Entry milliseconds(double seconds) {
-  return number_entry(seconds > 0 ? std::optional(1e3 * seconds) : std::nullopt, 4);
-}
+Entry milliseconds(double seconds) { return number_entry(1e3 * seconds, 4); }
 
 Table time_table(const TimeFindings& time) {
   std::size_t rounds = 0;
   for (const TimeFinding& f : time.candidates) rounds = std::max(rounds, f.first.rounds);
   Table table = headed_table("time", {{"rounds", rounds}});
-  if (time.control)
-    table.notes.push_back(sentence("time.control", {{"change", change_entry(time.control).shown}}));
-  else
-    table.title = sentence("time.over_baseline");
+  table.notes.push_back(sentence("time.control", {{"change", change_entry(time.control).shown}}));
   for (const TimeFinding& f : time.candidates)
     table.rows.push_back({f.candidate, milliseconds(f.base_seconds), milliseconds(f.head_seconds),
                           change_entry(f.first), change_entry(f.second), outcome_word(f.outcome)});

@@ -12,10 +12,9 @@ std::vector<double> read_side(const RecordValue& node) {
   return samples;
 }
 
-Rounds read_rounds(const RecordValue& node, bool two_sides) {
-  Rounds rounds{{}, read_side(node["head"])};
-  if (two_sides) rounds.base = read_side(node["base"]);
-  if (two_sides && rounds.base.size() != rounds.head.size())
+Rounds read_rounds(const RecordValue& node) {
+  Rounds rounds{read_side(node["base"]), read_side(node["head"])};
+  if (rounds.base.size() != rounds.head.size())
     node.complain("base and head differ in their number of rounds");
   return rounds;
 }
@@ -35,12 +34,6 @@ Work read_work(const RecordValue& node, bool two_sides) {
     if (two_sides) counts.base = read_count(sides["base"]);
   }
   return work;
-}
-
-bool is_timed(const Record& record) {
-  return std::ranges::any_of(record.candidates, [](const auto& candidate) {
-    return candidate.second.status == Status::ok;
-  });
 }
 
 // Both sides have the same candidates; what was timed on one was timed on the other, in the same
@@ -90,10 +83,10 @@ CheckRecord read_root(const RecordValue& root) {
   if (const auto base = root.find("base")) check.base = read_record(*base);
   const bool two_sides = check.base.has_value();
   if (two_sides) check_pairs(check, root);
-  if (is_timed(check.head)) check.control = read_rounds(root[control_name], two_sides);
+  if (has_times(check.head)) check.control = read_rounds(root[control_name]);
   if (const auto second = root.find("second"))
     for (const auto& [candidate, rounds] : second->members())
-      check.second.emplace(candidate, read_rounds(rounds, two_sides));
+      check.second.emplace(candidate, read_rounds(rounds));
   if (!check.second.empty() && !check.second.contains(control_name))
     root["second"].complain("the control is missing");
   if (const auto work = root.find("work")) check.work = read_work(*work, two_sides);
@@ -103,6 +96,11 @@ CheckRecord read_root(const RecordValue& root) {
 }
 
 }  // namespace
+
+bool has_times(const Record& side) {
+  return std::ranges::any_of(
+      side.candidates, [](const auto& candidate) { return candidate.second.status == Status::ok; });
+}
 
 CheckRecord parse_check(std::string_view text, const std::string& file) {
   return read_document(text, file, read_root);

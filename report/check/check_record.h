@@ -17,10 +17,9 @@ namespace desmo::report {
 /// Name of the fixed kernel that is timed like a candidate.
 inline constexpr const char* control_name = "control";
 
-/// The least CPU seconds of a candidate in each round.
+/// The least CPU seconds of a candidate in each round, as many on either side.
 struct Rounds {
-  std::vector<double> base,
-      head;  ///< as many of either; base is empty when head was measured alone
+  std::vector<double> base, head;
 };
 
 /// Instructions of a candidate's counted steps.
@@ -35,7 +34,7 @@ struct Work {
 };
 
 struct CheckRecord {
-  std::optional<Record> base;  ///< none when head was measured alone
+  std::optional<Record> base;  ///< none when head was counted alone: nothing is timed then
   Record head;                 ///< samples: the first pass, a value a round
   Rounds control;              ///< likewise
   std::map<std::string, Rounds>
@@ -43,6 +42,9 @@ struct CheckRecord {
   std::optional<Work> work;
   std::string slowed;  ///< what was made slower on purpose, SIDE:CELL:PERCENT; empty: nothing
 };
+
+/// Tells whether a side has times, of any candidate.
+bool has_times(const Record& side);
 
 /// Checks everything that a verdict relies on: that both sides have the same candidates, and that
 /// what is right on both was measured by all that was used, Time, Work or both. The two sides are

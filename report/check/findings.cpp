@@ -1,7 +1,6 @@
 #include "report/check/findings.h"
 
 #include <cmath>
-#include <functional>
 #include <map>
 
 #include "report/statistics/statistics.h"
@@ -24,60 +23,19 @@ bool is_wide(const Change& c) { return c.high / c.low > max_interval; }
 bool is_undecided(const Change& c) { return is_wide(c) || beyond(c.ratio, alarming_change); }
 
 using Pass = std::map<std::string, Rounds>;  // by candidate, with the control
-using FindChange = std::function<Change(const Pass& pass, const std::string& candidate)>;
 
 Pass first_pass(const CheckRecord& check) {
   Pass pass;
-  for (const auto& [key, head] : check.head.candidates) {
-    if (head.status != Status::ok) continue;
-    if (!check.base) {
-      pass[name_of(key)] = {{}, head.time.seconds};
-    } else if (const MeasuredCandidate& base = check.base->candidates.at(key);
-               base.status == Status::ok) {
+  if (!check.base) return pass;
+  for (const auto& [key, head] : check.head.candidates)
+    if (const MeasuredCandidate& base = check.base->candidates.at(key);
+        base.status == Status::ok && head.status == Status::ok)
       pass[name_of(key)] = {base.time.seconds, head.time.seconds};
-    }
-  }
   if (!pass.empty()) pass[control_name] = check.control;
   return pass;
 }
 
-double middle(const std::vector<double>& samples) {
-  return samples.empty() ? 0 : summarise(samples).median;
-}
-
-using FindReference = std::function<std::string(const std::string& candidate)>;
-
-std::vector<TimeFinding> compare_candidates(const Pass& first, const Pass& second,
-                                            const FindReference& reference,
-                                            const FindChange& change) {
-  std::vector<TimeFinding> findings;
-  for (const auto& [candidate, rounds] : first) {
-    if (candidate == control_name) continue;
-    TimeFinding finding{candidate,
-                        reference(candidate),
-                        middle(rounds.base),
-                        middle(rounds.head),
-                        change(first, candidate),
-                        {},
-                        {}};
-    if (second.contains(candidate) &&
-        (finding.reference.empty() || second.contains(finding.reference)))
-      finding.second = change(second, candidate);
-    finding.outcome = finding_of_time(finding.first, finding.second);
-    findings.push_back(std::move(finding));
-  }
-  return findings;
-}
-
-/// "<case>/.../global_automatic_klu" of the same case; of that one, the control.
-std::string reference_of(const std::string& candidate, const Pass& pass) {
-  const std::string case_name = candidate.substr(0, candidate.find('/') + 1);
-  for (const auto& [other, ignored] : pass)
-    if (other != candidate && other.starts_with(case_name) &&
-        other.ends_with("/global_automatic_klu"))
-      return other;
-  return control_name;
-}
+Change change(const Rounds& rounds) { return median_change(log_ratios(rounds.head, rounds.base)); }
 
 }  // namespace
 
@@ -100,36 +58,24 @@ Finding finding_of_work(double percent) {
 }
 
 TimeFindings find_times(const CheckRecord& check) {
-  const Pass first = first_pass(check);
+  const Pass first = first_pass(check), &second = check.second;
   if (first.empty()) return {};
-  const FindChange paired = [](const Pass& pass, const std::string& candidate) {
-    return median_change(log_ratios(pass.at(candidate).head, pass.at(candidate).base));
-  };
-  const FindReference none = [](const std::string&) { return std::string(); };
-  TimeFindings findings{paired(first, control_name),
-                        compare_candidates(first, check.second, none, paired)};
-  const bool first_unsteady = is_unsteady(*findings.control);
-  const bool second_unsteady =
-      !check.second.empty() && is_unsteady(paired(check.second, control_name));
-  for (TimeFinding& finding : findings.candidates)
-    if (first_unsteady || (second_unsteady && finding.second)) finding.outcome = Finding::noisy;
+  const Change control = change(first.at(control_name));
+  const bool first_unsteady = is_unsteady(control);
+  const bool second_unsteady = !second.empty() && is_unsteady(change(second.at(control_name)));
+  TimeFindings findings{control, {}};
+  for (const auto& [candidate, rounds] : first) {
+    if (candidate == control_name) continue;
+    TimeFinding finding{
+        candidate, summarise(rounds.base).median, summarise(rounds.head).median, change(rounds), {},
+        {}};
+    if (const auto again = second.find(candidate); again != second.end())
+      finding.second = change(again->second);
+    const bool unsteady = first_unsteady || (second_unsteady && finding.second);
+    finding.outcome = unsteady ? Finding::noisy : finding_of_time(finding.first, finding.second);
+    findings.candidates.push_back(std::move(finding));
+  }
   return findings;
-}
-
-TimeFindings find_times(const CheckRecord& check, const CheckRecord& baseline) {
-  const Pass then = first_pass(baseline);
-  Pass now = first_pass(check);
-  std::erase_if(now, [&](const auto& entry) { return !then.contains(entry.first); });
-  const FindReference reference = [&](const std::string& candidate) {
-    return reference_of(candidate, now);
-  };
-  const FindChange unpaired = [&](const Pass& pass, const std::string& candidate) {
-    const auto ratios = [&](const Pass& run) {
-      return log_ratios(run.at(candidate).head, run.at(reference(candidate)).head);
-    };
-    return median_change(ratios(pass), ratios(then));
-  };
-  return {std::nullopt, compare_candidates(now, check.second, reference, unpaired)};
 }
 
 namespace {

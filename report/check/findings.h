@@ -46,25 +46,19 @@ Finding finding_of_work(double percent);
 
 struct TimeFinding {
   std::string candidate;
-  std::string reference;  ///< against a baseline: what its time is divided by; otherwise empty
-  double base_seconds = 0, head_seconds = 0;  ///< medians over the rounds; base 0 without one
+  double base_seconds = 0, head_seconds = 0;  ///< medians over the rounds
   Change first;
   std::optional<Change> second;
   Finding outcome = Finding::same;
 };
 
 struct TimeFindings {
-  std::optional<Change> control;  ///< of the first pass; none against a baseline
+  std::optional<Change> control;  ///< of the first pass; none when nothing was timed
   std::vector<TimeFinding> candidates;
 };
 
-/// Base against head, round by round.
+/// Compares base with head, round by round.
 TimeFindings find_times(const CheckRecord& check);
-
-/// Head against that of a stored baseline, by ratios within either run: each candidate's time over
-/// that of its case's global_automatic_klu, and that one's over the control. So the speed of the
-/// machine and of the day cancel.
-TimeFindings find_times(const CheckRecord& check, const CheckRecord& baseline);
 
 struct WorkFinding {
   std::string candidate;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "report/statistics/statistics.h"
 
@@ -22,28 +21,12 @@ double binomial_tail(std::size_t n, std::size_t least, double p) {
   return sum;
 }
 
-using Weighted = std::vector<std::pair<double, double>>;  // value, probability
-
-/// The 0.5 % and 99.5 % quantiles.
-std::pair<double, double> interval(Weighted values) {
-  std::ranges::sort(values);
-  double below = 0;
-  auto low = values.front().first, high = values.back().first;
-  for (const auto& [value, probability] : values) {
-    const double up_to = below + probability;
-    if (below < tail && up_to >= tail) low = value;
-    if (below < 1 - tail && up_to >= 1 - tail) {
-      high = value;
-      break;
-    }
-    below = up_to;
-  }
-  return {low, high};
-}
-
-Change change(double middle, Weighted distribution, std::size_t rounds) {
-  const auto [low, high] = interval(std::move(distribution));
-  return {std::exp(middle), std::exp(low), std::exp(high), rounds};
+/// Returns the smallest value that the median exceeds with a probability of at most 1 − p.
+double quantile(const MedianDistribution& d, double p) {
+  double up_to = 0;
+  for (std::size_t k = 0; k < d.value.size(); ++k)
+    if ((up_to += d.probability[k]) >= p) return d.value[k];
+  return d.value.back();
 }
 
 }  // namespace
@@ -72,20 +55,8 @@ MedianDistribution bootstrap_median(std::span<const double> values) {
 
 Change median_change(std::span<const double> logarithms) {
   const MedianDistribution d = bootstrap_median(logarithms);
-  Weighted weighted;
-  for (std::size_t i = 0; i < d.value.size(); ++i)
-    weighted.emplace_back(d.value[i], d.probability[i]);
-  return change(summarise(logarithms).median, std::move(weighted), logarithms.size());
-}
-
-Change median_change(std::span<const double> now, std::span<const double> then) {
-  const MedianDistribution a = bootstrap_median(now), b = bootstrap_median(then);
-  Weighted weighted;
-  for (std::size_t i = 0; i < a.value.size(); ++i)
-    for (std::size_t j = 0; j < b.value.size(); ++j)
-      weighted.emplace_back(a.value[i] - b.value[j], a.probability[i] * b.probability[j]);
-  return change(summarise(now).median - summarise(then).median, std::move(weighted),
-                std::min(now.size(), then.size()));
+  return {std::exp(summarise(logarithms).median), std::exp(quantile(d, tail)),
+          std::exp(quantile(d, 1 - tail)), logarithms.size()};
 }
 
 }  // namespace desmo::report

@@ -31,8 +31,4 @@ MedianDistribution bootstrap_median(std::span<const double> values);
 /// Returns exp of the median of one or more logarithms, with its interval.
 Change median_change(std::span<const double> logarithms);
 
-/// Returns exp of the difference of the medians of two independent sets, now − then, with its
-/// interval.
-Change median_change(std::span<const double> now, std::span<const double> then);
-
 }  // namespace desmo::report

@@ -1,8 +1,5 @@
-// The experiment accuracy: floors, points, and what the choices of desmo tune are worth.
-#include <set>
-
+// The experiment accuracy: floors and points.
 #include "report/read/readers.h"
-#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
@@ -54,19 +51,6 @@ std::string described(const SeriesKey& series) {
          std::to_string(series.instants) + " instants";
 }
 
-TunedChoice read_tuned_choice(const RecordValue& node) {
-  return {node["id"].text(), node["error"].not_negative(), read_cpu_seconds(node["time_per_step"])};
-}
-
-Promise read_promise(const RecordValue& node) {
-  return {.mechanism = node["mechanism"].name(),
-          .coordinates = node["coordinates"].integer(1),
-          .allowed = node["allowed"].positive(),
-          .promised = node["promised"].not_negative(),
-          .choice = read_tuned_choice(node["choice"]),
-          .best = read_tuned_choice(node["best"])};
-}
-
 }  // namespace
 
 void read_accuracy(Record& record, const RecordValue& experiment) {
@@ -79,14 +63,6 @@ void read_accuracy(Record& record, const RecordValue& experiment) {
     if (!record.floors.contains(key.series))
       node.complain("\"floors\" has nothing of " + described(key.series));
     add_once(record.points, node, key, read_point(node), key.id + " of " + described(key.series));
-  });
-  std::set<std::pair<std::string, double>> seen;
-  read_each(experiment, "tuning", [&](const RecordValue& node) {
-    record.tuning.push_back(read_promise(node));
-    const Promise& promise = record.tuning.back();
-    if (!seen.emplace(promise.mechanism, promise.allowed).second)
-      node.complain("the promise of " + write_shortest(promise.allowed) + " for " +
-                    promise.mechanism + " is given twice");
   });
 }
 

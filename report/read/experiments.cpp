@@ -19,7 +19,7 @@ TimedSize failed(TimedSize entry, std::string why) {
 /// It grows as the tolerance does beyond the record's.
 LevelNumbers allowed_of(const TimedSize& entry, const RecordSettings& settings) {
   const double times = std::max(1.0, entry.tolerance / settings.tolerance);
-  const LevelNumbers& allowed = settings.allowed->levels;
+  const LevelNumbers& allowed = *settings.allowed;
   return {times * allowed.position, times * allowed.velocity, times * allowed.acceleration};
 }
 

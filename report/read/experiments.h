@@ -56,22 +56,6 @@ struct Point {
       {};  ///< samples of CPU time; never empty when ok, else always
 };
 
-/// A configuration of desmo tune, measured apart from any search.
-struct TunedChoice {
-  std::string id;
-  double error = 0;                      ///< relative, of position, the largest
-  std::vector<double> seconds_per_step;  ///< samples of CPU time, at least one
-};
-
-/// A search of desmo tune, and its control.
-struct Promise {
-  std::string mechanism;
-  std::int64_t coordinates = 0;
-  double allowed = 0;   ///< error that was asked for
-  double promised = 0;  ///< that the search says its choice has
-  TunedChoice choice, best;
-};
-
 // ---- size: time against size ----
 
 /// A formulation at one size of a case.

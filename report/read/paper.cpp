@@ -47,22 +47,18 @@ MeasuredCandidate read_candidate(const RecordValue& node, const RecordSettings& 
   if (candidate.status != Status::ok) return candidate;
   if (!candidate.verification) node.complain("an \"ok\" cell needs \"verification\"");
   if (settings.allowed)
-    turn_into_failure(candidate, excess(*candidate.verification, settings.allowed->levels));
+    turn_into_failure(candidate, excess(*candidate.verification, *settings.allowed));
   return candidate;
 }
 
 // Only the levels asked were compared.
-std::string request_excess(const RecordValue& verification, double difference,
-                           const Allowed& allowed) {
+std::string request_excess(const RecordValue& verification, const LevelNumbers& allowed) {
   const auto level = [&](const char* name) {
     return verification.maybe(name, &RecordValue::not_negative).value_or(0);
   };
   const LevelNumbers found{verification["position"].not_negative(), level("velocity"),
                            level("acceleration")};
-  std::string reason = excess(found, allowed.levels);
-  if (reason.empty() && allowed.request)
-    reason = excess("the answer beside the whole mechanism's", difference, *allowed.request);
-  return reason;
+  return excess(found, allowed);
 }
 
 MeasuredRequest read_request(const RecordValue& node, const RecordSettings& settings) {
@@ -75,16 +71,13 @@ MeasuredRequest read_request(const RecordValue& node, const RecordSettings& sett
                           .level = level.text(),
                           .unknowns = node["unknowns"].integer(1),
                           .all_unknowns = node["all_unknowns"].integer(1),
-                          .solved = read_solved(node, settings, key.id),
-                          .difference = node.maybe("difference", &RecordValue::not_negative)};
+                          .solved = read_solved(node, settings, key.id)};
   if (request.unknowns > request.all_unknowns)
     node["unknowns"].complain("more unknowns than the whole mechanism has");
   if (request.solved.status != Status::ok) return request;
   const RecordValue verification = node["verification"];
-  if (!request.difference) node.complain("an \"ok\" request needs \"difference\"");
   if (settings.allowed)
-    turn_into_failure(request.solved,
-                      request_excess(verification, *request.difference, *settings.allowed));
+    turn_into_failure(request.solved, request_excess(verification, *settings.allowed));
   return request;
 }
 
@@ -125,8 +118,7 @@ void read_paper(Record& record, const RecordValue& experiment) {
     MeasuredRequest request = read_request(node, settings);
     if (!seen.emplace(request.key, request.name).second)
       node.complain("the request " + request.name + " of " + request.key.id + " is given twice");
-    (is_by_wall(request.key.id) ? record.wall_requests : record.requests)
-        .push_back(std::move(request));
+    if (!is_by_wall(request.key.id)) record.requests.push_back(std::move(request));
   });
   read_each(experiment, "peers", [&](const RecordValue& node) {
     record.peers.push_back(read_peer(node, settings));

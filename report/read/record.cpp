@@ -9,8 +9,8 @@
 namespace desmo::report {
 namespace {
 
-Allowed read_allowed(const RecordValue& node) {
-  return {read_levels(node, &RecordValue::positive), node.maybe("request", &RecordValue::positive)};
+LevelNumbers read_allowed(const RecordValue& node) {
+  return read_levels(node, &RecordValue::positive);
 }
 
 Machine read_machine(const RecordValue& node) {
@@ -98,9 +98,8 @@ void require_one_origin(const Record& record) {
   };
   for (const auto* candidates : {&record.candidates, &record.wall_candidates})
     for (const auto& [key, candidate] : *candidates) take(key, "", candidate);
-  for (const auto* requests : {&record.requests, &record.wall_requests})
-    for (const MeasuredRequest& request : *requests)
-      take(request.key, "/request:" + request.name, request.solved);
+  for (const MeasuredRequest& request : record.requests)
+    take(request.key, "/request:" + request.name, request.solved);
   for (const Peer& peer : record.peers) take(key_of(peer), "", peer.solved);
 }
 

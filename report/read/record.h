@@ -43,10 +43,10 @@ struct RecordSettings {
   double tolerance = 0;  ///< of the norm of the constraint equations, whole mechanism
   std::int64_t max_iterations = 0;
   std::string guess;
-  double step_seconds = 0;      ///< s, between two instants
-  double duration_seconds = 0;  ///< s, of simulated motion
-  std::int64_t instants = 0;    ///< solved in one analysis
-  std::optional<Allowed> allowed;
+  double step_seconds = 0;              ///< s, between two instants
+  double duration_seconds = 0;          ///< s, of simulated motion
+  std::int64_t instants = 0;            ///< solved in one analysis
+  std::optional<LevelNumbers> allowed;  ///< largest differences from the reference
   std::optional<std::int64_t> windows;  ///< timing windows into which the motion is cut
 };
 
@@ -89,9 +89,8 @@ struct MeasuredRequest {
   std::string title;  ///< what is asked, for people
   std::string level;  ///< "position", "velocity", "acceleration"
   std::int64_t unknowns = 0;
-  std::int64_t all_unknowns = 0;     ///< of the whole mechanism
-  MeasuredCandidate solved;          ///< without verification
-  std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
+  std::int64_t all_unknowns = 0;  ///< of the whole mechanism
+  MeasuredCandidate solved;       ///< without verification
 };
 
 /// Another library, or code written by hand, that solves a case at a size; with its name each once.
@@ -125,13 +124,11 @@ struct Record {
   std::map<CandidateKey, MeasuredCandidate> candidates;  ///< CPU clock
   std::map<CandidateKey, MeasuredCandidate> wall_candidates;
   std::map<CandidateKey, Profile> profiles;
-  std::vector<MeasuredRequest> requests;  ///< CPU clock; in the record's order
-  std::vector<MeasuredRequest> wall_requests;
-  std::vector<Peer> peers;  ///< CPU clock; in the record's order
+  std::vector<MeasuredRequest> requests;  ///< CPU clock, others are left out; in the record's order
+  std::vector<Peer> peers;                ///< CPU clock; in the record's order
   // accuracy
   std::map<SeriesKey, Floor> floors;  ///< of every series with points
   std::map<PointKey, Point> points;   ///< time against error
-  std::vector<Promise> tuning;        ///< in the record's order
   // size
   std::map<CandidateKey, TimedSize> growth;      ///< time against coordinates
   std::map<CandidateKey, TimedSize> break_even;  ///< dense and sparse, by unknowns
@@ -145,10 +142,10 @@ struct Record {
 /// Tells whether it has the paper's experiment.
 inline bool has_paper(const Record& record) {
   return !record.candidates.empty() || !record.requests.empty() || !record.peers.empty() ||
-         !record.wall_candidates.empty() || !record.wall_requests.empty();
+         !record.wall_candidates.empty();
 }
 
-/// Something that a record may have measured, of which a page shows one record's.
+/// Something that a record may have measured.
 struct Experiment {
   const char* name;
   bool (*is_in)(const Record&);
@@ -158,7 +155,6 @@ struct Experiment {
 inline constexpr Experiment experiments[] = {
     {"paper", has_paper},
     {"accuracy", [](const Record& r) { return !r.points.empty(); }},
-    {"tuning", [](const Record& r) { return !r.tuning.empty(); }},
     {"size", [](const Record& r) { return !r.growth.empty() || !r.break_even.empty(); }},
     {"instructions", [](const Record& r) { return !r.instructions.empty(); }},
     {"extremes", [](const Record& r) { return !r.extremes.empty(); }}};

@@ -42,12 +42,6 @@ struct LevelNumbers {
   double position = 0, velocity = 0, acceleration = 0;
 };
 
-/// Largest differences from the reference that a verification may find.
-struct Allowed {
-  LevelNumbers levels;
-  std::optional<double> request;  ///< of a request from the whole mechanism
-};
-
 /// The origin of a time. Digests are SHA-256.
 struct Origin {
   std::optional<std::string> machine;  ///< CPU that it was measured on

@@ -10,15 +10,15 @@
 namespace desmo::report {
 namespace {
 
-Timing timing_of_steps(bool is_ok, const std::string& message, const std::vector<double>& seconds) {
-  if (!is_ok) return {{std::nullopt, failed_mark}, message, {}};
+Timing timing_of_steps(bool is_ok, const std::vector<double>& seconds) {
+  if (!is_ok) return {{std::nullopt, failed_mark}, {}, {}};
   return {{summarise(seconds), {}}, {}, {}};
 }
 
 std::map<CandidateKey, Timing> timings_of(const std::map<CandidateKey, TimedSize>& entries) {
   std::map<CandidateKey, Timing> all;
   for (const auto& [key, entry] : entries)
-    all[key] = timing_of_steps(entry.status == Status::ok, entry.message, entry.seconds_per_step);
+    all[key] = timing_of_steps(entry.status == Status::ok, entry.seconds_per_step);
   return all;
 }
 
@@ -26,7 +26,7 @@ std::map<CandidateKey, Timing> timings_of(const std::map<PointKey, Point>& point
   std::map<CandidateKey, Timing> all;
   for (const auto& [key, point] : points)
     all[timing_key(key)] =
-        timing_of_steps(point.status == Point::Status::ok, point.message, point.seconds_per_step);
+        timing_of_steps(point.status == Point::Status::ok, point.seconds_per_step);
   return all;
 }
 
@@ -40,12 +40,12 @@ CandidateKey timing_key(const PointKey& point) {
 }
 
 std::vector<TimedGroup> timed_groups(const Record& record) {
-  return {{"comparison", "CPU seconds", timings(record, Clock::cpu)},
-          {"comparison_wall", "Wall-clock seconds", timings(record, Clock::wall)},
-          {"comparison_growth", "CPU seconds of a step, growth", timings_of(record.growth)},
-          {"comparison_break_even", "CPU seconds of a step, dense and sparse",
+  return {{"machines", "CPU seconds", timings(record, Clock::cpu)},
+          {"machines_wall", "Wall-clock seconds", timings(record, Clock::wall)},
+          {"machines_growth", "CPU seconds of a step, growth", timings_of(record.growth)},
+          {"machines_break_even", "CPU seconds of a step, dense and sparse",
            timings_of(record.break_even)},
-          {"comparison_accuracy", "CPU seconds of a step, accuracy", timings_of(record.points)}};
+          {"machines_accuracy", "CPU seconds of a step, accuracy", timings_of(record.points)}};
 }
 
 CandidateKey reference_of(const CandidateKey& key) {
@@ -97,9 +97,6 @@ void compare_settings(Comparison& all, const RecordSettings& a, const RecordSett
   all.require_same("iterations at most", static_cast<double>(a.max_iterations),
                    static_cast<double>(b.max_iterations));
   all.require_same("first guess", a.guess, b.guess);
-}
-
-void compare_motions(Comparison& all, const RecordSettings& a, const RecordSettings& b) {
   all.require_same("step", a.step_seconds, b.step_seconds);
   all.require_same("duration", a.duration_seconds, b.duration_seconds);
 }
@@ -139,7 +136,6 @@ void compare_measured(Comparison& all, const Record& first, const Record& second
 
 void compare_work(Comparison& all, const Record& first, const Record& second) {
   compare_settings(all, first.settings, second.settings);
-  compare_motions(all, first.settings, second.settings);
   compare_measured(all, first, second);
 }
 
@@ -159,16 +155,6 @@ std::vector<Difference> why_incomparable(const Record& first, const Record& seco
 std::vector<Difference> different_work_reason(const Record& first, const Record& second) {
   Comparison all;
   compare_work(all, first, second);
-  return all.differences;
-}
-
-std::vector<Difference> why_apart(const Record& first, const Record& second) {
-  Comparison all;
-  compare_environment(all, first, second);
-  compare_settings(all, first.settings, second.settings);
-  for (const Experiment& experiment : experiments)
-    if (experiment.is_in(first) && experiment.is_in(second))
-      all.differ("one record with " + std::string(experiment.name), "one", "another");
   return all.differences;
 }
 

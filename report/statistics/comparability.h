@@ -27,10 +27,6 @@ std::vector<Difference> different_work_reason(const Record& first, const Record&
 /// Tells whether the records are of two CPU models.
 bool are_of_two_machines(const Record& first, const Record& second);
 
-/// Returns why times of two records cannot stand on one page; empty when they can. Motions and
-/// what was timed may differ. An experiment that stands in both records is a reason, too.
-std::vector<Difference> why_apart(const Record& first, const Record& second);
-
 /// Times of one experiment by one clock.
 struct TimedGroup {
   std::string name;  ///< of its table

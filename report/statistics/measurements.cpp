@@ -30,12 +30,12 @@ std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
   };
   for (const auto& [key, candidate] : by_wall ? record.wall_candidates : record.candidates)
     add(key, candidate);
-  for (const MeasuredRequest& request : by_wall ? record.wall_requests : record.requests) {
+  if (by_wall) return all;
+  for (const MeasuredRequest& request : record.requests) {
     CandidateKey key = request.key;
     key.id += "/request:" + request.name;
     add(key, request.solved);
   }
-  if (by_wall) return all;
   for (const Peer& peer : record.peers) add(key_of(peer), peer.solved);
   return all;
 }

@@ -33,7 +33,6 @@ std::vector<Entry> row_of(const Record& record, const MeasuredRequest& like,
           : time.seconds ? reference_entry()
                          : note_entry(time.mark),
           number_entry(time.seconds ? solved->iterations_per_step : std::nullopt, 3),
-          number_entry(request ? request->difference : std::nullopt, 2),
           solved ? remark(*solved) : ""};
 }
 
@@ -44,14 +43,10 @@ Section requests(const Record& record) {
   std::map<std::pair<std::string, std::int64_t>, std::vector<const MeasuredRequest*>> places;
   for (const MeasuredRequest& request : record.requests)
     places[{request.key.case_name, request.key.coordinates}].push_back(&request);
-  const auto& allowed = record.settings.allowed;
   for (const auto& [place, asked] : places) {
     Table table = headed_table(
         "requests_case",
-        {{"case", place.first},
-         {"coordinates", place.second},
-         {"time", time_word(record)},
-         {"allowed", allowed && allowed->request ? write_shortest(*allowed->request) : "any"}});
+        {{"case", place.first}, {"coordinates", place.second}, {"time", time_word(record)}});
     define_time(table, record);
     std::set<std::string> ids;
     for (const MeasuredRequest* request : asked)

@@ -97,9 +97,6 @@ Table guesses(const Record& record);
 /// Shows table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);
 
-/// Shows what the choices of desmo tune are worth, the front first. The record has tuning.
-std::vector<Section> tuning_sections(const Record& record);
-
 // ---- size, instructions, extremes ----
 
 /// Returns all about time against size, the front first. The record has sizes.

@@ -42,16 +42,12 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
         candidate->name().starts_with("truck_suspension/558/" + candidate->id() + "/request:"))
         << candidate->name();
     candidate->verify(references);
-    if (candidate
-            ->is_not_run()) {  // this build has not the code, or this processor not the registers
-      EXPECT_TRUE(candidate->message() == unavailable_reason(candidate->settings()) ||
-                  candidate->message().find("no generated code") != std::string::npos)
-          << candidate->name() << ": " << candidate->message();
+    if (candidate->is_not_run()) {  // this processor has not the registers
+      EXPECT_EQ(candidate->message(), unavailable_reason(candidate->settings()));
       continue;
     }
     ++verified;
     EXPECT_TRUE(candidate->is_verified()) << candidate->name() << ": " << candidate->message();
-    EXPECT_LE(candidate->difference(), allowed_request_difference) << candidate->name();
     EXPECT_EQ(candidate->verifying_run().errors.instants, 51);
     EXPECT_LT(candidate->request().unknowns, candidate->request().all_unknowns);
     candidate->measure([](VerifiedCandidate& verified) { verified.time_afresh(); });
@@ -75,16 +71,15 @@ TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
   EXPECT_EQ(delivery.qd()[0], f->qd()[s10]);
 }
 
-TEST_F(Requests, DifferWhereSomethingNeededIsLeftOut) {
-  const auto request = planned("damper");
-  const Variant& v = find_variant("global_automatic_klu");
-  const auto whole = make_formulation(v, request->whole);
-  const auto kept = make_formulation(v, request->plan.model);
-  const auto differences = [&](Level level) {
-    return max_differences(*whole, *kept, request->asked, level, request->grid);
-  };
-  EXPECT_LT(differences(Level::velocity).velocity, 1e-9);
-  EXPECT_GT(differences(Level::position).velocity, 1e-3);  // its velocities are never solved
+TEST_F(Requests, FailWhereSomethingNeededIsLeftOut) {
+  auto request = std::make_shared<PlannedRequest>(*planned("damper"));
+  for (int i = 0; i < std::ssize(request->plan.levels); ++i)  // not what its velocity needs
+    if (i != request->asked[0].kept) request->plan.levels[i] = Level::position;
+  RequestCandidate candidate(request, find_variant("group_symbolic_inlined"));
+  candidate.verify(references);
+  EXPECT_TRUE(candidate.is_failed());
+  EXPECT_TRUE(candidate.message().starts_with("differs from the reference")) << candidate.message();
+  EXPECT_FALSE(candidate.is_timed());
 }
 
 TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
@@ -95,8 +90,7 @@ TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
                              find_variant("global_automatic_klu"));
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());
-  EXPECT_TRUE(candidate.message().starts_with("the whole mechanism: ")) << candidate.message();
-  EXPECT_FALSE(candidate.is_timed());
+  EXPECT_NE(candidate.message(), "");
 }
 
 }  // namespace

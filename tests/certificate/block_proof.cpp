@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/float128.hpp>
 #include <random>
 
@@ -102,6 +103,53 @@ TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
         }
       }
     }
+}
+
+/// An equation u·v = c, of which only the first component of u is unknown.
+BlockBatch::Member product_of_vectors(double c) {
+  BlockBatch::Member made{{}, 0, 0, 0, Level::acceleration, {0, 1, 2, 3, 4, 5}};
+  BlockShape& s = made.block.shape;
+  s.unknowns = 1;
+  s.inputs = 5;
+  s.linear = false;
+  s.columns = s.entries = s.column_entries = made.rows;
+  s.column_rows = {0, 0, 0, 0, 0, 0};
+  s.row_begins = {0, 6};
+  s.input_begins = {1};
+  s.column_begins = {0, 1, 2, 3, 4, 5, 6};
+  s.objects.push_back({kind_index<Dot<3>>(), {0, 3}, {0, -1, -1}, 0, {0, 3, 1, 4, 2, 5}});
+  made.block.states = made.block.coordinates = made.rows;
+  made.block.constants = {c};
+  return made;
+}
+
+/// Errors of positions that cancel each other in a rate, but for what rounding loses.
+TEST(BlockProof, CountsRoundingOfWhatLowerLevelsAdd) {
+  using Exact = boost::multiprecision::cpp_rational;
+  constexpr double s = 0x1p-20, lost = 0x1.fp-54 * s;  // less than half of the last place of s
+  const std::array<double, 6> delivered{0.25, 0, 0, 1, -1, 0}, error{0, s, lost, lost, lost, -s},
+      rates{1, 1, 1, 0, 1, 1};
+  BlockBatch batch(std::vector{product_of_vectors(0.25)}, std::vector<double>(6, 1), 0);
+  PerLevel<ErrorTable> errors;
+  std::array<Exact, 6> exact;
+  for (ErrorTable* e : {&errors.position, &errors.velocity}) {
+    e->rows.resize(6);
+    e->radius.resize(6);
+  }
+  for (int i = 0; i < 6; ++i) {
+    errors.position.rows[i] = {delivered[i], error[i], 0, std::abs(error[i])};
+    errors.velocity.rows[i].delivered = rates[i];
+    exact[i] = Exact(delivered[i]) + Exact(error[i]);
+  }
+  BlockProof proof({.unknowns = 1, .width = 6, .states = 6, .columns = 0});
+  ASSERT_TRUE(proof.prove(batch, Level::velocity, errors).velocity[0]);
+  // The rate of v₁ is zero, so that the first position does not matter.
+  const Exact rate =
+      -(rates[1] * exact[4] + rates[2] * exact[5] + rates[4] * exact[1] + rates[5] * exact[2]) /
+      exact[3];
+  EXPECT_GT(abs(rate - 1), 2 * Exact(lost));
+  EXPECT_LE(abs(rate - 1), Exact(errors.velocity.radius[0]));
+  EXPECT_LE(errors.velocity.radius[0], 1e-18);
 }
 
 }  // namespace

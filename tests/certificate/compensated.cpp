@@ -69,6 +69,38 @@ TEST(Compensated, AddsProductsAsSumAndProductDo) {
   EXPECT_GT(worst_of(added), 0.2);
 }
 
+/// Operands whose corrections are rounded most: whole products and sums of them, which cancel each
+/// other or stand alone.
+TEST(Compensated, HoldsWhereCorrectionsAreRounded) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(1, 2);
+  const auto expect_held = [](const Number& found, const Exact& exact) {
+    const Exact off = abs(exact - Exact(found.value) - Exact(found.correction));
+    EXPECT_LE(off, Exact(found.radius) * (1 + Exact(0x1p-40)));
+  };
+  const auto exact = [](const Number& a) { return Exact(a.value) + Exact(a.correction); };
+  for (int i = 0; i < 1000; ++i) {
+    const double c = 0x1p-30 * uniform(generator), d = 0x1p-30 * uniform(generator);
+    const double x = uniform(generator), y = uniform(generator);
+    for (const double e : {0.0, d, -c, -c * x, -c * y / x, 0x1p-30}) {
+      for (const double f : {0.0, c, 0x1p-60 * x}) {
+        for (const double v : {1.0, x}) {
+          const Number a(v, f, 0), b(y, e, 0), one(1, e, 0), zero(0, e, 0);
+          for (const Number& other : {b, one, zero}) {
+            expect_held(a * other, exact(a) * exact(other));
+            expect_held(a + other, exact(a) + exact(other));
+            for (const double factor : {1.0, x, y}) {
+              Number sum = a;
+              sum.add_product(other, factor);
+              expect_held(sum, exact(a) + exact(other) * Exact(factor));
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Compensated, CancelsWhatDoublesLose) {
   const double a = 1 + 0x1p-30;
   const Number remainder = Number(a) * Number(a) - Number(1 + 0x1p-29);

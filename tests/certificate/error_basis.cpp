@@ -11,6 +11,8 @@
 #include <random>
 #include <vector>
 
+#include "formulations/verification/certificate/error_table.h"
+
 namespace desmo::error_basis_test {
 namespace {
 
@@ -87,6 +89,25 @@ TEST(ErrorBasis, CountsRoundingAlongExactDirections) {
     g.push_back(noisy);
     EXPECT_LE(largest_symbol(basis_of(g), g), 1.0);
   }
+}
+
+/// Less than half of the last place of 1, which rounding loses.
+constexpr double lost = 0x1.fp-54;
+
+TEST(ErrorBasis, CountsRoundingOfManySymbols) {
+  std::vector<std::array<double, 1>> g(100, {lost});
+  g.front() = {1};
+  EXPECT_LE(largest_symbol(basis_of(g), g), 1.0);
+}
+
+TEST(ErrorTable, CountsRoundingOfManySymbols) {
+  const std::vector<double> symbols(100, lost);
+  ErrorTable::Row row;
+  row.set_error(-1, symbols);
+  EXPECT_LE(1 + 100 * Exact(lost), Exact(row.sum));
+  EXPECT_LE(row.sum, 1 + 1e-13);
+  EXPECT_EQ(row.center, -1);
+  EXPECT_EQ(row.own, 0);
 }
 
 /// Directions that are not quite at right angles: the second is what is left of a unit vector that

@@ -24,6 +24,8 @@ constexpr double seconds = 0.4;
 
 using bench::make_problem;
 
+bench::ReferenceCache references;  // stays empty: the problems bring their own
+
 Plan whole(const Scene& scene) { return make_plan(make_model(scene), {}); }
 
 Problem problem(const Scene& scene, double duration, int compared) {
@@ -47,7 +49,7 @@ std::set<int> levels(const Problem& problem, const char* id, const std::vector<S
   std::set<int> found;
   for (const Settings& s : some) {
     Trial trial(problem, {&find_variant(id), s});
-    trial.compare();
+    trial.verify(references);
     if (trial.is_verified() && trial.error.position.max < 1)
       found.insert(static_cast<int>(std::floor(std::log10(trial.error.position.max))));
   }
@@ -72,7 +74,7 @@ TEST(Trials, SeeTheErrorBetweenSolvedInstants) {
     double last = 1e-12;  // solved, none has more
     for (const int stride : {1, 2, 4, 8, 16}) {
       Trial trial(p, {&find_variant("group_symbolic_inlined"), {.stride = stride}});
-      trial.compare();
+      trial.verify(references);
       ASSERT_TRUE(trial.is_verified()) << trial.message();
       EXPECT_EQ(trial.error.instants, compared);
       if (stride == 1)
@@ -113,14 +115,14 @@ TEST(Trials, HaveNoTimeWithoutAnError) {
   const Problem p = problem(describe(find_case("four_bar"), 114), 0.1, 3);
   Trial refused(p, {&find_variant("global_automatic_klu"),
                     {.tolerance = 1e-4, .scalar = Scalar::single_precision}});
-  refused.compare();
+  refused.verify(references);
   refused.time(0);
   EXPECT_TRUE(refused.is_not_run());
   EXPECT_FALSE(refused.is_timed());
   EXPECT_FALSE(refused.message().empty());
 
   Trial failing(p, {&find_variant("global_automatic_klu"), {.max_iterations = 1}});
-  failing.compare();
+  failing.verify(references);
   failing.time(0);
   EXPECT_TRUE(failing.is_failed());
   EXPECT_FALSE(failing.is_timed());
@@ -130,7 +132,7 @@ TEST(Trials, HaveNoTimeWithoutAnError) {
 double error_elsewhere(const Scene& scene, const Configuration& c, Level level) {
   const Problem p = problem(scene, seconds, 47);
   Trial trial(p, c);
-  trial.compare();
+  trial.verify(references);
   EXPECT_TRUE(trial.is_verified()) << trial.message();
   return trial.error[level].max;
 }

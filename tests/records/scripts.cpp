@@ -65,6 +65,7 @@ TEST(Scripts, NameTheArgumentThatTheyDoNotKnow) {
   EXPECT_EQ(run("bench/check", "--base").code, 64);
   EXPECT_EQ(run("bench/check", "--base no_such_commit").code, 64);
   EXPECT_EQ(run("bench/check", "--baseline=/nonexistent.json").code, 64);
+  EXPECT_EQ(run("bench/check", "--baseline --time").code, 64);
   EXPECT_EQ(run("bench/check", "--history no_such_commit").code, 64);
   EXPECT_EQ(run("bench/check", "--history HEAD --slow head:a/1/b:3").code, 64);
   EXPECT_EQ(run("bench/check", "HEAD --history").code, 64);

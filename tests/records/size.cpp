@@ -24,6 +24,8 @@ using bench::moving_unknowns;
 using bench::Problem;
 using bench::ProblemCandidate;
 
+bench::ReferenceCache references;  // stays empty: the problems bring their own
+
 TimeGrid instants(int count) { return {0, 0.01, count}; }
 
 Problem problem_of(const char* name, int coordinates) {
@@ -38,7 +40,7 @@ TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
                          {.tolerance = problem.tolerance});
   right.sample_afresh(0);
   EXPECT_FALSE(right.is_timed());
-  right.verify();
+  right.verify(references);
   ASSERT_TRUE(right.is_verified()) << right.message();
   EXPECT_EQ(right.verifying_run().errors.instants, 3);
   right.sample_afresh(0);
@@ -53,7 +55,7 @@ TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   // One iteration is not enough; the tolerance is not asked of a fixed number of them.
   ProblemCandidate inexact(problem, "group_symbolic_inlined/iterations:1",
                            {.tolerance = problem.tolerance});
-  inexact.verify();
+  inexact.verify(references);
   inexact.sample_afresh(0);
   EXPECT_FALSE(inexact.is_verified());
   EXPECT_NE(inexact.message().find("differs from the reference"), std::string::npos)
@@ -62,7 +64,7 @@ TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   Problem undefined = problem;
   undefined.plan.model.drivers.front().motion = Polynomial{{NAN}};
   ProblemCandidate failing(undefined, "global_automatic_klu", {.tolerance = undefined.tolerance});
-  failing.verify();
+  failing.verify(references);
   EXPECT_NE(failing.message().find("not finite"), std::string::npos) << failing.message();
   EXPECT_THROW(ProblemCandidate(problem, "global_automatic_abacus", Settings{}),
                std::invalid_argument);
@@ -73,7 +75,7 @@ TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
       make_problem(make_model(describe(find_case("four_bar"), 12'003)), instants(3), 1e-10);
   EXPECT_STREQ(problem.checked_against, "double");
   ProblemCandidate candidate(problem, "group_symbolic_inlined", {.tolerance = problem.tolerance});
-  candidate.verify();
+  candidate.verify(references);
   EXPECT_TRUE(candidate.is_verified()) << candidate.message();
 }
 
@@ -92,7 +94,7 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
       const Problem problem = make_problem(cut, instants(3), 1e-12);
       for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
         ProblemCandidate candidate(problem, id, {.tolerance = problem.tolerance});
-        candidate.verify();
+        candidate.verify(references);
         EXPECT_TRUE(candidate.is_verified())
             << c.name << ' ' << least << ' ' << candidate.message();
       }

@@ -39,9 +39,8 @@ TEST(GoldenRecords, HaveEverySection) {
     EXPECT_FALSE(is_empty);
   const Record other = read_record(data_file(std::string(others) + ".json"));
   for (const bool is_empty :
-       {other.floors.empty(), other.points.empty(), other.tuning.empty(), other.growth.empty(),
-        other.break_even.empty(), other.instructions.empty(), other.extreme_rows.empty(),
-        other.extremes.empty()})
+       {other.floors.empty(), other.points.empty(), other.growth.empty(), other.break_even.empty(),
+        other.instructions.empty(), other.extreme_rows.empty(), other.extremes.empty()})
     EXPECT_FALSE(is_empty);
   EXPECT_FALSE(has_paper(other));
 }

@@ -28,11 +28,11 @@ TEST(Price, APositionIsLookedAtOnce) {
     const double t = i * 2 * std::numbers::pi / steps;
     ASSERT_TRUE(f->step(t).ok());
     const Instant instant{i, t, f->q(), f->qd(), f->qdd()};
-    monitor.go_on(instant);
+    monitor.go_on(instant, {});
     if (i == 0) {
       std::ranges::copy(instant.q, state.begin());
       ASSERT_TRUE(system.factor(state));
-      monitor.reset(instant, system);
+      monitor.reset(instant, system, Eigen::ArrayXd::Zero(m.coordinates()));
     } else if (monitor.is_due()) {
       monitor.look(instant, system);
       ++looks[i / steps];

@@ -38,7 +38,7 @@ class Searcher {
     for (const Variant* v : formulations())
       for (const Settings& s : full_settings(*v)) add(trials, begin_, *v, s);
     say(std::to_string(trials.size()) + " configurations");
-    for (Trial& t : trials) t.compare();
+    for (Trial& t : trials) t.verify(references_);
     for (Trial& t : trials) t.time(min_sample);
     std::vector<Trial*> hopeful;
     for (Trial& t : trials)
@@ -61,7 +61,7 @@ class Searcher {
   }
 
   /// Returns those that some settings may make the best.
-  std::vector<const Variant*> formulations() const {
+  std::vector<const Variant*> formulations() {
     std::vector<const Variant*> all = effort_.formulations, kept;
     if (all.empty())
       for (const Variant& v : variants())
@@ -71,7 +71,7 @@ class Searcher {
     for (const Settings& s : telling_settings()) {
       std::list<Trial> trials;
       for (const Variant* v : all) add(trials, begin_, *v, s);
-      for (Trial& t : trials) t.compare();
+      for (Trial& t : trials) t.verify(references_);
       for (int round = 0; round < 2; ++round)
         for (Trial& t : trials) t.time(min_sample);
       double best = infinity;
@@ -141,9 +141,9 @@ class Searcher {
         if (t->min_seconds() <= max_ratio_of_samples * best) t->time(min_sample);
   }
 
-  Trial& try_on_whole(std::list<Trial>& trials, const Trial& on_begin) const {
+  Trial& try_on_whole(std::list<Trial>& trials, const Trial& on_begin) {
     Trial& trial = trials.emplace_back(whole_, on_begin.configuration());
-    trial.compare();
+    trial.verify(references_);
     trial.time(min_sample);
     return trial;
   }
@@ -182,7 +182,7 @@ class Searcher {
 
   void choose(Trial& best) {
     Trial usual(whole_, {best.configuration().variant, Settings{}});
-    usual.compare();
+    usual.verify(references_);
     for (int round = 0; round < effort_.rounds; ++round) usual.time(min_sample);
     found_.choice = best.configuration();
     found_.error = best.error;
@@ -197,6 +197,7 @@ class Searcher {
   const Problem &whole_, &begin_;
   const Goal& goal_;
   const Effort& effort_;
+  bench::ReferenceCache references_;
   std::vector<Tried> tried_;
   Found found_;
 };

@@ -22,19 +22,17 @@ Trial::Trial(const Problem& problem, const Configuration& configuration)
     refuse(not_run(std::move(why)));
 }
 
-void Trial::compare() {
-  verify_by([&](bench::VerifyingRun& found) -> Checked {
-    const Plan& plan = problem().plan;
-    formulation_ = make_formulation();
-    const Reference& reference = problem().reference;
-    ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
-    const Summary summary = formulation_->run(grid(), asked_, errors);
-    error = errors.error();
-    found.iterations_per_step = static_cast<double>(summary.iterations) /
-                                static_cast<double>(std::max(1L, summary.instants));
-    if (summary.ok()) return {};
-    return failed(describe(summary, plan.model));
-  });
+Trial::Checked Trial::check(bench::ReferenceCache&, bench::VerifyingRun& found) {
+  const Plan& plan = problem().plan;
+  formulation_ = make_formulation();
+  const Reference& reference = problem().reference;
+  ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
+  const Summary summary = formulation_->run(grid(), asked_, errors);
+  error = errors.error();
+  found.iterations_per_step =
+      static_cast<double>(summary.iterations) / static_cast<double>(std::max(1L, summary.instants));
+  if (summary.ok()) return {};
+  return failed(describe(summary, plan.model));
 }
 
 void Trial::time(double duration) {

@@ -8,23 +8,23 @@ namespace desmo::accuracy {
 
 using bench::Problem;
 
-/// A configuration tried on a problem: how wrong it is, and what a step costs. It is verified once
-/// its error is known, whatever that is.
+/// A configuration tried on a problem that has a reference: how wrong it is, and what a step costs.
+/// It is verified once its error is known, whatever that is.
 class Trial final : public bench::ProblemCandidate {
  public:
   /// The problem must outlive the trial, which is not run where its formulation does not offer the
   /// settings.
   Trial(const Problem& problem, const Configuration& configuration);
 
-  /// Solves the whole motion and compares it with the reference.
-  void compare();
   /// Takes a sample of a step's CPU time (see step_seconds). Nothing unless it is verified.
   void time(double duration);
 
   SolutionError error;  ///< of the outputs asked for
 
  private:
-  std::unique_ptr<Formulation> formulation_;  // of all samples; null before compare()
+  Checked check(bench::ReferenceCache& unused, bench::VerifyingRun& found) override;
+
+  std::unique_ptr<Formulation> formulation_;  // of all samples; null before it is verified
 };
 
 /// Returns the largest condition number over the instants of a problem's reference.

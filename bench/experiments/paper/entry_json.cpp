@@ -17,7 +17,6 @@ nlohmann::ordered_json with_measurement(nlohmann::ordered_json j, const bench::C
   if (!found.model.empty()) j["model"] = found.model;
   if (!found.results.empty()) j["results"] = found.results;
   if (!c.is_timed()) return j;
-  if (parts.difference) j["difference"] = *parts.difference;
   j["verification"] = bench::errors_json(found.errors, parts.level);
   if (c.threads() > 1) j["threads"] = c.threads();
   j["time"] = bench::time_json(c.verified()->seconds(), c.clock());

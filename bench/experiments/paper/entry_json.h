@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 
 #include "bench/kit/candidate.h"
 #include "cases/mechanism/level.h"
@@ -10,8 +9,7 @@ namespace desmo::paper {
 
 /// Parts of an entry that only some candidates have.
 struct EntryParts {
-  Level level = Level::acceleration;      ///< up to which errors are known
-  std::optional<double> difference = {};  ///< of a request from the whole mechanism
+  Level level = Level::acceleration;  ///< up to which errors are known
   bool has_residual = true;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -13,9 +12,7 @@
 #include "bench/kit/problem.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::paper {
@@ -27,9 +24,6 @@ namespace {
 constexpr std::array<std::string_view, 6> requested_ids{
     "global_automatic_klu",   "global_symbolic_klu",     "group_symbolic_inlined",
     "block_symbolic_inlined", "group_symbolic_explicit", "block_symbolic_explicit"};
-
-/// The tolerance as far as double precision goes, for the whole mechanism.
-constexpr double converged = 1e-13;
 
 /// Returns what is asked, component by component; what never moves needs no solving and no
 /// delivery.
@@ -44,21 +38,6 @@ std::vector<AskedComponent> components(const Model& whole, const Plan& plan,
   }
   return result;
 }
-
-/// Widens `largest` by the differences of what is asked between an instant of the whole mechanism
-/// and one of what is kept of it.
-void compare(Differences& largest, std::span<const AskedComponent> asked, const Instant& whole,
-             const Instant& kept) {
-  ++largest.instants;
-  for (const AskedComponent& a : asked) {
-    widen(largest.position, whole.q[a.whole], kept.q[a.kept]);
-    if (a.level >= Level::velocity) widen(largest.velocity, whole.qd[a.whole], kept.qd[a.kept]);
-    if (a.level >= Level::acceleration)
-      widen(largest.acceleration, whole.qdd[a.whole], kept.qdd[a.kept]);
-  }
-}
-
-Instant instant_of(const Formulation& f, double t) { return {0, t, f.q(), f.qd(), f.qdd()}; }
 
 /// Compares a request with a reference of the whole mechanism.
 class VerifyingRequest final : public ComparingObserver {
@@ -116,25 +95,10 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
   all_unknowns = moving_unknowns(whole);
 }
 
-Differences max_differences(Formulation& whole, Formulation& kept,
-                            std::span<const AskedComponent> asked, Level level,
-                            const TimeGrid& grid) {
-  Differences largest;
-  for (int i = 0; i < grid.instants; ++i) {
-    const double t = grid.time(i);
-    const Summary all = i == 0 ? whole.assemble(t) : whole.step(t);
-    if (!all.ok()) throw std::runtime_error("the whole mechanism: " + describe(all, whole.model()));
-    const Summary some = i == 0 ? kept.assemble(t, level) : kept.step(t, level);
-    if (!some.ok()) throw std::runtime_error(describe(some, kept.model()));
-    compare(largest, asked, instant_of(whole, t), instant_of(kept, t));
-  }
-  return largest;
-}
-
 RequestCandidate::RequestCandidate(std::shared_ptr<const PlannedRequest> request, const Variant& v,
-                                   const Settings& s, Clock by)
+                                   const Settings& s)
     : FormulationCandidate(request->grid, request->definition.name, request->whole.coordinates(),
-                           id_with(v, s), {&v, s}, by,
+                           id_with(v, s), {&v, s}, Clock::cpu,
                            {request->plan.level(), request->coordinates}),
       request_(std::move(request)) {}
 
@@ -143,52 +107,26 @@ std::string RequestCandidate::name() const {
 }
 
 RequestCandidate::Checked RequestCandidate::check(ReferenceCache& references, VerifyingRun& found) {
-  std::string reason = unavailable_reason(settings());
-  if (!reason.empty()) return not_run(std::move(reason));
   found.model = model_digest(request_->whole);
-  const auto formulation = make_formulation();
-  reason = missing_code(*formulation);
-  if (!reason.empty()) return not_run(std::move(reason));
-  compare_with_whole(parts_of(*formulation).size());
-  if (difference_ > allowed_request_difference)
-    return failed(
-        formatted("differs from the solution of the whole mechanism by %.1e (allowed: %.0e)",
-                  difference_, allowed_request_difference));
   return compare_with([&] { return references.get(request_->whole, grid(), settings().stride); },
                       found);
 }
 
 void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
-  lists["requests"].push_back(
-      with_measurement({{"case", request_->definition.name},
-                        {"coordinates", coordinates},
-                        {"id", id()},
-                        {"request", request_->name},
-                        {"title", request_->title},
-                        {"level", level_names[request_->plan.level()]},
-                        {"unknowns", request_->unknowns},
-                        {"all_unknowns", request_->all_unknowns}},
-                       *this, {.level = request_->plan.level(), .difference = difference_}));
+  lists["requests"].push_back(with_measurement({{"case", request_->definition.name},
+                                                {"coordinates", coordinates},
+                                                {"id", id()},
+                                                {"request", request_->name},
+                                                {"title", request_->title},
+                                                {"level", level_names[request_->plan.level()]},
+                                                {"unknowns", request_->unknowns},
+                                                {"all_unknowns", request_->all_unknowns}},
+                                               *this, {.level = request_->plan.level()}));
 }
 
 std::unique_ptr<ComparingObserver> RequestCandidate::comparing(
     std::span<const ReferenceInstant> reference) const {
   return std::make_unique<VerifyingRequest>(reference, *request_);
-}
-
-void RequestCandidate::compare_with_whole(std::size_t parts) {
-  Settings own = settings();
-  own.tolerance = converged;
-  const auto whole = desmo::make_formulation(variant(), request_->whole, own);
-  // Each part stops at tolerance/√parts: the same residual in both, so that equal parts do the
-  // same.
-  own.tolerance *=
-      std::sqrt(static_cast<double>(parts) / static_cast<double>(parts_of(*whole).size()));
-  const auto kept = desmo::make_formulation(variant(), request_->plan.model, own);
-  kept->solve_only(request_->plan.levels);
-  const Differences largest =
-      max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid());
-  difference_ = std::max({largest.position, largest.velocity, largest.acceleration});
 }
 
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {
@@ -198,10 +136,8 @@ std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Opt
     const auto request = std::make_shared<const PlannedRequest>(source.name, scene, options);
     const auto add = [&](std::string_view id) {
       const auto [variant, settings] = parse_id(id);
-      candidates.push_back(std::make_unique<RequestCandidate>(request, *variant, settings));
-      if (settings.threads > 1)
-        candidates.push_back(std::make_unique<RequestCandidate>(
-            request, *variant, on_one_thread(settings), Clock::wall));
+      if (settings.threads == 1)
+        candidates.push_back(std::make_unique<RequestCandidate>(request, *variant, settings));
     };
     std::ranges::for_each(requested_ids, add);
     if (source.name == extended_request) std::ranges::for_each(extended_ids, add);

@@ -41,18 +41,11 @@ struct PlannedRequest : Problem {
   int unknowns, all_unknowns;         ///< solved for at every instant, of how many
 };
 
-/// Returns the largest absolute differences of what is asked, at the levels asked, between two
-/// formulations that step through the same instants. Throws std::runtime_error, saying where, when
-/// one of them cannot be solved.
-Differences max_differences(Formulation& whole, Formulation& kept,
-                            std::span<const AskedComponent> asked, Level level,
-                            const TimeGrid& grid);
-
 /// A request with one formulation.
 class RequestCandidate final : public FormulationCandidate {
  public:
   RequestCandidate(std::shared_ptr<const PlannedRequest> request, const Variant& variant,
-                   const Settings& settings = {}, Clock clock = Clock::cpu);
+                   const Settings& settings = {});
 
   /// <case>/<coordinates>/<id>/request:<name>
   std::string name() const override;
@@ -60,25 +53,19 @@ class RequestCandidate final : public FormulationCandidate {
 
   const PlannedRequest& request() const { return *request_; }
 
-  /// Returns the largest difference from the whole mechanism, at any level; 0 before it is
-  /// verified.
-  double difference() const { return difference_; }
-
  private:
   const Problem& problem() const override { return *request_; }
   std::unique_ptr<ComparingObserver> comparing(
       std::span<const ReferenceInstant> reference) const override;
-  /// Compares with the whole mechanism, both converged as far as double precision goes, which shows
-  /// that nothing needed was left out; and, as it is timed, with the quadruple-precision reference.
+  /// Compares with the quadruple-precision reference of the whole mechanism, which shows that
+  /// nothing needed was left out.
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
-  /// Sets difference(). parts: of the formulation that solves the request.
-  void compare_with_whole(std::size_t parts);
 
   std::shared_ptr<const PlannedRequest> request_;
-  double difference_ = 0;
 };
 
-/// Returns every request of the library with every formulation that requests are timed with.
+/// Returns every request of the library with every formulation that requests are timed with, on one
+/// thread.
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options);
 
 }  // namespace desmo::paper

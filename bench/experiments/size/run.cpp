@@ -59,9 +59,11 @@ Json entry_json(const SizeSeries& series, const bench::Problem& problem,
 /// a while meets them all. Names what is wrong, and returns whether nothing is.
 bool measure(const SizeSeries& series, int repetitions, Json& list) {
   const bench::Problem problem = series.problem();
+  bench::ReferenceCache references;
   std::list<ProblemCandidate> candidates;
   for (const std::string_view id : series.ids)
-    candidates.emplace_back(problem, id, Settings{.tolerance = problem.tolerance}).verify();
+    candidates.emplace_back(problem, id, Settings{.tolerance = problem.tolerance})
+        .verify(references);
   for (int round = 0; round < repetitions; ++round)
     for (ProblemCandidate& candidate : candidates)
       if (!candidate.is_sampled(dear_seconds)) candidate.sample_afresh(min_seconds);

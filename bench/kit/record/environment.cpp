@@ -118,8 +118,7 @@ Json settings_json(const TimeGrid& grid) {
           {"allowed",
            {{"position", allowed_difference.position},
             {"velocity", allowed_difference.velocity},
-            {"acceleration", allowed_difference.acceleration},
-            {"request", allowed_request_difference}}}};
+            {"acceleration", allowed_difference.acceleration}}}};
 }
 
 }  // namespace

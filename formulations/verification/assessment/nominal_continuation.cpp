@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "formulations/scaling/characteristic_lengths.h"
@@ -20,6 +21,9 @@ constexpr double feigned = 1e-12;
 constexpr double max_change = 5;
 /// Last correction, in magnitudes, of a nominal position that counts as solved.
 constexpr double last_correction = 1e-6;
+/// Correction, in magnitudes, after which the factors serve once more, and corrections at most.
+constexpr double near_solution = 1e-8;
+constexpr int max_corrections = 20;
 /// Of the distance to another position, how far an estimate may be off.
 constexpr double estimate_share = 0.4;
 /// Blocks of so few unknowns have two positions at most, a link apart.
@@ -30,47 +34,83 @@ constexpr int max_tries = 5000;
 
 }  // namespace
 
-NominalContinuation::NominalContinuation(const Model& m, Assessor& assessor)
+NominalContinuation::NominalContinuation(const Model& m, ScaledSystem& system)
     : model_(m),
-      assessor_(assessor),
-      magnitude_(assessor.system().magnitudes().begin(), assessor.system().magnitudes().end()),
-      state_(m.state_size()) {
+      system_(system),
+      magnitude_(system.magnitudes().begin(), system.magnitudes().end()),
+      state_(m.state_size()),
+      off_(system.size()) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
 }
 
 /// Solves q, and q̇ along the way with drivers that have moved and move. Returns whether it can.
-bool NominalContinuation::solve(State& to, double step) {
-  const Instant from{.index = 0, .time = step, .q = to.q, .qd = to.qd, .qdd = {}};
-  const Instant found = assessor_.corrected(from);
-  to.q.assign(found.q.begin(), found.q.end());
-  to.qd.assign(found.qd.begin(), found.qd.end());
+/// is_factorised: there are factors for q.
+/// Leaves factors that are off q by so little that signs and determinants are its own.
+bool NominalContinuation::solve(State& to, bool is_factorised) {
+  double before = INFINITY;
+  for (int i = 0; i < max_corrections; ++i) {
+    std::ranges::copy(to.q, state_.begin());
+    if (!(is_factorised && i == 0) && !system_.factor(state_)) return false;
+    last_correction_ = correct(to.q);
+    if (last_correction_ <= near_solution) last_correction_ = correct(to.q);
+    if (!(last_correction_ < before / 2) || last_correction_ <= near_solution) break;
+    before = last_correction_;
+  }
+  solve_rates(to.qd);
   return std::ranges::all_of(to.q, [](double x) { return std::isfinite(x); }) &&
          std::ranges::all_of(to.qd, [](double x) { return std::isfinite(x); });
 }
 
+/// Corrects q by the factors at hand. Returns the largest correction, in magnitudes.
+double NominalContinuation::correct(std::span<double> q) {
+  if (system_.size() == 0) return 0;
+  std::ranges::copy(q, state_.begin());
+  system_.equations().residual<double>(state_,
+                                       {off_.data(), static_cast<std::size_t>(off_.size())});
+  off_ /= system_.row_sums();
+  system_.solve(off_.data());
+  for (int j = 0; j < system_.size(); ++j) {
+    const int i = system_.unknowns()[j];
+    q[i] -= magnitude_[i] * off_[j];
+  }
+  return off_.abs().maxCoeff<Eigen::PropagateNaN>();
+}
+
+/// Solves the rates of unknowns from those of drivers, at the position that state_ holds.
+void NominalContinuation::solve_rates(std::span<double> qd) {
+  if (system_.size() == 0) return;
+  off_.setZero();
+  system_.equations().jacobian<double>(state_, [&](int row, int i, double value) {
+    if (!system_.is_unknown(i) && i < model_.coordinates()) off_[row] += value * qd[i];
+  });
+  off_ /= system_.row_sums();
+  system_.solve(off_.data());
+  for (int j = 0; j < system_.size(); ++j) {
+    const int i = system_.unknowns()[j];
+    qd[i] = -magnitude_[i] * off_[j];
+  }
+}
+
 bool NominalContinuation::begin() {
-  ScaledSystem& system = assessor_.system();
   nominal_.q = model_.estimate;
   nominal_.qd.assign(nominal_.q.size(), 0);
   nominal_.qdd.clear();
   std::ranges::copy(nominal_.q, state_.begin());
-  if (!system.factor(state_)) return false;
-  const std::vector<signed char> declared(system.orientation().begin(), system.orientation().end());
-  if (!solve(nominal_, 0)) return false;
-  const std::vector<double> before = nominal_.q;
-  if (!solve(nominal_, 0)) return false;
-  for (std::size_t i = 0; i < before.size(); ++i)
-    if (!(std::abs(nominal_.q[i] - before[i]) <= last_correction * magnitude_[i])) return false;
-  std::ranges::copy(nominal_.q, state_.begin());
-  if (!system.factor(state_)) return false;
-  signs_.assign(system.orientation().begin(), system.orientation().end());
+  if (!system_.factor(state_)) return false;
+  const auto signs = system_.orientation();
+  const std::vector<signed char> declared(signs.begin(), signs.end());
+  if (!solve(nominal_, true) || !(last_correction_ <= last_correction)) return false;
+  is_at_nominal_ = true;
+  signs_.assign(signs.begin(), signs.end());
   if (signs_ != declared) return false;
-  const double condition = this->condition();
+  std::optional<double> nearest_of_many;
   const std::vector<double> lengths = CharacteristicLengths(model_, nominal_.q).of_coordinates();
-  for (int j = 0; j < system.size(); ++j) {
-    const int i = system.unknowns()[j];
-    if (system.block_size(j) == 1) continue;  // signs decide
-    const double nearest = system.block_size(j) <= two_fold ? 1 : 1 / condition;
+  for (int j = 0; j < system_.size(); ++j) {
+    const int i = system_.unknowns()[j];
+    if (system_.block_size(j) == 1) continue;  // signs decide
+    const bool is_two_fold = system_.block_size(j) <= two_fold;
+    if (!is_two_fold && !nearest_of_many) nearest_of_many = 1 / condition();
+    const double nearest = is_two_fold ? 1 : *nearest_of_many;
     if (std::abs(nominal_.q[i] - model_.estimate[i]) > estimate_share * nearest * lengths[i])
       return false;
   }
@@ -87,7 +127,8 @@ bool NominalContinuation::go_to(const Instant& instant) {
                            : whole.back());
   }
   turns_ = near_way != whole;
-  if (!go(near_way) && (!turns_ || !go(whole))) return false;
+  const std::span<const double> guess = turns_ ? std::span<const double>() : instant.q;
+  if (!go(near_way, guess) && (!turns_ || !go(whole, {}))) return false;
   for (const Driver& d : model_.drivers) {
     const int i = model_.entities[d.coordinate].first;
     reached_.q[i] = instant.q[i];
@@ -95,8 +136,8 @@ bool NominalContinuation::go_to(const Instant& instant) {
   return true;
 }
 
-/// Moves the drivers by these changes from the nominal position.
-bool NominalContinuation::go(std::span<const double> changes) {
+/// Moves the drivers by these changes from the nominal position. guess: where that may lead.
+bool NominalContinuation::go(std::span<const double> changes, std::span<const double> guess) {
   const auto drive = [&](State& state, double part) {
     for (std::size_t d = 0; d < changes.size(); ++d) {
       const int i = model_.entities[model_.drivers[d].coordinate].first;
@@ -107,8 +148,14 @@ bool NominalContinuation::go(std::span<const double> changes) {
   determinants_.clear();
   next_ = nominal_;
   drive(next_, 0);
-  if (!solve(next_, 0) || !keeps_branch()) return false;
+  if (!solve(next_, is_at_nominal_) || !keeps_branch()) return false;
+  is_at_nominal_ = false;
   reached_ = next_;
+  if (!guess.empty()) {
+    next_.q.assign(guess.begin(), guess.end());
+    drive(next_, 1);
+    if (arrives(1)) return true;
+  }
   double done = 0, step = first_step;
   for (int i = 0; i < max_tries && done < 1; ++i) {
     step = std::min(step, 1 - done);
@@ -116,37 +163,52 @@ bool NominalContinuation::go(std::span<const double> changes) {
     next_ = reached_;
     for (std::size_t k = 0; k < next_.q.size(); ++k) next_.q[k] += step * reached_.qd[k];
     drive(next_, to);
-    const std::vector<double> before = determinants_;
-    if (solve(next_, to) && leads_on(step) && keeps_branch()) {
-      std::swap(reached_, next_);
+    if (arrives(step)) {
       done = to;
       step *= 2;
-    } else {
-      determinants_ = before;
-      if ((step /= 2) < min_step) return false;
+    } else if ((step /= 2) < min_step) {
+      return false;
     }
   }
   return done >= 1;
 }
 
+/// Solves next_, and makes it the position reached if a step leads there.
+bool NominalContinuation::arrives(double step) {
+  const std::vector<double> before = determinants_;
+  if (solve(next_) && leads_on(step) && keeps_branch()) {
+    std::swap(reached_, next_);
+    return true;
+  }
+  determinants_ = before;
+  return false;
+}
+
 bool NominalContinuation::leads_to(std::span<const double> q) {
   constexpr double same = 0.1;  // of the distance to another position
-  const double allowed = same / condition();
+  constexpr double equal = 1e-12;
+  const double off = farthest(q);
+  return off <= equal || off <= same / condition();
+}
+
+/// Returns how far these positions are off the ones reached at most, in magnitudes.
+double NominalContinuation::farthest(std::span<const double> q) const {
+  double most = 0;
   for (const Entity& e : model_.entities) {
     if (e.fixed) continue;
     for (int i = e.first; i < e.first + e.size; ++i) {
       double off = q[i] - reached_.q[i];
       if (turns_ && e.kind == EntityKind::angle) off = std::remainder(off, 2 * std::numbers::pi);
-      if (!(std::abs(off) <= allowed * magnitude_[i])) return false;
+      if (!std::isfinite(off)) return INFINITY;
+      most = std::max(most, std::abs(off) / magnitude_[i]);
     }
   }
-  return true;
+  return most;
 }
 
 /// Returns the condition number at the position factorised last.
 double NominalContinuation::condition() {
-  ScaledSystem& system = assessor_.system();
-  return InverseNorm(system.size())(system, system.unknown_shares(), system.row_shares()).value;
+  return InverseNorm(system_.size())(system_, system_.unknown_shares(), system_.row_shares()).value;
 }
 
 /// Returns whether the rates at both ends lead from one to the other.
@@ -163,11 +225,10 @@ bool NominalContinuation::leads_on(double step) const {
 
 /// Returns whether all determinants keep their signs, and hardly change since the last step.
 bool NominalContinuation::keeps_branch() {
-  ScaledSystem& system = assessor_.system();
-  std::ranges::copy(next_.q, state_.begin());
-  if (!system.factor(state_) || !std::ranges::equal(system.orientation(), signs_)) return false;
+  if (!std::ranges::equal(system_.orientation(), signs_)) return false;
   std::vector<double> now(signs_.size());
-  for (std::size_t b = 0; b < now.size(); ++b) now[b] = system.log_determinant(static_cast<int>(b));
+  for (std::size_t b = 0; b < now.size(); ++b)
+    now[b] = system_.log_determinant(static_cast<int>(b));
   const bool is_first = determinants_.empty();
   for (std::size_t b = 0; b < now.size() && !is_first; ++b)
     if (!(std::abs(now[b] - determinants_[b]) < std::log(max_change))) return false;

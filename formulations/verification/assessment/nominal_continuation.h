@@ -1,12 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
-#include "formulations/verification/assessment/assessor.h"
+#include "formulations/verification/assessment/scaled_system.h"
 
 namespace desmo {
 
@@ -15,8 +16,8 @@ namespace desmo {
 /// ends on the branch that the initial estimate declares. It allocates: keep it out of timed code.
 class NominalContinuation {
  public:
-  /// The model and the assessor, whose factors are overwritten, must outlive this object.
-  NominalContinuation(const Model& model, Assessor& assessor);
+  /// The model and its system, whose factors are overwritten, must outlive this object.
+  NominalContinuation(const Model& model, ScaledSystem& system);
 
   /// Solves the nominal position: that of the estimate, drivers included. Returns whether there is
   /// one, regular and so near the estimate that this declares it.
@@ -31,19 +32,26 @@ class NominalContinuation {
   std::span<const double> q() const { return reached_.q; }
 
  private:
-  bool go(std::span<const double> changes);
-  bool solve(State& state, double step);
+  bool go(std::span<const double> changes, std::span<const double> guess);
+  bool arrives(double step);
+  bool solve(State& state, bool is_factorised = false);
+  double correct(std::span<double> q);
+  void solve_rates(std::span<double> qd);
+  double farthest(std::span<const double> q) const;
   bool leads_on(double step) const;
   bool keeps_branch();
   double condition();
 
   const Model& model_;
-  Assessor& assessor_;
+  ScaledSystem& system_;
   std::vector<double> magnitude_;
   State nominal_, reached_, next_;  // q and its derivative along the way
+  bool is_at_nominal_ = false;      // the factors are
   bool turns_ = false;              // whole turns were left out
   std::vector<signed char> signs_;  // of the nominal position
   std::vector<double> determinants_, state_;
+  Eigen::ArrayXd off_;          // (rows) of the equations
+  double last_correction_ = 0;  // of the position solved last, with factors hardly off it
 };
 
 }  // namespace desmo

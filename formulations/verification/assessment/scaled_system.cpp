@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "formulations/algebra/klu_factors.h"
@@ -83,7 +84,9 @@ void ScaledSystem::lay_out() {
       entries.push_back({column, row, static_cast<int>(slots_.size())});
     slots_.push_back(-1);
   });
-  std::ranges::sort(entries, {}, [](const Entry& e) { return std::pair(e.column, e.row); });
+  std::ranges::sort(entries, {}, [](const Entry& e) {
+    return static_cast<std::int64_t>(e.column) << 32 | e.row;
+  });
   pattern_.n = equations_.rows();
   pattern_.unknowns = equations_.unknowns();
   pattern_.column_start.assign(pattern_.n + 1, 0);

@@ -42,7 +42,6 @@ void BlockProof::find_image(Level level) {
     center_[r] = center;
     uncertainty_[r] = uncertain;
   }
-  const Lanes up = Lanes(1) + rounding;
   for (int i = 0; i < n; ++i) {
     const Lanes *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
     Lanes center(0), own(Interval::tiny);
@@ -52,8 +51,8 @@ void BlockProof::find_image(Level level) {
     }
     for (int j = 0; j < m; ++j) own = fma(slopes[j], e.own[n + j], own);
     e.center[i] = center;
-    e.own[i] = own * up;
-    e.sum[i] = (abs(center) + e.own[i]) * up;
+    e.own[i] = own;
+    e.sum[i] = abs(center) + own;
   }
 }
 
@@ -89,13 +88,16 @@ void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
     for (int k = 0; k < columns; ++k) sum += std::abs(generators[k]);
-    Lanes& all = errors_[level].sum[i];
-    all = (all + sum) * (Lanes(1) + batch_->rounding);
+    errors_[level].sum[i] += sum;
   }
 }
 
 /// Bounds |(I − Y Φ_φ(X)) X| by the radii of X. The rounding of Y Φ_φ covers that of I − Y Φ_φ: an
 /// entry of I is not larger than those of |Y| |Φ_φ| and of the remainder together.
+///
+/// It covers the rounding of all bounds as well, so that these need no factor. Bounds are sums of
+/// positive products, and lose less than `rounding`/3. A proof requires this bound to be at most
+/// X/2. So |Y| |Φ_φ| X is at least X/2, of which the rounding of Y Φ_φ takes less than a sixth.
 template <int N>
 void BlockProof::contract() {
   const BlockShape& s = *shape_;
@@ -114,7 +116,7 @@ void BlockProof::contract() {
       sum = fma(y_->remainder[i * n + r], trial_[r], sum);
       sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);
     }
-    contracted_[i] = sum * (Lanes(1) + rounding);
+    contracted_[i] = sum;
   }
 }
 

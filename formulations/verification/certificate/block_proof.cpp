@@ -65,11 +65,10 @@ LaneMask BlockProof::is_known(Level level) const {
 /// Adds to the errors of the unknowns what X causes, and completes them.
 void BlockProof::finish(Level level, const Lanes& factor) {
   ErrorColumns& e = errors_[level];
-  const Lanes up = Lanes(1) + batch_->rounding;
   for (int i = 0; i < shape_->unknowns; ++i) {
     const Lanes more = contracted_[i] * factor;
-    e.own[i] = (e.own[i] + more) * up;
-    e.sum[i] = (e.sum[i] + more) * up;
+    e.own[i] += more;
+    e.sum[i] += more;
   }
   for (int j = 0; j < shape_->width(); ++j) {
     e.weight[j] = fma(batch_->rounding, e.sum[j], e.own[j]);
@@ -81,7 +80,6 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   BlockBatch& b = *batch_;
   const bool linear = shape_->linear;
   const int n = shape_->unknowns;
-  const Lanes up = Lanes(1) + b.rounding;
   ErrorColumns& e = errors_.position;
   lower_.clear();
   y_ = linear ? &b.constant : &preconditioner_;
@@ -89,14 +87,12 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   LaneMask proven{};
   constexpr int attempts = 7;
   for (int attempt = 0; attempt < attempts && (lanes & !proven).any(); ++attempt) {
-    const bool wide = attempt == 0 && !linear;
+    const bool wide = attempt == 0 && !linear, was_wide = attempt == 1 && !linear;
     for (int i = 0; i < n; ++i) {
       // First, X is so large that one evaluation will do, and so small that it costs no digits.
-      // Then it is larger than what the last test returned (epsilon inflation; Rump). A part of the
-      // magnitude serves errors that are exactly zero.
-      const Lanes last = attempt <= 1 ? Lanes(0) : contracted_[i];
-      const Lanes trial =
-          wide ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1 + b.magnitudes[i] * 0x1p-60;
+      // Then it is larger than what the last test returned (epsilon inflation; Rump).
+      const Lanes last = attempt == 0 || was_wide ? Lanes(0) : 2 * contracted_[i];
+      const Lanes trial = wide ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1;
       trial_[i] = select(proven, trial_[i], trial);
       state_.position[b.locals[i]].radius = trial_[i];
     }
@@ -108,7 +104,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
     contract();
     LaneMask inside = lanes;
     for (int i = 0; i < n; ++i) {
-      inside = inside & less((e.sum[i] + contracted_[i]) * up, trial_[i]);
+      inside = inside & less(fma(2, contracted_[i], e.sum[i]), trial_[i]);
       if (wide)
         inside = inside & less(contracted_[i], e.sum[i] * 0x1p-6 + b.magnitudes[i] * 0x1p-64);
     }
@@ -131,17 +127,16 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   }
   find_image(level, all);
   // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
+  // Positions are proven, so η ≤ ½.
   const ErrorColumns& e = errors_[level];
   Lanes ratio(0), contraction(0);
   for (int i = 0; i < shape_->unknowns; ++i) {
     ratio = max(ratio, e.sum[i] / trial_[i]);
     contraction = max(contraction, contracted_[i] / trial_[i]);
   }
-  const Lanes margin = Lanes(1) - contraction - Lanes(b.rounding);
-  LaneMask proven = lanes & less(0, margin);
-  finish(level, ratio / margin * (Lanes(1) + b.rounding));
-  for (int i = 0; i < shape_->unknowns; ++i) proven = proven & is_finite(e.sum[i]);
-  return proven;
+  finish(level, ratio / (Lanes(1) - contraction));
+  for (int i = 0; i < shape_->unknowns; ++i) lanes = lanes & is_finite(e.sum[i]);
+  return lanes;
 }
 
 void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
@@ -168,7 +163,7 @@ void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
       for (int k = 0; k < to.columns; ++k) own += std::abs(generators[k]);
     }
     to.rows[coordinate[0]] = to.rows[row[0]];
-    to.rows[coordinate[0]].own = own * (1 + b.rounding);
+    to.rows[coordinate[0]].own = own;
   }
 }
 

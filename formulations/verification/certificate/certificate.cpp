@@ -107,14 +107,10 @@ void Certifier::Proof::load(const ChainLink& link) {
         const int row = source.row + i;
         copy(row, from.coordinates[i]);
         if (!from.enclosed) continue;
-        double sum = std::abs(from.center[level][i]);
         double* generators = e.of_row(row) + solved_.size() * source.symbol;
-        for (int s = 0; s < from.basis.size(); ++s) {
+        for (int s = 0; s < from.basis.size(); ++s)
           generators[s] = from.basis.generator(static_cast<int>(level) * size + i, s);
-          sum += std::abs(generators[s]);
-        }
-        sum *= 1 + 4 * from.basis.size() * Interval::unit;
-        e.rows[row] = {e.rows[row].delivered, from.center[level][i], 0, sum};
+        e.rows[row].set_error(from.center[level][i], std::span(generators, from.basis.size()));
       }
     }
   }

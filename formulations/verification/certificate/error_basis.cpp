@@ -85,7 +85,8 @@ double ErrorBasis::deviation() const {
   // Each product is a sum of d + 1 terms, whose magnitudes add up to little more than 2. That takes
   // half of this; the other half covers the rounding of Qᵀ G. The error of each of its columns is
   // at most d unit |Qᵀ| |G|, and the rows of |G| have sums of at most √d times the widest radius,
-  // since all errors are Q s; so those of a column of Q add up to d² unit times it.
+  // since all errors are Q s; so those of a column of Q add up to d² unit times it. More than 4 d
+  // units are left, of which the rounding of radii and of generator() takes 3.
   return worst + 4 * d * (d + 2) * Interval::unit;
 }
 
@@ -109,8 +110,7 @@ void ErrorBasis::enclose() {
   }
   const double off = deviation();
   const double correction = off < 0.5 ? off / (1 - off) * 1.0001 * widest : INFINITY;
-  // The last factor covers the rounding of generator().
-  for (int s = 0; s < d; ++s) radii_[s] = (radii_[s] + correction) * (1 + 8 * Interval::unit);
+  for (int s = 0; s < d; ++s) radii_[s] += correction;
 }
 
 }  // namespace desmo

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "formulations/base/per_level.h"
+#include "formulations/verification/certificate/interval.h"
 
 namespace desmo {
 
@@ -15,6 +18,13 @@ struct ErrorTable {
     double delivered = 0;
     double center = 0, own = 0;
     double sum = 0;  ///< |center| + Σ |G(k)| + own, rounded up
+
+    /// Sets an error without a radius of its own.
+    void set_error(double mid, std::span<const double> symbols) {
+      center = mid, own = 0, sum = std::abs(mid);
+      for (const double g : symbols) sum += std::abs(g);
+      sum *= 1 + 2 * (symbols.size() + 1) * Interval::unit;
+    }
   };
 
   std::vector<Row> rows;

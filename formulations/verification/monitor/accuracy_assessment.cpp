@@ -25,8 +25,10 @@ std::optional<StepMeasures> AccuracyMonitor::State::measure_step(const Instant& 
     recent.forget_copy();
     return {};
   }
-  return recent.measure(instant,
-                        {sensitivity.weights().data(), conditioning.weights(), weights.data()});
+  StepMeasures step = recent.measure(instant, sensitivity.weights().data());
+  step.mismatch *= most_over_weights;
+  step.is_bound = most_over_weights > 1;
+  return step;
 }
 
 Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant,
@@ -38,10 +40,20 @@ Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant,
     signals.drivers = sensitivity.driver_growth();
   }
   if (!has(Monitor::condition)) return signals;
-  conditioning.go_on(instant, step ? step->way : INFINITY);
+  conditioning.go_on(instant, ways(instant, step));
   if (conditioning.is_due()) conditioning.look(instant, assessor.system());
   signals.growth = std::max(signals.growth, conditioning.growth());
   return signals;
+}
+
+/// How far drivers and unknowns have moved at most in the step to an instant.
+ConditionMonitor::Ways AccuracyMonitor::State::ways(const Instant& instant,
+                                                    const std::optional<StepMeasures>& step) {
+  ConditionMonitor::Ways now;
+  if (step && has(Monitor::sensitivity)) now = {sensitivity.drivers(), step->rate};
+  const ConditionMonitor::Ways before = std::exchange(speeds, now);
+  const double h = step ? std::abs(instant.time - continuity.recent()[0].time) : 1;
+  return {h * std::max(before.drivers, now.drivers), h * std::max(before.unknowns, now.unknowns)};
 }
 
 bool AccuracyMonitor::State::is_due(const Expectation::Signals& signals) const {
@@ -99,7 +111,7 @@ double AccuracyMonitor::State::min_excursion(double growth) const {
 /// An interpolated instant that is too coarse leaves no trace.
 void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Signals& signals,
                                     const Assessment& expected, bool in_doubt) {
-  if (!started && has(Monitor::orientation)) signs.declare(j.instant);
+  if (!started && !is_declared && has(Monitor::orientation)) signs.declare(j.instant);
   const Assessment given = assessor(j.instant, scales.with(j.instant));
   ++assessed;
   if (j.instant.interpolated) {
@@ -137,7 +149,10 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     sensitivity.reset(j.instant, assessor.system());
     if (weights.size() == 0) weights = sensitivity.weights();
     weights = weights.max(sensitivity.weights());
-    conditioning.reset(j.instant, assessor.system());
+    const Eigen::ArrayXd& now = sensitivity.weights();
+    most_over_weights = (weights > 0).select(weights / now, 1).maxCoeff();
+    speeds = {};
+    conditioning.reset(j.instant, assessor.system(), now);
     backward_error.take_row_sums(assessor.system());
     if (!last.singular) j.crossing = crossing(j.instant);
     started = true;
@@ -197,8 +212,9 @@ double AccuracyMonitor::State::worst_share(const Assessment& a) const {
 std::optional<SingularityCrossing> AccuracyMonitor::State::crossing(const Instant& instant) {
   if (!has(Monitor::orientation)) return {};
   if (!started) {
-    const auto other = signs.at_first(instant, last, sensitivity.largest());
-    return is_declared ? std::nullopt : other;
+    if (!is_declared) return signs.at_first(instant, last, sensitivity.largest());
+    signs.begin();
+    return {};
   }
   return after_gap ? signs.after_gap(instant) : signs.since(last_time, instant);
 }

@@ -77,7 +77,7 @@ bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
 /// what it leads to.
 void AccuracyMonitor::State::declare(MonitoredInstant& j) {
   if (!has(Monitor::orientation) || !has(Monitor::continuation)) return;
-  NominalContinuation way(model, assessor);
+  NominalContinuation way(model, assessor.system());
   is_declared = way.begin() && way.go_to(continuity.driven(j.instant));
   if (!is_declared) return;
   declared.assign(way.q().begin(), way.q().end());

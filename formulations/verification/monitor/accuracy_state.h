@@ -54,6 +54,7 @@ struct AccuracyMonitor::State {
 
   std::optional<StepMeasures> measure_step(const Instant& instant);
   Expectation::Signals signals_of(const Instant& instant, const std::optional<StepMeasures>& step);
+  ConditionMonitor::Ways ways(const Instant& instant, const std::optional<StepMeasures>& step);
   bool is_due(const Expectation::Signals& signals) const;
   Statement state(const Instant& instant, const Assessment& expected);
   bool has_bad_pivots() const;
@@ -90,10 +91,12 @@ struct AccuracyMonitor::State {
   BackwardError backward_error;
   Expectation expectation{};
   BranchSigns signs;
-  std::vector<EntityId> entity;  // of each coordinate
-  Eigen::ArrayXd weights;        // the largest so far: near a dead point they say little
-  Start beyond{};                // a singular position, where the last instant lies in one
-  desmo::State improved{};       // values of the instant examined, where they are not those given
+  std::vector<EntityId> entity;     // of each coordinate
+  Eigen::ArrayXd weights;           // the largest so far: near a dead point they say little
+  double most_over_weights = 1;     // the largest ratio of these to those of the last assessment
+  ConditionMonitor::Ways speeds{};  // of the last instant, by the same measures; none: infinity
+  Start beyond{};                   // a singular position, where the last instant lies in one
+  desmo::State improved{};  // values of the instant examined, where they are not those given
 
   Assessment last{};  // that was made
   double last_time = 0;

@@ -25,9 +25,13 @@ void BranchSigns::declare(const Instant& first) {
     state[i] = first.q[i];
   }
   if (!system_.factor(state)) return;
-  const auto declared = system_.orientation();
-  signs_.assign(declared.begin(), declared.end());
-  found_ = before_ = signs_;  // as much memory as they will take
+  begin();
+}
+
+void BranchSigns::begin() {
+  const auto now = system_.orientation();
+  signs_.assign(now.begin(), now.end());
+  found_ = before_ = signs_;
 }
 
 std::optional<SingularityCrossing> BranchSigns::at_first(const Instant& instant,

@@ -22,6 +22,9 @@ class BranchSigns {
   /// Stores the signs at the initial estimate with the drivers of the first instant. Overwrites the
   /// system's factors.
   void declare(const Instant& first);
+  /// Stores the signs at the first instant, which is known to be on the branch declared. The system
+  /// holds its factors.
+  void begin();
 
   /// Returns the crossing, if any, that the first assessed instant shows. The system holds its
   /// factors. sensitivity: the largest one to any driver (SensitivityMonitor::largest()).

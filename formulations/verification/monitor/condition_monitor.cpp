@@ -34,6 +34,9 @@ Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
+/// 1 / x, and 0 of 0.
+Eigen::ArrayXd inverse(const Eigen::ArrayXd& x) { return (x > 0).select(x.inverse(), 0); }
+
 /// Returns the largest of what is found for ranges (first, count) of n, or any from 1 on.
 template <class Find>
 double max_of_chunks(Eigen::Index n, Find&& find) {
@@ -48,15 +51,14 @@ double max_of_chunks(Eigen::Index n, Find&& find) {
 ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
       unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
-      per_turn_(Eigen::ArrayXd::Zero(m.coordinates())),
       right_(system.size(), 4),
       x_(system.size(), 4),
       way_(m.coordinates()),
       share_before_(m.groups.size()),
       way_of_group_(m.groups.size()),
       per_way_of_group_(m.groups.size()),
-      looks_(std::clamp(max_look_numbers / (4 * std::max(1, m.coordinates())), 2, max_looks)),
-      then_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))) {
+      then_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))),
+      drivers_(Eigen::ArrayXd::Zero(m.coordinates())) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   const std::vector<EntityId> entity = entity_of_coordinate(m);
   std::mt19937 bits;  // of no pattern, so that next to nothing is at right angles to all
@@ -73,16 +75,14 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
   distance_before_.resize(blocks);
   of_block_.resize(blocks);
   for (int j = 0; j < system.size(); ++j) of_block_[block_[j]] = group_[j];
-  for (Look& look : looks_) {
-    look.q.resize(m.coordinates());
-    look.per_way.resize(m.coordinates());
-    look.share.resize(then_.size());
-    look.distance.resize(blocks);
-    look.signs.resize(blocks);
-  }
   signs_.resize(blocks);
+  make_looks();
+  for (const Driver& d : m.drivers) {
+    const int i = m.entities[d.coordinate].first;
+    drivers_[i] = 1 / unit_[i];
+  }
   for (const Entity& e : m.entities)
-    if (!e.fixed && e.kind == EntityKind::angle) per_turn_[e.first] = 1 / (2 * std::numbers::pi);
+    if (!e.fixed && e.kind == EntityKind::angle) angles_.push_back(e.first);
   reads_.resize(m.groups.size());
   system.equations().jacobian<double>(std::vector<double>(m.state_size(), 1),
                                       [&](int row, int i, double) {
@@ -95,39 +95,51 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
   }
 }
 
-/// Returns the part of the way that is used up, or any part from 1 on.
-double ConditionMonitor::used(const Look& look, std::span<const double> q) {
-  const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
-  return max_of_chunks(now.size(), [&](Eigen::Index i, Eigen::Index n) {
-    return ((now.segment(i, n) - look.q.segment(i, n)).abs() * look.per_way.segment(i, n))
-        .maxCoeff();
-  });
+void ConditionMonitor::make_looks() {
+  const Eigen::Index n = unit_.size(), groups = then_.size(), blocks = distance_before_.size();
+  const int count =
+      std::clamp(max_look_numbers / (4 * std::max(1, static_cast<int>(n))), 2, max_looks);
+  numbers_.resize(2 * n + groups + blocks, count);
+  signs_of_looks_.resize(signs_.size() * count);
+  for (int k = 0; k < count; ++k) {
+    double* const x = numbers_.col(k).data();
+    looks_.push_back(
+        {.q = {x, n},
+         .per_way = {x + n, n},
+         .share = {x + 2 * n, groups},
+         .distance = {x + 2 * n + groups, blocks},
+         .signs = std::span(signs_of_looks_).subspan(k * signs_.size(), signs_.size())});
+  }
 }
 
-/// Returns whether a look holds at q, whatever whole turns its angles are away, and takes these
-/// away if so.
+/// Returns the part of the way that is used up.
+double ConditionMonitor::used(const Look& look, std::span<const double> q) {
+  return ((mapped(q) - look.q).abs() * look.per_way).maxCoeff();
+}
+
+/// Returns whether a look holds at q, whatever whole turns its angles are away, which it takes
+/// away.
 bool ConditionMonitor::turn_to(Look& look, std::span<const double> q) const {
+  constexpr double turn = 2 * std::numbers::pi;
+  for (const int i : angles_) look.q[i] += std::nearbyint((q[i] - look.q[i]) * (1 / turn)) * turn;
   const Eigen::Map<const Eigen::ArrayXd> now = mapped(q);
   Eigen::Index last = 0;
   const auto find = [&](Eigen::Index i, Eigen::Index n) {
-    const auto way = now.segment(i, n) - look.q.segment(i, n);
-    const auto turns = (way * per_turn_.segment(i, n)).round() * (2 * std::numbers::pi);
     last = i;
-    return ((way - turns).abs() * look.per_way.segment(i, n)).maxCoeff();
+    return ((now.segment(i, n) - look.q.segment(i, n)).abs() * look.per_way.segment(i, n))
+        .maxCoeff();
   };
   const Eigen::Index first = look.decisive, few = std::min(chunk, now.size() - first);
   if (few > 0 && find(first, few) >= 1) return false;
-  if (max_of_chunks(now.size(), find) >= 1) {
-    look.decisive = last;
-    return false;
-  }
-  look.q += ((now - look.q) * per_turn_).round() * (2 * std::numbers::pi);
-  return true;
+  const bool holds = max_of_chunks(now.size(), find) < 1;
+  if (!holds) look.decisive = last;
+  return holds;
 }
 
-void ConditionMonitor::go_on(const Instant& instant, double way) {
+void ConditionMonitor::go_on(const Instant& instant, const Ways& ways) {
   if (count_ == 0) return;
-  used_ += rate_margin * way;
+  used_ +=
+      rate_margin * std::max(ways.drivers * used_per_drivers_, ways.unknowns * used_per_unknowns_);
   if (used_ < 1 && ++unmeasured_ < max_unmeasured && !instant.interpolated) return;
   unmeasured_ = 0;
   used_ = used(looks_[current_], instant.q);
@@ -137,20 +149,32 @@ void ConditionMonitor::go_on(const Instant& instant, double way) {
     if (!turn_to(looks_[other], instant.q)) continue;
     current_ = other;
     used_ = used(looks_[current_], instant.q);
+    weigh_ways();
     return compare();
   }
 }
 
 void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   std::ranges::copy(instant.q, state_.begin());
-  if (system.factor(state_)) return take(instant, system);
+  if (system.factor(state_)) {
+    take(instant, system);
+    return weigh_ways();
+  }
   Look& singular = add(instant);
   singular.distance.setZero();
   singular.share.setConstant(INFINITY);
   singular.per_way.setConstant(at_once);
   singular.max_per_way = at_once;
   std::ranges::copy(signs_, singular.signs.begin());
+  weigh_ways();
   compare();
+}
+
+/// Finds what part of the way is used up by what go_on() is told of.
+void ConditionMonitor::weigh_ways() {
+  const Look& look = looks_[current_];
+  used_per_drivers_ = (look.per_way * drivers_).maxCoeff();
+  used_per_unknowns_ = (look.per_way * unknowns_).maxCoeff();
 }
 
 double ConditionMonitor::way_left() const {
@@ -158,8 +182,11 @@ double ConditionMonitor::way_left() const {
   return (singular - std::min(1.0, used_)) / std::max(1e-300, per_way);
 }
 
-void ConditionMonitor::reset(const Instant& instant, ScaledSystem& system) {
+void ConditionMonitor::reset(const Instant& instant, ScaledSystem& system,
+                             const Eigen::ArrayXd& weights) {
+  unknowns_ = inverse(weights);
   take(instant, system);
+  weigh_ways();
   then_ = looks_[current_].share;
   std::ranges::copy(looks_[current_].signs, signs_.begin());
   growth_ = 1;

@@ -32,12 +32,12 @@ class ConditionMonitor {
   /// system: the one of the model.
   ConditionMonitor(const Model& model, const ScaledSystem& system);
 
-  /// Moves on to an instant. way: of the step to it, by weights() (StepMeasures); infinity: not
-  /// known.
-  void go_on(const Instant& instant, double way = INFINITY);
-  /// Returns, for each coordinate, 1 over the way on which the current look holds; null: there is
-  /// no look.
-  const double* weights() const { return count_ > 0 ? looks_[current_].per_way.data() : nullptr; }
+  /// Moves on to an instant. ways: how far drivers and unknowns have moved at most in the step to
+  /// it, the first in magnitudes, the second by the weights of reset(). Infinity: not known.
+  struct Ways {
+    double drivers = INFINITY, unknowns = INFINITY;
+  };
+  void go_on(const Instant& instant, const Ways& ways);
   /// Returns whether the instant should be looked at.
   bool is_due() const { return used_ >= 1; }
   void look(const Instant& instant, ScaledSystem& system);
@@ -46,32 +46,35 @@ class ConditionMonitor {
   /// Returns the growth at the present instant, at least 1: that of the look that holds, times what
   /// may have come since. Infinity: the look was singular.
   double growth() const;
-  /// Makes this instant the one to compare with. system: factorised at it.
-  void reset(const Instant& instant, ScaledSystem& system);
+  /// Makes this instant the one to compare with. system: factorised at it. weights: of unknowns
+  /// (SensitivityMonitor::weights()), which stay where they are.
+  void reset(const Instant& instant, ScaledSystem& system, const Eigen::ArrayXd& weights);
 
  private:
   struct Look {
-    Eigen::ArrayXd q;
-    Eigen::ArrayXd per_way;     // 1 / change of each coordinate up to which it holds
-    double max_per_way = 0;     // the largest, by magnitudes
+    Eigen::Map<Eigen::ArrayXd> q;
+    Eigen::Map<Eigen::ArrayXd> per_way;   // 1 / change of each coordinate up to which it holds
+    Eigen::Map<Eigen::ArrayXd> share;     // ‖x‖∞ of each group
+    Eigen::Map<Eigen::ArrayXd> distance;  // d of each block
+    std::span<signed char> signs;
+    double max_per_way = 0;     // the largest of per_way, by magnitudes
     Eigen::Index decisive = 0;  // the first of those that ruled it out last
-    Eigen::ArrayXd share;       // ‖x‖∞ of each group
-    Eigen::ArrayXd distance;    // d of each block
-    std::vector<signed char> signs;
   };
   static double used(const Look& look, std::span<const double> q);
   bool turn_to(Look& look, std::span<const double> q) const;
   void take(const Instant& instant, ScaledSystem& system);
+  void make_looks();
   Look& add(const Instant& instant);
   void measure(Look& look, ScaledSystem& system);
   void schedule(Look& look);
   static double until_halved(double distance, double slope);
   double until_grown(const Look& look, double way) const;
   void compare();
+  void weigh_ways();
 
   std::vector<double> state_;
   Eigen::ArrayXd unit_;                  // 1 / magnitude of each coordinate
-  Eigen::ArrayXd per_turn_;              // of each coordinate: 1 / 2π of angles, else 0
+  std::vector<int> angles_;              // coordinates
   std::vector<std::vector<int>> reads_;  // coordinates that each group reads, its own included
   std::vector<GroupId> group_;           // group of each unknown
   std::vector<int> block_;               // irreducible block of each unknown
@@ -82,13 +85,17 @@ class ConditionMonitor {
   Eigen::ArrayXd share_before_, distance_before_;  // of that look
   std::vector<double> way_of_group_;               // the largest of what each group reads
   std::vector<double> per_way_of_group_;
+  Eigen::ArrayXXd numbers_;  // of looks, in columns
+  std::vector<signed char> signs_of_looks_;
   std::vector<Look> looks_;  // in turn; the oldest is replaced
   int count_ = 0, newest_ = -1, current_ = 0;
-  Eigen::ArrayXd then_;             // shares at the assessment
-  std::vector<signed char> signs_;  // of the assessment
-  double growth_ = 1;               // of the current look
-  double used_ = 0;                 // part of the way on which it holds, at most
-  int unmeasured_ = 0;              // instants since coordinates were compared
+  Eigen::ArrayXd then_;                // shares at the assessment
+  std::vector<signed char> signs_;     // of the assessment
+  double growth_ = 1;                  // of the current look
+  Eigen::ArrayXd drivers_, unknowns_;  // magnitude, 1 / weight of these coordinates, else 0
+  double used_per_drivers_ = 0, used_per_unknowns_ = 0;  // of the way on which the look holds
+  double used_ = 0;     // part of the way on which it holds, at most
+  int unmeasured_ = 0;  // instants since coordinates were compared
 };
 
 }  // namespace desmo

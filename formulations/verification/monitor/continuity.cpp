@@ -150,7 +150,8 @@ bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
     const double fastest = std::max(fastest_at_last_, fastest_driver(instant));
     return measures->mismatch * per_movement(instant, instant.time - last.time, fastest);
   };
-  const double off = measures ? measured() : mismatch(last, instant, weights);
+  double off = measures ? measured() : mismatch(last, instant, weights);
+  if (measures && measures->is_bound && !(off <= smooth)) off = mismatch(last, instant, weights);
   return off > smooth || (!angles_follow_ && turns_further(last, instant, weights));
 }
 

@@ -131,7 +131,7 @@ class Run final : Observer {
     if (m.assessment.singular)
       if (const auto passed = accuracy_->pass(instant)) m = *passed;
     is_astray_ = m.solved_anew;
-    return m.assessment.singular ? stop_at(m) : hand_on(m);
+    return m.assessment.singular ? stop_at(m) : hand_on(std::move(m));
   }
 
   Flow stop_at(const MonitoredInstant& m) {
@@ -142,7 +142,7 @@ class Run final : Observer {
     return Flow::stop;
   }
 
-  Flow hand_on(MonitoredInstant m) {
+  Flow hand_on(MonitoredInstant&& m) {
     if (has(Monitor::branch)) summary_.violated = branch_.violated(m.instant, m.angles_follow);
     if (summary_.violated >= 0 && has(Monitor::repair))
       if (const auto again = accuracy_->solve_again(m.instant)) {
@@ -226,10 +226,10 @@ class Run final : Observer {
 
   /// Solves an instant where the formulation could not, from the one before it.
   bool solved_by_monitor(const Instant& instant) {
-    const auto m = accuracy_->solve(instant);
+    auto m = accuracy_->solve(instant);
     if (!m) return false;
     is_astray_ = true;
-    hand_on(*m);
+    hand_on(std::move(*m));
     return true;
   }
 

@@ -71,7 +71,7 @@ struct MonitoredInstant {
 };
 
 /// Longest interval between assessments, in instants.
-inline constexpr int usual_assessment_interval = 2000;
+inline constexpr int usual_assessment_interval = 5000;
 
 /// Settings of a monitored run. The tolerance is that of the formulation.
 struct MonitoredRunOptions {

@@ -23,32 +23,31 @@ struct Streams {
 /// The largest measures of coordinates in each place of a register. Velocities are x or r.
 template <class Register, bool are_velocities>
 struct MaxMeasures {
-  Register rate = 0, way = 0, mismatch = 0;
+  Register rate = 0, mismatch = 0;
 
-  void take(const Streams& s, const StepWeights& weights, int i) {
+  void take(const Streams& s, const double* weights, int i) {
     namespace simd = std::experimental;
     const auto at = [i](const double* from) { return Register(from + i, simd::element_aligned); };
     const Register x0 = at(s.x0), x1 = at(s.x1), r0 = at(s.r0), r1 = at(s.r1);
-    const Register v0 = abs(are_velocities ? x0 : r0), v1 = abs(are_velocities ? x1 : r1);
-    rate = max(rate, v1 * at(weights.rate));
-    way = max(way, max(v0, v1) * at(weights.way));
-    mismatch = max(mismatch, abs(x1 - x0 - s.half_step * (r0 + r1)) * at(weights.mismatch));
+    const Register weight = at(weights);
+    rate = max(rate, abs(are_velocities ? x1 : r1) * weight);
+    mismatch = max(mismatch, abs(x1 - x0 - s.half_step * (r0 + r1)) * weight);
     x1.copy_to(s.x + i, simd::element_aligned);
     r1.copy_to(s.r + i, simd::element_aligned);
   }
 };
 
 template <bool are_velocities>
-StepMeasures measure_all(const Streams& s, const StepWeights& weights, int n) {
+StepMeasures measure_all(const Streams& s, const double* weights, int n) {
   using Full = std::experimental::native_simd<double>;
   using Single = std::experimental::simd<double, std::experimental::simd_abi::scalar>;
   constexpr int width = static_cast<int>(Full::size());
   MaxMeasures<Full, are_velocities> most;
   int i = 0;
   for (; i + width <= n; i += width) most.take(s, weights, i);
-  MaxMeasures<Single, are_velocities> all{hmax(most.rate), hmax(most.way), hmax(most.mismatch)};
+  MaxMeasures<Single, are_velocities> all{hmax(most.rate), hmax(most.mismatch)};
   for (; i < n; ++i) all.take(s, weights, i);
-  return {all.rate[0], 2 * std::abs(s.half_step) * all.way[0], all.mismatch[0]};
+  return {all.rate[0], all.mismatch[0]};
 }
 
 }  // namespace
@@ -60,7 +59,7 @@ RecentInstants::RecentInstants(int coordinates)
       values->resize(coordinates);
 }
 
-StepMeasures RecentInstants::measure(const Instant& to, const StepWeights& weights) {
+StepMeasures RecentInstants::measure(const Instant& to, const double* weights) {
   const Node& from = (*this)[0];
   Node& copy = next();
   const auto& [q, qd, qdd] = from.state;

@@ -9,17 +9,12 @@
 
 namespace desmo {
 
-/// Weights of coordinates, (coordinates) each, by which a step is measured.
-struct StepWeights {
-  const double *rate, *way, *mismatch;
-};
-
 /// Measures of a step of length h: each the largest over all coordinates, times a weight.
 struct StepMeasures {
   double rate = 0;  ///< |q̇| at the end
-  double way = 0;   ///< |h q̇|, at the faster end
   double mismatch = 0;  ///< error of the trapezoid rule: |v₁ − v₀ − h/2 (a₀ + a₁)|, v the highest
                         ///< level but one, a the highest
+  bool is_bound = false;  ///< the mismatch by weights that it is judged by is at most this one
 };
 
 /// Copies of the last few instants, and what was stated of them. What follows may show that they
@@ -38,8 +33,8 @@ class RecentInstants {
   explicit RecentInstants(int coordinates);
 
   /// Measures the step from the last instant to one with velocities. Copies it on the way, which
-  /// take() then need not do.
-  StepMeasures measure(const Instant& to, const StepWeights& weights);
+  /// take() then need not do. weights: (coordinates).
+  StepMeasures measure(const Instant& to, const double* weights);
 
   void take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated);
   void forget() {

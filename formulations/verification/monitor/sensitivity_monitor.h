@@ -30,6 +30,8 @@ class SensitivityMonitor {
   /// - velocity: growth of their rates
   /// - acceleration: growth of the larger of squared rates and second derivatives
   const PerLevel<double>& driver_growth() const { return driver_growth_; }
+  /// Returns the largest rate of the drivers at the instant of the last growth(), in magnitudes.
+  double drivers() const { return drivers_now_.velocity; }
   /// Makes the instant of the last growth() the one to compare with. system: factorised at it.
   void reset(const Instant& instant, ScaledSystem& system);
   /// Returns, for each unknown, 1 over its group's movement when the drivers move by their

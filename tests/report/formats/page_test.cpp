@@ -220,7 +220,7 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   EXPECT_EQ(seen["requests"], Json::array());
   EXPECT_EQ(seen["errors"], Json::array());
   const Record record = record_from(json), other = read_record(beside);
-  const Document document = make_report({&record}, {&other});
+  const Document document = make_report(record, {&other});
   expect_nothing_lost(seen, document);
   const Json& first = seen["first_screen"];  // sentences, figure and table, and all else folded
   for (const char* part : {"words", "figure", "table"}) {

@@ -1,4 +1,4 @@
-// Which records may be compared, and the comparison.
+// Which records may be compared, and two machines side by side.
 #include "report/statistics/comparability.h"
 
 #include <gtest/gtest.h>
@@ -128,55 +128,14 @@ TEST(Comparability, WithoutACellInCommonThereIsNothingToCompare) {
   EXPECT_EQ(reasons(newest(), other), Names{"measurements in common"});
 }
 
-TEST(Comparison, GivesTheRatioOfTheMediansAndItsInterval) {
-  Json a = newest(), b = newest();
-  const auto truck = [](Json& record) -> Json& {
-    return candidate_of(record, "truck_suspension", 114, "global_automatic_klu");
-  };
-  truck(a)["time"]["seconds"] = {2.02, 1.98, 2.0};
-  truck(b)["time"]["seconds"] = {1.01, 0.99, 1.0};
-  const Document document = make_comparison(record_from(a), record_from(b));
-  const Entry ratio = entry_at(table_named(document, "comparison"),
-                               {"truck_suspension", "114", "global_automatic_klu"}, "A over B");
-  EXPECT_EQ(ratio.shown, "2.00 [1.96, 2.04] (50.0 %)");
-  truck(b)["time"]["seconds"] = {1.2, 0.9, 1.0};
-  EXPECT_EQ(entry_at(table_named(make_comparison(record_from(a), record_from(b)), "comparison"),
-                     {"truck_suspension", "114", "global_automatic_klu"}, "A over B")
-                .note,
-            inconclusive_mark);
-}
-
-TEST(Comparison, ShowsNoTimeOfWhatFailedInEither) {
-  const std::vector<std::string> row{"truck_suspension", "114", "global_automatic_klu"};
-  Json failed = newest();
-  candidate_of(failed, row[0], 114, row[2])["verification"]["velocity"] = 1;
-  EXPECT_EQ(reasons(newest(), failed), Names{});
-  const Table table =
-      table_named(make_comparison(record_from(newest()), record_from(failed)), "comparison");
-  EXPECT_TRUE(entry_at(table, row, "A").has_number());
-  EXPECT_EQ(entry_at(table, row, "B").shown, failed_mark);
-  EXPECT_EQ(entry_at(table, row, "A over B").shown, failed_mark);
-  EXPECT_EQ(entry_at(table, row, "remark").shown, "B: velocity differs by 1, 1e-08 is allowed");
-}
-
-TEST(Comparison, CountsWhatOnlyOneOfThemHas) {
-  Json b = newest();
-  erase_candidate(b, "truck_suspension", 114, "global_automatic_klu");
-  const Table table =
-      table_named(make_comparison(record_from(newest()), record_from(b)), "comparison");
-  EXPECT_THROW(entry_at(table, {"truck_suspension", "114", "global_automatic_klu"}, "A"),
-               std::runtime_error);
-  EXPECT_EQ(table.notes[1], "Not shown: 1 in A only, 0 in B only.");
-}
-
-TEST(Comparison, OfTwoMachinesShowsSpeedUpsAndNoSeconds) {
+TEST(Machines, StandSideBySideWithSpeedUpsAndNoSeconds) {
   const Record a = record_from(newest());
   Json json = replaced(newest(), a.machine.cpu, "Other CPU");
   const Record b = record_from(json);
   EXPECT_TRUE(are_of_two_machines(a, b));
   EXPECT_FALSE(are_of_two_machines(a, a));
   EXPECT_TRUE(different_work_reason(a, b).empty());
-  const Table table = table_named(make_comparison(a, b), "machines");
+  const Table table = table_named(make_report(a, {&b}), "machines");
   EXPECT_FALSE(table.rows.empty());
   for (const Column& column : table.columns)
     EXPECT_EQ(std::ranges::count(column.quantities, "seconds"), 0) << column.name;
