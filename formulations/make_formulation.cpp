@@ -69,8 +69,8 @@ Draft make_newton(const Common& common, PartDefinition d) {
                       .magnitudes = common.magnitudes.of_unknowns(d)};
   if (v.evaluation == Evaluation::symbolic)
     context.kernels = bind_kernels(common.m, d, common.table);
-  std::unique_ptr<Part> solver =
-      make_newton_part(context, v.backend ? *v.backend : pivoting_backend());
+  const Backend* const backend = find_backend(v.algebra);
+  std::unique_ptr<Part> solver = make_newton_part(context, backend ? *backend : pivoting_backend());
   Draft draft{.part = {.definition = std::move(d),
                        .solver = std::move(solver),
                        .as_named = v.evaluation == Evaluation::automatic || context.kernels,
@@ -78,7 +78,7 @@ Draft make_newton(const Common& common, PartDefinition d) {
               .bound = std::nullopt,
               .weights = std::move(context.weights),
               .settings = context.settings};
-  if (!v.backend && context.kernels) draft.bound = std::move(context.kernels->front());
+  if (v.is_generated() && context.kernels) draft.bound = std::move(context.kernels->front());
   return draft;
 }
 
@@ -104,7 +104,7 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
   for (Draft& d : drafts)
     if (d.bound) make_inlined(d);
   for (Draft& d : drafts)
-    if (d.bound && common.v.explicit_order) make_explicit(common, d);
+    if (d.bound && common.v.is_explicit()) make_explicit(common, d);
   std::vector<DefinedPart> parts;
   parts.reserve(drafts.size());
   for (Draft& d : drafts) parts.push_back(std::move(d.part));
@@ -117,7 +117,7 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
                                            const KernelTable& table) {
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   std::vector<int> type_ends{static_cast<int>(definitions.size())};
-  if (!v.backend) type_ends = gather_types(m, definitions);
+  if (v.is_generated()) type_ends = gather_types(m, definitions);
   // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance, unless
   // rounding leaves a part more than its share.
   Settings own = settings;

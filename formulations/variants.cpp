@@ -12,8 +12,6 @@ namespace desmo {
 
 namespace {
 
-const char* generated_name(bool explicit_order) { return explicit_order ? "explicit" : "inlined"; }
-
 std::vector<Variant> make_variants(std::span<const Backend* const> with) {
   std::vector<Variant> table;
   for (const auto& [partition, partition_name] :
@@ -24,12 +22,12 @@ std::vector<Variant> make_variants(std::span<const Backend* const> with) {
                                                       std::pair{Evaluation::symbolic, "symbolic"}})
       for (const Backend* backend : with)
         table.push_back({partition_name + "_" + evaluation_name + "_" + std::string(backend->name),
-                         partition, evaluation, backend});
+                         partition, evaluation, backend->name});
     // All unknowns at once would be one type of part for every size of a mechanism.
     if (partition != Partition::global)
-      for (const bool in_order : {false, true})
-        table.push_back({partition_name + "_symbolic_" + generated_name(in_order), partition,
-                         Evaluation::symbolic, nullptr, in_order});
+      for (const char* algebra : {"inlined", "explicit"})
+        table.push_back(
+            {partition_name + "_symbolic_" + algebra, partition, Evaluation::symbolic, algebra});
   }
   return table;
 }
@@ -51,22 +49,19 @@ const Variant& find_variant(std::string_view id) {
   throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
 }
 
-std::string_view algebra_name(const Variant& v) {
-  return v.backend ? v.backend->name : generated_name(v.explicit_order);
-}
-
 bool is_dense_global(const Variant& v) {
-  return v.partition == Partition::global && v.backend && v.backend->dense;
+  const Backend* const backend = find_backend(v.algebra);
+  return v.partition == Partition::global && backend && backend->dense;
 }
 
 std::string_view slow_reason(const Variant& v) {
-  if (!v.backend) return {};
-  if (v.partition != Partition::block || !v.backend->slow_reason.empty())
-    return v.backend->slow_reason;
-  return v.backend->slow_blocks_reason;
+  const Backend* const backend = find_backend(v.algebra);
+  if (!backend) return {};
+  if (v.partition != Partition::block || !backend->slow_reason.empty()) return backend->slow_reason;
+  return backend->slow_blocks_reason;
 }
 
-bool has_phases(const Variant& v) { return v.backend != nullptr; }
+bool has_phases(const Variant& v) { return !v.is_generated(); }
 
 std::string unsupported_reason(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
@@ -77,14 +72,15 @@ std::string unsupported_reason(const Variant& v, const Settings& s) {
   if (s.threads < 1 || s.threads > max_threads)
     return "a motion is solved on one thread or several, up to " + std::to_string(max_threads);
   for (const int at_once : {s.lanes, s.segments})
-    if (at_once != 1 && (std::ranges::count(lane_counts, at_once) == 0 || !v.explicit_order))
+    if (at_once != 1 && (std::ranges::count(lane_counts, at_once) == 0 || !v.is_explicit()))
       return "there is code for four lanes or eight, in explicit order";
   if (s.lanes != 1 && s.segments != 1)
     return "lanes hold parts of one type or segments of the motion, not both";
-  if (s.btf != BlockTriangularForm::on && !(v.backend && v.backend->has_btf))
+  const Backend* const backend = find_backend(v.algebra);
+  if (s.btf != BlockTriangularForm::on && !(backend && backend->has_btf))
     return "block triangular form is KLU's, and there is none to leave out";
   const bool other_scalar = s.scalar != Scalar::double_precision;
-  if (!v.backend) {
+  if (!backend) {
     if (s.jacobian != JacobianUpdate::newton)
       return "a generated elimination keeps no factors that a later iteration could use";
     if (s.factorisation != Factorisation::shared)
@@ -92,8 +88,8 @@ std::string unsupported_reason(const Variant& v, const Settings& s) {
     if (other_scalar) return "generated code is in double precision";
     return {};
   }
-  if (other_scalar && !v.backend->dense)
-    return "the sparse library " + std::string(v.backend->name) + " factorises in double precision";
+  if (other_scalar && !backend->dense)
+    return "the sparse library " + std::string(backend->name) + " factorises in double precision";
   if (s.scalar == Scalar::single_precision) {
     if (v.evaluation == Evaluation::symbolic) return "generated code is in double precision";
     if (s.fixed_iterations == 0 && s.tolerance < 10 * std::numeric_limits<float>::epsilon())
@@ -116,7 +112,7 @@ std::string unavailable_reason(const Settings& s) {
 std::string unavailable_reason(std::string_view id) {
   for (const Backend* b : absent_backends())
     for (const Variant& v : make_variants({&b, 1}))
-      if (v.backend && v.id == id) return b->absence().reason;
+      if (v.algebra == b->name && v.id == id) return b->absence().reason;
   return {};
 }
 

@@ -12,22 +12,20 @@
 
 namespace desmo {
 
-// Users of the library see their names alone.
-enum class Partition;
-enum class Evaluation;
-struct Backend;
-class KernelTable;
+class KernelTable;  // of generated code (GeneratedCode)
 
 /// A formulation of the suite: a partition of the unknowns, a way to evaluate the equations, and an
 /// algebra that solves the linear systems.
 struct Variant {
   std::string id;  ///< <partition>_<equations>_<algebra>
-
-  // What the id says, for the rest of the library.
   Partition partition;
   Evaluation evaluation;
-  const Backend* backend;       ///< null: the elimination is generated (inlined, explicit)
-  bool explicit_order = false;  ///< unknowns in closed form one after the other, as far as may be
+  std::string_view algebra;  ///< a library, such as "klu", or "inlined" or "explicit"
+
+  /// Returns whether the elimination is generated, too (inlined, explicit).
+  bool is_generated() const { return algebra == "inlined" || is_explicit(); }
+  /// Returns whether unknowns are in closed form one after the other, as far as may be.
+  bool is_explicit() const { return algebra == "explicit"; }
 };
 
 /// Returns every variant of this build whose library is present on this machine. Tests, benchmarks
@@ -37,9 +35,6 @@ std::span<const Variant> variants();
 /// Returns the variant of that id. Throws std::invalid_argument: with the reason where the variant
 /// cannot be had on this machine (unavailable_reason), else with a list of all ids.
 const Variant& find_variant(std::string_view id);
-
-/// Returns "lapack", "klu", …, "inlined" or "explicit".
-std::string_view algebra_name(const Variant& variant);
 
 /// Returns whether a variant solves all unknowns at once with dense matrices, at O(n³) a step.
 bool is_dense_global(const Variant& variant);

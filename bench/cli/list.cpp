@@ -59,7 +59,7 @@ Json formulations() {
     list.push_back({{"id", v.id},
                     {"partition", partition_names[static_cast<int>(v.partition)]},
                     {"equations", evaluation_names[static_cast<int>(v.evaluation)]},
-                    {"algebra", algebra_name(v)}});
+                    {"algebra", v.algebra}});
   return list;
 }
 

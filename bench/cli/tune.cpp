@@ -151,12 +151,8 @@ void add_tune(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   std::map<std::string, Level> by_name;
   for (const Level level : levels) by_name.emplace(bench::level_names[level], level);
-  command
-      ->add_option_function<std::string>(
-          "--level",
-          [options, by_name](const std::string& name) { options->level = by_name.at(name); },
-          "Which error is meant; position by default")
-      ->check(CLI::IsMember(by_name));
+  command->add_option("--level", options->level, "Which error is meant; position by default")
+      ->transform(CLI::CheckedTransformer(by_name));
   command->add_flag("--write", options->write, "Store the choice in the scene file");
   add_options(*command, options->own_code);
   command->add_flag("--quiet", options->quiet, "No progress");

@@ -29,8 +29,8 @@ struct CommonOptions {
 
 /// Meanings of the common options in one experiment, for its help.
 struct CommonHelp {
-  std::string quick;        ///< what is left out
-  std::string filtered;     ///< where --filter looks for a match: "<case>/<coordinates>/<id>"
+  std::string quick;        ///< description of what --quick leaves out
+  std::string filtered;     ///< names that --filter searches: "<case>/<coordinates>/<id>"
   std::string repetitions;  ///< how many samples it takes by itself; empty: it has no such option
 };
 

@@ -76,7 +76,7 @@ class VerifiedCandidate {
   void add_sample(double seconds) { seconds_.push_back(seconds); }
 
   const std::vector<double>& seconds() const { return seconds_; }  ///< samples
-  const TimingWindows& windows() const { return windows_; }        ///< of all analyses
+  const TimingWindows& windows() const { return windows_; }  ///< timing windows of all analyses
 
  private:
   Candidate& candidate_;
@@ -99,13 +99,14 @@ class Candidate {
   /// unless the candidate brings its own. Does nothing when it was verified or refused before.
   void verify(ReferenceCache& references);
 
-  /// Measures where the time goes, where that is shown. Nothing unless it is verified.
+  /// Measures where the time goes, for candidates whose split is shown. Does nothing unless it is
+  /// verified.
   virtual void profile() {}
 
   /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 
-  /// Runs a measurement of what is verified; nothing otherwise. What it throws becomes a refusal.
+  /// Runs a measurement if the candidate is verified. An exception of it becomes a refusal.
   void measure(const std::function<void(VerifiedCandidate&)>& measurement);
 
   /// Returns null unless it is verified.
@@ -136,8 +137,8 @@ class Candidate {
   /// throws is a failure.
   virtual Checked check(ReferenceCache& references, VerifyingRun& found) = 0;
 
-  /// Makes what is timed, and assembles it once. The windows take its times; they outlive it. Only
-  /// for VerifiedCandidate.
+  /// Makes the analysis that is timed, and assembles it once. windows: receives its times; outlives
+  /// it. Called by VerifiedCandidate only.
   virtual std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const = 0;
 
   static Refusal failed(std::string why) { return {Refusal::Kind::failed, std::move(why)}; }

@@ -7,8 +7,8 @@
 
 namespace desmo::bench {
 
-/// Delivers each instant as the design asks: q, q̇, q̈ of what is requested, by default of the
-/// whole mechanism, into plain vectors in the order of the request.
+/// Observer that takes q, q̇ and q̈ of the requested coordinates, by default of all, into plain
+/// vectors in the order of the request.
 class Delivery : public Observer {
  public:
   explicit Delivery(std::size_t coordinates, Level level = Level::acceleration)

@@ -41,10 +41,10 @@ FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string
                                            int n, std::string_view id, const Configuration& c,
                                            Clock by, Request asked)
     : Candidate(instants, c.settings.threads, by),
-      coordinates(n),
       asked_(std::move(asked)),
       case_name_(case_name),
       id_(id),
+      coordinates_(n),
       configuration_(c) {}
 
 std::string FormulationCandidate::id() const {
@@ -52,7 +52,7 @@ std::string FormulationCandidate::id() const {
 }
 
 std::string FormulationCandidate::name() const {
-  return case_name_ + "/" + std::to_string(coordinates) + "/" + id();
+  return case_name_ + "/" + std::to_string(coordinates_) + "/" + id();
 }
 
 std::unique_ptr<Formulation> FormulationCandidate::make_formulation() const {

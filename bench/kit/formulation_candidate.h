@@ -34,7 +34,7 @@ class FormulationCandidate : public Candidate {
   /// dear_seconds [s], so that more samples would cost too much.
   bool is_sampled(double dear_seconds) const;
 
-  const int coordinates;
+  int coordinates() const { return coordinates_; }  ///< of the whole model
 
  protected:
   /// case_name, coordinates: of the problem. id: without settings that all candidates share.
@@ -66,10 +66,11 @@ class FormulationCandidate : public Candidate {
   std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
   std::size_t delivered() const {
-    return asked_.coordinates.empty() ? coordinates : asked_.coordinates.size();
+    return asked_.coordinates.empty() ? coordinates_ : asked_.coordinates.size();
   }
 
   const std::string case_name_, id_;
+  const int coordinates_;
   const Configuration configuration_;
 };
 

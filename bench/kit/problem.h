@@ -14,7 +14,7 @@ inline constexpr PerLevel<const char*> level_names{"position", "velocity", "acce
 
 /// A motion that candidates solve, and what is right.
 struct Problem {
-  Plan plan;  ///< what is solved; without outputs and levels: everything
+  Plan plan;  ///< the part of the model that is solved; no outputs or levels: everything
   TimeGrid grid;
   Reference reference = {};  ///< at instants of the grid, the first and the last among them
   double tolerance = Settings{}.tolerance;

@@ -63,7 +63,7 @@ class ComparingObserver : public Delivery {
   };
 
   std::span<const ReferenceInstant> reference_;
-  std::vector<Copy> copies_;  // of each instant of the reference
+  std::vector<Copy> copies_;  // by instant of the reference
 };
 
 /// Compares a whole mechanism with a reference.

@@ -54,7 +54,7 @@ class Peer {
 /// A peer by its name.
 struct PeerDefinition {
   std::string_view name;
-  std::string_view library;  ///< what it is made of, for people
+  std::string_view library;  ///< library that it is made of, for people
   std::string (*version)();
   std::string_view method;  ///< how it is used, in a sentence
   /// The model of a case. Scene and mechanism (the scene's) must outlive it. Throws

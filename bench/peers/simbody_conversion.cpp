@@ -21,25 +21,25 @@ int other(const Mechanism::Joint& joint, int body) {
   return joint.bodies[joint.bodies[0] == body ? 1 : 0];
 }
 
-/// A conversion under way; its tree is the result.
+/// A conversion under way: run() makes the tree, once.
 class Conversion {
  public:
   Conversion(const Scene& scene, const Model& model) : d_(scene.mechanism), model_(model) {
     placed_[0].in_tree = ground;
     for (const Mechanism::Joint& joint : d_.joints)
       for (const int body : joint.bodies) placed_[body].joints.push_back(&joint);
+  }
+
+  Tree run(const std::vector<Motion>& motions) {
     find_links();
     do close_links();
     while (place_next());
-    auto motion = scene.motions.begin();
+    auto motion = motions.begin();
     for (const Mechanism::Coordinate& c : d_.coordinates)
       if (c.driven) drive(c, *motion++);
-    if (used_ < d_.joints.size())
-      throw std::invalid_argument("simbody: '" + d_.name +
-                                  "' has loops that no rod or strut closes");
+    if (used_ >= d_.joints.size()) return std::move(tree_);
+    throw std::invalid_argument("simbody: '" + d_.name + "' has loops that no rod or strut closes");
   }
-
-  Tree tree;
 
  private:
   static constexpr int ground = -1, unplaced = -2;
@@ -122,9 +122,9 @@ class Conversion {
       b.axis = axis(side);
       b.second_axis = axis(1 - side);
     }
-    placed_[body].in_tree = static_cast<int>(tree.bodies.size());
+    placed_[body].in_tree = static_cast<int>(tree_.bodies.size());
     placed_[body].origin = point;
-    tree.bodies.push_back(b);
+    tree_.bodies.push_back(b);
     order_.push_back(body);
     ++used_;
     for (const int p : d_.bodies[body].points)
@@ -164,25 +164,21 @@ class Conversion {
 
   void close(const Link& link) {
     const Vec line = position(link.point(1)) - position(link.point(0));
-    const int last = placed_[link.neighbour(1)].in_tree;
+    const int first = link.neighbour(0), last = placed_[link.neighbour(1)].in_tree;
     const Vec end = offset(link.neighbour(1), link.point(1));
     used_ += 2;
     if (link.bodies.size() == 1) {
-      const int first = link.neighbour(0);
       placed_[link.bodies[0]].role = Role::in_link;
       const double length = d_.bodies[link.bodies[0]].length.value_or(norm(line));
-      tree.constraints.push_back({Constraint::Kind::rod,
-                                  {placed_[first].in_tree, last},
-                                  {offset(first, link.point(0)), end},
-                                  {},
-                                  length});
+      const Vec begin = offset(first, link.point(0));
+      tree_.constraints.push_back(
+          {Constraint::Kind::rod, {placed_[first].in_tree, last}, {begin, end}, {}, length});
     } else {
       place(*link.ends[0], link.bodies[0]);  // stands for both, which turn as one
       follow_vectors(link.bodies[1], link.bodies[0]);
-      tree.constraints.push_back({Constraint::Kind::point_on_line,
-                                  {placed_[link.bodies[0]].in_tree, last},
-                                  {Vec{}, end},
-                                  line});
+      const int slider = placed_[link.bodies[0]].in_tree;
+      tree_.constraints.push_back(
+          {Constraint::Kind::point_on_line, {slider, last}, {Vec{}, end}, line});
     }
   }
 
@@ -193,29 +189,28 @@ class Conversion {
     const auto body = std::ranges::find_if(order_, [&](int b) {
       if (b == 0) return false;
       if (is_component) return std::ranges::count(d_.bodies[b].points, c.point) > 0;
-      return placed_[b].origin == c.of.from && tree.bodies[placed_[b].in_tree].parent == ground;
+      return placed_[b].origin == c.of.from && tree_.bodies[placed_[b].in_tree].parent == ground;
     });
     const bool is_pin = is_planar() && c.type == Mechanism::CoordinateType::angle &&
                         c.of.is_line() && !c.from.is_given() && !c.opposite;
     if (body == order_.end() || !(is_component || is_pin))
       throw std::invalid_argument("simbody: '" + c.name + "' cannot be driven");
-    const int driver = static_cast<int>(tree.drivers.size()), in_tree = placed_[*body].in_tree;
+    const int driver = static_cast<int>(tree_.drivers.size()), in_tree = placed_[*body].in_tree;
     double zero = 0;
     if (is_pin) {
       const Vec line = position(c.of.to) - position(c.of.from);
       zero = std::atan2(line[1], line[0]);
-      tree.bodies[in_tree].driver = driver;
+      tree_.bodies[in_tree].driver = driver;
     } else {
       Vec axis{};
       axis[c.axis] = 1;
-      const int slider = static_cast<int>(tree.bodies.size());
-      tree.bodies.push_back({ground, Joint::slider, {}, axis, {}, driver});
-      tree.constraints.push_back({Constraint::Kind::point_in_plane,
-                                  {slider, in_tree},
-                                  {Vec{}, offset(*body, c.point)},
-                                  axis});
+      const int slider = static_cast<int>(tree_.bodies.size());
+      tree_.bodies.push_back({ground, Joint::slider, {}, axis, {}, driver});
+      const Vec point = offset(*body, c.point);
+      tree_.constraints.push_back(
+          {Constraint::Kind::point_in_plane, {slider, in_tree}, {Vec{}, point}, axis});
     }
-    tree.drivers.push_back([&motion, zero](double t) -> Vec {
+    tree_.drivers.push_back([&motion, zero](double t) -> Vec {
       const MotionSample<double> z = sample(motion, t);
       return {z.position - zero, z.velocity, z.acceleration};
     });
@@ -226,9 +221,9 @@ class Conversion {
     const EntityId id = model_.find(name);
     const Entity& entity = model_.entities[id];
     if (model_.is_at_rest(id) ||
-        std::ranges::count(tree.followed, entity.first, &Followed::coordinate))
+        std::ranges::count(tree_.followed, entity.first, &Followed::coordinate))
       return;
-    tree.followed.push_back({placed_[body].in_tree, is_point, in_body, entity.first, entity.size});
+    tree_.followed.push_back({placed_[body].in_tree, is_point, in_body, entity.first, entity.size});
   }
 
   void follow_vectors(int body, int moving_like) {
@@ -238,6 +233,7 @@ class Conversion {
 
   const Mechanism& d_;
   const Model& model_;
+  Tree tree_;
   std::vector<Placed> placed_ = std::vector<Placed>(d_.bodies.size());  // of each body
   std::vector<Link> links_;                                             // not closed yet
   std::vector<int> order_{0};  // bodies of the tree as they were placed
@@ -246,6 +242,8 @@ class Conversion {
 
 }  // namespace
 
-Tree convert(const Scene& scene, const Model& model) { return Conversion(scene, model).tree; }
+Tree convert(const Scene& scene, const Model& model) {
+  return Conversion(scene, model).run(scene.motions);
+}
 
 }  // namespace desmo::simbody

@@ -27,9 +27,9 @@ struct CountingSettings {
 /// A side: one of the two trees that are compared.
 struct Side {
   std::string name;    ///< "base" or "head"
-  std::string folder;  ///< where its desmo_probe and desmo_steps are
+  std::string folder;  ///< folder of its desmo_probe and desmo_steps
   std::string slowed;  ///< the candidate made slower on purpose; empty: none
-  int percent = 0;     ///< by so much
+  int percent = 0;     ///< percentage by which it is slower
 
   /// Returns environment and arguments of `desmo_probe ...`, which are the same on both sides.
   bench::Launch probe(std::vector<std::string> arguments) const;
@@ -39,7 +39,7 @@ struct Side {
 /// same one (report/check/check_record.h).
 inline constexpr const char* control_name = "control";
 
-/// Least CPU time [s] of each candidate, and of the control, on each side: a value a round.
+/// Least CPU time [s] of each candidate, and of the control, on each side, by round.
 using Times = std::map<std::string, std::map<std::string, std::vector<double>>>;
 
 /// Times candidates on all sides, one or two, in so many rounds. In a round every side has a new

@@ -20,10 +20,10 @@ Scene truck_suspension(int axles);
 ///
 ///   const Scene scene = describe(find_case("truck_suspension"), 558);
 struct Case {
-  std::string_view name;
-  std::string_view unit_name;  ///< plural of its repeated unit: "dyads", "axles"
-  Scene (*describe)(int units);
-  int base_coordinates;  ///< coordinates(units) = base + per_unit · units
+  std::string_view name;         ///< "four_bar", "truck_suspension"
+  std::string_view unit_name;    ///< plural of its repeated unit: "dyads", "axles"
+  Scene (*describe)(int units);  ///< makes it of so many units; throws as four_bar()
+  int base_coordinates;          ///< coordinates(units) = base + per_unit · units
   int coordinates_per_unit;
   std::vector<int> sizes;        ///< numbers of coordinates in the paper's tables, ascending
   std::vector<int> extra_sizes;  ///< further ones: sparse global references and generated code only

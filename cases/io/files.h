@@ -11,8 +11,8 @@
 namespace desmo {
 
 // The functions below read and write the files that cases/files.md specifies. Values are converted
-// to metres (or the mechanism's free unit) and radians. Whatever reads throws InputError for a
-// fault in a file. file_name is used in messages.
+// to metres (or the mechanism's free unit) and radians. What reads throws InputError for a
+// fault in a file. file_name: the name of the text in messages.
 
 /// Return a mechanism that has passed validate().
 Mechanism parse_mechanism(std::string_view text, const std::string& file_name);

@@ -17,7 +17,7 @@ class UnreadableFile : public std::runtime_error {
 /// Returns the bytes of a regular file of at most `max_file`. Throws UnreadableFile.
 std::string read_text(const std::filesystem::path& file);
 
-/// Returns the same. Throws InputError, naming the file.
+/// Does the same for a file that is part of the input: throws InputError, naming it.
 std::string read_input(const std::filesystem::path& file);
 
 }  // namespace desmo

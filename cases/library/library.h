@@ -8,7 +8,7 @@ namespace desmo {
 
 /// A mechanism of cases/library, embedded in the program.
 struct LibraryMechanism {
-  std::string_view name;
+  std::string_view name;       ///< file name without endings
   std::string_view mechanism;  ///< text of <name>.json
   std::string_view scene;      ///< text of <name>.scene.json
 };
@@ -25,7 +25,7 @@ const LibraryMechanism* find_library(std::string_view name);
 /// A scene of cases/requests: a request for the truck suspension, with which the suite measures the
 /// cost of requests.
 struct RequestScene {
-  std::string_view name;
+  std::string_view name;   ///< file name without endings
   std::string_view scene;  ///< text of <name>.scene.json
 };
 

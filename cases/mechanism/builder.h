@@ -19,7 +19,7 @@ namespace desmo {
 ///   builder.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, crank, {a});
 ///   Mechanism::Coordinate& angle =
 ///       builder.coordinate("angle", Mechanism::CoordinateType::angle);
-///   angle.of = {-1, a, b};
+///   angle.of = {.from = a, .to = b};
 ///   angle.driven = true;
 ///   const Mechanism mechanism = builder.take();
 class MechanismBuilder {

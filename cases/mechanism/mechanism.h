@@ -16,6 +16,8 @@ namespace desmo {
 struct Mechanism {
   using Vec = std::array<double, 3>;
 
+  static constexpr int none = -1;  ///< in place of a position where nothing is given
+
   struct Point {
     std::string name;
     Vec position;  ///< nominal position
@@ -58,12 +60,12 @@ struct Mechanism {
     std::vector<int> points, vectors;  ///< those of the first body before those of the second
   };
 
-  /// A direction: a vector, or the line between two points.
+  /// A direction: a vector, or the line from one point to another.
   struct Direction {
-    int vector = -1;
-    int from = -1, to = -1;
-    bool is_line() const { return from >= 0; }
-    bool is_given() const { return vector >= 0 || from >= 0; }
+    int vector = none;
+    int from = none, to = none;  ///< points
+    bool is_line() const { return from != none; }
+    bool is_given() const { return vector != none || from != none; }
   };
 
   enum class CoordinateType {
@@ -81,11 +83,11 @@ struct Mechanism {
     Direction from;                  ///< angle: direction of 0; not given (plane only): the x axis
     bool opposite = false;           ///< angle: 0 is at −from instead
     Direction towards;               ///< angle in space: direction of π/2
-    int vector = -1;                 ///< along
-    int point = -1;                  ///< component
+    int vector = none;               ///< along: position in `vectors`
+    int point = none;                ///< component: position in `points`
     int axis = 0;                    ///< component: 0, 1, 2 for x, y, z
     std::optional<double> estimate;  ///< initial; default: measured in the nominal position
-    bool driven = false;
+    bool driven = false;             ///< a motion is prescribed (Scene::motions)
   };
 
   std::string name;

@@ -27,14 +27,14 @@ inline constexpr double default_tolerance = 1e-12;
 ///   scene.motions = {Polynomial{{0, 2}}};         // 2 rad/s
 ///   scene.grid = {.step = 1e-3, .instants = 1001};
 struct Scene {
-  std::string name;
+  std::string name;  ///< one line, for people
   Mechanism mechanism;
   std::vector<Motion> motions;  ///< one for each driven coordinate, in the mechanism's order
-  TimeGrid grid;
+  TimeGrid grid;                ///< instants to solve
   /// Requested entities, without duplicates; empty: everything, at the level of acceleration.
   std::vector<RequestedEntity> request;
-  std::string formulation;  ///< id; empty: the program chooses
-  double tolerance = default_tolerance;
+  std::string formulation;               ///< id; empty: the program chooses
+  double tolerance = default_tolerance;  ///< Settings::tolerance
 };
 
 }  // namespace desmo

@@ -35,8 +35,9 @@ struct Backend {
   /// True for the one backend that generated eliminations fall back to: dense, with pivoting,
   /// without heap memory.
   bool is_fallback = false;
-  std::string_view slow_reason{};         ///< see slow_reason(); empty: it is not slow …
-  std::string_view slow_blocks_reason{};  ///< … in any partition, or in blocks
+  std::string_view
+      slow_reason{};  ///< why it is slow in any partition (slow_reason()); empty: it is not
+  std::string_view slow_blocks_reason{};  ///< why it is slow in blocks; empty: it is not
 };
 
 /// Backend::slow_blocks_reason of libraries that have much to do before they factorise.
@@ -56,6 +57,9 @@ std::unique_ptr<LinearSolver<double>> make_sparse_solver(const Pattern& pattern,
 
 /// Returns the libraries of this build that are present on this machine, in a fixed order.
 std::span<const Backend* const> backends();
+
+/// Returns the present library of that name; null: there is none.
+const Backend* find_backend(std::string_view name);
 
 /// Returns the libraries of this build that are absent on this machine.
 std::span<const Backend* const> absent_backends();

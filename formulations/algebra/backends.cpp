@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <vector>
 
 #include "formulations/algebra/backend.h"
@@ -29,6 +30,11 @@ std::vector<const Backend*> built_and(bool there) {
 std::span<const Backend* const> backends() {
   static const std::vector<const Backend*> there = built_and(true);
   return there;
+}
+
+const Backend* find_backend(std::string_view name) {
+  const auto found = std::ranges::find(backends(), name, &Backend::name);
+  return found == backends().end() ? nullptr : *found;
 }
 
 std::span<const Backend* const> absent_backends() {

@@ -43,12 +43,4 @@ class LinearSolver {
   virtual long pivot_choices() const { return 0; }
 };
 
-/// A part whose linear solver may reuse a pivot order, as Part::reuses_pivots says.
-class PivotReuse {
- public:
-  virtual ~PivotReuse() = default;
-  /// See LinearSolver::pivot_shrinkage.
-  virtual double pivot_shrinkage() const = 0;
-};
-
 }  // namespace desmo

@@ -11,13 +11,13 @@ namespace desmo {
 /// requested level are empty. They hold all coordinates in their order or, if the observer lends
 /// memory, the requested ones, in that memory.
 struct Instant {
-  int index;
-  double time;  ///< [s]
-  std::span<const double> q, qd, qdd;
-  long updates = 0;           ///< work that it took, as Summary::updates
-  double residual = 0;        ///< ‖Φ‖₂ where it was accepted, as in Summary
-  bool interpolated = false;  ///< not solved itself (see Settings::stride)
-  OutputView output{};        ///< the lent memory, which the observer may lend again
+  int index;                           ///< position in the run's grid
+  double time;                         ///< [s]
+  std::span<const double> q, qd, qdd;  ///< lengths in the model's unit, angles [rad]; per s; per s²
+  long updates = 0;                    ///< work that it took, as Summary::updates
+  double residual = 0;                 ///< ‖Φ‖₂ where it was accepted, as in Summary
+  bool interpolated = false;           ///< not solved itself (see Settings::stride)
+  OutputView output{};                 ///< the lent memory, which the observer may lend again
 };
 
 /// Receives the instants of a run. Nothing is thrown through a run: an observer that cannot go on

@@ -63,7 +63,7 @@ class OutputPool {
 
   std::size_t size_;
   Level level_;
-  std::vector<LaneValues> memory_;  // of each
+  std::vector<LaneValues> memory_;  // by output
   std::vector<OutputView> free_;
 };
 

@@ -86,4 +86,13 @@ class Part {
   virtual void end_assembly() {}
 };
 
+/// Second interface of a part whose linear solver may reuse a pivot order (Part::reuses_pivots).
+class PivotReuse {
+ public:
+  virtual ~PivotReuse() = default;
+  /// Returns the largest factor by which a pivot has shrunk since the order was chosen. Rounding
+  /// errors grow by the same factor.
+  virtual double pivot_shrinkage() const = 0;
+};
+
 }  // namespace desmo

@@ -4,6 +4,19 @@
 
 namespace desmo {
 
+/// Ways to cut the unknowns into parts that are solved one after the other.
+enum class Partition {
+  global,  ///< one part: all structural groups at once
+  group,   ///< one part per structural group
+  block,   ///< one part per irreducible block of a group's equations
+};
+
+/// Ways to evaluate the equations.
+enum class Evaluation {
+  automatic,  ///< a loop over constraint objects
+  symbolic,   ///< generated straight-line code
+};
+
 /// The prediction from which Newton–Raphson starts in a step.
 enum class Guess {
   previous,   ///< q of the last instant
@@ -56,7 +69,7 @@ struct Settings {
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;
   Factorisation factorisation = Factorisation::shared;
-  BlockTriangularForm btf = BlockTriangularForm::on;  ///< of KLU alone
+  BlockTriangularForm btf = BlockTriangularForm::on;  ///< used by KLU alone
   Scalar scalar = Scalar::double_precision;
   /// Number of equal subsystems, or parts of one type, that a batch solves at once on wide
   /// registers: 4 or, where the processor has AVX-512, 8. 1: no batches. For `explicit` alone.

@@ -25,10 +25,10 @@ struct BasicSummary {
   /// Largest accepted ‖Φ‖₂ of the whole mechanism or, on failure, the one that failed; relative,
   /// like the tolerance.
   double residual = 0;
-  GroupId group = -1;    ///< on failure, the group that could not be solved; -1: unknown
-  int constraint = -1;   ///< on failure, the constraint most concerned; -1: unknown
-  double time = 0;       ///< time of the last instant tried [s]
-  bool stopped = false;  ///< the observer ended the run
+  GroupId group = no_position;   ///< on failure, the group that could not be solved, if known
+  int constraint = no_position;  ///< on failure, the constraint most concerned, if known
+  double time = 0;               ///< time of the last instant tried [s]
+  bool stopped = false;          ///< the observer ended the run
 
   /// Adds the summary of the next instant. If that failed, takes over its status, group, constraint
   /// and residual.

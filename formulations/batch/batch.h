@@ -103,7 +103,7 @@ class Batch {
   Gather starts_;                       // unknowns and drivers from which a step starts
   Scatter observed_, delivered_;
   BatchState state_;
-  LaneValues residuals2_;  // of each part, for the most lanes
+  LaneValues residuals2_;  // by part, for the largest number of lanes
   Step step_;
   bool assembled_ = false;  // every part has found a position since forget()
   bool kept_ = false, predicted_ = false, is_driven_ = false;

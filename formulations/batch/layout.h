@@ -89,9 +89,9 @@ class Scatter {
   void scatter_range(const Range<quad>& range, const double* from, double* to) const;
   void scatter_range(const Range<1>& range, const double* from, double* to) const;
 
-  std::vector<Range<wide>> wides_;  // of all lanes used, where registers hold them
+  std::vector<Range<wide>> wides_;  // ranges of all used lanes, where registers hold them
   std::vector<Range<quad>> quads_;
-  std::vector<Range<1>> singles_;  // where not all of these lanes have a place for a number
+  std::vector<Range<1>> singles_;  // numbers that not all of these lanes have
   std::vector<int> offsets_;       // of numbers in the first lane of their range
   std::size_t lanes_ = 0, used_ = 0;
 };

@@ -65,12 +65,12 @@ class SegmentsInLanes final : public SegmentExecutor {
   const int lanes_;
   MotionSampler motions_;  // of the drivers, in lanes
   std::vector<Parts> parts_;
-  std::vector<PartInLanes> parts_in_lanes_;  // those that move
+  std::vector<PartInLanes> parts_in_lanes_;  // the moving parts
   BatchState state_;
   LaneValues entered_;                        // positions at the first instant of each segment
   LaneValues residual2_;                      // of the step, by lane
   State alone_;                               // of one lane …
-  std::vector<double> last_alone_;            // … and its last positions
+  std::vector<double> last_alone_;            // last positions of that segment
   std::vector<std::vector<double>> changes_;  // of drivers, to each segment
   std::vector<int> requested_;                // where requested coordinates begin in lanes
   std::vector<int> indices_;                  // of instants for which memory was borrowed …

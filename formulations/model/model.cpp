@@ -55,7 +55,7 @@ EntityId Model::add_fixed(EntityKind kind, std::string entity_name,
                           std::span<const double> values) {
   const EntityId id =
       add_entity({std::move(entity_name), kind, true, static_cast<int>(fixed_values.size()),
-                  static_cast<int>(values.size()), -1});
+                  static_cast<int>(values.size()), no_position});
   fixed_values.insert(fixed_values.end(), values.begin(), values.end());
   return id;
 }

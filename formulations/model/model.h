@@ -12,6 +12,10 @@ namespace desmo {
 using EntityId = int;  ///< position in Model::entities
 using GroupId = int;   ///< position in Model::groups
 
+/// Stands where a group, an entity, a constraint or a coordinate is named by its position, and none
+/// is known or there is none.
+inline constexpr int no_position = -1;
+
 enum class EntityKind { point, vector, angle, distance };
 
 /// A named geometric quantity. Its components are coordinates, or constants if it is fixed.
@@ -21,7 +25,7 @@ struct Entity {
   bool fixed;
   int first;      ///< first component, in q or (fixed) in Model::fixed_values
   int size;       ///< 2 or 3 for points and vectors, 1 for angles and distances
-  GroupId group;  ///< group whose solution yields it; -1 when fixed
+  GroupId group;  ///< group whose solution yields it; no_position when fixed
 };
 
 /// A constraint: a kind applied to entities, with its dimensions.

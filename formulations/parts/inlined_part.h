@@ -35,7 +35,7 @@ class InlinedPart final : public GuardedPart {
   std::vector<double> weights_;
   double tolerance2_;  // on ‖Φ‖₂²: where to stop iterating …
   int max_iterations_;
-  double accepted2_;         // … and what to accept
+  double accepted2_;         // largest ‖Φ‖₂² that is accepted
   bool at_rounding_;         // see PartSettings
   double corrected_above2_;  // ‖Φ‖₂² at the tolerance that is worth one more correction
   std::unique_ptr<Part> fallback_;

@@ -29,8 +29,8 @@ struct PartContext {
   /// automatic.
   std::optional<std::vector<BoundKernel>> kernels;
   PartSettings settings;
-  Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
-  std::shared_ptr<SinglePrecisionState> single{};  ///< where the scalar is single
+  Profile* profile = nullptr;                      ///< receives the phases; null in timed code
+  std::shared_ptr<SinglePrecisionState> single{};  ///< null unless the scalar is single
   std::vector<double> magnitudes{};                ///< of the unknowns; none: all are 1
 };
 

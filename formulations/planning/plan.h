@@ -9,19 +9,19 @@
 
 namespace desmo {
 
-/// An entity that a request asks for, and the highest level of it.
+/// An entity that a request asks for.
 struct Asked {
-  EntityId entity;
-  Level level;
+  EntityId entity;  ///< in the whole model; in Plan::outputs, in the reduced one
+  Level level;      ///< highest level that is asked
 };
 
 /// Reduced model that suffices for a request, and how it came about.
 struct Plan {
   /// Use of one group of the whole model.
   struct GroupUse {
-    std::string name;
-    int unknowns = 0, kept_unknowns = 0;
-    int blocks = 0, kept_blocks = 0;         ///< irreducible blocks
+    std::string name;                        ///< of the group
+    int unknowns = 0, kept_unknowns = 0;     ///< unknowns of the group, and those still solved for
+    int blocks = 0, kept_blocks = 0;         ///< irreducible blocks, and those still solved
     Level level = Level::position;           ///< highest level that is needed of it
     std::vector<std::string> kept, dropped;  ///< names of its entities
     /// Name of the requested entity for which the first entity is kept that was not requested

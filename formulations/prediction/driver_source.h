@@ -45,8 +45,8 @@ class DriverSource {
   /// Writes all drivers to the state as they were sampled last, if they were.
   void write_all(State& state) const;
 
-  /// Sets which drivers sample() writes: those that are read in the state, or nowhere else.
-  /// read: of each position in the state.
+  /// Sets which drivers sample() writes into the state: those that some part reads there, and those
+  /// that nobody takes from the row. read: by position in the state.
   void set_observed(const std::vector<bool>& read);
 
  private:
@@ -61,7 +61,7 @@ class DriverSource {
     }
   }
 
-  std::vector<bool> in_row_;  // of each position in the state: some reader takes it from the row
+  std::vector<bool> in_row_;  // by position in the state: some reader takes it from the row
   std::vector<Driven> drivers_;
   std::vector<Driven> written_;  // by sample()
   MotionsAhead motions_;

@@ -24,8 +24,8 @@ inline constexpr double max_step_growth = 4;
 
 /// Knowledge of a predictor about the two instants before the one sought.
 struct StepHistory {
-  double h;                             ///< from the last instant to the one sought, s
-  double h_before;                      ///< from the one before it to the last, s
+  double h;                             ///< time from the last instant to the predicted one [s]
+  double h_before;                      ///< time from the instant before to the last one [s]
   std::optional<Level> last, before{};  ///< how far they were solved; nothing: they are unknown
 
   /// Returns the history of coordinates that are solved up to this level only.

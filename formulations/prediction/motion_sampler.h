@@ -42,8 +42,8 @@ class MotionSampler {
   void operator()(std::span<const double> times, double* z, double* zd, double* zdd);
 
  private:
-  /// A term of four motions, a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt each, and these
-  /// times ω and ω²; zeros where a motion has no term of this frequency.
+  /// The terms of one frequency in four motions, a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt.
+  /// The factors also stand here times ω and times ω². A motion without the frequency has zeros.
   struct Term {
     int frequency;
     std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{}, w2_of_sine{},
@@ -71,7 +71,7 @@ class MotionSampler {
   std::vector<int> others_;  // motions that are no harmonic sum
   std::vector<Sums> sums_;
   std::vector<double> frequencies_;      // each once
-  std::vector<double> sines_, cosines_;  // of each at each time
+  std::vector<double> sines_, cosines_;  // by frequency and time
 };
 
 }  // namespace desmo

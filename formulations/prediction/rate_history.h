@@ -50,7 +50,7 @@ class RateHistory {
   std::size_t newest_ = 0;     // which of them is the last
   Intervals intervals_{};      // s
   int known_ = 0;
-  Intervals weighed_{};  // of which the weights are, in units of the step; zero: none
+  Intervals weighed_{};  // intervals that the weights belong to, in units of the step; zero: none
   Weights beta_{}, gamma_{};
   std::vector<double> changes_;  // over the step sought, of all
 };

@@ -89,7 +89,7 @@ GenerationOutcome add_generated_code(KernelTable& table, const Variant& v, const
   GenerationOutcome told;
   const Clock::time_point start = Clock::now();
   const int lanes = std::max(settings.lanes, settings.segments);
-  const LibraryContents contents{v.explicit_order, has_lanes(lanes) ? lanes : 1};
+  const LibraryContents contents{v.is_explicit(), has_lanes(lanes) ? lanes : 1};
   try {
     WantedTypes wanted = wanted_types(v, contents, m, grid, table);
     told.parts_too_large = wanted.parts_too_large;

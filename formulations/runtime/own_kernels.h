@@ -11,8 +11,8 @@
 
 namespace desmo::load {
 
-/// Adds kernels to the table for the part types of a formulation that it lacks: generate_code(),
-/// into a table that there is already. Errors leave the table unchanged.
+/// Adds to a table the kernels that a formulation needs and the table lacks, like generate_code().
+/// Errors leave the table unchanged.
 GenerationOutcome add_generated_code(KernelTable& table, const Variant& variant,
                                      const Settings& settings, const Model& model,
                                      const TimeGrid& grid, std::chrono::milliseconds compile_time);

@@ -61,7 +61,7 @@ class DenseOutput final : public Observer {
   const OutputWriter output_;
   Observer& observer_;
   State last_;           // the instant solved last
-  int last_index_ = -1;  // of it, in the grid
+  int last_index_ = -1;  // its index in the grid
   State between_;
   int delivered_ = 0;
 };

@@ -36,10 +36,10 @@ class DenseGroup {
 /// Returns the row of the largest component, or of the first one that is not a number.
 int worst_row(const Eigen::VectorXd& v);
 
-/// Group and constraint at which a step failed; -1: unknown.
+/// Group and constraint at which a step failed, if known.
 struct Culprit {
-  GroupId group = -1;
-  int constraint = -1;  ///< position in Model::constraints
+  GroupId group = no_position;
+  int constraint = no_position;  ///< position in Model::constraints
 };
 
 /// Finds the group that stopped a part, whatever solved the part. Solves the groups again, one

@@ -110,7 +110,7 @@ class PartSequence {
   std::vector<DefinedPart> parts_;
   std::vector<PartInStep> constant_, moving_;
   std::vector<std::unique_ptr<PartChain>> chains_;  // of moving parts
-  std::vector<PartInputs> inputs_;                  // of each part
+  std::vector<PartInputs> inputs_;                  // by part
   std::vector<Resident> residents_;                 // moving ones
   std::vector<int> drivers_;
 };

@@ -7,16 +7,17 @@
 
 namespace desmo {
 
-/// The number of instants from one that is solved to the next, when a run goes on from its last
-/// good instant. It is halved where a row between is not good enough, and doubled again after
-/// eight intervals without such a row. After each doubling that failed, twice as many are needed.
+/// The stride, the number of steps from one solved instant to the next, when a run goes on from its
+/// last good instant. It is halved where an interpolated instant is not accurate enough. Eight
+/// intervals without such an instant double it again; after each doubling that failed, twice as
+/// many are needed.
 class StrideControl {
  public:
   explicit StrideControl(int longest) : longest_(longest), now_(longest) {}
 
   int now() const { return now_; }
   void halve();
-  /// Tells that all rows of an interval were good enough.
+  /// Tells that all instants of an interval were accurate enough.
   void keep();
 
  private:
@@ -32,12 +33,13 @@ class StrideControl {
 /// instants to solve, and hands on those and the interpolated ones between.
 class StridedSteps {
  public:
-  /// rows: receives every instant; its indices are the grid's. Both outlive this object.
+  /// rows: the observer that receives every instant, by its index in the grid. It and the
+  /// formulation outlive this object.
   StridedSteps(Formulation& formulation, const TimeGrid& grid, Level level, Observer& rows);
 
   struct Step {
     Summary summary;
-    Instant instant;  ///< what was solved, or where that failed
+    Instant instant;  ///< the solved instant, or the one that failed
   };
   enum class From { estimate, last };
   /// Solves an instant: after restart(), and without a stride, the one of index `next`, which is

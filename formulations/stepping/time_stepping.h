@@ -14,10 +14,11 @@
 namespace desmo {
 
 /// A formulation that steps through time, the paper's Fig. 2a: at each instant the drivers, a
-/// prediction, and the parts in order.
+/// prediction, and the parts in order. Motions are in time_stepping.cpp; the first instant, single
+/// steps and live rows in single_instants.cpp.
 class TimeStepping final : public SegmentSolver, private LiveSteps {
  public:
-  /// settings: those that the parts were made with. The model outlives this.
+  /// settings: the same that the parts were made with. The model outlives this object.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
 
   Summary assemble_at(double t, Level level) override;
@@ -54,8 +55,8 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
 
   /// The coordinates of each instant that are read outside the parts.
   struct ReadCoordinates {
-    std::vector<int> coordinates;  // empty: all …
-    bool lent;                     // … in memory that the observer lends, or in the state
+    std::vector<int> coordinates;  // empty: all
+    bool lent;  // they are read in memory that the observer lends; false: in the state
   };
 
   Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
@@ -77,12 +78,11 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   DriverSource drivers_;
   StatePredictor predict_;
   std::optional<ReadCoordinates> read_outside_;
-  OutputWriter output_;        // of what no part delivers
+  OutputWriter output_;        // writes what no part delivers
   SolvedState now_, before_;   // the instant solved last, and the one before it
   std::vector<double> start_;  // positions from which a step is tried again
   Failure failure_;
-  bool assembled_ = false;
-  bool is_continued_ = false;  // positions are those that start_at() reached
+  bool assembled_ = false;  // now_ has positions at its time, whatever is known of rates
 };
 
 }  // namespace desmo

@@ -7,25 +7,13 @@
 #include <vector>
 
 #include "formulations/base/part.h"
+#include "formulations/base/settings.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
 
 // A *part* is a square subsystem of Φ(q) = 0, solved after all earlier parts. A *partition* cuts
 // the model into parts.
-
-/// Ways to cut the unknowns into parts.
-enum class Partition {
-  global,  ///< one part: all structural groups at once
-  group,   ///< one part per structural group
-  block,   ///< one part per irreducible block of a group's equations
-};
-
-/// Ways to evaluate the equations.
-enum class Evaluation {
-  automatic,  ///< a loop over constraint objects
-  symbolic,   ///< generated straight-line code
-};
 
 /// A scalar equation of the model.
 struct Equation {

@@ -29,18 +29,19 @@ struct Instructions {
 
 struct Work {
   std::string tool;
-  std::int64_t steps = 0, iterations = 0;  ///< of which the counts are; equal work needs equal ones
+  std::int64_t steps = 0, iterations = 0;  ///< steps counted, and iterations in each; counts
+                                           ///< compare where both are equal
   std::map<std::string, Instructions> instructions;  ///< by candidate
 };
 
 struct CheckRecord {
   std::optional<Record> base;  ///< none when head was counted alone: nothing is timed then
   Record head;                 ///< samples: the first pass, a value a round
-  Rounds control;              ///< likewise
+  Rounds control;              ///< times of the fixed kernel in the first pass
   std::map<std::string, Rounds>
       second;  ///< pass that confirms the first, by candidate, with the control
   std::optional<Work> work;
-  std::string slowed;  ///< what was made slower on purpose, SIDE:CELL:PERCENT; empty: nothing
+  std::string slowed;  ///< what was made slower on purpose, SIDE:CANDIDATE:PERCENT; empty: nothing
 };
 
 /// Tells whether a side has times, of any candidate.

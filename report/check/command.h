@@ -9,7 +9,7 @@ struct CheckCommand {
   std::string file;      ///< results file of a check
   std::string baseline;  ///< results file to compare with; empty: the check holds both sides
   std::string format = "terminal";
-  bool pending = false;  ///< only list what has still to be measured, "PASS CELL" a line
+  bool pending = false;  ///< only list what has still to be measured, "PASS CANDIDATE" a line
 };
 
 /// Prints the verdict on standard output. Returns the exit code: that of the CheckVerdict;

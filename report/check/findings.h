@@ -69,7 +69,7 @@ struct WorkFinding {
 
 struct WorkFindings {
   std::vector<Difference> differences;  ///< why the counts cannot be compared; then no candidates
-  std::vector<WorkFinding> candidates;  ///< those that both sides have counted
+  std::vector<WorkFinding> candidates;  ///< candidates that both sides have counted
 };
 
 /// Compares head with base, or with a stored baseline. Counts depend on compiler, flags, libraries

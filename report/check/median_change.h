@@ -1,5 +1,5 @@
-// By how much a time has changed: the median over rounds of the logarithm of a ratio, and its
-// bootstrap interval.
+// The change of a time: the median over rounds of the logarithm of a ratio, and its bootstrap
+// interval.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@ namespace desmo::report {
 struct Configuration {
   std::string formulation;  ///< <partition>_<equations>_<algebra>
   std::string guess = "previous", jacobian = "newton", factorisation = "shared", scalar = "double";
-  std::string iterations, tolerance;  ///< where a step stops; both empty: at the usual tolerance
+  std::string iterations, tolerance;  ///< end of a step; both empty: the usual tolerance
   std::vector<std::string> others;    ///< any other suffixes, "key:value"
 
   /// Returns whether all but where a step stops is as in the paper.

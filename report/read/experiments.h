@@ -60,7 +60,7 @@ struct Point {
 
 /// A formulation at one size of a case.
 struct TimedSize {
-  Status status = Status::failed;  ///< ok or failed
+  Status status = Status::failed;  ///< Status::ok or Status::failed
   std::string message;             ///< why it failed
   std::int64_t unknowns = 0;
   double tolerance = 0;
@@ -68,8 +68,8 @@ struct TimedSize {
   std::optional<LevelNumbers> verification = {};  ///< always when ok
   double iterations_per_step = 0;
   double state_bytes = 0;                     ///< q, q', q''
-  std::optional<double> bytes = {};           ///< that the formulation keeps in memory
-  std::vector<double> seconds_per_step = {};  ///< as of a Point
+  std::optional<double> bytes = {};           ///< memory that the formulation keeps
+  std::vector<double> seconds_per_step = {};  ///< samples, like those of a Point
 };
 
 // ---- instructions ----
@@ -78,15 +78,16 @@ struct TimedSize {
 struct StepCount {
   std::int64_t instructions = 0;
   std::int64_t steps = 0;  ///< counted
-  std::string tool;        ///< what counted, and what else counts depend on
+  std::string tool;        ///< the counting program, and what else counts depend on
 };
 
 // ---- extremes ----
 
 struct ExtremeRow {
   std::int64_t number = 0;
-  std::string name;               ///< short
-  std::string extreme, expected;  ///< what is extreme, and what every formulation should do
+  std::string name;  ///< short
+  std::string extreme,
+      expected;  ///< the difficulty, and the answer that every formulation should give
 };
 
 /// The worst error of a level, with the floor that conditioning sets.
@@ -106,7 +107,7 @@ struct ExtremeResult {
   std::string case_name;
   std::string id;  ///< a formulation, with settings
   Verdict verdict = Verdict::as_expected;
-  std::string reason;                                     ///< when not as expected
+  std::string reason;                                     ///< empty when as expected
   std::optional<std::array<ExtremeError, 3>> worst = {};  ///< position, velocity, acceleration
 };
 

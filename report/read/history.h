@@ -12,7 +12,7 @@ namespace desmo::report {
 struct HistoryPoint {
   std::string commit, date, title, compiler;
   std::vector<std::optional<std::int64_t>>
-      instructions;  ///< a candidate each; nothing: not there yet
+      instructions;  ///< by candidate; nothing: the commit lacks it
 };
 
 struct History {

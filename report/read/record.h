@@ -86,7 +86,7 @@ using Profile = std::array<double, phases.size()>;
 struct MeasuredRequest {
   CandidateKey key;   ///< the formulation, and the candidate that solves everything with it
   std::string name;   ///< unique for a candidate
-  std::string title;  ///< what is asked, for people
+  std::string title;  ///< the request in words
   std::string level;  ///< "position", "velocity", "acceleration"
   std::int64_t unknowns = 0;
   std::int64_t all_unknowns = 0;  ///< of the whole mechanism
@@ -127,7 +127,7 @@ struct Record {
   std::vector<MeasuredRequest> requests;  ///< CPU clock, others are left out; in the record's order
   std::vector<Peer> peers;                ///< CPU clock; in the record's order
   // accuracy
-  std::map<SeriesKey, Floor> floors;  ///< of every series with points
+  std::map<SeriesKey, Floor> floors;  ///< one for every series that has points
   std::map<PointKey, Point> points;   ///< time against error
   // size
   std::map<CandidateKey, TimedSize> growth;      ///< time against coordinates
@@ -135,7 +135,7 @@ struct Record {
   // instructions
   std::map<CandidateKey, StepCount> instructions;
   // extremes
-  std::vector<ExtremeRow> extreme_rows;  ///< of every result
+  std::vector<ExtremeRow> extreme_rows;  ///< the row of every result is among them
   std::vector<ExtremeResult> extremes;   ///< in the record's order
 };
 
@@ -167,7 +167,7 @@ inline constexpr Experiment experiments[] = {
 /// version is read. Throws InputError, or MixedRecord.
 Record parse_record(std::string_view text, const std::string& file = "record");
 
-/// Likewise, of what has been parsed already, alone or inside another document.
+/// Reads a record that has been parsed already, alone or inside another document.
 Record read_record(const RecordValue& root);
 
 /// Reads at most max_file bytes and parses them. Throws as parse_record.

@@ -47,8 +47,8 @@ class RecordValue {
   bool is_number() const { return value_.is_number(); }
   bool boolean() const { return value_.boolean(); }
   std::int64_t integer(int least) const;  ///< in least ... 1e9
-  double not_negative() const;            ///< and at most 1e100, so that sums stay finite
-  double positive() const;                ///< likewise
+  double not_negative() const;            ///< 0 ... 1e100, so that sums stay finite
+  double positive() const;                ///< above 0, at most 1e100
   double sample() const;  ///< a measured time, 1e-9 s ... 1e9 s: no clock gives another
 
   /// Returns every text, number and boolean inside by its path, "machine cpu"; a list in one text.

@@ -1,4 +1,4 @@
-// Which records may be compared: the comparability key.
+// The conditions under which records may be compared.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace desmo::report {
 /// Something that must be the same and is not.
 struct Difference {
   std::string what;           ///< "CPU model", "model of four_bar/114", ...
-  std::string first, second;  ///< what each record says, or "not recorded"
+  std::string first, second;  ///< the value in each record, or "not recorded"
 };
 
 /// Says why times of the two records cannot be compared; empty when they can. They must agree in
@@ -21,7 +21,8 @@ struct Difference {
 /// different.
 std::vector<Difference> why_incomparable(const Record& first, const Record& second);
 
-/// Likewise, but for the environment: whether speed-ups of two machines may stand side by side.
+/// Says why speed-ups of two machines cannot stand side by side; empty when they can. They must
+/// agree in everything that why_incomparable() compares, but for the environment.
 std::vector<Difference> different_work_reason(const Record& first, const Record& second);
 
 /// Tells whether the records are of two CPU models.

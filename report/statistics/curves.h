@@ -63,8 +63,8 @@ struct Cache {
   double bytes = 0;
 };
 
-/// Returns the caches that hold data, smallest first: of "L2 Unified 1024 KiB, shared by 1" and the
-/// like, what does not read so is left out.
+/// Returns the caches that hold data, smallest first. They are read from texts such as "L2 Unified
+/// 1024 KiB, shared by 1"; others are left out.
 std::vector<Cache> data_caches(const Machine& machine);
 
 }  // namespace desmo::report

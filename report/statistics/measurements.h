@@ -54,7 +54,7 @@ MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& var
 /// within a family, over those of the sizes where both were measured.
 struct MeanSpeedUp {
   std::optional<SpeedUp> speed_up;
-  std::size_t sizes = 0;  ///< that went into it
+  std::size_t sizes = 0;  ///< number of sizes in the mean
 };
 
 MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t reference,

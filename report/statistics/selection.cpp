@@ -64,18 +64,16 @@ StepTime step_time(std::vector<double> samples) {
 
 StepTime step_time(const NamedPoint& point) { return step_time(point.second.seconds_per_step); }
 
-SpeedUp step_ratio(const std::vector<double>& reference, const std::vector<double>& variant) {
+SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
   const StepTime a = step_time(reference), b = step_time(variant);
+  const std::size_t repetitions =
+      std::min(reference.second.seconds_per_step.size(), variant.second.seconds_per_step.size());
   return {.value = a.seconds / b.seconds,
           .low = a.seconds / b.again,
           .high = a.again / b.seconds,
           .percent = 100 * (1 - b.seconds / a.seconds),
-          .repetitions = std::min(reference.size(), variant.size()),
-          .spread = std::min(reference.size(), variant.size()) >= min_for_interval};
-}
-
-SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
-  return step_ratio(reference.second.seconds_per_step, variant.second.seconds_per_step);
+          .repetitions = repetitions,
+          .spread = repetitions >= min_for_interval};
 }
 
 const NamedPoint* cheapest(const Points& points, double max_error,

@@ -20,8 +20,8 @@ using Points = std::vector<const NamedPoint*>;
 /// Errors that answers are wanted within: relative, of position, the largest.
 inline constexpr std::array accuracies{1e-3, 1e-6, 1e-9, 1e-12};
 
-/// The motion that most is known of: of the case's largest size at the record's own step, the one
-/// with most instants. Nothing when there is none at that step.
+/// Returns the motion that is known best: the one with most instants, at the case's largest size
+/// and the record's own step. Returns nothing when there is none at that step.
 std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name);
 
 Points points_of(const Record& record, const SeriesKey& series);
@@ -49,9 +49,8 @@ struct StepTime {
 StepTime step_time(std::vector<double> samples);
 StepTime step_time(const NamedPoint& point);
 
-/// Ratio of the least times; from the reference's least over the variant's second least to the
-/// reverse. Of samples, at least one each, or of points that are solved.
-SpeedUp step_ratio(const std::vector<double>& reference, const std::vector<double>& variant);
+/// Returns the ratio of the least times of two solved points; its interval goes from the
+/// reference's least over the variant's second least to the reverse.
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
 
 /// The fastest of the solved points within an error, of those that `may`; null when there is none.

@@ -31,9 +31,9 @@ inline constexpr std::size_t min_for_interval = 3;
 
 /// The repetitions of one measurement.
 struct SampleSummary {
-  /// The time and its interval. With windows the undisturbed time (the sum of
-  /// their least times where their samples are not known), and from there to the median; without,
-  /// the median, between the least and the largest.
+  /// The time and its interval. With windows the time is undisturbed (where samples of windows are
+  /// not known, the sum of their least times), and the interval ends at the median. Without windows
+  /// the time is the median, and the interval goes from the least to the largest sample.
   double value = 0;
   double low = 0;
   double high = 0;
@@ -67,7 +67,7 @@ struct SpeedUp {
   double high = 0;
   double percent = 0;           ///< improvement 100 (1 - 1/S), from the unrounded S
   std::size_t repetitions = 0;  ///< the fewer of both sides
-  bool spread = false;          ///< enough of them for an interval: low and high mean something
+  bool spread = false;          ///< there are enough repetitions for low and high to be an interval
 
   double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
   /// Returns whether the interval is too wide for the number to be quoted.

@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "ch
 inline constexpr std::string_view usual_reference = "global_automatic_klu";
 
 struct Variant {
-  std::string_view paper_name;  ///< "MA27" in it gives way to the family
+  std::string_view paper_name;  ///< a family's name replaces its "MA27"
   std::string_view case_name;
   std::string_view id;  ///< "<sparse>" in it gives way to the family
 };

@@ -29,8 +29,8 @@ Entry count_entry(std::size_t count);
 /// "1.00 reference": what a ratio is over, over itself.
 Entry reference_entry();
 
-/// What stands with a time: half the range of its samples, their range, or their median where that
-/// is another time.
+/// The number next to a time: half the range of its samples, their range, or their median where
+/// that is another time.
 enum class Spread { half_range, range, median };
 
 /// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; "0.1122 (0.1102 – 0.1185)",

@@ -17,7 +17,7 @@ std::string commit_of(const Record& record);
 /// Returns "undisturbed time" where the record has timing windows, "median" where it has none.
 std::string time_word(const Record& record);
 
-/// Likewise, with the median where that is another time: "undisturbed time (and median)".
+/// Returns the same, with the median where that is another time: "undisturbed time (and median)".
 std::string time_and_median(const Record& record);
 
 /// Adds what an undisturbed time is to the notes of a table.
@@ -32,7 +32,7 @@ struct Sources {
   std::string ours;
   std::string paper;
   std::string warning;        ///< why the times cannot be compared; empty when they can
-  std::string ratio_warning;  ///< likewise, for ratios of them
+  std::string ratio_warning;  ///< warning at ratios of the two
 };
 
 Sources sources(const Record& record);

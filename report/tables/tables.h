@@ -80,8 +80,8 @@ Table time_split(const Record& record);
 
 // ---- accuracy ----
 
-/// Returns all that follows in sections, the front first. The record has points. What is asked of a
-/// case by name needs its main series (statistics/selection.h).
+/// Returns all of the accuracy experiment in sections, the front first. The record has points. The
+/// functions below that take a case need its main series (statistics/selection.h).
 std::vector<Section> accuracy_sections(const Record& record);
 
 /// Returns the data of the work–precision figure of a case at its largest size: every configuration

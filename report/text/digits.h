@@ -21,7 +21,7 @@ DigitStyle ratio_digits(double value);
 /// Locale-independent decimal digits, valid as a JSON number; never "-0". The value is finite.
 std::string write(double value, DigitStyle style);
 
-/// As few digits as tell the value from every other: for settings, 0.01 and 1e-10.
+/// Returns the fewest digits that tell the value from every other: for settings, 0.01 and 1e-10.
 std::string write_shortest(double value);
 
 inline std::string write_fixed(double value, int decimals) {

@@ -61,7 +61,7 @@ struct Section {
   std::vector<std::string> paragraphs;
   std::vector<Table> tables;
   std::string chapter = {};  ///< the experiment it belongs to; empty: no heading of its own
-  bool front = false;        ///< what the terminal shows, and the page before all else
+  bool front = false;        ///< it is shown on the terminal, and first on the page
 };
 
 struct Document {

@@ -69,7 +69,8 @@ TEST(SegmentsOnThreads, GoesWithEveryAlgebra) {
   set_blas_threads(1);  // more wait for each other where matrices are this small
   const Model m = truck_model(1);
   for (const Variant& v : tested_variants())
-    if (v.partition == Partition::group && (v.evaluation == Evaluation::automatic || !v.backend))
+    if (v.partition == Partition::group &&
+        (v.evaluation == Evaluation::automatic || v.is_generated()))
       compare(m, time_grid(1, 0.01), v.id, 2);
 }
 

@@ -157,8 +157,8 @@ TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
     candidate.verify(references);
     ASSERT_TRUE(candidate.is_verified()) << candidate.message();
     candidate.profile();
-    ASSERT_TRUE(candidate.phases) << name;
-    EXPECT_GT(candidate.phases->total(), 0);
+    ASSERT_TRUE(candidate.phases()) << name;
+    EXPECT_GT(candidate.phases()->total(), 0);
   }
 }
 

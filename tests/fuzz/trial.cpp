@@ -166,7 +166,7 @@ void rest_where_measured(Model& mechanism) {
 
 /// Code for what nobody has foreseen is written all the same; to compile it would take too long.
 void check_code(const Variant& variant, const Model& mechanism, const TimeGrid& grid) {
-  const generate::LibraryContents contents{variant.explicit_order, variant.explicit_order ? 4 : 1};
+  const generate::LibraryContents contents{variant.is_explicit(), variant.is_explicit() ? 4 : 1};
   try {
     const load::WantedTypes wanted =
         load::wanted_types(variant, contents, mechanism, grid, KernelTable::built_in());

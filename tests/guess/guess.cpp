@@ -148,7 +148,7 @@ TEST_P(Guesses, SaveIterationsAndChangeNoAnswer) {
         EXPECT_NEAR(as_before->qdd()[i], extrapolated->qdd()[i], 1e-7) << m.name << i;
       }
     }
-    if (GetParam().explicit_order && m.name == "four_bar")  // closed form: it iterates to assemble
+    if (GetParam().is_explicit() && m.name == "four_bar")  // closed form: it iterates to assemble
       EXPECT_EQ(fewest, a.iterations);
     else
       EXPECT_LT(fewest, 0.55 * static_cast<double>(a.iterations)) << m.name;
@@ -170,7 +170,7 @@ TEST_P(Guesses, TakeUnequalAndBackwardSteps) {
         EXPECT_NEAR(f->q()[i], plain->q()[i], 1e-9) << t << ", " << i;
     }
     // Where closed forms leave little to iterate, a rough guess may save nothing.
-    EXPECT_LT(iterations, plain_iterations + GetParam().explicit_order) << guess_name(guess);
+    EXPECT_LT(iterations, plain_iterations + GetParam().is_explicit()) << guess_name(guess);
     ASSERT_TRUE(plain->assemble(0).ok());
   }
 }

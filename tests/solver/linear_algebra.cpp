@@ -138,7 +138,7 @@ TEST(Klu, SolvesAMechanismAsOneBlock) {
 }
 
 TEST(Klu, CallsAPositionSingularAsOneBlockToo) {
-  const Backend& klu = *find_variant("group_automatic_klu").backend;
+  const Backend& klu = *find_backend("klu");
   EXPECT_EQ(velocity_at_the_fold(klu, {.btf = BlockTriangularForm::off}).result.status,
             Status::singular);
 }

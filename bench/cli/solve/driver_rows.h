@@ -12,16 +12,17 @@
 
 namespace desmo::cli {
 
-/// Lines of t, then z of each driver, ż of each and z̈ of each, in the order of the model's drivers
-/// and in the units of the output, between commas, semicolons or blanks. A first line that does not
-/// begin with a number is a heading, which names the columns as the output does ("t [s],theta
-/// [rad],d/dt theta [rad/s]"; units may be left out): in any order, others than the drivers' being
-/// ignored. Empty lines are skipped.
+/// Reader of driver values, line by line: t, then z of each driver, ż of each and z̈ of each, in the
+/// order of the model's drivers and in the units of the output. Commas, semicolons or blanks
+/// separate the numbers. Empty lines are skipped. A first line that does not begin with a number is
+/// a heading: it names the columns as the output does ("t [s],theta [rad],d/dt theta [rad/s]";
+/// units may be left out), in any order. Columns of others than drivers are then ignored.
 class DriverRows {
  public:
-  /// path: "-" for standard input. names: a model's drivers that have a column without a heading,
-  /// of which those of `model` are read. level: up to which they are needed. Throws Error
-  /// (unreadable_input).
+  /// Opens a file, or standard input for "-". Throws Error (unreadable_input).
+  /// - whole: its drivers have the columns, where there is no heading
+  /// - model: its drivers are read
+  /// - level: highest level that is needed
   DriverRows(const std::string& path, const Model& whole, const Model& model, Level level);
 
   /// Reads the next row, which is valid until the one after it. Returns false at the end. Throws
@@ -44,14 +45,14 @@ class DriverRows {
 
   std::string source_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::vector<std::vector<std::string>> names_, units_;  // of each level and driver of `whole`
-  std::vector<int> wanted_;                              // of each: its place in rows, or -1
+  std::vector<std::vector<std::string>> names_, units_;  // by level and driver of `whole`
+  std::vector<int> wanted_;                              // by driver: its place in rows, or -1
   int level_;
   long line_ = 0;
   std::string text_;
   std::vector<std::string_view> fields_;
   std::size_t time_column_ = 0;
-  std::vector<Target> targets_;  // of each column, once known
+  std::vector<Target> targets_;  // by column, once known
   std::vector<double> values_[3];
 };
 

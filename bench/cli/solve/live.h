@@ -13,7 +13,7 @@ namespace desmo::cli {
 struct LiveRequest {
   std::string source, drivers;  ///< of the scene, for messages; of the rows: a file or -
   const Model& whole;           ///< the model of the scene
-  const Plan& plan;             ///< what of it is solved
+  const Plan& plan;             ///< its part that is solved
   bool strict, past_failures, quiet;
 };
 

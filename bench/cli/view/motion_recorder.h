@@ -1,4 +1,5 @@
-// What a page shows of a monitored run: instants, their accuracy, and where they are flagged.
+// Records the data of a page from a monitored run: instants, their accuracy, and where they are
+// flagged.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ struct RecordedInstant {
   int index;                  ///< in the grid
   std::vector<double> state;  ///< q, q̇, q̈, of all coordinates each
   double condition;           ///< the largest since the instant kept before
-  PerLevel<double> bound;     ///< likewise
+  PerLevel<double> bound;     ///< error bounds
 };
 
 /// An interval that is flagged, and why.

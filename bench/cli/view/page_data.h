@@ -19,7 +19,7 @@ struct ShownMotion {
 
 /// Data as page.html takes them.
 struct PageData {
-  std::string json;     ///< what there is, and the columns of numbers by their places
+  std::string json;     ///< everything but the columns of numbers, which it names by their places
   std::string numbers;  ///< PackedColumns::text()
 };
 

@@ -21,7 +21,7 @@ TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid);
 /// The goal of a search: the cheapest formulation, with its settings, whose relative error is at
 /// most max_error, or, where a budget is given, the most accurate within it.
 struct Goal {
-  Level level = Level::position;  ///< of which the error is meant
+  Level level = Level::position;  ///< level of the error
   double max_error = 0;
   double budget = 0;  ///< s a step; 0: none
 };

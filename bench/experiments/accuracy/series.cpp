@@ -30,8 +30,9 @@ constexpr std::array<std::string_view, 11> tuned{
 /// Tells whether it is one of the paper's analyses, by its own solver or by what stands in for it.
 bool is_in_table_2(const Variant& v) {
   if (v.partition == Partition::block) return false;
-  if (!v.backend) return !v.explicit_order;
-  if (v.backend->dense) return v.partition == Partition::group && algebra_name(v) == "lapack";
+  if (v.is_generated()) return !v.is_explicit();
+  if (find_backend(v.algebra)->dense)
+    return v.partition == Partition::group && v.algebra == "lapack";
   return slow_reason(v).empty() &&
          !(v.partition == Partition::global && v.evaluation == Evaluation::symbolic);
 }

@@ -76,7 +76,7 @@ std::vector<Settings> full_settings(const Variant& variant) {
   for (const Scalar scalar : {Scalar::mixed, Scalar::single_precision})
     add(scalar, std::array{Guess::previous, Guess::hermite5}, std::span(updates).first(2));
   for (const Settings& s : solved_from()) add_strides(all, s, strides);
-  if (!variant.explicit_order) return all;
+  if (!variant.is_explicit()) return all;
   std::vector<Settings> with_lanes = all;
   for (Settings& s : with_lanes) s.lanes = lane_counts.front();
   std::erase_if(with_lanes,

@@ -17,10 +17,13 @@ std::vector<Settings> minimal_settings();
 /// three iterations; and to closed forms nothing but interpolation makes a difference.)
 std::vector<Settings> reduced_settings();
 
-/// Returns guesses × Jacobian updates × where to stop (tolerances and numbers of iterations), in
-/// double precision; single and mixed precision with the paper's guess and the best one; strides
-/// with the paper's settings and what usually costs least. Among them is what the variant does not
-/// offer (unsupported_reason), to be told. Where it has code for lanes, all with them, too.
+/// Returns the full grid, which includes settings that the variant does not offer
+/// (unsupported_reason):
+/// - in double precision, every guess × Jacobian update × stop (a tolerance or a number of
+/// iterations)
+/// - single and mixed precision, with the paper's guess and the best one
+/// - strides, with the paper's settings and with those that usually cost least
+/// - for variants with code for lanes, all of these with lanes, too
 std::vector<Settings> full_settings(const Variant& variant);
 
 }  // namespace desmo::accuracy

@@ -24,7 +24,7 @@ class Trial final : public bench::ProblemCandidate {
  private:
   Checked check(bench::ReferenceCache& unused, bench::VerifyingRun& found) override;
 
-  std::unique_ptr<Formulation> formulation_;  // of all samples; null before it is verified
+  std::unique_ptr<Formulation> formulation_;  // takes all samples; null before verify()
 };
 
 /// Returns the largest condition number over the instants of a problem's reference.

@@ -28,7 +28,7 @@ constexpr int max_in_blocks = 1'000'000;
 
 /// The formulations that do without a library's work on every small part.
 bool is_fast(const Variant& v) {
-  return !v.backend || (v.partition == Partition::global && algebra_name(v) == "klu");
+  return v.is_generated() || (v.partition == Partition::global && v.algebra == "klu");
 }
 
 /// Returns why a formulation is not tried on a case that has a model, in a sentence without a full
@@ -43,7 +43,7 @@ std::string unsupported(const Configuration& configuration, const KnownCase& kno
     return "workspaces of so many blocks take too much memory";
   if (is_fast(v)) return {};
   if (coordinates > max_coordinates) return "it takes too long with so many coordinates";
-  if (algebra_name(v) != "eigen" && static_cast<long>(known.solvable.size()) > max_instants)
+  if (v.algebra != "eigen" && static_cast<long>(known.solvable.size()) > max_instants)
     return "it takes too long with so many instants";
   return {};
 }

@@ -46,9 +46,9 @@ struct CaseRun {
   /// Errors for each of the case's answers, at each instant compared; nothing where there are no
   /// numbers or nothing is known.
   std::vector<std::vector<std::optional<PerLevel<double>>>> errors;
-  std::vector<std::optional<Stated>> stated;  ///< of each instant compared
+  std::vector<std::optional<Stated>> stated;  ///< by instant compared
   Stated max{};                               ///< over all instants
-  std::vector<Gap> gaps;                      ///< that it went on after
+  std::vector<Gap> gaps;                      ///< gaps after which the run went on
   GroupId failed_group = -1;                  ///< of the first flag
   /// Bytes by which the heap grew after its start-up: from the first solved instant, or start,
   /// after the 1000th to the last one. 0 where the last is not solved.

@@ -28,9 +28,9 @@ class ChainSolution {
   /// Returns the instant solved last.
   ReferenceInstant instant() const;
 
-  /// Returns by how much rounding to double, of every length and of every joint on the way, may
-  /// change the positions of the instant solved last: over the unit roundoff and the size, to first
-  /// order.
+  /// Returns the sensitivity of the instant solved last to rounding: the change of its positions,
+  /// to first order, when every length and every joint on the way is rounded to double. It is
+  /// relative to the unit roundoff and the size.
   double condition() const { return condition_; }
 
  private:

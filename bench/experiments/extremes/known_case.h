@@ -18,7 +18,7 @@ struct Answers {
   std::vector<int> coordinate = {};  ///< in the whole, of each of the part
   std::vector<ReferenceInstant> right =
       {};  ///< one for each instant compared; no q where there is none
-  std::vector<PerLevel<double>> floor = {};  ///< of each
+  std::vector<PerLevel<double>> floor = {};  ///< one for each answer
   Scales scales = {};
   double condition = 0;     ///< the largest of those compared
   double chain_length = 0;  ///< links × longest link, over the size; 0: no chain

@@ -36,8 +36,9 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection);
 /// Returns the number of results with a verdict.
 std::size_t count(const std::vector<Result>& results, ExtremeVerdict verdict);
 
-/// Returns a row for people: a line with the number of each verdict, and one for each case and
-/// reason that it is not as expected, with the formulations concerned counted and the first named.
+/// Returns the results of a row in words: a line with the number of each verdict, then a line for
+/// each case and kind of verdict that is not as expected. It counts the formulations concerned, and
+/// names the first with its reason.
 std::string summary(const Extreme& row, const std::vector<Result>& results);
 
 }  // namespace desmo::extremes

@@ -16,7 +16,7 @@ struct WorstError {
 /// Other runs whose errors bound those of a run: it must not be much worse than they are.
 struct Yardsticks {
   const CaseRun* first_case = nullptr;  ///< of the row, in the same formulation
-  const CaseRun* new_pivots = nullptr;  ///< the same case, with pivots chosen anew
+  const CaseRun* new_pivots = nullptr;  ///< this case, with pivots chosen anew
 };
 
 /// The worst of a run's errors, and the first that is wrong, or only more than is allowed.

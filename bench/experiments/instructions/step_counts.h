@@ -28,7 +28,7 @@ struct StepCount {
   std::string id;                 ///< with monitored_suffix where the run is monitored
   std::int64_t instructions = 0;  ///< per step, with as many Newton iterations as it takes
   std::int64_t monitors = 0;      ///< of these, what monitoring takes
-  int steps = 0;                  ///< that were counted
+  int steps = 0;                  ///< number of counted steps
 
   std::string name() const;  ///< <case>/<coordinates>/<id>
 };

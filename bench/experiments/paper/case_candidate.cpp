@@ -23,7 +23,7 @@ constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:of
 /// Tells whether it is a counterpart of FBL-G or FBL-TP, or the latter in blocks: no others are run
 /// at extra sizes.
 bool runs_at_extra_sizes(const Variant& v) {
-  if (!v.backend) return true;
+  if (v.is_generated()) return true;
   return v.partition == Partition::global && v.evaluation == Evaluation::automatic &&
          !is_dense_global(v);
 }
@@ -46,7 +46,7 @@ CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Optio
                              const Settings& s, Clock by)
     : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n, id_with(v, s),
                            {&v, s}, by, {}),
-      definition(d) {
+      definition_(d) {
   if (std::string reason = too_costly(v, n, options); !reason.empty())
     refuse(not_run(std::move(reason)));
 }
@@ -54,7 +54,7 @@ CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Optio
 const Problem& CaseCandidate::problem() const {
   if (!problem_) {
     problem_.emplace();
-    problem_->plan.model = make_model(describe(definition, coordinates));
+    problem_->plan.model = make_model(describe(definition_, coordinates()));
   }
   return *problem_;
 }
@@ -67,25 +67,25 @@ CaseCandidate::Checked CaseCandidate::check(ReferenceCache& references, Verifyin
 
 void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {
   const nlohmann::ordered_json key = {
-      {"case", definition.name}, {"coordinates", coordinates}, {"id", id()}};
+      {"case", definition_.name}, {"coordinates", coordinates()}, {"id", id()}};
   lists["cells"].push_back(with_measurement(key, *this));
-  if (!phases || !is_verified()) return;
+  if (!phases_ || !is_verified()) return;
   nlohmann::ordered_json seconds, profile = key;
-  for (int p = 0; p < phase_count; ++p) seconds[phase_names[p]] = phases->seconds[p];
-  seconds["rest"] = phases->rest;
+  for (int p = 0; p < phase_count; ++p) seconds[phase_names[p]] = phases_->seconds[p];
+  seconds["rest"] = phases_->rest;
   profile["time_per_step"] = {{"clock", clock_name(Clock::wall)}, {"phases", seconds}};
   lists["profiles"].push_back(std::move(profile));
 }
 
 void CaseCandidate::profile() {
-  if (!is_verified() || coordinates != profiled_coordinates || !has_phases(variant())) return;
+  if (!is_verified() || coordinates() != profiled_coordinates || !has_phases(variant())) return;
   // The settings are those of the paper, which does not know KLU.
   if (id() != variant().id && id() != reference_of_one_block) return;
   // Reading the clock costs more than what it measures in blocks of one unknown.
   if (variant().partition == Partition::block) return;
   TimeGrid first = grid();
   first.instants = std::min(grid().instants, profiled_instants);
-  phases = measure_phases(variant(), settings(), problem().plan.model, first);
+  phases_ = measure_phases(variant(), settings(), problem().plan.model, first);
 }
 
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {

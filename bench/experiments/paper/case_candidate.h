@@ -23,14 +23,16 @@ class CaseCandidate final : public FormulationCandidate {
   void profile() override;
   void add_to(nlohmann::ordered_json& lists) const override;
 
-  const Case& definition;
-  std::optional<PhaseTimes> phases;
+  /// Returns what profile() measured; nothing where it measured nothing.
+  const std::optional<PhaseTimes>& phases() const { return phases_; }
 
  private:
   /// Returns the whole case, which is made at the first call: those of all candidates are too many.
   const Problem& problem() const override;
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
 
+  const Case& definition_;
+  std::optional<PhaseTimes> phases_;
   mutable std::optional<Problem> problem_;
 };
 

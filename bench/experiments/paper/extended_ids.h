@@ -7,10 +7,10 @@
 
 namespace desmo::paper {
 
-/// Ids that the paper does not have, at the largest of its sizes: the
-/// reference with its own best settings, and generated code with the same guess, one part after the
-/// other, copies of an axle at once, segments of the motion at once, and those on two threads, on
-/// registers of 256 and of 512 bits; all with a tolerance that keeps errors below 1e-9.
+/// Ids beyond the paper's, measured at the largest of its sizes: the reference with its own best
+/// settings, and generated code with the same guess. The latter solves one part after the other,
+/// equal axles at once, or segments of the motion at once, on registers of 256 and of 512 bits and
+/// on two threads. The tolerance keeps all errors below 1e-9.
 inline constexpr std::array<std::string_view, 9> extended_ids{
     "global_automatic_klu/guess:adams8/jacobian:step/tolerance:1e-10",
     "group_symbolic_inlined/guess:adams8/tolerance:1e-10",

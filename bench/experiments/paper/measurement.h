@@ -13,10 +13,11 @@ namespace desmo::paper {
 /// its repetitions.
 inline constexpr double work_of_candidate = 2;
 
-/// Verifies and profiles all, and times what is verified by Google Benchmark, whose flags have been
-/// read: in turn, in an order of its own, each as often as asked for or as is worth it. Says on
-/// standard error what is wrong. first: the console has nothing yet.
-/// Returns {"failed": whether anything did, "lists": what a record says (lists_of)}.
+/// Verifies and profiles all candidates, and lets Google Benchmark time the verified ones, in its
+/// own order. Its flags have been read. Says on standard error what is wrong. Returns {"failed":
+/// whether any candidate failed, "lists": what a record says (lists_of)}.
+/// - asked_repetitions: of every candidate; nothing: as many as its time is worth
+/// - first: nothing was printed on the console yet
 nlohmann::ordered_json measure(const std::vector<bench::Candidate*>& all,
                                std::optional<int> asked_repetitions, bool first,
                                bench::Progress& progress);

@@ -15,14 +15,14 @@ struct Options : bench::CommonOptions {
   double step = 0;                        ///< s; 0: the case's own
   double duration = 0;                    ///< s; 0: the case's own
   int dense_limit = 114;                  ///< coordinates up to which dense global solves run
-  int slow_limit = 114;                   ///< likewise of libraries that are slow (slow_reason)
+  int slow_limit = 114;                   ///< most coordinates for slow libraries (slow_reason)
   double peer_limit = 60;                 ///< s of CPU time a peer may take for the motion
   std::vector<std::string> formulations;  ///< ids with settings, to be run as well as the table's
   bool help = false;
 };
 
-/// Takes our options out of the arguments and leaves the flags of Google Benchmark, those that our
-/// options stand for among them; prints the help that is asked for. Throws std::invalid_argument,
+/// Takes our options out of the arguments. Leaves the flags of Google Benchmark, and adds those
+/// that our options stand for. Prints the help that is asked for. Throws std::invalid_argument,
 /// naming the option, for a missing or unusable value.
 Options take_options(std::vector<std::string>& arguments);
 

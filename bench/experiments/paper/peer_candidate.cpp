@@ -77,21 +77,21 @@ void for_every_size(Make&& make) {
 
 PeerCandidate::PeerCandidate(const Case& d, int n, const PeerDefinition& p, const Options& options)
     : Candidate(chosen_grid(d.describe(1).grid, options)),
-      definition(d),
-      coordinates(n),
-      peer(p),
+      definition_(d),
+      coordinates_(n),
+      peer_(p),
       limit_(options.peer_limit) {}
 
 std::string PeerCandidate::name() const {
-  return std::string(definition.name) + "/" + std::to_string(coordinates) +
-         "/peer:" + std::string(peer.name);
+  return std::string(definition_.name) + "/" + std::to_string(coordinates_) +
+         "/peer:" + std::string(peer_.name);
 }
 
 PeerCandidate::Solved::Solved(Scene described)
     : scene(std::move(described)), model(make_model(scene)) {}
 
 const PeerCandidate::Solved& PeerCandidate::solved() const {
-  if (!solved_) solved_ = std::make_unique<const Solved>(describe(definition, coordinates));
+  if (!solved_) solved_ = std::make_unique<const Solved>(describe(definition_, coordinates_));
   return *solved_;
 }
 
@@ -99,7 +99,7 @@ PeerCandidate::Checked PeerCandidate::check(ReferenceCache& references, Verifyin
   const auto& [scene, model] = solved();
   found.model = model_digest(model);
   const double before_setup = cpu_now();
-  const auto solver = peer.make(scene, model);
+  const auto solver = peer_.make(scene, model);
   found.setup_seconds = cpu_now() - before_setup;
 
   const auto reference = references.get(model, grid());
@@ -123,19 +123,19 @@ PeerCandidate::Checked PeerCandidate::check(ReferenceCache& references, Verifyin
 }
 
 std::unique_ptr<Analysis> PeerCandidate::make_analysis(TimingWindows& windows) const {
-  auto solver = peer.make(solved().scene, solved().model);
+  auto solver = peer_.make(solved().scene, solved().model);
   solver->assemble(grid().time(0));
   return std::make_unique<PeerAnalysis>(std::move(solver), grid(), windows);
 }
 
 void PeerCandidate::add_to(nlohmann::ordered_json& lists) const {
-  lists["peers"].push_back(with_measurement({{"case", definition.name},
-                                             {"coordinates", coordinates},
-                                             {"peer", peer.name},
-                                             {"library", peer.library},
-                                             {"library_version", peer.version()},
-                                             {"method", peer.method},
-                                             {"guess", guess_name(peer.guess)}},
+  lists["peers"].push_back(with_measurement({{"case", definition_.name},
+                                             {"coordinates", coordinates_},
+                                             {"peer", peer_.name},
+                                             {"library", peer_.library},
+                                             {"library_version", peer_.version()},
+                                             {"method", peer_.method},
+                                             {"guess", guess_name(peer_.guess)}},
                                             *this, {.has_residual = false}));
 }
 

@@ -22,10 +22,6 @@ class PeerCandidate final : public Candidate {
   std::string name() const override;
   void add_to(nlohmann::ordered_json& lists) const override;
 
-  const Case& definition;
-  const int coordinates;
-  const PeerDefinition& peer;
-
  private:
   /// Problem that peers refer to.
   struct Solved {
@@ -40,6 +36,9 @@ class PeerCandidate final : public Candidate {
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
   std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
 
+  const Case& definition_;
+  const int coordinates_;
+  const PeerDefinition& peer_;
   const double limit_;                            // CPU seconds of the whole motion
   mutable std::unique_ptr<const Solved> solved_;  // made at the first call of solved()
 };

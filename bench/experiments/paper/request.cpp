@@ -114,7 +114,7 @@ RequestCandidate::Checked RequestCandidate::check(ReferenceCache& references, Ve
 
 void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
   lists["requests"].push_back(with_measurement({{"case", request_->definition.name},
-                                                {"coordinates", coordinates},
+                                                {"coordinates", coordinates()},
                                                 {"id", id()},
                                                 {"request", request_->name},
                                                 {"title", request_->title},

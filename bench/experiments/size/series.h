@@ -36,8 +36,9 @@ std::vector<SizeSeries> quick_series();
 /// expression is not found; series with none are left out.
 std::vector<SizeSeries> matching(std::vector<SizeSeries> all, const std::regex& expression);
 
-/// Returns what finding `min_unknowns` or more of a mechanism takes, and no more than it must: what
-/// the first of its entities need, of all of them if it has fewer.
+/// Returns the smallest part of a mechanism that has at least `min_unknowns` unknowns and can be
+/// solved alone: the part that its first entities need. Returns the whole where it has fewer
+/// unknowns.
 Model cut_to(const Model& whole, int min_unknowns);
 
 }  // namespace desmo::size

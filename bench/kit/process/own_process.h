@@ -6,13 +6,13 @@
 
 namespace desmo::bench {
 
-/// Does some work in a process of its own, which begins as this one is now and ends with the work,
-/// and returns what it makes. What ran before leaves traces in a process, in the places of its
-/// memory above all, that make the same code a tenth faster or slower for as long as it lives; a
-/// process that does little leaves the least. The caller must have one thread.
+/// Does some work in a process of its own, and returns the result. The process begins as a copy of
+/// this one, and ends with the work. So no candidate meets the traces of earlier ones, above all in
+/// the places of memory: they can make the same code a tenth faster or slower for as long as a
+/// process lives. The caller must have one thread.
 ///
-/// name: for errors. Throws std::runtime_error where the work throws, which it has then said on
-/// standard error, where the process ends otherwise, and where the system has none to give.
+/// name: for errors. Throws std::runtime_error where the work throws, whose message is then on
+/// standard error; where the process ends otherwise; and where the system has no process to give.
 nlohmann::ordered_json in_own_process(const std::string& name,
                                       const std::function<nlohmann::ordered_json()>& work);
 

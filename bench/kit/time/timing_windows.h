@@ -44,7 +44,7 @@ class TimingWindows {
   void end();
 
   const Clock clock_;
-  std::vector<int> last_instants_;  // of each window, and one that never comes
+  std::vector<int> last_instants_;  // by window, then one that never comes
   std::vector<std::vector<double>> samples_;
   std::vector<double> sample_;  // of the analysis that goes on
   std::vector<long> updates_;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "formulations/algebra/linear_solver.h"
+#include "formulations/base/part.h"
 #include "formulations/verification/monitor/accuracy_state.h"
 
 namespace desmo {

@@ -17,7 +17,7 @@
 
 namespace desmo {
 
-class PivotReuse;  // algebra/linear_solver.h
+class PivotReuse;  // base/part.h
 
 /// A monitor or a rule of a monitored run, which tests leave out to see what it alone finds.
 enum class Monitor : unsigned {
@@ -31,7 +31,7 @@ enum class Monitor : unsigned {
   continuity = 1 << 6,   ///< whether rates lead from each instant to the next (Continuity)
   turns = 1 << 7,        ///< drivers that turn back within a step (DriverTurns)
   branch = 1 << 8,       ///< conditions beyond the equations that were solved (BranchMonitor)
-  // What is done about it.
+  // Reactions to what is found.
   correction = 1 << 9,    ///< Newton's method makes one more correction (OneMoreCorrection)
   repair = 1 << 10,       ///< instants are corrected, and doubtful steps gone again in shorter ones
   measurement = 1 << 11,  ///< the error is measured where a bound would flag it (MeasuredError)

@@ -36,7 +36,7 @@ class BranchMonitor {
  private:
   struct Check {
     int constraint;
-    bool has_rate;   // of all its operands
+    bool has_rate;   // true if all its operands have rates
     int angle = -1;  // coordinate that is determined modulo π, unless driven
   };
   bool holds(const Check& check, const Instant& instant) const;
@@ -44,7 +44,7 @@ class BranchMonitor {
   const Model& model_;
   double allowed_;                      // relative to the sum of an equation's terms
   std::vector<Check> always_, others_;  // others_: unless angles follow
-  std::vector<int> angles_;             // of all checks
+  std::vector<int> angles_;             // angles of all checks
   std::vector<double> last_;            // q of the last instant, or the initial estimate
 };
 

@@ -16,7 +16,7 @@ namespace desmo {
 /// instants.
 class BranchSigns {
  public:
-  /// Both must outlive this object.
+  /// The model and the system must outlive this object.
   BranchSigns(const Model& model, ScaledSystem& system) : model_(model), system_(system) {}
 
   /// Stores the signs at the initial estimate with the drivers of the first instant. Overwrites the

@@ -14,7 +14,7 @@
 namespace desmo {
 
 struct LiveOptions {
-  Level level = Level::acceleration;  ///< that is solved and assessed
+  Level level = Level::acceleration;  ///< highest level that is solved and assessed
   /// Level asked for of each coordinate (Plan::levels); empty: all. The constructor of LiveRun
   /// alone reads it.
   std::span<const Level> levels{};
@@ -23,7 +23,7 @@ struct LiveOptions {
   std::optional<Scales> scales{};
   /// Shorter steps that one row may take, to be solved or to be followed on its branch.
   int max_sub_steps = 64;
-  int every = usual_assessment_interval;  ///< rows from one assessment to the next, at most
+  int every = usual_assessment_interval;  ///< most rows from one assessment to the next
 };
 
 /// A fault that keeps a row from being tried.
@@ -42,7 +42,8 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   bool corrected = false;           ///< the values are better than the formulation's
   bool degraded = false;            ///< conditioning keeps the bounds above their limits
   std::optional<SingularityCrossing> crossing{};  ///< since the last good position
-  int violated = -1;  ///< failed: the constraint that holds only on another branch (BranchMonitor)
+  int violated =
+      no_position;  ///< failed: the constraint that holds only on another branch (BranchMonitor)
 
   Outcome outcome() const {
     return status != Status::solved ? Outcome::failed
@@ -111,8 +112,8 @@ class LiveRun {
 
   /// The obstacle to a row that could not be solved.
   struct Obstacle {
-    GroupId group = -1;
-    int constraint = -1;
+    GroupId group = no_position;   ///< group that could not be solved, if known
+    int constraint = no_position;  ///< constraint most concerned, if known
     std::optional<AssemblyError> assembly_error;
   };
   /// Finds what kept the row that failed last from being solved. Allocates, and takes long.

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "formulations/algebra/linear_solver.h"
 #include "formulations/base/output_writer.h"
+#include "formulations/base/part.h"
 #include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/stepping/strided_steps.h"
@@ -137,7 +137,7 @@ class Run final : Observer {
   Flow stop_at(const MonitoredInstant& m) {
     summary_.status = Status::singular;
     summary_.group = m.assessment.group;
-    summary_.constraint = -1;
+    summary_.constraint = no_position;
     summary_.residual = m.instant.residual;
     return Flow::stop;
   }
@@ -190,7 +190,7 @@ class Run final : Observer {
     const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_);
     summary_.gaps.push_back(gap);
     summary_.status = Status::solved;
-    summary_.group = summary_.constraint = -1;
+    summary_.group = summary_.constraint = no_position;
     summary_.residual = max_residual_;
     summary_.assembly_error.reset();
     accuracy_->resume();

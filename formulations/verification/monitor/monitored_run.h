@@ -33,11 +33,12 @@ struct Gap {
 /// be used. It is no Summary, whose ok() tells neither degraded instants nor another branch.
 struct [[nodiscard]] MonitoredSummary : BasicSummary {
   bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
-  int violated = -1;     ///< constraint that the last instant violates, since it lies on another
-                         ///< branch (BranchMonitor); that instant was not delivered
-  double condition = 0;  ///< largest condition number (see Assessment)
-  PerLevel<double> bound{};  ///< error bounds, relative to …
-  Scales scales{};           ///< … the scales of the motion
+  /// Constraint that the last instant violates, since it lies on another branch (BranchMonitor).
+  /// That instant was not delivered.
+  int violated = no_position;
+  double condition = 0;      ///< largest condition number (see Assessment)
+  PerLevel<double> bound{};  ///< error bounds, relative to `scales`
+  Scales scales{};           ///< scales of the motion
   long assessed = 0;         ///< instants assessed
   long corrected = 0;        ///< instants corrected
   long degraded = 0;         ///< instants degraded
@@ -73,14 +74,14 @@ struct MonitoredInstant {
 /// Longest interval between assessments, in instants.
 inline constexpr int usual_assessment_interval = 5000;
 
-/// Settings of a monitored run. The tolerance is that of the formulation.
+/// Settings of a monitored run. The tolerance is Formulation::tolerance().
 struct MonitoredRunOptions {
   /// Level asked for of each coordinate (Plan::levels); empty: that of the request. Must live until
   /// run_monitored() returns.
   std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled
-  int every = usual_assessment_interval;  ///< instants from one assessment to the next, at most
+  int every = usual_assessment_interval;  ///< most instants from one assessment to the next
   /// Callback that receives each instant before the observer does; empty: none. It must not throw:
   /// it is called through Observer::observe(), where an exception ends the program.
   std::function<void(const MonitoredInstant&)> monitored{};
@@ -105,10 +106,12 @@ MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
 /// accuracy of the instants. model: the formulation's.
 std::string describe(const MonitoredSummary& summary, const Model& model);
 
-/// Returns "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration"
+/// Returns the accuracy in words, up to a level: "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11
+/// in velocity, 7.3e-11 in acceleration".
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level);
 
-/// Returns "relative to 0.2 m or 1 rad, 1.3 m/s or 6.3 rad/s, 8 m/s^2 or 39 rad/s^2"
+/// Returns the scales in words, up to a level: "relative to 0.2 m or 1 rad, 1.3 m/s or 6.3 rad/s, 8
+/// m/s^2 or 39 rad/s^2".
 std::string describe_scales(const Scales& scales, Level level, const Model& model);
 
 }  // namespace desmo

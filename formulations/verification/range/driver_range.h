@@ -8,7 +8,7 @@
 
 namespace desmo {
 
-/// What ends the way of a driver.
+/// The reason why a driver goes no further.
 enum class RangeStop {
   dead_point,    ///< the mechanism locks: the driver turns back along the curve of positions
   full_turn,     ///< the mechanism is back at its start
@@ -22,30 +22,30 @@ enum class RangeStop {
 /// End of a driver's way in one direction. Values are the driver's, in rad or the unit of length.
 struct RangeEnd {
   RangeStop stop = RangeStop::none;
-  double value = 0;    ///< last one with a solved position
-  double beyond = 0;   ///< next to it, one without a position on this branch; the same where the
-                       ///< mechanism does not lock
-  int turns = 0;       ///< full_turn: until it is back, 1 or 2
-  GroupId group = -1;  ///< dead_point: group that locks
+  double value = 0;   ///< last one with a solved position
+  double beyond = 0;  ///< next to it, one without a position on this branch; the same where the
+                      ///< mechanism does not lock
+  int turns = 0;      ///< full_turn: until it is back, 1 or 2
+  GroupId group = no_position;     ///< dead_point: group that locks
   std::vector<EntityId> moving{};  ///< dead_point: what can still move while all drivers rest
   std::vector<int> constraints{};  ///< dead_point: those that hold the driver, by force
 };
 
 /// Singular position that the mechanism passes: branches cross there, or they touch.
 struct ChangePoint {
-  double value;
-  GroupId group;
+  double value;            ///< of the driver
+  GroupId group;           ///< group whose determinant is zero
   bool is_double = false;  ///< a determinant is zero without a change of its sign: branches touch,
                            ///< or the driver rests for an instant
 };
 
 /// How far a driver can go from a position while the others rest.
 struct DriverRange {
-  double start;
-  bool is_idle = false;  ///< moves nothing but itself
+  double start;          ///< value of the driver at the given position
+  bool is_idle = false;  ///< the driver moves nothing but itself
   RangeEnd down, up;
-  /// Where the start is a dead point: how far the mechanism goes on the other branch that begins
-  /// there, in the direction that is not locked.
+  /// The end on the other branch that begins at the start, in the direction that is not locked;
+  /// nothing unless the start is a dead point.
   std::optional<RangeEnd> other_branch;
   std::vector<ChangePoint> change_points;  ///< ascending
 };

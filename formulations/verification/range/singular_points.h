@@ -26,9 +26,10 @@ std::optional<DeadPoint> find_dead_point(const Model& model, SolutionCurve& curv
 /// Returns at x Lagrange's polynomial through points (xs, ys).
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x);
 
-/// Returns the driver's value at a crossing in a step that is all but too short: where det B
-/// vanishes, interpolated from wider around, since positions next to a crossing are not well known.
-/// It vanishes like the distance to the power of the number of blocks that become singular.
+/// Returns the driver's value at a crossing in a step that is hardly longer than the shortest.
+/// Positions next to a crossing are not well known; so the value at which det B vanishes is
+/// interpolated from points further away. det B vanishes like the distance to the power of the
+/// number of blocks that become singular.
 double find_crossing(SolutionCurve& curve, const SolutionCurve::Point& from,
                      const SolutionCurve::Point& to, std::size_t blocks);
 

@@ -61,7 +61,7 @@ class SolutionCurve {
 
   /// Forces in the constraints (Lagrange multipliers) while a unit force pushes the driver.
   struct Forces {
-    std::vector<double> of_constraints;  ///< of each constraint, over the largest of them
+    std::vector<double> of_constraints;  ///< by constraint, divided by the largest
     double rounding;  ///< change of the driver's value that a rounding error in Φ may cause
   };
   /// Returns the forces at a point. At a dead point they name the constraints that stop the driver.
@@ -87,9 +87,9 @@ class SolutionCurve {
   std::vector<int> unknowns_;
   std::vector<double> scale_;  // of the unknowns, then of the driver
   std::vector<PartDefinition> blocks_;
-  std::vector<int> column_;      // of each component of the state; -1: at rest
-  std::vector<int> row_;         // of each row of the whole system; -1: has no unknown
-  std::vector<int> constraint_;  // of each row
+  std::vector<int> column_;      // by component of the state; -1: at rest
+  std::vector<int> row_;         // by row of the whole system; -1: it has no unknown
+  std::vector<int> constraint_;  // by row
   std::size_t constraints_;
   Eigen::VectorXd row_sums_;
   std::vector<double> phi_;
