@@ -32,8 +32,8 @@ struct Measurement {
   PerLevel<double> stated(const PerLevel<double>& limit) const {
     PerLevel<double> sum{};
     for (const Level l : levels) {
-      const double least = error[l] + rounding[l];
-      sum[l] = std::max(least, std::min(margin * error[l] + rounding[l], limit[l]));
+      sum[l] = margin * error[l] + rounding[l];
+      if (error[l] + rounding[l] <= limit[l]) sum[l] = std::min(sum[l], limit[l]);
     }
     return sum;
   }
