@@ -237,7 +237,10 @@ void AccuracyMonitor::State::look_back(const Instant& like) {
 
 void AccuracyMonitor::State::look_at_scales(const Instant& instant) {
   const Scales before = scales.current();
-  if (!scales.take(instant)) return;
+  if (scales.take(instant)) follow_scales(before);
+}
+
+void AccuracyMonitor::State::follow_scales(const Scales& before) {
   rescale(worst, before, scales.current());
   rescale(worst_before, before, scales.current());
   expectation.rescale(before, scales.current());

@@ -76,6 +76,7 @@ struct AccuracyMonitor::State {
   std::optional<SingularityCrossing> crossing(const Instant& instant);
   void look_back(const Instant& like);
   void look_at_scales(const Instant& instant);
+  void follow_scales(const Scales& before);
 
   const Model& model;
   const AccuracyMonitorOptions options;
