@@ -21,8 +21,8 @@ namespace desmo {
 /// run_monitored() and LiveRun also say how accurate the answers are.
 ///
 /// Rule of threads, in all of desmo:
-/// - Threads may share whatever is const: a Model, Settings, generated code and all tables, such as
-///   variants(). These outlive the formulations that use them.
+/// - Threads may share what nobody changes meanwhile: a Model, Settings, generated code and all
+///   tables, such as variants(). These outlive the formulations that use them.
 /// - One thread at a time uses a Formulation, a LiveRun or an Observer: each thread makes its own.
 /// - A formulation with Settings::threads above 1 calls its observer from several threads, one call
 ///   at a time, or the observers that Observer::of_thread() gives, each from its own thread.
@@ -35,12 +35,14 @@ class Formulation {
   Formulation& operator=(const Formulation&) = delete;
 
   /// Assembles the mechanism at time t [s] from the model's estimate; forgets what was solved
-  /// before. level: the highest that is solved.
+  /// before. level: the highest that is solved. After a failure all coordinates are unspecified,
+  /// and the next step assembles. Neither this nor step() throws or takes memory from the heap; a
+  /// library inside may take some.
   Summary assemble(double t, Level level = Level::acceleration) { return assemble_at(t, level); }
 
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
   /// Assembles where nothing was solved before. After a failure positions are those before the
-  /// call, so that a later step can go on from there; rates are unspecified. Where earlier instants
+  /// call, and the next step goes on from there; rates are unspecified. Where earlier instants
   /// were solved to lower levels than Settings::guess needs, a simpler guess replaces it. t may be
   /// any number: an earlier one goes back, and the one of the last instant solves that again. NaN
   /// or an infinite t fails, as Status::not_finite.
@@ -71,8 +73,9 @@ class Formulation {
   /// or what rounding leaves if that is more, as in long chains and far from the origin.
   double tolerance() const { return tolerance_; }
 
-  /// Return the instant solved last, in coordinate order (Model::coordinates() values). During a
-  /// run whose request names coordinates, all others are unspecified.
+  /// Return the instant solved last, in coordinate order (Model::coordinates() values). Before the
+  /// first one all are unspecified. During a run whose request names coordinates, so are all
+  /// others.
   std::span<const double> q() const;
   std::span<const double> qd() const;
   std::span<const double> qdd() const;

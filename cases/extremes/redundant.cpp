@@ -2,6 +2,7 @@
 // surplus constraint contradicts the others.
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -75,11 +76,61 @@ ExtremeCase bricard(std::string name, double off) {
           .scene = {"bricard", d.release(), {Polynomial{{0, 0.5}}}, redundant_grid, {}, {}}};
 }
 
+/// Bennett's mechanism, drawn with its crank at `start` and turned from there. Where the crank is
+/// folded, some of its equations do not tell how it moves on.
+ExtremeCase bennett(std::string name, double start, double rate, double tolerance) {
+  const double twists[] = {0.7, 1.6};
+  const double lengths[] = {1, std::sin(twists[1]) / std::sin(twists[0])};
+  const double ratio =
+      std::sin((twists[1] + twists[0]) / 2) / std::sin((twists[1] - twists[0]) / 2);
+  const double other = 2 * std::atan(ratio / std::tan(start / 2));
+  const double angles[] = {start, other, -start, -other};
+  const auto turned = [](const Vec& v, const Vec& axis, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double along = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
+    Vec result;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      result[i] = c * v[i] + s * (axis[j] * v[k] - axis[k] * v[j]) + (1 - c) * along * axis[i];
+    }
+    return result;
+  };
+  MechanismBuilder d("bennett", 3);
+  d.set_length_unit("1");
+  Vec x{1, 0, 0}, z{0, 0, 1}, at{};
+  std::array<int, 4> p, v, link;
+  for (int i = 0; i < 4; ++i) {
+    p[i] = d.point("P" + std::to_string(i + 1), at);
+    v[i] = d.vector("z" + std::to_string(i + 1), z);
+    x = turned(x, z, angles[i]);
+    for (int k = 0; k < 3; ++k) at[k] += lengths[i % 2] * x[k];
+    z = turned(z, x, twists[i % 2]);
+  }
+  const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
+  d.carry(MechanismBuilder::ground, {p[3], p[0]}, {v[3], v[0], from, towards});
+  for (int i = 0; i < 3; ++i)
+    link[i] = d.body("link" + std::to_string(i + 1), {p[i], p[i + 1]}, {v[i], v[i + 1]});
+  link[3] = MechanismBuilder::ground;
+  for (int i = 0; i < 4; ++i) d.joint(revolute, link[(i + 3) % 4], link[i], {p[i]}, {v[i]});
+  Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
+  theta.of = {-1, p[0], p[1]};
+  theta.from = {from, -1, -1};
+  theta.towards = {towards, -1, -1};
+  theta.driven = true;
+  return {.name = std::move(name),
+          .scene =
+              {"bennett", d.take(), {Polynomial{{start, rate}}}, redundant_grid, {}, {}, tolerance},
+          .factor = 100};  // what is promised
+}
+
 }  // namespace
 
 std::vector<ExtremeCase> redundant(Extent) {
-  std::vector<ExtremeCase> all{parallel_cranks("three parallel cranks", 0),
-                               bricard("Bricard's mechanism", 0)};
+  std::vector<ExtremeCase> all{
+      parallel_cranks("three parallel cranks", 0), bricard("Bricard's mechanism", 0),
+      bennett("Bennett's mechanism at rest where it is folded", std::numbers::pi, 0, 1e-12),
+      bennett("Bennett's mechanism from there", std::numbers::pi, 1, 1e-12),
+      bennett("Bennett's mechanism to a tolerance of 1e-15", 1, 1, 1e-15)};
   for (ExtremeCase& c : all) c.is_redundant = true;
   for (const ExtremeCase& c : {parallel_cranks("the cranks, contradictory by 1e-6", 1e-6),
                                bricard("Bricard's mechanism, contradictory by 1e-6", 1e-6)}) {

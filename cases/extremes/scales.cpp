@@ -1,4 +1,9 @@
 // Row 7: the same mechanism in other units, and mechanisms of different size in one model.
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+
 #include "cases/extremes/rows.h"
 #include "cases/mechanism/formatted.h"
 
@@ -28,6 +33,40 @@ ExtremeCase both() {
       case_of("× 1e-9 and × 1e9 in one", {small, large}, {turning, turning}, scale_grid));
 }
 
+/// A four-bar of millimetres at the end of an arm [m] that turns slowly.
+ExtremeCase on_arm(std::string name, double arm) {
+  constexpr double crank = 0.02, link = 0.06, start = 1;
+  MechanismBuilder d("four_bar_on_arm", 2);
+  const double bx = arm + crank * std::cos(start), by = crank * std::sin(start);
+  const double dx = arm + link - bx, dy = -by, half = std::hypot(dx, dy) / 2;
+  const double height = std::sqrt(link * link - half * half) / (2 * half);
+  const int o = d.point("O", {}), a = d.point("A", {arm}), e = d.point("D", {arm + link}),
+            b = d.point("B", {bx, by}),
+            c = d.point("C", {bx + dx / 2 - height * dy, by + dy / 2 + height * dx});
+  d.carry(MechanismBuilder::ground, {o});
+  const int bodies[] = {d.body("arm", {o, a, e}), d.body("crank", {a, b}),
+                        d.body("coupler", {b, c}), d.body("rocker", {e, c})};
+  using enum Mechanism::JointType;
+  d.joint(revolute, MechanismBuilder::ground, bodies[0], {o});
+  d.joint(revolute, bodies[0], bodies[1], {a});
+  d.joint(revolute, bodies[1], bodies[2], {b});
+  d.joint(revolute, bodies[2], bodies[3], {c});
+  d.joint(revolute, bodies[0], bodies[3], {e});
+  for (const auto& [angle, from, to] : {std::tuple{"alpha", o, a}, std::tuple{"theta", a, b}}) {
+    Mechanism::Coordinate& driven = d.coordinate(angle, Mechanism::CoordinateType::angle);
+    driven.of = {-1, from, to};
+    driven.driven = true;
+  }
+  return {.name = std::move(name),
+          .scene = {"four_bar_on_arm",
+                    d.take(),
+                    {Polynomial{{0, 1e-7}}, Polynomial{{start, 1}}},
+                    scale_grid,
+                    {},
+                    {}},
+          .factor = 1000};  // rounding of points so far away
+}
+
 }  // namespace
 
 std::vector<ExtremeCase> scales(Extent) {
@@ -36,7 +75,9 @@ std::vector<ExtremeCase> scales(Extent) {
           scaled(1e9),
           both(),
           scaled(1e-150),
-          scaled(1e150)};
+          scaled(1e150),
+          on_arm("60 mm on an arm of 10 km", 1e4),
+          on_arm("60 mm on an arm of 100 km", 1e5)};
 }
 
 }  // namespace desmo::extremes

@@ -52,7 +52,7 @@ Summary TimeStepping::assemble_alone(double t, Level level) {
   for (State* s : {&state, &last}) clear_rates(*s);
   std::ranges::copy(state.q, last.q.begin());
   forget();
-  assembled_ = is_continued_ = false;
+  assembled_ = false;
   failure_.part = -1;
   const PartSequence::Result constant = sequence_.solve_constant(state, last.q, level);
   Summary summary = constant.summary(t);
@@ -98,7 +98,6 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   drivers_.sample(t, state);  // exactly, as a step samples them
   assembled_ = sequence_.solve_positions(state, last.q);
   sequence_.end_assembly();
-  is_continued_ = assembled_;
   return assembled_;
 }
 

@@ -96,7 +96,6 @@ Summary TimeStepping::solve_at(double t, Level level) {
     std::ranges::copy(last.q, state.q.begin());
     now_.level.reset();
     before_.forget();
-    is_continued_ = false;
   }
   return summary;
 }
@@ -106,13 +105,14 @@ Summary TimeStepping::solve_at(double t, Level level) {
 Summary TimeStepping::assemble_or_step(double t, Level level, int max_sub_steps) {
   if (!assembled_) return assemble_alone(t, level);
   const double start = now_.time;
-  const bool is_known = now_.level || is_continued_ || drivers_.is_live();
   failure_.part = -1;
   Summary summary = solve_at(t, level);
-  if (!summary.ok() && is_known && start != t) [[unlikely]]
+  if (!summary.ok() && start != t) [[unlikely]]
     summary = sub_step(start, t, level, max_sub_steps, summary);
-  if (!summary.ok()) [[unlikely]]
+  if (!summary.ok()) [[unlikely]] {
+    now_.time = start;  // as positions are
     find_culprit_of_failure(summary);
+  }
   return summary;
 }
 

@@ -14,7 +14,8 @@
 namespace desmo {
 
 /// A formulation that steps through time, the paper's Fig. 2a: at each instant the drivers, a
-/// prediction, and the parts in order.
+/// prediction, and the parts in order. Motions are in time_stepping.cpp; the first instant, single
+/// steps and live rows in single_instants.cpp.
 class TimeStepping final : public SegmentSolver, private LiveSteps {
  public:
   /// settings: the same that the parts were made with. The model outlives this object.
@@ -81,8 +82,7 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   SolvedState now_, before_;   // the instant solved last, and the one before it
   std::vector<double> start_;  // positions from which a step is tried again
   Failure failure_;
-  bool assembled_ = false;
-  bool is_continued_ = false;  // positions are those that start_at() reached
+  bool assembled_ = false;  // now_ has positions at its time, whatever is known of rates
 };
 
 }  // namespace desmo

@@ -152,5 +152,29 @@ TEST(BlockProof, CountsRoundingOfWhatLowerLevelsAdd) {
   EXPECT_LE(errors.velocity.radius[0], 1e-18);
 }
 
+/// An input that is off by a tenth: the rate is off by exactly what 1/(1 − η) allows.
+TEST(BlockProof, CountsWhatErrorsOfRatesAddToThemselves) {
+  BlockBatch batch(std::vector{product_of_vectors(1)}, std::vector<double>(6, 1), 0);
+  const std::array<double, 6> delivered{1, 0, 0, 1, 1, 0}, rates{1, -1, 0, 0, 0, 0};
+  PerLevel<ErrorTable> errors;
+  for (ErrorTable* e : {&errors.position, &errors.velocity}) {
+    e->rows.resize(6);
+    e->radius.resize(6);
+  }
+  for (int i = 0; i < 6; ++i) {
+    errors.position.rows[i].delivered = delivered[i];
+    errors.velocity.rows[i].delivered = rates[i];
+  }
+  constexpr double off = 0.1;
+  errors.position.rows[3] = {1, 0, off, off};
+  BlockProof proof({.unknowns = 1, .width = 6, .states = 6, .columns = 0});
+  ASSERT_TRUE(proof.prove(batch, Level::velocity, errors).velocity[0]);
+  const double largest = 1 / (1 - off) - 1;  // of u₁ v₁ = 1 and of its rate times v₁, which is 1
+  for (const Level level : {Level::position, Level::velocity}) {
+    EXPECT_LE(largest, errors[level].radius[0]);
+    EXPECT_LE(errors[level].radius[0], 2 * largest);
+  }
+}
+
 }  // namespace
 }  // namespace desmo::block_proof_test

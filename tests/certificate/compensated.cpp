@@ -79,9 +79,12 @@ TEST(Compensated, HoldsWhereCorrectionsAreRounded) {
     EXPECT_LE(off, Exact(found.radius) * (1 + Exact(0x1p-40)));
   };
   const auto exact = [](const Number& a) { return Exact(a.value) + Exact(a.correction); };
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 50; ++i) {
     const double c = 0x1p-30 * uniform(generator), d = 0x1p-30 * uniform(generator);
     const double x = uniform(generator), y = uniform(generator);
+    const double lost = (x - (x + y)) + y, small = 0x1p-55 * uniform(generator);
+    const Number with_lost(x, -lost - small, 0), rest(y, small, 0);
+    expect_held(with_lost + rest, exact(with_lost) + exact(rest));
     for (const double e : {0.0, d, -c, -c * x, -c * y / x, 0x1p-30}) {
       for (const double f : {0.0, c, 0x1p-60 * x}) {
         for (const double v : {1.0, x}) {
@@ -128,6 +131,33 @@ TEST(Compensated, HoldsSinesAndCosines) {
         compare(cos(a), cos(angle));
       }
   EXPECT_GT(worst, 0.1);
+}
+
+TEST(Compensated, HoldsSinesOfAnglesWithLargeCorrections) {
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> uniform(-4, 4);
+  for (const double size : {1e-12, 1e-9, 1e-6, 1e-3})
+    for (int i = 0; i < 1000; ++i) {
+      const Number a(uniform(generator), size * uniform(generator), 0);
+      const Wide angle = Wide(a.value) + Wide(a.correction);
+      const auto compare = [](const Number& found, const Wide& exact) {
+        EXPECT_LE(abs(exact - Wide(found.value) - Wide(found.correction)), Wide(found.radius));
+      };
+      compare(sin(a), sin(angle));
+      compare(cos(a), cos(angle));
+    }
+}
+
+TEST(Compensated, HoldsProductsOfUncertainNumbers) {
+  const Number factor(1, 0, 0x1p-40);
+  Number sum(2);
+  sum.add_product(factor, 3);
+  const Number product = factor * Number(3);
+  for (const Exact end : {1 - Exact(0x1p-40), 1 + Exact(0x1p-40)}) {
+    EXPECT_LE(abs(2 + 3 * end - Exact(sum.value) - Exact(sum.correction)), Exact(sum.radius));
+    EXPECT_LE(abs(3 * end - Exact(product.value) - Exact(product.correction)),
+              Exact(product.radius));
+  }
 }
 
 TEST(Compensated, HoldsWhatMotionsAreInExactArithmetic) {

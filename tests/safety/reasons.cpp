@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "cases/extremes/rows.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/monitor/monitored_run.h"
@@ -42,6 +44,24 @@ TEST(Reasons, NameRoundedDriversAtLateTimes) {
                     {0x1p26, 0.125, 9}, {}, observer, {});
   ASSERT_TRUE(s.first_degraded);
   EXPECT_EQ(s.first_degraded->assessment.limit, Limit::drivers);
+}
+
+/// Links of a millimetre on a crank of ten kilometres, at a distance of 1e-3 from a pivot.
+TEST(Reasons, NameSizesThatDiffer) {
+  constexpr double large = 1e4, small = 1e-3;
+  const Scene scene =
+      extremes::case_of("sizes",
+                        extremes::one_dyad(large, small / large, large + small / 2, small, small),
+                        small / large / 10, {0, 0.1, 11})
+          .scene;
+  const Model m = make_model(scene);
+  for (const char* id : {"global_automatic_klu", "group_automatic_eigen"}) {
+    Discard observer;
+    const MonitoredSummary s =
+        run_monitored(*make_formulation(find_variant(id), m, {}), scene.grid, {}, observer, {});
+    ASSERT_TRUE(s.first_degraded) << id;
+    EXPECT_EQ(s.first_degraded->assessment.limit, Limit::sizes) << id;
+  }
 }
 
 TEST(Reasons, NameASingularPositionNearADeadPoint) {

@@ -145,6 +145,18 @@ bool returns_are_right(unsigned without) {
          returns(make_model(driven_slider(1e-10)), {0, 1. / 37, 38}, "group_symbolic_explicit");
 }
 
+/// A delta robot far from its nominal position: what Newton's method finds is another branch, which
+/// an equation left out betrays. The nominal position leads elsewhere.
+bool other_assembly_is_flagged(unsigned without) {
+  Scene scene = library_scene("delta");
+  scene.motions = {Polynomial{{3.192, 0.0815}}, Polynomial{{2.547, 0.062}},
+                   Polynomial{{1.399, 0.0272}}};
+  Discard observer;
+  const MonitoredSummary s = run(make_model(scene), {-11, 1, 8}, "global_automatic_klu",
+                                 Level::acceleration, observer, without);
+  return s.outcome() == Outcome::degraded;
+}
+
 /// No reference begins there.
 bool starts_are_right(unsigned without) {
   const auto is_right = [&](const char* scene, double time, const char* id) {
@@ -154,7 +166,7 @@ bool starts_are_right(unsigned without) {
     return s.outcome() == Outcome::converged && s.instants == 20;
   };
   return is_right("jansen_leg", 0.5, "block_automatic_lapack") &&
-         is_right("andrews", 0.3, "global_automatic_klu");
+         is_right("andrews", 0.3, "global_automatic_klu") && other_assembly_is_flagged(without);
 }
 
 /// The rows of the table of recipes, each with what makes it right.

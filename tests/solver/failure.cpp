@@ -99,6 +99,23 @@ TEST_P(EveryFailure, AssemblesWhenAStepComesFirst) {
   EXPECT_TRUE(std::ranges::equal(a->q(), b->q()));
 }
 
+TEST_P(EveryFailure, GoesOnFromBeforeALockedPosition) {
+  DyadChain chain{.crank = 2, .start = 0, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 1.5, 1)};  // locks at 1.66 rad
+  const Model m = make_model(extremes::case_of("", chain, 1, {0, 1, 2}).scene);
+  const auto f = make_formulation(GetParam(), m), undisturbed = make_formulation(GetParam(), m);
+  for (const auto& some : {&*f, &*undisturbed}) {
+    ASSERT_TRUE(some->assemble(0).ok());
+    ASSERT_TRUE(some->step(0.5).ok());
+  }
+  const std::vector<double> q(f->q().begin(), f->q().end());
+  EXPECT_FALSE(f->step(2.5).ok());
+  EXPECT_TRUE(std::ranges::equal(f->q(), q));
+  ASSERT_TRUE(f->step(0.8).ok());
+  ASSERT_TRUE(undisturbed->step(0.8).ok());
+  for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(f->q()[i], undisturbed->q()[i], 1e-10);
+}
+
 /// Coupler and rocker are all but stretched, and Newton's method leads far away from there.
 TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
   DyadChain chain{.crank = 2, .start = std::numbers::pi, .dyads = {}};
@@ -106,11 +123,15 @@ TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
   const Model m = make_model(extremes::case_of("", chain, 1, {0, 1, 2}).scene);
   const auto f = make_formulation(find_variant("global_automatic_klu"), m);
   ASSERT_TRUE(f->assemble(0).ok());
-  for (const double way : {0.01, 0.1, 0.3}) {
+  for (const double way : {0.01, 0.1, 0.3, -0.3}) {
     ASSERT_TRUE(f->assemble(0).ok());
+    if (way < 0) {
+      EXPECT_FALSE(f->step(NAN).ok());  // goes on from the time of the last positions
+    }
     const Summary s = f->step(way);
     ASSERT_TRUE(s.ok()) << way << ": " << describe(s, m);
     EXPECT_EQ(s.time, way);
+    EXPECT_GT(s.sub_steps, 0) << way;
     // The joint stays above the line from pin to pivot, and where the circles meet.
     const int b = m.entities[m.find("crank/B")].first, c = m.entities[m.find("dyad1/C")].first;
     const double x = f->q()[c], y = f->q()[c + 1], bx = f->q()[b], by = f->q()[b + 1];

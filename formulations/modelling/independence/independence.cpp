@@ -31,12 +31,13 @@ constexpr double agrees = 1e-10;
 VectorXd min_residual(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int most = 50;
   for (int iteration = 0;; ++iteration) {
-    const auto [phi, jacobian] = lineariser.at(state, s);
-    if (iteration == most || !phi.allFinite() || !(phi.lpNorm<Eigen::Infinity>() > agrees / 100))
-      return phi;
+    const Linearisation now = lineariser.at(state, s);
+    const VectorXd off = now.off();
+    if (iteration == most || !off.allFinite() || !(off.lpNorm<Eigen::Infinity>() > agrees / 100))
+      return off;
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));
-    step.head(s.unknowns) = -smallest_correction(jacobian.leftCols(s.unknowns), phi);
-    if (!(step.norm() > 1e-14)) return phi;
+    step.head(s.unknowns) = -smallest_correction(now.jacobian.leftCols(s.unknowns), now.phi);
+    if (!(step.norm() > 1e-14)) return off;
     lineariser.move(state, s, step);
   }
 }

@@ -14,6 +14,10 @@ namespace desmo {
 
 namespace {
 
+/// How much of what comes before an equation may be uncertain: its share of a derivative below
+/// which this may be zero.
+constexpr double certain = 1e-8;
+
 std::vector<GroupSystem> list_columns(const Model& m) {
   const std::vector<bool> independent = independent_coordinates(m);
   std::vector<GroupSystem> systems(m.groups.size());
@@ -61,7 +65,8 @@ Lineariser::Lineariser(const Model& model)
 
 Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem& s) {
   const int n = static_cast<int>(s.rows.size());
-  Eigen::VectorXd phi(n), length = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd phi(n), length = Eigen::VectorXd::Zero(n);  // of what comes before
+  Eigen::VectorXd share = Eigen::VectorXd::Ones(n);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, static_cast<int>(s.columns.size()));
   for (std::size_t j = 0; j < s.columns.size(); ++j) column_[s.columns[j]] = static_cast<int>(j);
   int row = 0;
@@ -79,19 +84,23 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
                      [&](int r, int operand, int i, double value) {
                        const int at = first[operand] + i;
                        const double scaled = value * scale_[at];
-                       length[row + r] = std::hypot(length[row + r], scaled);
-                       if (column_[at] >= 0) jacobian(row + r, column_[at]) += scaled;
+                       if (column_[at] >= 0)
+                         jacobian(row + r, column_[at]) += scaled;
+                       else
+                         length[row + r] = std::hypot(length[row + r], scaled);
                      });
       row += Kind::rows;
     });
   }
   for (const int i : s.columns) column_[i] = -1;
   for (int i = 0; i < n; ++i) {
-    if (length[i] == 0) continue;
-    phi[i] /= length[i];
-    jacobian.row(i) /= length[i];
+    const double own = jacobian.row(i).stableNorm(), scale = std::max(own, certain * length[i]);
+    if (scale == 0) continue;
+    share[i] = scale / std::hypot(own, length[i]);
+    phi[i] /= scale;
+    jacobian.row(i) /= scale;
   }
-  return {std::move(phi), std::move(jacobian)};
+  return {std::move(phi), std::move(jacobian), std::move(share)};
 }
 
 void Lineariser::move(std::vector<double>& state, const GroupSystem& s,
@@ -102,11 +111,15 @@ void Lineariser::move(std::vector<double>& state, const GroupSystem& s,
 
 bool RowSpace::add(Eigen::VectorXd row) {
   if (rank_ == basis_.cols()) return false;
+  constexpr double determined = 1 - 1e-9, noise = 1e-7;
+  const double length = by_rest_ ? (share_.array() < determined).select(row, 0).norm() : 1;
   for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding left
     row -= basis_.leftCols(rank_) * (basis_.leftCols(rank_).transpose() * row);
   const double remaining = row.norm();
-  if (!(remaining > dependent_below)) return false;
-  basis_.col(rank_++) = row / remaining;
+  if (!(length > noise) || !(remaining > dependent_below * length)) return false;
+  row /= remaining;
+  share_ += row.cwiseAbs2();
+  basis_.col(rank_++) = row;
   return true;
 }
 

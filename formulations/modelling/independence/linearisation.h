@@ -28,11 +28,15 @@ void list_rows(const Model& model, GroupSystem& system);
 
 /// Scaled Φ and Φ_q of a group's candidates. Columns are multiplied by natural magnitudes: for
 /// points and distances the power of two next to their characteristic length, else 1. Rows are
-/// divided by their norm over all variables that the equation reads. The result does not depend on
-/// units.
+/// divided by their norm over the columns of the group, in its own lengths; what comes before it
+/// counts as uncertain by 1e-8. The result does not depend on units.
 struct Linearisation {
   Eigen::VectorXd phi;       ///< (rows)
   Eigen::MatrixXd jacobian;  ///< (rows × columns) of the GroupSystem
+  Eigen::VectorXd share;     ///< of a row's norm in that over all variables it reads (rows)
+
+  /// Returns Φ over all that it reads: rounding leaves little of it, however far points are.
+  Eigen::VectorXd off() const { return phi.cwiseProduct(share); }
 };
 
 /// A lineariser of the group systems of a model.
@@ -60,7 +64,9 @@ inline constexpr double dependent_below = 1e-6;
 /// The span of independent rows, added one by one.
 class RowSpace {
  public:
-  explicit RowSpace(int columns) : basis_(columns, columns) {}
+  /// by_rest: a row is judged by its length along the columns that the rows before leave open.
+  explicit RowSpace(int columns, bool by_rest = false)
+      : basis_(columns, columns), share_(Eigen::VectorXd::Zero(columns)), by_rest_(by_rest) {}
 
   /// Adds a row of length ≤ 1 if it is independent of the rows before. Returns whether it was.
   bool add(Eigen::VectorXd row);
@@ -68,6 +74,8 @@ class RowSpace {
 
  private:
   Eigen::MatrixXd basis_;
+  Eigen::VectorXd share_;  // of each column's unit vector within the span
+  bool by_rest_;
   int rank_ = 0;
 };
 

@@ -25,12 +25,12 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
   constexpr double vanishes = 1e-9;
   double largest = INFINITY;
   for (int iteration = 0; iteration < most; ++iteration) {
-    const auto [phi, jacobian] = lineariser.at(state, s);
-    if (!phi.allFinite() || !jacobian.allFinite()) return false;
-    if (phi.size() == 0) return true;
-    const double before = std::exchange(largest, phi.lpNorm<Eigen::Infinity>());
+    const Linearisation now = lineariser.at(state, s);
+    if (!now.phi.allFinite() || !now.jacobian.allFinite()) return false;
+    if (now.phi.size() == 0) return true;
+    const double before = std::exchange(largest, now.off().lpNorm<Eigen::Infinity>());
     if (largest < 1e-13 || (largest < vanishes && !(largest < before / 2))) return true;
-    const VectorXd step = smallest_correction(jacobian, phi);
+    const VectorXd step = smallest_correction(now.jacobian, now.phi);
     lineariser.move(state, s, -step);
     if (!(step.norm() > 1e-14)) break;
   }
@@ -106,16 +106,30 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
     selected.jacobians[p] = lineariser_.at(positions_[p], s).jacobian;
   const std::vector<int> order = preference(s);
   int best_rank = -1;
-  for (const int p : {1, 2, 0}) {
+  const auto take = [&](int p, const std::vector<bool>& among, bool by_rest = false) {
     std::vector<bool> taken(s.rows.size(), false);
-    RowSpace space(s.unknowns);
+    RowSpace space(s.unknowns, by_rest);
     for (const int i : order)
-      taken[i] = space.add(selected.jacobians[p].row(i).head(s.unknowns).transpose());
-    if (space.rank() <= best_rank) continue;
-    best_rank = space.rank();
+      if (among[i]) taken[i] = space.add(selected.jacobians[p].row(i).head(s.unknowns).transpose());
+    return std::pair(space.rank(), std::move(taken));
+  };
+  const std::vector<bool> all(s.rows.size(), true);
+  for (const int p : {1, 2, 0}) {
+    auto [rank, taken] = take(p, all);
+    if (rank <= best_rank) continue;
+    best_rank = rank;
     selected.taken = std::move(taken);
     if (best_rank == s.unknowns) break;
   }
+  // A small body on a large one may look free by the lengths of the large one.
+  if (best_rank < s.unknowns)
+    if (auto [rank, taken] = take(0, all, true); rank == s.unknowns)
+      selected.taken = std::move(taken);
+  if (std::ranges::find(selected.taken, false) == selected.taken.end()) return selected;
+  // Of rows that would do, those that do in the nominal position, too: a motion may rest there.
+  if (auto [rank, taken] = take(0, all);
+      rank == s.unknowns && take(0, selected.taken).first < rank && take(1, taken).first == rank)
+    selected.taken = std::move(taken);
   return selected;
 }
 
@@ -156,7 +170,7 @@ JudgedPositions assemble_positions(const Model& m, const std::vector<GroupSystem
   nominal = m.estimate;
   nominal.insert(nominal.end(), m.fixed_values.begin(), m.fixed_values.end());
   for (const GroupSystem& s : systems)
-    if (!assemble(nominal, s, lineariser)) refuse_assembly(m, s, lineariser.at(nominal, s).phi);
+    if (!assemble(nominal, s, lineariser)) refuse_assembly(m, s, lineariser.at(nominal, s).off());
   for (std::size_t p = 1; p < positions.size(); ++p) {
     positions[p] = nominal;
     for (double amount = 0.02; amount > 0.002; amount /= 2)

@@ -59,6 +59,7 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<cons
       row_magnitudes_(system_.size()),
       error_(system_.size()),
       max_(m.groups.size()),
+      max_length_(m.groups.size()),
       state_(m.state_size()),
       phi_(system_.size()),
       phi_motion_(system_.size()) {
@@ -202,21 +203,37 @@ double Assessor::of_residuals() {
 /// signs without a pattern show of each, and as many times that as it takes.
 void Assessor::enclose(Level level) {
   std::ranges::fill(max_, 0.0);
+  std::ranges::fill(max_length_, 0.0);
   if (system_.size() > 0) {
     probes_ = signs_.colwise() * unknown_;
     system_.solve(probes_.data(), static_cast<int>(probes_.cols()));
     for (const auto& probe : probes_.colwise()) at_least(probe);
   }
-  for (int j = 0; j < system_.size(); ++j) error_[j] = max_[group_[j]];
+  for (int j = 0; j < system_.size(); ++j) error_[j] = of_group(j);
   error_ *= missed * to_errors_[level](system_, inverse(error_), unknown_).value;
   std::ranges::fill(max_, 0.0);
+  std::ranges::fill(max_length_, 0.0);
   at_least(off_);
-  for (int j = 0; j < system_.size(); ++j) error_[j] += max_[group_[j]];
+  for (int j = 0; j < system_.size(); ++j) error_[j] += of_group(j);
 }
 
 void Assessor::at_least(const Eigen::Ref<const Eigen::ArrayXd>& errors) {
   for (int j = 0; j < system_.size(); ++j)
     max_[group_[j]] = std::max(max_[group_[j]], std::abs(errors[j]));
+  for (int j = 0; j < system_.size(); ++j)
+    if (const int i = system_.unknowns()[j]; is_length(motion_.kind(i)))
+      max_length_[group_[j]] =
+          std::max(max_length_[group_[j]], std::abs(errors[j]) * system_.magnitude(i));
+}
+
+/// Returns the largest error in the group of an unknown. That of a small body counts in lengths
+/// where a large one is next to it.
+double Assessor::of_group(int unknown) const {
+  constexpr double large = 100;
+  const int i = system_.unknowns()[unknown];
+  const double error = max_[group_[unknown]];
+  if (!is_length(motion_.kind(i))) return error;
+  return std::min(error, large * max_length_[group_[unknown]] / system_.magnitude(i));
 }
 
 /// 1 / errors; 0 of what is exact.

@@ -64,6 +64,7 @@ class Assessor {
   double of_residuals();
   void enclose(Level level);
   void at_least(const Eigen::Ref<const Eigen::ArrayXd>& errors);
+  double of_group(int unknown) const;
   const Eigen::ArrayXd& inverse(const Eigen::ArrayXd& errors);
   double contraction();
   void widen(Level level, double times);
@@ -81,8 +82,9 @@ class Assessor {
   Eigen::ArrayXd row_;              // of the inverse
   Eigen::ArrayXd row_magnitudes_;   // of the equations, as in their residuals
   Eigen::ArrayXd error_;  // error bound of each unknown in its magnitude, equal within a group
-  std::vector<GroupId> group_;  // group of each unknown
-  std::vector<double> max_;     // error bound of each group
+  std::vector<GroupId> group_;      // group of each unknown
+  std::vector<double> max_;         // error bound of each group
+  std::vector<double> max_length_;  // the same in lengths
   std::vector<double> state_;
   std::vector<Rounded> phi_;
   std::vector<Jet<Rounded>> phi_motion_;

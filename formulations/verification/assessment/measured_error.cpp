@@ -28,9 +28,13 @@ constexpr double margin = 1.01, of_rounding = 8;
 struct Measurement {
   PerLevel<double> error{}, rounding{};
 
-  PerLevel<double> stated() const {
+  /// Returns the bounds. The margin alone does not take one above its limit.
+  PerLevel<double> stated(const PerLevel<double>& limit) const {
     PerLevel<double> sum{};
-    for (const Level l : levels) sum[l] = margin * error[l] + rounding[l];
+    for (const Level l : levels) {
+      sum[l] = margin * error[l] + rounding[l];
+      if (error[l] + rounding[l] <= limit[l]) sum[l] = std::min(sum[l], limit[l]);
+    }
     return sum;
   }
 };
@@ -196,9 +200,10 @@ PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales&
   const Measurement m = extended(instant, scales, a);
   const bool decides = std::ranges::all_of(
       levels, [&](Level l) { return m.rounding[l] <= m.error[l] || m.rounding[l] <= limit[l]; });
-  if (!exceeds(m.stated(), limit) || (decides && exceeds(m.error, limit))) return m.stated();
+  if (!exceeds(m.stated(limit), limit) || (decides && exceeds(m.error, limit)))
+    return m.stated(limit);
   if (!quadruple) quadruple.emplace(extended);
-  return (*quadruple)(instant, scales, a).stated();
+  return (*quadruple)(instant, scales, a).stated(limit);
 }
 
 }  // namespace desmo

@@ -43,22 +43,19 @@ NominalContinuation::NominalContinuation(const Model& m, ScaledSystem& system)
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
 }
 
-/// Solves q, and q̇ along the way with drivers that have moved and move. Returns whether it can.
-/// is_factorised: there are factors for q.
-/// Leaves factors that are off q by so little that signs and determinants are its own.
-bool NominalContinuation::solve(State& to, bool is_factorised) {
+/// Solves q with drivers that have moved. Returns whether it can. is_factorised: there are factors
+/// for q. Leaves factors that are off q by so little that signs and determinants are its own.
+bool NominalContinuation::solve(std::span<double> q, bool is_factorised) {
   double before = INFINITY;
   for (int i = 0; i < max_corrections; ++i) {
-    std::ranges::copy(to.q, state_.begin());
+    std::ranges::copy(q, state_.begin());
     if (!(is_factorised && i == 0) && !system_.factor(state_)) return false;
-    last_correction_ = correct(to.q);
-    if (last_correction_ <= near_solution) last_correction_ = correct(to.q);
+    last_correction_ = correct(q);
+    if (last_correction_ <= near_solution) last_correction_ = correct(q);
     if (!(last_correction_ < before / 2) || last_correction_ <= near_solution) break;
     before = last_correction_;
   }
-  solve_rates(to.qd);
-  return std::ranges::all_of(to.q, [](double x) { return std::isfinite(x); }) &&
-         std::ranges::all_of(to.qd, [](double x) { return std::isfinite(x); });
+  return std::ranges::all_of(q, [](double x) { return std::isfinite(x); });
 }
 
 /// Corrects q by the factors at hand. Returns the largest correction, in magnitudes.
@@ -76,9 +73,9 @@ double NominalContinuation::correct(std::span<double> q) {
   return off_.abs().maxCoeff<Eigen::PropagateNaN>();
 }
 
-/// Solves the rates of unknowns from those of drivers, at the position that state_ holds.
-void NominalContinuation::solve_rates(std::span<double> qd) {
-  if (system_.size() == 0) return;
+/// Solves q̇ along the way from the drivers', at the position solved last. Returns whether it can.
+bool NominalContinuation::solve_rates(std::span<double> qd) {
+  if (system_.size() == 0) return true;
   off_.setZero();
   system_.equations().jacobian<double>(state_, [&](int row, int i, double value) {
     if (!system_.is_unknown(i) && i < model_.coordinates()) off_[row] += value * qd[i];
@@ -89,6 +86,7 @@ void NominalContinuation::solve_rates(std::span<double> qd) {
     const int i = system_.unknowns()[j];
     qd[i] = -magnitude_[i] * off_[j];
   }
+  return std::isfinite(off_.abs().maxCoeff<Eigen::PropagateNaN>());
 }
 
 bool NominalContinuation::begin() {
@@ -99,7 +97,7 @@ bool NominalContinuation::begin() {
   if (!system_.factor(state_)) return false;
   const auto signs = system_.orientation();
   const std::vector<signed char> declared(signs.begin(), signs.end());
-  if (!solve(nominal_, true) || !(last_correction_ <= last_correction)) return false;
+  if (!solve(nominal_.q, true) || !(last_correction_ <= last_correction)) return false;
   is_at_nominal_ = true;
   signs_.assign(signs.begin(), signs.end());
   if (signs_ != declared) return false;
@@ -148,7 +146,9 @@ bool NominalContinuation::go(std::span<const double> changes, std::span<const do
   determinants_.clear();
   next_ = nominal_;
   drive(next_, 0);
-  if (!solve(next_, is_at_nominal_) || !keeps_branch()) return false;
+  std::ranges::copy(next_.q, state_.begin());
+  if (!is_at_nominal_ && !solve(next_.q)) return false;
+  if (!solve_rates(next_.qd) || !keeps_branch()) return false;
   is_at_nominal_ = false;
   reached_ = next_;
   if (!guess.empty()) {
@@ -176,7 +176,7 @@ bool NominalContinuation::go(std::span<const double> changes, std::span<const do
 /// Solves next_, and makes it the position reached if a step leads there.
 bool NominalContinuation::arrives(double step) {
   const std::vector<double> before = determinants_;
-  if (solve(next_) && leads_on(step) && keeps_branch()) {
+  if (solve(next_.q) && solve_rates(next_.qd) && leads_on(step) && keeps_branch()) {
     std::swap(reached_, next_);
     return true;
   }

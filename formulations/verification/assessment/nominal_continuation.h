@@ -34,9 +34,9 @@ class NominalContinuation {
  private:
   bool go(std::span<const double> changes, std::span<const double> guess);
   bool arrives(double step);
-  bool solve(State& state, bool is_factorised = false);
+  bool solve(std::span<double> q, bool is_factorised = false);
   double correct(std::span<double> q);
-  void solve_rates(std::span<double> qd);
+  bool solve_rates(std::span<double> qd);
   double farthest(std::span<const double> q) const;
   bool leads_on(double step) const;
   bool keeps_branch();

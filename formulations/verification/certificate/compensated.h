@@ -146,9 +146,9 @@ struct Compensated {
     const S first = slope * a.correction;
     const S correction = remainder + first;
     const S e = size(a.correction) + a.radius;
-    return {value, correction,
-            bound(S(last_place) + (size(slope) + S(unit)) * a.radius + S(0.5) * (e * e),
-                  S(2) * size(first) + size(correction))};
+    // Half of e² and of the last place exceed what `first` and the sum lose, 4 units of
+    // a.correction.
+    return {value, correction, S(last_place) + (size(slope) + S(unit)) * a.radius + e * e};
   }
   template <class>
   friend struct Compensated;

@@ -26,8 +26,8 @@ std::optional<StepMeasures> AccuracyMonitor::State::measure_step(const Instant& 
     return {};
   }
   StepMeasures step = recent.measure(instant, sensitivity.weights().data());
-  step.mismatch *= most_over_weights;
-  step.is_bound = most_over_weights > 1;
+  step.mismatch *= max_weight_ratio;
+  step.is_bound = max_weight_ratio > 1;
   return step;
 }
 
@@ -150,7 +150,7 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     if (weights.size() == 0) weights = sensitivity.weights();
     weights = weights.max(sensitivity.weights());
     const Eigen::ArrayXd& now = sensitivity.weights();
-    most_over_weights = (weights > 0).select(weights / now, 1).maxCoeff();
+    max_weight_ratio = (weights > 0).select(weights / now, 1).maxCoeff();
     speeds = {};
     conditioning.reset(j.instant, assessor.system(), now);
     backward_error.take_row_sums(assessor.system());
@@ -237,7 +237,10 @@ void AccuracyMonitor::State::look_back(const Instant& like) {
 
 void AccuracyMonitor::State::look_at_scales(const Instant& instant) {
   const Scales before = scales.current();
-  if (!scales.take(instant)) return;
+  if (scales.take(instant)) follow_scales(before);
+}
+
+void AccuracyMonitor::State::follow_scales(const Scales& before) {
   rescale(worst, before, scales.current());
   rescale(worst_before, before, scales.current());
   expectation.rescale(before, scales.current());

@@ -50,6 +50,9 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instan
   recent.drop();
   degradations.take_back(instant.index);
   worst = worst_before;
+  const Scales before = scales.current();
+  scales.take_back(instant.time);
+  follow_scales(before);
   if (!continuity.is_known()) return {};
   const auto solved = solve(instant);
   return solved ? solved : pass(instant);

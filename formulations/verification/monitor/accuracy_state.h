@@ -76,6 +76,7 @@ struct AccuracyMonitor::State {
   std::optional<SingularityCrossing> crossing(const Instant& instant);
   void look_back(const Instant& like);
   void look_at_scales(const Instant& instant);
+  void follow_scales(const Scales& before);
 
   const Model& model;
   const AccuracyMonitorOptions options;
@@ -92,7 +93,7 @@ struct AccuracyMonitor::State {
   BranchSigns signs;
   std::vector<EntityId> entity;     // of each coordinate
   Eigen::ArrayXd weights;           // the largest so far: near a dead point they say little
-  double most_over_weights = 1;     // the largest ratio of these to those of the last assessment
+  double max_weight_ratio = 1;      // the largest ratio of these to those of the last assessment
   ConditionMonitor::Ways speeds{};  // of the last instant, by the same measures; none: infinity
   Start beyond{};                   // a singular position, where the last instant lies in one
   desmo::State improved{};  // values of the instant examined, where they are not those given

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/scaling/magnitudes.h"
 
 namespace desmo {
 
@@ -29,12 +30,14 @@ BranchMonitor::BranchMonitor(const Model& m, std::span<const Level> levels, doub
       allowed_(std::clamp(per_tolerance * tolerance, min_allowed, max_allowed)),
       last_(m.estimate) {
   const std::vector<bool> driven = independent_coordinates(m);
+  const Magnitudes magnitudes(m);
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c) {
     const Constraint& constraint = m.constraints[c];
     bool modulo_pi = false;
     visit_kind(constraint.kind, [&]<class Kind>(Kind) { modulo_pi = holds_modulo_pi<Kind>; });
     if (!modulo_pi && constraint.left_out == 0) continue;
     Check check{c, is_solved_to(m, levels, constraint, Level::velocity)};
+    for (int r = 0; r < rows(constraint); ++r) check.magnitudes[r] = magnitudes.of({c, r});
     const Entity& last = m.entities[constraint.operands.back()];
     if (modulo_pi && !last.fixed && !driven[last.first])
       angles_.push_back(check.angle = last.first);
@@ -72,7 +75,8 @@ bool BranchMonitor::holds(const Check& check, const Instant& instant) const {
       x[k] = (e.fixed ? m.fixed_values.data() : instant.q.data()) + e.first;
       v[k] = e.fixed || !has_rate ? at_rest.data() : instant.qd.data() + e.first;
     }
-    std::array<double, Kind::rows> phi, rate{}, size{}, rate_size{};
+    std::array<double, Kind::rows> phi, rate{}, size, rate_size{};
+    std::copy_n(check.magnitudes.begin(), Kind::rows, size.begin());
     Kind::residual(x.data(), constraint.constants.data(), phi.data());
     Kind::jacobian(x.data(), constraint.constants.data(),
                    [&](int row, int operand, int i, double value) {

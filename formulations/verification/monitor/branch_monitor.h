@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,8 @@ class BranchMonitor {
 
   /// Returns a constraint that a solved instant violates, or -1. Velocities are checked as far as
   /// they were solved. A constraint is violated when it is off by more than max(1e-6, 1000 ×
-  /// tolerance), at most a tenth, of the sum of its terms. Instants come in order of time.
-  /// Interpolated ones are not checked: another branch shows at the solved ones.
+  /// tolerance), at most a tenth, of its magnitude and the sum of its terms. Instants come in order
+  /// of time. Interpolated ones are not checked: another branch shows at the solved ones.
   /// angles_follow: no angle is half a turn from where the last instant leads it, by its rates. So
   /// the angles are not checked, nor equations that cannot fail alone (is_implied).
   int violated(const Instant& instant, bool angles_follow = false);
@@ -36,15 +37,16 @@ class BranchMonitor {
  private:
   struct Check {
     int constraint;
-    bool has_rate;   // true if all its operands have rates
-    int angle = -1;  // coordinate that is determined modulo π, unless driven
+    bool has_rate;                       // of all its operands
+    int angle = -1;                      // coordinate that is determined modulo π, unless driven
+    std::array<double, 3> magnitudes{};  // natural ones of its equations
   };
   bool holds(const Check& check, const Instant& instant) const;
 
   const Model& model_;
   double allowed_;                      // relative to the sum of an equation's terms
   std::vector<Check> always_, others_;  // others_: unless angles follow
-  std::vector<int> angles_;             // angles of all checks
+  std::vector<int> angles_;             // of all checks
   std::vector<double> last_;            // q of the last instant, or the initial estimate
 };
 

@@ -54,9 +54,17 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
 }
 
 bool RunningScales::take(const Instant& instant) {
+  if (instant.time != last_time_) before_ = seen_;
+  last_time_ = instant.time;
   const bool grows = grow(seen_, instant);
   if (grows) scales_ = completed(seen_);
   return grows;
+}
+
+void RunningScales::take_back(double time) {
+  if (are_given_ || time != last_time_) return;
+  seen_ = before_;
+  scales_ = completed(seen_);
 }
 
 Scales RunningScales::with(const Instant& instant) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,8 @@ class RunningScales {
 
   /// Includes an instant. Returns whether a scale has grown.
   bool take(const Instant& instant);
+  /// Excludes the instant included last, which is solved again, if it is the one at this time.
+  void take_back(double time);
   const Scales& current() const { return scales_; }
   /// Returns the scales that would include an instant, without keeping it: it may turn out wrong.
   Scales with(const Instant& instant) const;
@@ -37,6 +40,8 @@ class RunningScales {
   };
   std::vector<Moving> moving_;
   Scales seen_, scales_;
+  Scales before_;  // without the instant included last
+  double last_time_ = NAN;
 };
 
 }  // namespace desmo
