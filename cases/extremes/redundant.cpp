@@ -117,10 +117,11 @@ ExtremeCase bennett(std::string name, double start, double rate, double toleranc
   theta.from = {from, -1, -1};
   theta.towards = {towards, -1, -1};
   theta.driven = true;
-  return {.name = std::move(name),
-          .scene =
-              {"bennett", d.take(), {Polynomial{{start, rate}}}, redundant_grid, {}, {}, tolerance},
-          .factor = 100};  // what is promised
+  return {
+      .name = std::move(name),
+      .scene =
+          {"bennett", d.release(), {Polynomial{{start, rate}}}, redundant_grid, {}, {}, tolerance},
+      .factor = 100};  // what is promised
 }
 
 }  // namespace

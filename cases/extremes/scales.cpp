@@ -59,7 +59,7 @@ ExtremeCase on_arm(std::string name, double arm) {
   }
   return {.name = std::move(name),
           .scene = {"four_bar_on_arm",
-                    d.take(),
+                    d.release(),
                     {Polynomial{{0, 1e-7}}, Polynomial{{start, 1}}},
                     scale_grid,
                     {},

@@ -12,6 +12,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/algebra/klu_factors.h"
+#include "formulations/equations/automatic.h"
 #include "formulations/parts/newton_part.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
