@@ -34,7 +34,7 @@ struct RangeEnd {
 /// Singular position that the mechanism passes: branches cross there, or they touch.
 struct ChangePoint {
   double value;            ///< of the driver
-  GroupId group;           ///< group whose determinant is zero
+  GroupId group;           ///< group whose determinant is zero; no_position: not known
   bool is_double = false;  ///< a determinant is zero without a change of its sign: branches touch,
                            ///< or the driver rests for an instant
 };

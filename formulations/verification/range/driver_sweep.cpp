@@ -144,7 +144,7 @@ RangeEnd DriverSweep::run_from(Point point) {
       if (is_positive(m_, driver_) && std::abs(value) < same * curve_.scale())
         return {.stop = RangeStop::zero_length};
       change_points_.push_back(
-          {value, changed.empty() ? -1 : system_.group_of_block(changed.front())});
+          {value, changed.empty() ? no_position : system_.group_of_block(changed.front())});
     }
     if (is_violated(*next)) {
       if (again()) continue;
