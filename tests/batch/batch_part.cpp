@@ -46,7 +46,7 @@ class Pieces : public ::testing::Test {
   std::unique_ptr<ExplicitPart> part(std::size_t i, const ExplicitKernel& kernel) {
     return std::make_unique<ExplicitPart>(
         kernel, bind_kernel(model_, definitions_[i]).value(),
-        Magnitudes(model_).weights(definitions_[i]), Settings{.tolerance = 1e-11},
+        Magnitudes(model_).weights(definitions_[i]), PartSettings({.tolerance = 1e-11}),
         std::make_unique<Borrowed>(*parts_of(*reference_)[i].solver));
   }
 

@@ -187,7 +187,8 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
     return ExplicitRunResult{};
   };
   const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
-  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]), Settings{.tolerance = 1e-12},
+  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]),
+                   PartSettings({.tolerance = 1e-12}),
                    std::make_unique<Borrowed>(*parts_of(*reference)[1].solver));
   State s;
   s.q = m.estimate;

@@ -53,7 +53,7 @@ class Chains : public testing::Test {
         kernel_.solve[2] = &Refusing::solve;
       }
       auto part = std::make_unique<ExplicitPart>(kernel_, bound, magnitudes.weights(parts[i]),
-                                                 settings_, std::move(fallback));
+                                                 PartSettings(settings_), std::move(fallback));
       dyads_.push_back(part.get());
       defined.push_back({.definition = parts[i], .solver = std::move(part)});
     }

@@ -16,9 +16,10 @@ namespace desmo {
 /// as exact. Whether that solution lies on the branch that is meant is not part of the proof.
 struct Certificate {
   bool proven = false;
-  /// First irreducible block without a proof: its structural group and its first unknown. -1: none.
-  GroupId group = -1;
-  int coordinate = -1;
+  /// First irreducible block without a proof: its structural group and its first unknown;
+  /// no_position where all are proven.
+  GroupId group = no_position;
+  int coordinate = no_position;
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
   /// Infinite where no proof succeeded: in that block and in what depends on it. Infinite at levels
   /// that are not solved, too. Driven coordinates count from the exact motion at the time.
@@ -36,7 +37,8 @@ struct Certificate {
 /// Interval Methods for Systems of Equations, 5.1). Velocities and accelerations are linear: the
 /// contraction of the same test bounds their errors. Φ and its rates are evaluated in compensated
 /// arithmetic, so that radii are hardly larger than the errors. Equal blocks share registers. Along
-/// long chains of groups, what a later group reads is enclosed in an ErrorBasis.
+/// long chains of groups, what a later group reads is enclosed in an
+/// orthonormal basis that turns with the errors.
 ///
 ///   Certifier certifier(model);
 ///   const Certificate c = certifier.certify(instant);   // in an observer, for example
@@ -47,8 +49,8 @@ struct Certificate {
 class Certifier {
  public:
   /// Cuts the model into blocks and allocates everything. levels: the level up to which each
-  /// coordinate is solved (Plan::levels); empty: as far as the instant. Both must outlive the
-  /// certifier.
+  /// coordinate is solved (Plan::levels); empty: as far as the instant. The memory of both must
+  /// last as long as the certifier.
   explicit Certifier(const Model& model, std::span<const Level> levels = {});
   explicit Certifier(const Model&& model, std::span<const Level> levels = {}) = delete;
   ~Certifier();
