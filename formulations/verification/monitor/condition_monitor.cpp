@@ -34,9 +34,6 @@ Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-/// 1 / x, and 0 of 0.
-Eigen::ArrayXd inverse(const Eigen::ArrayXd& x) { return (x > 0).select(x.inverse(), 0); }
-
 /// Returns the largest of what is found for ranges (first, count) of n, or any from 1 on.
 template <class Find>
 double max_of_chunks(Eigen::Index n, Find&& find) {
@@ -184,7 +181,7 @@ double ConditionMonitor::way_left() const {
 
 void ConditionMonitor::reset(const Instant& instant, ScaledSystem& system,
                              const Eigen::ArrayXd& weights) {
-  unknowns_ = inverse(weights);
+  unknowns_ = (weights > 0).select(weights.inverse(), 0);
   take(instant, system);
   weigh_ways();
   then_ = looks_[current_].share;
