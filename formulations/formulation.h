@@ -70,7 +70,8 @@ class Formulation {
   const Settings& settings() const { return settings_; }
 
   /// Returns the bound on ‖Φ‖₂ of the whole mechanism that instants meet: the one of the settings,
-  /// or what rounding leaves if that is more, as in long chains and far from the origin.
+  /// or what rounding leaves if that is more, as in long chains and far from the origin. With
+  /// Settings::fixed_iterations instants need not meet it.
   double tolerance() const { return tolerance_; }
 
   /// Return the instant solved last, in coordinate order (Model::coordinates() values). Before the

@@ -40,7 +40,7 @@ struct Refusal {
   std::string reason;
 };
 
-/// A motion that was assembled once and is solved again and again, while its time is taken.
+/// A motion that is solved again and again, while its time is taken.
 class Analysis {
  public:
   virtual ~Analysis() = default;

@@ -33,8 +33,7 @@ class SteppedFormulation {
   /// Needs an earlier solution nearby. Returns the summary of the last step tried.
   Summary walk(int first, int last);
 
-  /// Tells whether its settings solve more than one instant at once: by run() only, since a step is
-  /// one step.
+  /// Tells whether its settings make run() solve several instants at once. walk() never does.
   bool runs_at_once() const {
     return settings().segments > 1 || settings().threads > 1 || settings().stride > 1;
   }

@@ -101,7 +101,8 @@ struct Mechanism {
   std::vector<Coordinate> coordinates;
 };
 
-/// Checks a mechanism. Throws MechanismError, naming the offender and the remedy, unless:
+/// Checks a mechanism. Throws MechanismError, a std::invalid_argument, naming the offender and the
+/// remedy, unless:
 /// - dimension is 2 or 3, and all numbers are finite
 /// - names are not empty, and unique among bodies, among joints, and among points, vectors and
 ///   coordinates together

@@ -62,8 +62,8 @@ class Part {
   /// Solves position, velocity and acceleration of the part's unknowns, up to `level`.
   /// - state: its unknowns are overwritten; on failure they are unspecified. On entry state.q has
   ///   those unknowns that inputs() names, predicted or as at the instant before.
-  /// - last: positions of the instant before, or of an estimate, laid out like state.q. A part that
-  ///   finds no solution from the prediction starts anew from these.
+  /// - last: positions of the instant before, or of an estimate, laid out like state.q. A part may
+  ///   start anew from these where it finds no solution from the prediction.
   virtual PartResult solve(State& state, std::span<const double> last, Level level) = 0;
 
   /// Returns the coordinates that solve() reads. equations: the coordinates that Newton's method

@@ -96,7 +96,7 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
 /// steps.
 bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
   for (int l = 0; l < lanes_; ++l) {
-    for (const DefinedPart& index : parts_[l]) index.solver->forget();
+    for (const DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
     for (std::size_t k = 0; k < alone_.q.size(); ++k)    // some never move

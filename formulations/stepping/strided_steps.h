@@ -47,8 +47,8 @@ class StridedSteps {
   /// model's estimate, or steps to it from the last.
   Step solve(int next, From from);
 
-  /// Hands on the interpolated instants since the last solved one, and this one. Stops where rows
-  /// do; the stride is then to be halved.
+  /// Hands on the interpolated instants since the last solved one, and this one. Stops where the
+  /// observer `rows` does; the caller then halves the stride.
   Flow hand_on(const Instant& solved);
   /// Tells that the formulation was taken elsewhere, so there is nothing to interpolate from.
   void restart() { is_known_ = false; }

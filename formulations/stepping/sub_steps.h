@@ -4,9 +4,10 @@
 
 namespace desmo {
 
-/// Goes from a time to another in sub-steps. One that cannot be gone is halved, down to 2⁻¹⁰ of
-/// the whole step; the next is twice as long again. go(to) goes there, and returns whether it
-/// could. Returns whether `to` was reached, with max_tries calls. No infinite way can be gone.
+/// Goes from one time to another in sub-steps. A sub-step that fails is halved, down to 2⁻¹⁰ of
+/// the whole step; after one that succeeds the next is twice as long. go(t) goes to time t, and
+/// returns whether it could. Returns whether `to` was reached, with max_tries calls; false where
+/// `from` or `to` is not finite.
 template <class Go>
 bool go_in_sub_steps(double from, double to, int max_tries, Go&& go) {
   if (!std::isfinite(to - from)) return false;  // halves of it would not end

@@ -31,9 +31,10 @@ inline constexpr std::size_t min_for_interval = 3;
 
 /// The repetitions of one measurement.
 struct SampleSummary {
-  /// The time and its interval. With windows the time is undisturbed (where samples of windows are
-  /// not known, the sum of their least times), and the interval ends at the median. Without windows
-  /// the time is the median, and the interval goes from the least to the largest sample.
+  /// The time and its interval.
+  /// - with samples of timing windows: the undisturbed time, up to the median
+  /// - with least times of windows alone: the sum of these, up to the median
+  /// - without windows: the median, from the least to the largest sample
   double value = 0;
   double low = 0;
   double high = 0;

@@ -26,7 +26,7 @@ Entry number_entry(const std::optional<double>& value, int significant);
 /// Writes a number of things in full.
 Entry count_entry(std::size_t count);
 
-/// "1.00 reference": what a ratio is over, over itself.
+/// Returns "1.00 reference", for the candidate that all others are compared with.
 Entry reference_entry();
 
 /// The number next to a time: half the range of its samples, their range, or their median where

@@ -26,8 +26,8 @@ void define_time(Table& table, const Record& record);
 /// "5 repetitions", "3 to 5 repetitions": of all candidates that were measured.
 std::string repetitions(const Record& record);
 
-/// Returns how ours and the paper's values are told apart: "ours" and "paper" when both are times
-/// of the same motion, "ours, 2 s" and "paper, 30 s" when they are not.
+/// Words that tell our values from the paper's: "ours" and "paper" when both are times of the same
+/// motion, "ours, 2 s" and "paper, 30 s" when they are not.
 struct Sources {
   std::string ours;
   std::string paper;

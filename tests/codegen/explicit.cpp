@@ -116,8 +116,7 @@ TEST(Explicit, IteratesOnCoresOnly) {
 }
 
 /// Products of lengths over- or underflow where these are no nearer to 1 than double precision is
-/// wide; in a unit of its own each part is solved as ever.
-/// Where products of lengths over- or underflow, the code refuses and the pivoting part answers.
+/// wide. Answers stay right, whether the code solves in a unit of its own or a pivoting part does.
 TEST(Explicit, IsRightHoweverLargeOrSmallLengthsAre) {
   const auto in_unit = [](double unit) {
     return make_model(

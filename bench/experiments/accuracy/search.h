@@ -15,7 +15,8 @@ struct TunedMotion {
   Problem begin;  ///< its first hundred instants, on which everything is tried
 };
 
-/// Throws what make_reference throws.
+/// Returns the motion of a plan over a grid, and its begin, both with their references. Throws what
+/// make_reference throws.
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid);
 
 /// The goal of a search: the cheapest formulation, with its settings, whose relative error is at

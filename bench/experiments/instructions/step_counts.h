@@ -33,10 +33,9 @@ struct StepCount {
   std::string name() const;  ///< <case>/<coordinates>/<id>
 };
 
-/// Returns what is to be counted: of both cases, at so many coordinates or (0) at the largest of
-/// the paper's sizes, everything but blocks, dense global solves and SPQR, the extended ids, and
-/// what it costs to monitor a run. Throws std::invalid_argument, saying which sizes exist, when one
-/// has not that many.
+/// Returns what is to be counted of both cases: all formulations but blocks, dense global solves
+/// and SPQR; the extended ids; and monitored runs. coordinates: 0 means the largest of the paper's
+/// sizes. Throws std::invalid_argument, which names the sizes, where a case has no such size.
 std::vector<StepCount> to_be_counted(int coordinates);
 
 /// Counts with the program desmo_steps, as count_steps does. Throws std::runtime_error, naming the

@@ -22,8 +22,8 @@ inline constexpr std::array<std::string_view, 9> extended_ids{
     "group_symbolic_explicit/guess:adams8/segments:4/threads:2/tolerance:1e-10",
     "group_symbolic_explicit/guess:adams8/segments:8/threads:2/tolerance:1e-10"};
 
-/// Returns the id that several threads are compared with, by the same clock: the same analysis on
-/// one.
+/// Returns the settings that several threads are compared with, by the same clock: the same ones
+/// on one thread.
 inline Settings on_one_thread(Settings settings) {
   settings.threads = 1;
   return settings;

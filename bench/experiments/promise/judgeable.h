@@ -32,12 +32,12 @@ PerLevel<double> floor_of(const TrueInstant& truth);
 /// Returns whether the true motion is well-conditioned from one instant to another, on the way too.
 bool is_regular(const DrawnScene& scene, int from, int to);
 
-/// Returns the first instant from which on rounding decides between two motions. Rounding by u
-/// moves a path across to another one that comes within √u of it, where the condition number is
-/// 1/√u.
-/// - double precision: the scene's own numbers are rounded. Only paths that come near each other
-///   between two instants count; at an instant a flag is due.
-/// - single precision: the run cannot tell such paths apart, wherever they are.
+/// Returns the first instant from which on rounding decides which of two motions is followed. Two
+/// paths that come within √u of each other change places if numbers are rounded by u. The condition
+/// number is 1/√u there.
+/// - double precision: the scene's own numbers are rounded. Only paths that meet between two
+///   instants count: where they meet at an instant, the run has to flag it.
+/// - single precision: the run cannot tell such paths apart, wherever they meet.
 int decided_until(const DrawnScene& scene, bool is_single);
 
 }  // namespace desmo::promise

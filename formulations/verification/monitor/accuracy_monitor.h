@@ -126,12 +126,13 @@ class AccuracyMonitor {
   std::optional<MonitoredInstant> solve(const Instant& instant);
   /// Solves the instant examined last again, from the one before it: it is on another branch.
   std::optional<MonitoredInstant> solve_again(const Instant& instant);
-  /// Returns positions from which the motion goes on, and their time [s]: of the last instant, or
-  /// beyond the singular position that it lies in. Empty: there was none.
+  /// Positions from which the motion goes on, and their time.
   struct Start {
-    std::span<const double> q;
-    double time;
+    std::span<const double> q;  // empty: there was no instant
+    double time;                // s
   };
+  /// Returns where the motion goes on: at the last instant, or beyond the singular position that
+  /// it lies in.
   Start last() const;
   /// Assesses the instants before one that turned out worse than it was expected to be, the latest
   /// first, until one is as stated. Those that are not raise the bounds.

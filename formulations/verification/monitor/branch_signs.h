@@ -42,7 +42,8 @@ class BranchSigns {
   void accept();
   /// Takes back the last accept().
   void take_back() { signs_ = before_; }
-  /// Returns the block whose sign the system shows changed, without taking note; -1: none.
+  /// Returns a block whose sign in the system differs from the one to compare with; -1: none.
+  /// Keeps both signs.
   int changed_block() const;
 
  private:

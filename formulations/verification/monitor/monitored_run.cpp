@@ -126,7 +126,10 @@ class Run final : Observer {
   Flow observe(const Instant& instant) noexcept override {
     MonitoredInstant m = accuracy_->examine(instant);
     is_coarse_ = m.too_coarse;
-    if (is_coarse_) return tried_ = instant.index, Flow::stop;
+    if (is_coarse_) {
+      tried_ = instant.index;
+      return Flow::stop;
+    }
     summary_.time = instant.time;
     if (m.assessment.singular)
       if (const auto passed = accuracy_->pass(instant)) m = *passed;

@@ -80,7 +80,8 @@ inline constexpr int usual_assessment_interval = 5000;
 
 /// Settings of a monitored run. The tolerance is Formulation::tolerance().
 struct MonitoredRunOptions {
-  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. The memory must
+  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. Where it asks
+  /// for positions alone, the formulation's solve_only() is called, which lasts. The memory must
   /// last until run_monitored() returns.
   std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing

@@ -23,7 +23,7 @@ class RunningScales {
 
   /// Includes an instant. Returns whether a scale has grown.
   bool take(const Instant& instant);
-  /// Excludes the instant included last, which is solved again, if it is the one at this time.
+  /// Excludes the instant included last, if its time is `time`: it will be solved again.
   void take_back(double time);
   const Scales& current() const { return scales_; }
   /// Returns the scales that would include an instant, without keeping it: it may turn out wrong.
