@@ -16,7 +16,7 @@ namespace desmo {
 struct LiveOptions {
   Level level = Level::acceleration;  ///< highest level that is solved and assessed
   /// Level asked for of each coordinate (Plan::levels); empty: `level`. The memory must last until
-  /// the constructor of LiveRun returns.
+  /// the constructor of LiveRun returns, which calls the formulation's solve_only(): that lasts.
   std::span<const Level> levels{};
   /// The velocities and accelerations that bounds are relative to, which only the caller can know
   /// in advance; empty: the largest so far, which at the beginning may be small.
