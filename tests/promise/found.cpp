@@ -50,7 +50,6 @@ constexpr Found all[] = {
      Expected::flagged},
     {317, "global_automatic_klu/iterations:1", "TooFewIterationsNearAFold", Expected::flagged},
     {375, "block_symbolic_inlined/stride:32", "RowsNextToAStepThatFailed", Expected::flagged},
-    {345, "global_automatic_eigen", "AnErrorJustBelowItsLimit"},
     {637, "group_symbolic_explicit", "AnErrorThatExtendedPrecisionRounds"},
     {167, "block_symbolic_inlined/tolerance:1e-15", "RatesOfAnInstantSolvedAgain",
      Expected::flagged},
