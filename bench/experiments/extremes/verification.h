@@ -45,8 +45,8 @@ struct Verification {
   CaseOutcome outcome = CaseOutcome::converged;
   ExtremeVerdict verdict = ExtremeVerdict::as_expected;
   std::string reason;  ///< when not as expected
-  /// Where numbers were compared, the error of each level whose ratio to the error allowed is the
-  /// largest; at a level where none is allowed, the largest error.
+  /// The error of each level whose ratio to the error allowed is the largest, where numbers were
+  /// compared; at a level where none is allowed, the largest error.
   std::optional<PerLevel<WorstError>> worst;
 };
 
