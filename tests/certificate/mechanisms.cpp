@@ -60,6 +60,14 @@ TEST(Certificate, HoldsOnATurnedChain) {
   for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-10);
 }
 
+/// A group that hands on what a basis encloses, to one that is not in a long chain.
+TEST(Certificate, HoldsBesideAChain) {
+  const Model m = make_model(turned_chain(12, true));
+  const Containment c = contain(m, sampled({0, 0.25, 25}, DESMO_SANITIZED ? 2 : 25));
+  EXPECT_EQ(c.proven, c.instants);
+  for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-10);
+}
+
 TEST(Certificate, HoldsOnAChainOf2000Dyads) {
   const Model m = make_model(turned_chain(2000));
   const Containment c = contain(m, sampled({0, 0.5, 13}, DESMO_SANITIZED ? 2 : 7));

@@ -126,15 +126,12 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
     if (level == Level::acceleration) lower_.push_back({Level::velocity, 2, Level::velocity});
   }
   find_image(level, all);
-  // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
-  // Positions are proven, so η ≤ ½.
+  // Errors e are at most b + A e with A = |I − Y Φ_φ(X)|. Positions are proven, so A r ≤ r/2 for
+  // the radii r of X. Hence e ≤ 2 max(b/r) r, and e ≤ b + 2 max(b/r) A r.
   const ErrorColumns& e = errors_[level];
-  Lanes ratio(0), contraction(0);
-  for (int i = 0; i < shape_->unknowns; ++i) {
-    ratio = max(ratio, e.sum[i] / trial_[i]);
-    contraction = max(contraction, contracted_[i] / trial_[i]);
-  }
-  finish(level, ratio / (Lanes(1) - contraction));
+  Lanes ratio(0);
+  for (int i = 0; i < shape_->unknowns; ++i) ratio = max(ratio, e.sum[i] / trial_[i]);
+  finish(level, 2 * ratio);
   for (int i = 0; i < shape_->unknowns; ++i) lanes = lanes & is_finite(e.sum[i]);
   return lanes;
 }
