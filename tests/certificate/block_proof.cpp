@@ -233,5 +233,31 @@ TEST(BlockProof, HandsSymbolsOn) {
     EXPECT_LE(Exact(errors[level].radius[0]), largest[level] * Exact(1.01));
 }
 
+/// An input with few large symbols and many small ones, which are lost when magnitudes are added.
+TEST(BlockProof, CountsRoundingOfManySymbols) {
+  using Exact = boost::multiprecision::cpp_rational;
+  constexpr int rows = 6, columns = 16'000, large = 16, input = 1;
+  BlockBatch::Member member = product_of_vectors(0);  // u₁ + u₂ = 0
+  for (int& row : member.rows) row += rows;
+  BlockBatch batch(std::vector{member}, std::vector<double>(rows, 1), columns);
+  PerLevel<ErrorTable> errors;
+  ErrorTable& e = errors.position;
+  e.rows.resize(2 * rows);
+  e.radius.resize(rows);
+  e.generators.resize(rows * columns);
+  e.columns = columns;
+  e.first_lent = rows;
+  for (const int v : {3, 4}) e.rows[v].delivered = e.rows[rows + v].delivered = 1;
+  const std::span symbols(e.of_row(rows + input), columns);
+  constexpr double lost = 0x1.fp-52;  // even where four or eight sums are added at once
+  std::ranges::fill(symbols, lost);
+  std::ranges::fill(symbols.first(large), 1);
+  e.rows[rows + input].set_error(0, symbols);
+  BlockProof proof({.unknowns = 1, .width = rows, .states = rows, .columns = columns});
+  ASSERT_TRUE(proof.prove(batch, Level::position, errors).position[0]);
+  EXPECT_LE(large + (columns - large) * Exact(lost), Exact(e.radius[0]));
+  EXPECT_LE(e.radius[0], large * (1 + 1e-9));
+}
+
 }  // namespace
 }  // namespace desmo::block_proof_test

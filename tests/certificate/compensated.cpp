@@ -160,6 +160,17 @@ TEST(Compensated, HoldsProductsOfUncertainNumbers) {
   }
 }
 
+/// Radii of many numbers: each is lost beside the first.
+TEST(Compensated, CountsRoundingOfItsRadius) {
+  constexpr int terms = 1000;
+  constexpr double lost = 0x1.fp-54;
+  Number sum(0, 0, 1);
+  for (int i = 0; i < terms; ++i) sum = sum + Number(0, 0, lost);
+  const double radius = sum.enclosure().radius;
+  EXPECT_LE(1 + terms * Exact(lost), Exact(radius));
+  EXPECT_LE(radius, 1 + 10 * terms * lost);
+}
+
 TEST(Compensated, HoldsWhatMotionsAreInExactArithmetic) {
   const std::vector<Motion> motions{
       Polynomial{{0.3, -1.7, 0.25, 1e-3}},

@@ -53,12 +53,10 @@ void BlockProof::gather(Level level, const ErrorTable& errors) {
   }
 }
 
-/// Returns in which lanes the errors of all inputs are bounded, and the positions numbers.
+/// Returns in which lanes the errors of all inputs are bounded.
 LaneMask BlockProof::is_known(Level level) const {
   Lanes sum(0);
   for (int j = shape_->unknowns; j < shape_->width(); ++j) sum += errors_[level].sum[j];
-  if (level == Level::position)
-    for (const int i : batch_->locals) sum += abs(state_.position[i].mid);
   return is_finite(sum);
 }
 
@@ -143,8 +141,8 @@ void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
   for (int i = 0; i < shape_->unknowns; ++i) {
     const int *row = &b.rows[Lanes::count * i], *coordinate = &b.coordinates[Lanes::count * i];
     // Whoever reads what is not proven is not proven either.
-    Lanes a = state_[level][b.locals[i]].mid, c = select(proven, e.own[i], 0),
-          d = select(proven, e.sum[i], INFINITY), center = select(proven, e.center[i], 0);
+    Lanes a = state_[level][b.locals[i]].mid, center = e.center[i], c = e.own[i],
+          d = select(proven, e.sum[i], INFINITY);
     const Lanes sum = d;
     transpose(a, center, c, d);
     a.store(&to.rows[row[0]].delivered);
@@ -153,14 +151,9 @@ void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
     if (blocks > 3) d.store(&to.rows[row[3]].delivered);
     for (int lane = 0; lane < blocks; ++lane) to.radius[coordinate[lane]] = sum[lane];
     if (row[0] == coordinate[0]) continue;
-    double own = to.rows[row[0]].own;
-    if (to.has_generators(row[0])) {
-      double* generators = to.of_row(row[0]);
-      if (!proven[0]) std::fill_n(generators, to.columns, 0);
-      for (int k = 0; k < to.columns; ++k) own += std::abs(generators[k]);
-    }
-    to.rows[coordinate[0]] = to.rows[row[0]];
-    to.rows[coordinate[0]].own = own;
+    // Whoever reads the coordinate does not know the symbols.
+    ErrorTable::Row& box = to.rows[coordinate[0]] = to.rows[row[0]];
+    box.own = box.sum - std::abs(box.center);
   }
 }
 

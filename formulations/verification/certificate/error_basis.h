@@ -25,13 +25,16 @@ class ErrorBasis {
   /// Encloses all errors. Allocates nothing.
   void enclose();
 
+  /// Returns a bound on ‖I − QᵀQ‖∞ for a matrix Q (d × d) whose columns are nearly orthonormal, and
+  /// on the rounding of all else relative to the widest radius.
+  static double deviation(std::span<const double> q, int d);
+
   int size() const { return size_; }
   /// Returns H(i, s), rounded once.
   double generator(int i, int s) const { return basis_[i * size_ + s] * radii_[s] / scale_[i]; }
 
  private:
   void find_directions();
-  double deviation() const;
 
   int size_ = 0, columns_ = 0;
   std::vector<double> generators_;  // G (size × columns)
