@@ -148,6 +148,13 @@ TEST(Compensated, HoldsSinesOfAnglesWithLargeCorrections) {
     }
 }
 
+TEST(Compensated, HoldsCosinesOfUncertainAngles) {
+  const Number found = cos(Number(0, 0, 1e-3));
+  const Wide lowest = cos(Wide(1e-3));
+  EXPECT_LE(abs(lowest - Wide(found.value) - Wide(found.correction)), Wide(found.radius));
+  EXPECT_LE(found.radius, 2e-6);
+}
+
 TEST(Compensated, HoldsProductsOfUncertainNumbers) {
   const Number factor(1, 0, 0x1p-40);
   Number sum(2);

@@ -13,10 +13,11 @@ namespace desmo {
 // - Y Φ_φ and Y Φ_h: n (X + P) and n Q, since each entry takes n roundings
 // - centers and symbols: (3 w + 2) (P + 2 Q). They take 3 w + 2 roundings from Φ on, and
 //   |Φ| ≤ |Φ_φ| X + |Φ_h| |δ| + … where b + A X ≤ X
+// - constant entries of Φ_q: P and Q
 // - bounds: (3 w + K + 6) X. They are sums of positive products, which take so many roundings
 //
 // A proof requires A X ≤ X/2, so X ≤ A X + P is at most 2 P. All of it is at most
-// (12 w + 2 K + 14) P + (7 w + 4) Q, and `rounding` is 32 (w + K) units.
+// (12 w + 2 K + 15) P + (7 w + 5) Q, and `rounding` is 32 (w + K) units.
 
 /// Finds what errors are without those that X causes: −Y Φ − Y Φ_h δ, and at higher levels −Y times
 /// the lower terms.
@@ -56,7 +57,7 @@ void BlockProof::find_image(Level level) {
   }
   for (int i = 0; i < n; ++i) {
     const Lanes *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
-    Lanes center(0), own(Interval::tiny);
+    Lanes center(0), own(0);  // Φ has a radius, so none of these stays zero
     for (int r = 0; r < n; ++r) {
       center = fma(-y[r], center_[r], center);
       own = fma(abs(y[r]), uncertainty_[r], own);

@@ -85,12 +85,13 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   LaneMask proven{};
   constexpr int attempts = 7;
   for (int attempt = 0; attempt < attempts && (lanes & !proven).any(); ++attempt) {
-    const bool wide = attempt == 0 && !linear, was_wide = attempt == 1 && !linear;
     for (int i = 0; i < n; ++i) {
-      // First, X is so large that one evaluation will do, and so small that it costs no digits.
-      // Then it is larger than what the last test returned (epsilon inflation; Rump).
-      const Lanes last = attempt == 0 || was_wide ? Lanes(0) : 2 * contracted_[i];
-      const Lanes trial = wide ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1;
+      // First, X is so large that one evaluation will do, and so small that it costs no digits: X²
+      // is far below a unit. Then it is larger than what the last test returned (epsilon inflation;
+      // Rump).
+      const Lanes last = attempt < 2 ? Lanes(0) : 2 * contracted_[i];
+      const Lanes trial =
+          attempt == 0 && !linear ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1;
       trial_[i] = select(proven, trial_[i], trial);
       state_.position[b.locals[i]].radius = trial_[i];
     }
@@ -101,11 +102,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
     }
     contract();
     LaneMask inside = lanes;
-    for (int i = 0; i < n; ++i) {
-      inside = inside & less(fma(2, contracted_[i], e.sum[i]), trial_[i]);
-      if (wide)
-        inside = inside & less(contracted_[i], e.sum[i] * 0x1p-6 + b.magnitudes[i] * 0x1p-64);
-    }
+    for (int i = 0; i < n; ++i) inside = inside & less(fma(2, contracted_[i], e.sum[i]), trial_[i]);
     proven = proven | inside;
   }
   finish(Level::position, 1);

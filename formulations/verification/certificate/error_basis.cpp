@@ -25,7 +25,7 @@ void ErrorBasis::set(int i, const double* generators, double own, int rank) {
   double sum = own;
   for (int k = 0; k < columns_; ++k) sum += std::abs(generators[k]);
   int exponent = 0;
-  std::frexp(sum + Interval::tiny, &exponent);
+  std::frexp(sum, &exponent);
   constexpr int between_ranks = 10;
   scale_[i] = std::ldexp(1.0, -exponent - between_ranks * rank);
   own_[i] = own * scale_[i];

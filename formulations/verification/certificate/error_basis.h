@@ -19,8 +19,8 @@ class ErrorBasis {
 
   /// Begins a set of errors.
   void start(int errors, int columns);
-  /// Sets an error: its row of G, and its own radius. Directions of errors with low ranks come
-  /// first.
+  /// Sets an error, of 1e-300 or more: its row of G, and its own radius. Directions of errors with
+  /// low ranks come first.
   void set(int i, const double* generators, double own, int rank);
   /// Encloses all errors. Allocates nothing.
   void enclose();
