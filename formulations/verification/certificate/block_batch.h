@@ -36,7 +36,7 @@ struct BlockBatch {
   std::vector<int> rows;          ///< of each column, in ErrorTable
   std::vector<int> locals;        ///< local state of each column, the same in all lanes
   std::vector<Lanes> magnitudes;  ///< of the unknowns
-  double rounding;                ///< bound on the relative rounding of all sums of products
+  double rounding;                ///< bound on all relative rounding, counted in block_image.cpp
   LaneMatrix jacobian;            ///< Φ_q
   Preconditioner constant;        ///< of linear equations
 };
