@@ -166,7 +166,7 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
   LaneMask lanes = LaneMask::all();
   for (const Level level : levels) {
     if (level > up_to) break;
-    lanes = lanes & is_known(level);
+    lanes = lanes & is_known(level);  // others would fail, too, but later
     if (lanes.any())
       lanes = level == Level::position ? prove_positions(errors, lanes)
                                        : bound_rates(level, errors, lanes);

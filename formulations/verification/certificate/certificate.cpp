@@ -97,8 +97,7 @@ void Certifier::Proof::load(const ChainLink& link) {
       const int size = static_cast<int>(from.rows.size());
       for (int i = 0; i < size; ++i) {
         const int row = source.row + i;
-        e.rows[row] = e.rows[from.coordinates[i]];
-        std::fill_n(e.of_row(row), e.columns, 0);
+        e.lend(row, e.rows[from.coordinates[i]]);
         if (!from.enclosed) continue;
         double* generators = e.of_row(row) + solved_.size() * source.symbol;
         for (int s = 0; s < from.basis.size(); ++s)
