@@ -156,6 +156,8 @@ TEST(Compensated, HoldsCosinesOfUncertainAngles) {
 }
 
 TEST(Compensated, HoldsProductsOfUncertainNumbers) {
+  const Number zero(0, 0, 0x1p-20);
+  EXPECT_LE(0x1p-40, (zero * zero).radius);
   const Number factor(1, 0, 0x1p-40);
   Number sum(2);
   sum.add_product(factor, 3);

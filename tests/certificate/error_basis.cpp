@@ -91,20 +91,6 @@ TEST(ErrorBasis, CountsRoundingAlongExactDirections) {
   }
 }
 
-TEST(ErrorTable, LendsRowsWithoutSymbols) {
-  ErrorTable table;
-  table.rows.resize(3);
-  table.generators = {1, 2, 3, 4};
-  table.columns = 2;
-  table.first_lent = 1;
-  table.lend(2, {5, 6, 7, 13});
-  EXPECT_EQ(table.generators, (std::vector<double>{1, 2, 0, 0}));
-  EXPECT_EQ(table.rows[2].delivered, 5);
-  EXPECT_EQ(table.rows[2].center, 6);
-  EXPECT_EQ(table.rows[2].own, 7);
-  EXPECT_EQ(table.rows[2].sum, 13);
-}
-
 /// Less than half of the last place of 1, which rounding loses.
 constexpr double lost = 0x1.fp-54;
 

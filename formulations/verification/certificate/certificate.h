@@ -48,8 +48,8 @@ struct Certificate {
 /// - inflation of X, and the limit of its contraction: BlockProof::prove_positions()
 /// - (I − Y Φ_φ(X)) X: BlockProof::contract(); finish() adds it
 /// - rounding: `rounding`, counted at the top of block_image.cpp
-/// - change of basis: Proof::leave() encloses what later groups of a long chain read in an
-///   orthonormal basis that turns with the errors (ErrorBasis), Proof::load() hands it on
+/// - change of basis: GroupInterface encloses what later groups of a long chain read in an
+///   orthonormal basis that turns with the errors (ErrorBasis), and hands it on
 ///
 ///   Certifier certifier(model);
 ///   const Certificate c = certifier.certify(instant);   // in an observer, for example
