@@ -1,7 +1,8 @@
 // What it costs to monitor a run.
-#include <algorithm>
+#include <numeric>
 
 #include "report/tables/entries.h"
+#include "report/tables/record_words.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"
 #include "report/text/texts.h"
@@ -13,27 +14,28 @@ constexpr std::string_view monitored_suffix = "/monitored";
 
 /// What a monitored run takes more than a bare one.
 struct Price {
-  std::optional<double> step, share, start;  // µs, of the bare step, ms
+  std::optional<double> step, share, start;  // µs, % of the bare step, ms
 };
 
+/// Takes the first of the timing windows, in which the monitors are made and begin, for the start.
 Price price_of(const Record& record, const Measured& bare, const Measured& monitored) {
-  Price price;
-  if (!bare.seconds || !monitored.seconds) return price;
-  const SampleSummary &without = *bare.seconds, &with = *monitored.seconds;
-  const double more = with.value - without.value;
-  price.step = 1e6 * more / static_cast<double>(record.settings.instants);
-  price.share = 100 * more / without.value;
-  if (!with.windows.empty() && without.windows.size() == with.windows.size())
-    price.start = 1e3 * (with.windows[0] - without.windows[0] -
-                         more / static_cast<double>(with.windows.size()));
-  return price;
+  if (!bare.seconds || !monitored.seconds) return {};
+  const std::vector<double>&without = bare.seconds->windows, &with = monitored.seconds->windows;
+  if (with.size() < 2 || without.size() != with.size()) return {};
+  const double windows = static_cast<double>(with.size() - 1),
+               before = std::accumulate(without.begin() + 1, without.end(), 0.0) / windows,
+               after = std::accumulate(with.begin() + 1, with.end(), 0.0) / windows;
+  const double steps = static_cast<double>(record.settings.instants) / (windows + 1);
+  return {1e6 * (after - before) / steps, 100 * (after / before - 1),
+          1e3 * (with[0] - without[0] - (after - before))};
 }
 
 }  // namespace
 
 Section monitors(const Record& record) {
   Section section = headed_section("monitors_section");
-  Table table = headed_table("monitors");
+  const std::int64_t windows = record.settings.windows.value_or(1);
+  Table table = headed_table("monitors", {{"windows", windows}, {"time", time_word(record)}});
   for (const auto& [key, candidate] : record.candidates) {
     if (!key.id.ends_with(monitored_suffix)) continue;
     CandidateKey without = key;
