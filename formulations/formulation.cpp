@@ -15,9 +15,9 @@ std::span<const double> coordinates(const Model& m, const std::vector<double>& v
 
 }  // namespace
 
-long refactorisations(const Formulation& f) {
-  long sum = 0;
-  for (const DefinedPart& part : parts_of(f)) sum += part.solver->refactorisations();
+PartCounts part_counts(const Formulation& f) {
+  PartCounts sum;
+  for (const DefinedPart& part : parts_of(f)) sum += part.solver->counts();
   return sum;
 }
 

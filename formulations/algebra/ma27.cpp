@@ -129,8 +129,8 @@ class Ma27 final : public LinearSolver<double> {
     return a_.dialogue.succeeded();
   }
 
-  /// Normal equations square the condition number, whatever the pivots.
-  double pivot_shrinkage() const override { return INFINITY; }
+  Pivots pivots() const override { return {.square_condition = true}; }
+
   void solve(double* b) override {
     a_.normal.right_side(values_, b, right_.data());
     const int reals = count(reals_), integers = count(integers_);

@@ -28,7 +28,7 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
   void leave_out_levels(std::span<const Level> needed) override;
-  const LiveSteps* live() const override { return this; }
+  LiveSteps* live() override { return this; }
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }
 

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "formulations/id.h"
-#include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/monitor/live_run.h"
 #include "tests/dead_point.h"

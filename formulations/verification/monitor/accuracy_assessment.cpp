@@ -84,8 +84,9 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
 /// Whether pivots of earlier positions may spoil the rates.
 bool AccuracyMonitor::State::has_bad_pivots() const {
   if (!options.reuses_pivots || !has(Monitor::pivots)) return false;
-  return options.parts.empty() || std::ranges::any_of(options.parts, [](const PivotReuse* part) {
-           return !(part->pivot_shrinkage() <= doubtful_pivot_loss);
+  return options.parts.empty() || std::ranges::any_of(options.parts, [](const Part* part) {
+           const Pivots pivots = part->pivots();
+           return pivots.square_condition || !(pivots.shrinkage <= doubtful_pivot_loss);
          });
 }
 
