@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
   const std::string folder = argv[1];
   try {
     std::vector<generate::SampledType> types;
-    for (const Case& c : cases()) generate::collect(c.describe(2), types);
+    for (const Case& c : cases()) generate::collect(c.with_units(2), types);
     for (const RequestScene& r : request_scenes())
       generate::collect(parse_scene(r.scene, std::string(r.name), {}), types);
     const std::size_t of_cases = types.size();

@@ -34,7 +34,7 @@ class ReferenceOfCase : public testing::TestWithParam<std::pair<const Case*, int
 
 TEST_P(ReferenceOfCase, TwoFormulationsAgreeOverTheMotion) {
   const auto [definition, coordinates] = GetParam();
-  const Scene scene = describe(*definition, coordinates);
+  const Scene scene = make_scene(*definition, coordinates);
   expect_agreement(make_model(scene), time_grid(DESMO_TEST_SECONDS, 0.01), 16);
 }
 

@@ -164,7 +164,7 @@ TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
 
 TEST(Phases, AreThoseOfTheSettings) {
   const Case& c = find_case("truck_suspension");
-  const Model m = make_model(describe(c, 114));
+  const Model m = make_model(make_scene(c, 114));
   EXPECT_THROW(measure_phases(find_variant("global_automatic_umfpack"),
                               {.btf = BlockTriangularForm::off}, m, {.step = 0.01, .instants = 2}),
                std::invalid_argument);
@@ -188,7 +188,7 @@ TEST(Candidates, AreNotTimedWithoutTheGeneratedCodeTheirIdPromises) {
 }
 
 TEST(Problems, CountWhatMoves) {
-  EXPECT_EQ(moving_unknowns(make_model(describe(find_case("truck_suspension"), 225))), 218);
+  EXPECT_EQ(moving_unknowns(make_model(make_scene(find_case("truck_suspension"), 225))), 218);
 }
 
 }  // namespace

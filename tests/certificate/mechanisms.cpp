@@ -46,7 +46,7 @@ TEST(Certificate, HoldsWhateverTheUnit) {
 
 TEST(Certificate, HoldsOnTheCases) {
   for (const Case& definition : cases()) {
-    const Scene scene = describe(definition, definition.sizes.back());
+    const Scene scene = make_scene(definition, definition.sizes.back());
     Containment c = contain(make_model(scene), sampled(scene.grid, DESMO_SANITIZED ? 2 : 20));
     EXPECT_EQ(c.proven, c.instants) << definition.name;
     EXPECT_LE(c.median(Level::position), DESMO_SANITIZED ? 200 : 50) << definition.name;

@@ -87,7 +87,7 @@ const ExplicitPart& part(const Formulation& f, std::size_t i) {
 TEST(Explicit, NeedsNoFallbackOnTheCases) {
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Case& c : cases()) {
-      const Model m = make_model(c.describe(2));
+      const Model m = make_model(c.with_units(2));
       const auto f = make_formulation(find_variant(id), m);
       Discard observer;
       ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());

@@ -261,7 +261,7 @@ TEST(Inlined, MonitorsRefuseAVanishingPivot) {
 
 TEST(Inlined, NeedsNoFallbackOnTheCases) {
   for (const Case& c : cases()) {
-    const Model m = make_model(c.describe(2));
+    const Model m = make_model(c.with_units(2));
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
     Discard observer;
     ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());

@@ -31,7 +31,7 @@ constexpr double short_motion = DESMO_SANITIZED ? 0.05 : 0.5;  // s
 class Motion {
  public:
   Motion(const Case& definition, int coordinates, double seconds)
-      : model(make_model(describe(definition, coordinates))),
+      : model(make_model(make_scene(definition, coordinates))),
         grid(time_grid(seconds, seconds > 6 ? 0.02 : 0.01)) {
     const int pieces = std::min(50, grid.instants - 1);
     for (int i = 0; i <= pieces; ++i)

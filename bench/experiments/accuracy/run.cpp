@@ -114,7 +114,7 @@ void measure_all(const bench::CommonOptions& options, const bench::CommandLine& 
   Json lists = {{"floors", Json::array()}, {"points", Json::array()}};
   TimeGrid usual;
   for (const AccuracySeries& series : all) {
-    const Model whole = make_model(describe(*series.definition, series.coordinates));
+    const Model whole = make_model(make_scene(*series.definition, series.coordinates));
     const TimeGrid grid = time_grid(series.step * (series.instants - 1), series.step);
     if (&series == &all.front()) usual = grid;
     const Problem problem = bench::make_problem(make_plan(whole, {}), grid, compared_instants);

@@ -41,7 +41,7 @@ constexpr int break_even_instants = 51;
 double tolerance_of(int coordinates) { return 5e-15 * std::max(200, coordinates); }
 
 TimeGrid begin_of(const Case& c, int instants) {
-  TimeGrid grid = c.describe(1).grid;
+  TimeGrid grid = c.with_units(1).grid;
   grid.instants = instants;
   return grid;
 }
@@ -65,7 +65,7 @@ std::optional<Model> needed_by_first(const Model& whole, int count) {
   return make_plan(whole, asked).model;
 }
 
-Model largest(const Case& c) { return make_model(describe(c, c.sizes.back())); }
+Model largest(const Case& c) { return make_model(make_scene(c, c.sizes.back())); }
 
 /// Each number of unknowns once: the first entities may need more than they were asked for.
 void add_break_even(std::vector<SizeSeries>& all, const Case& c, int max_unknowns) {
@@ -97,7 +97,7 @@ std::string_view name_of(Question question) {
 
 bench::Problem SizeSeries::problem() const {
   if (question == Question::growth)
-    return bench::make_problem(make_model(describe(*definition, size)),
+    return bench::make_problem(make_model(make_scene(*definition, size)),
                                begin_of(*definition, growth_instants), tolerance_of(size));
   return bench::make_problem(cut_to(largest(*definition), size),
                              begin_of(*definition, break_even_instants), Settings{}.tolerance);
