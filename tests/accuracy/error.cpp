@@ -108,8 +108,8 @@ TEST_F(SliderCrank, ComparesOnlyWhatIsAskedAndDelivered) {
     r.q[first("phi")] += 1;
     r.qd[first("s")] += 1;
   }
-  const std::vector<Asked> asked{{model().find("s"), Level::position},
-                                 {model().find("A"), Level::acceleration}};  // A is fixed
+  const std::vector<Output> asked{{model().find("s"), Level::position},
+                                  {model().find("A"), Level::acceleration}};  // A is fixed
   ErrorMeasure measure(model(), reference().instants, reference().scales, asked);
   for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
   EXPECT_EQ(measure.error().position.compared, 4);

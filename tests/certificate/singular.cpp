@@ -144,7 +144,7 @@ TEST(CertificateOfWrongNumbers, IsGivenUpWhereTheyAreNotFinite) {
 TEST(CertificateOfAPlan, EndsAtTheLevelsThatAreSolved) {
   const Scene scene = library_scene("truck_axle");
   const Model whole = make_model(scene);
-  const std::vector<Asked> asked{{whole.constraints.back().operands.front(), Level::velocity}};
+  const std::vector<Output> asked{{whole.constraints.back().operands.front(), Level::velocity}};
   const Plan plan = make_plan(whole, asked);
   const double t = 0.1;
   ReferenceInstant s = double_solution(plan.model, std::span(&t, 1)).front();

@@ -176,7 +176,7 @@ void solve(const SolveOptions& options) {
   const Configuration chosen = choose_formulation(options, input);
   OutputFile output(options.output, remove_when_interrupted);
   const Model whole = model_mechanism(input).model;
-  const Plan plan = make_plan(whole, asked_by(input.scene, whole));
+  const Plan plan = make_plan(whole, outputs_of(input.scene, whole));
   if (options.explain) say(explain(plan, whole));
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
   const Task task{options, input, chosen, whole, plan, output, named};

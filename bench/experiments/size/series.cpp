@@ -58,16 +58,16 @@ std::vector<std::string_view> all_at_once() {
 
 /// Returns what the first entities need; nothing where none of them moves.
 std::optional<Model> needed_by_first(const Model& whole, int count) {
-  std::vector<Asked> asked;
+  std::vector<Output> outputs;
   for (EntityId e = 0; e < count; ++e)
-    if (!whole.is_at_rest(e)) asked.push_back({e, Level::acceleration});
-  if (asked.empty()) return std::nullopt;
-  return make_plan(whole, asked).model;
+    if (!whole.is_at_rest(e)) outputs.push_back({e, Level::acceleration});
+  if (outputs.empty()) return std::nullopt;
+  return make_plan(whole, outputs).model;
 }
 
 Model largest(const Case& c) { return make_model(make_scene(c, c.sizes.back())); }
 
-/// Each number of unknowns once: the first entities may need more than they were asked for.
+/// Each number of unknowns once: the first entities may need more than was asked for.
 void add_break_even(std::vector<SizeSeries>& all, const Case& c, int max_unknowns) {
   const Model whole = largest(c);
   int last = 0;
