@@ -80,7 +80,7 @@ SegmentedFormulation::SegmentedFormulation(std::unique_ptr<TimeStepping> steps,
       steps_(std::move(steps)),
       executor_(std::move(executor)) {}
 
-void SegmentedFormulation::leave_out_levels(std::span<const Level> needed) {
+void SegmentedFormulation::do_solve_only(std::span<const Level> needed) {
   executor_->solve_only(needed);
   steps_->solve_only(needed);
 }

@@ -21,13 +21,13 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   /// settings: the same that the parts were made with. The model outlives this object.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
 
-  Summary assemble_at(double t, Level level) override;
-  Summary step_to(double t, Level level) override;
+  Summary do_assemble(double t, Level level) override;
+  Summary do_step(double t, Level level) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override;
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
-  void leave_out_levels(std::span<const Level> needed) override;
+  void do_solve_only(std::span<const Level> needed) override;
   LiveSteps* live() override { return this; }
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }
@@ -69,7 +69,7 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   Summary solve_at(double t, Level level);
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
   Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
-  Summary assemble_alone(double t, Level level);
+  Summary assemble_from_estimate(double t, Level level);
   void note_failure(int part);
   void find_culprit_of_failure(Summary& summary) const;
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);
