@@ -150,7 +150,7 @@ void add_tune(CLI::App& program) {
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
       ->check(CLI::PositiveNumber);
   std::map<std::string, Level> by_name;
-  for (const Level level : levels) by_name.emplace(bench::level_names[level], level);
+  for (const Level level : all_levels) by_name.emplace(bench::level_names[level], level);
   command->add_option("--level", options->level, "Which error is meant; position by default")
       ->transform(CLI::CheckedTransformer(by_name));
   command->add_flag("--write", options->write, "Store the choice in the scene file");

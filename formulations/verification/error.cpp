@@ -39,7 +39,7 @@ ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> ref
     const Entity& e = m.entities[id];
     if (e.fixed) continue;
     Compared o{e.first, e.size, level, {}};
-    for (const Level l : levels) o.scale[l] = scales.of(e.kind, l);
+    for (const Level l : all_levels) o.scale[l] = scales.of(e.kind, l);
     compared_.push_back(o);
   }
 }
@@ -73,7 +73,7 @@ void ErrorMeasure::compare(Level level, std::span<const double> found,
 
 SolutionError ErrorMeasure::error() const {
   SolutionError e;
-  for (const Level level : levels) e[level] = sums_[level].result();
+  for (const Level level : all_levels) e[level] = sums_[level].result();
   e.instants = instants_;
   return e;
 }

@@ -159,7 +159,7 @@ TEST(ErrorMeasure, IsTheSameInMetresAndMillimetres) {
     }
     errors[unit] = measure.error();
   }
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     EXPECT_GT(errors[0][level].max, 1e-8);
     EXPECT_NEAR(errors[1][level].max / errors[0][level].max, 1, 1e-9);
     EXPECT_NEAR(errors[1][level].rms / errors[0][level].rms, 1, 1e-9);

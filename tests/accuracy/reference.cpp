@@ -22,7 +22,7 @@ void expect_agreement(const Model& m, const TimeGrid& grid, int instants) {
   const std::vector<double> times = sampled(grid, instants);
   const Reference r = make_reference(m, times);
   ASSERT_EQ(r.instants.size(), times.size());
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     EXPECT_LE(r.floor[level], agreement) << m.name << ", level " << static_cast<int>(level);
     EXPECT_GT(r.floor[level], 0) << "they round alike: are they the same?";
   }

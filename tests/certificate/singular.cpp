@@ -66,7 +66,7 @@ TEST(CertificateAtADeadPoint, IsGivenUp) {
   EXPECT_FALSE(c.proven);
   const Entity& pin = m.entities[m.find("dyad1/C")];
   EXPECT_EQ(c.group, pin.group);
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     EXPECT_TRUE(std::isinf(c.radius[level][pin.first]));
     // The crank comes before, and is not in doubt.
     EXPECT_LT(c.radius[level][m.entities[m.find("crank/B")].first], 1e-14);

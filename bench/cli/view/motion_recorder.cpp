@@ -50,7 +50,7 @@ void MotionRecorder::take(const MonitoredInstant& monitored) {
   ++solved_;
   flag(monitored);
   condition_ = std::max(condition_, monitored.assessment.condition);
-  for (const Level level : levels)
+  for (const Level level : all_levels)
     bound_[level] = std::max(bound_[level], monitored.assessment.bound[level]);
   keep({instant.index, std::move(state), condition_, bound_});
 }
@@ -79,7 +79,8 @@ void MotionRecorder::thin() {
     const bool before_gap =
         i + 1 < instants_.size() && instants_[i + 1].index > instant.index + stride_;
     condition_ = std::max(condition_, instant.condition);
-    for (const Level level : levels) bound_[level] = std::max(bound_[level], instant.bound[level]);
+    for (const Level level : all_levels)
+      bound_[level] = std::max(bound_[level], instant.bound[level]);
     if (instant.index % stride_ != 0 && !before_gap) continue;
     instant.condition = std::exchange(condition_, 0);
     instant.bound = std::exchange(bound_, {});

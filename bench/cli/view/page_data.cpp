@@ -202,7 +202,7 @@ class Writer {
     json_["wanted"] = wanted;
     json_["condition"] = pack({{"name", "condition number"}, {"unit", "1"}}, 0,
                               [](const RecordedInstant& i) { return i.condition; });
-    for (const Level level : levels)
+    for (const Level level : all_levels)
       json_["bounds"].push_back(
           pack({{"name", std::string("error bound, ") + level_names[static_cast<int>(level)]},
                 {"unit", "1"}},

@@ -50,7 +50,7 @@ Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
   const Scales drivers = scales_of_drivers(scene);
   for (const auto column : {&Scales::length, &Scales::rotation}) {
     PerLevel<double>& s = scales.*column;
-    for (const Level level : levels)
+    for (const Level level : all_levels)
       s[level] = std::max({s[level], (others.*column)[level], (drivers.*column)[level]});
     s.acceleration =
         std::max(s.acceleration, VerdictLimits::min_scale * s.velocity * s.velocity / s.position);
@@ -71,7 +71,7 @@ struct Worst {
 void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double>& allowed,
              const TrueInstant& truth, const char* what) {
   const PerLevel<double> floor = floor_of(truth);
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     const double limit = VerdictLimits::scale_slack * allowed[level] + floor[level];
     if (limit >= VerdictLimits::no_digit) continue;
     if (!(errors[level] > worst.ratio * limit)) continue;
@@ -160,7 +160,7 @@ RunVerdict judge_degradation(const DrawnScene& scene, const SolvedScene& solved)
   const TrueInstant& truth = scene.truth[at];
   RunVerdict verdict{PromiseVerdict::flagged, "degraded"};
   verdict.level = *std::ranges::max_element(
-      levels, {}, [&](Level level) { return stated[level] / limit[level]; });
+      all_levels, {}, [&](Level level) { return stated[level] / limit[level]; });
   verdict.allowed = stated[verdict.level];
   verdict.time = first.time;
   verdict.condition = truth.condition;

@@ -26,7 +26,7 @@ struct Blocks {
 Assessment undetermined(Assessment a, GroupId group) {
   a.singular = true;
   a.group = group;
-  for (const Level level : levels) a.bound[level] = INFINITY;
+  for (const Level level : all_levels) a.bound[level] = INFINITY;
   return a;
 }
 

@@ -59,7 +59,7 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
     throw std::invalid_argument(reason);
   if (options.max_sub_steps < 0)
     throw std::invalid_argument("the number of sub-steps must not be negative");
-  for (const Level level : levels)
+  for (const Level level : all_levels)
     if (options.scales && level <= options.level &&
         !(options.scales->length[level] > 0 && options.scales->rotation[level] > 0))
       throw std::invalid_argument("scales must be positive, for bounds are relative to them");
