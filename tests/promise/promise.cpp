@@ -178,7 +178,7 @@ TEST(Promise, EveryFamilyCanBeModelled) {
 /// factors, and what asks for the limit afterwards needs those of the solved one.
 TEST(Promise, CorrectionsToASingularPositionLeaveFactors) {
   const SceneResult result =
-      verify_scene(1, 237, {"block_automatic_klu", "group_symbolic_klu", "global_automatic_klu"});
+      judge_scene(1, 237, {"block_automatic_klu", "group_symbolic_klu", "global_automatic_klu"});
   EXPECT_EQ(result.failure, "");
   EXPECT_FALSE(result.wrong);
 }
@@ -193,7 +193,7 @@ void expect_no_wrong_number(std::initializer_list<Once> runs) {
   for (const auto& [number, family, id] : runs) {
     const DrawnScene scene = draw_scene(1, number);
     ASSERT_EQ(scene.family, family) << number;  // else it is another scene
-    const RunVerdict v = verify_id(scene, id);
+    const RunVerdict v = judge_id(scene, id);
     EXPECT_NE(v.verdict, PromiseVerdict::wrong) << number << ", " << id << ": " << v.what;
   }
 }

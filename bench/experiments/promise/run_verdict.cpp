@@ -208,7 +208,7 @@ PerLevel<double> errors_of(const Model& m, const ReferenceInstant& truth, const 
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
-RunVerdict verify(const DrawnScene& scene, const SolvedScene& solved) {
+RunVerdict judge(const DrawnScene& scene, const SolvedScene& solved) {
   if (std::optional<RunVerdict> wrong = find_wrong(scene, solved)) {
     if (solved.summary.outcome() == Outcome::failed) wrong->what += ", then failed";
     return *wrong;
@@ -216,7 +216,7 @@ RunVerdict verify(const DrawnScene& scene, const SolvedScene& solved) {
   return judge_flag(scene, solved);
 }
 
-RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
+RunVerdict judge_id(const DrawnScene& scene, const std::string& id) {
   std::unique_ptr<Formulation> f;
   std::optional<Configuration> c;
   try {
@@ -233,7 +233,7 @@ RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
   // What the motion's scales excuse in the end is no flag.
   if (solved.summary.degraded == 0)
     for (Delivered& d : solved.instants) d.degraded = false;
-  return verify(scene, solved);
+  return judge(scene, solved);
 }
 
 }  // namespace desmo::promise
