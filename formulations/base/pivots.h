@@ -4,7 +4,7 @@ namespace desmo {
 
 /// The state of a linear solver's pivots, and what they do to rates.
 struct Pivots {
-  /// True where factors may use the pivot order of an earlier position.
+  /// True where factors may use a pivot order that was chosen at another position.
   bool reuse_order = false;
   /// True for normal equations: their errors grow with the square of the condition number.
   bool square_condition = false;

@@ -101,7 +101,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   return assembled_;
 }
 
-void TimeStepping::take(const State& solved, double t, Level level) {
+void TimeStepping::continue_from(const State& solved, double t, Level level) {
   now_.state = solved;
   forget();
   now_.time = t;

@@ -32,9 +32,8 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }
 
-  /// Takes over an instant at time t [s] that something else solved, up to `level`. Steps go on
-  /// from there.
-  void take(const State& solved, double t, Level level);
+  /// Continues from an instant at time t [s] that something else solved, up to `level`.
+  void continue_from(const State& solved, double t, Level level);
 
  private:
   static constexpr int unlimited = std::numeric_limits<int>::max();
