@@ -111,8 +111,13 @@ class Cholmod final : public LinearSolver<double> {
 
 extern const Backend cholmod_backend;
 const Backend cholmod_backend{
-    "cholmod", false, &make_sparse_solver<Cholmod>,
-    [] { return version_text(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION); },
-    true};
+    .name = "cholmod",
+    .dense = false,
+    .make_solver = &make_sparse_solver<Cholmod>,
+    .version =
+        [] {
+          return version_text(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
+        },
+};
 
 }  // namespace desmo

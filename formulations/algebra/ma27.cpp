@@ -170,11 +170,10 @@ class Ma27 final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend ma27_backend;
-const Backend ma27_backend{"ma27",
-                           false,
-                           &make_sparse_solver<Ma27>,
-                           [] { return coinhsl().version; },
-                           true,
-                           [] { return coinhsl().absence; }};
+const Backend ma27_backend{.name = "ma27",
+                           .dense = false,
+                           .make_solver = &make_sparse_solver<Ma27>,
+                           .version = [] { return coinhsl().version; },
+                           .absence = [] { return coinhsl().absence; }};
 
 }  // namespace desmo
