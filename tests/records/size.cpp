@@ -84,12 +84,12 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
     const Model whole = make_model(make_scene(c, 114));
     int last = 0;
     for (const int least : {10, 40, 60, 100}) {
-      const Model cut = cut_to(whole, least);
+      const Model cut = smallest_part(whole, least);
       const int found = moving_unknowns(cut);
       EXPECT_GE(found, least) << c.name;
       EXPECT_LT(found, least + 21) << c.name;  // what the first truck entity needs is 21
       EXPECT_GE(found, last) << c.name;
-      EXPECT_EQ(moving_unknowns(cut_to(whole, found)), found) << c.name;
+      EXPECT_EQ(moving_unknowns(smallest_part(whole, found)), found) << c.name;
       last = found;
       const Problem problem = make_problem(cut, instants(3), 1e-12);
       for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
@@ -99,7 +99,7 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
             << c.name << ' ' << least << ' ' << candidate.message();
       }
     }
-    EXPECT_EQ(moving_unknowns(cut_to(whole, 1'000'000)), moving_unknowns(whole));
+    EXPECT_EQ(moving_unknowns(smallest_part(whole, 1'000'000)), moving_unknowns(whole));
   }
 }
 

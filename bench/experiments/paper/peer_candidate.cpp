@@ -55,7 +55,7 @@ class PeerAnalysis final : public Analysis {
       std::ranges::copy(peer_->answer().q, q_.begin());
       std::ranges::copy(peer_->answer().qd, qd_.begin());
       std::ranges::copy(peer_->answer().qdd, qdd_.begin());
-      windows_.passed();
+      windows_.count_instant();
     }
   }
 

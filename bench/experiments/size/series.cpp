@@ -73,7 +73,7 @@ void add_break_even(std::vector<SizeSeries>& all, const Case& c, int max_unknown
   int last = 0;
   for (const int least : unknowns) {
     if (least > max_unknowns) return;
-    const int found = bench::moving_unknowns(cut_to(whole, least));
+    const int found = bench::moving_unknowns(smallest_part(whole, least));
     if (found != last) all.push_back({Question::break_even, &c, last = found, all_at_once()});
   }
 }
@@ -99,11 +99,11 @@ bench::Problem SizeSeries::problem() const {
   if (question == Question::growth)
     return bench::make_problem(make_model(make_scene(*definition, size)),
                                begin_of(*definition, growth_instants), tolerance_of(size));
-  return bench::make_problem(cut_to(largest(*definition), size),
+  return bench::make_problem(smallest_part(largest(*definition), size),
                              begin_of(*definition, break_even_instants), Settings{}.tolerance);
 }
 
-Model cut_to(const Model& whole, int min_unknowns) {
+Model smallest_part(const Model& whole, int min_unknowns) {
   // More entities never need less.
   int first = 1, last = static_cast<int>(whole.entities.size()) + 1;
   while (first < last) {
