@@ -122,7 +122,7 @@ int index_of(const TimeGrid& grid, double time) {
   return static_cast<int>(std::clamp(i, 0.0, grid.instants - 1.0));
 }
 
-RunVerdict judge_failure(const DrawnScene& scene, const MonitoredSummary& s) {
+RunVerdict verdict_on_failure(const DrawnScene& scene, const MonitoredSummary& s) {
   const int at = static_cast<int>(s.instants);
   const bool is_false = is_regular(scene, at - 1, at);
   RunVerdict verdict{is_false ? PromiseVerdict::false_failure : PromiseVerdict::flagged};
@@ -136,7 +136,7 @@ RunVerdict judge_failure(const DrawnScene& scene, const MonitoredSummary& s) {
 }
 
 /// A crossing is reported falsely where all is right without the report, too.
-RunVerdict judge_crossing(const DrawnScene& scene, const SolvedScene& solved) {
+RunVerdict verdict_on_crossing(const DrawnScene& scene, const SolvedScene& solved) {
   static constexpr const char* kinds[] = {"passed", "jumped", "not declared"};
   const SingularityCrossing& crossing = *solved.summary.crossing;
   const TimeGrid& grid = scene.scene.grid;
@@ -152,7 +152,7 @@ RunVerdict judge_crossing(const DrawnScene& scene, const SolvedScene& solved) {
   return verdict;
 }
 
-RunVerdict judge_degradation(const DrawnScene& scene, const SolvedScene& solved) {
+RunVerdict verdict_on_degradation(const DrawnScene& scene, const SolvedScene& solved) {
   const Degradation& first = *solved.summary.first_degraded;
   const PerLevel<double>& stated = first.assessment.bound;
   const PerLevel<double> limit = Limits(solved.tolerance).degraded;
@@ -174,11 +174,11 @@ RunVerdict judge_degradation(const DrawnScene& scene, const SolvedScene& solved)
 }
 
 /// Returns the verdict about the flag of a run without wrong numbers.
-RunVerdict judge_flag(const DrawnScene& scene, const SolvedScene& solved) {
+RunVerdict verdict_on_flag(const DrawnScene& scene, const SolvedScene& solved) {
   const MonitoredSummary& s = solved.summary;
   if (s.outcome() == Outcome::converged) return {};
-  if (s.outcome() == Outcome::failed) return judge_failure(scene, s);
-  return s.crossing ? judge_crossing(scene, solved) : judge_degradation(scene, solved);
+  if (s.outcome() == Outcome::failed) return verdict_on_failure(scene, s);
+  return s.crossing ? verdict_on_crossing(scene, solved) : verdict_on_degradation(scene, solved);
 }
 
 class Collector final : public Observer {
@@ -208,15 +208,15 @@ PerLevel<double> errors_of(const Model& m, const ReferenceInstant& truth, const 
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
-RunVerdict judge(const DrawnScene& scene, const SolvedScene& solved) {
+RunVerdict verdict_on_run(const DrawnScene& scene, const SolvedScene& solved) {
   if (std::optional<RunVerdict> wrong = find_wrong(scene, solved)) {
     if (solved.summary.outcome() == Outcome::failed) wrong->what += ", then failed";
     return *wrong;
   }
-  return judge_flag(scene, solved);
+  return verdict_on_flag(scene, solved);
 }
 
-RunVerdict judge_id(const DrawnScene& scene, const std::string& id) {
+RunVerdict verdict_on_id(const DrawnScene& scene, const std::string& id) {
   std::unique_ptr<Formulation> f;
   std::optional<Configuration> c;
   try {
@@ -233,7 +233,7 @@ RunVerdict judge_id(const DrawnScene& scene, const std::string& id) {
   // What the motion's scales excuse in the end is no flag.
   if (solved.summary.degraded == 0)
     for (Delivered& d : solved.instants) d.degraded = false;
-  return judge(scene, solved);
+  return verdict_on_run(scene, solved);
 }
 
 }  // namespace desmo::promise
