@@ -201,7 +201,7 @@ void BlockEquations::motion(const States& x, Level level,
   for (std::size_t first = 0, end = 0; first < terms_.size(); first = end) {
     const int row = terms_[first].row;
     while (end < terms_.size() && terms_[end].row == row) ++end;
-    for (const Level l : levels) {
+    for (const Level l : all_levels) {
       Compensated<LaneNumbers> sum;
       for (std::size_t k = first; k < end; ++k)
         sum.add_product(terms_[k].factor, x[l][terms_[k].state].mid);

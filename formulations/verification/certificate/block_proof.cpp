@@ -15,7 +15,7 @@ LaneNumbers loaded(const ErrorTable::Row& row) {
 
 BlockProof::BlockProof(const Sizes& sizes) {
   const int n = sizes.unknowns;
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     state_[level].resize(sizes.states);
     phi_[level].resize(n);
     rates_[level].resize(n * sizes.width);
@@ -159,14 +159,14 @@ void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
 PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<ErrorTable>& errors) {
   batch_ = &batch;
   shape_ = &batch.equations.shape();
-  for (const Level level : levels)
+  for (const Level level : all_levels)
     if (level <= up_to) gather(level, errors[level]);
   batch.equations.motion(
       {state_.position.data(), state_.velocity.data(), state_.acceleration.data()}, up_to,
       {phi_.position.data(), phi_.velocity.data(), phi_.acceleration.data()});
   PerLevel<LaneMask> proven;
   LaneMask lanes = LaneMask::all();
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     if (level > up_to) break;
     lanes = lanes & is_known(level);  // others would fail, too, but later
     if (lanes.any())

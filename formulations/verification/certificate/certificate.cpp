@@ -46,7 +46,7 @@ BlockProof::Sizes sizes_of(const BlockSchedule& schedule) {
 
 Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
     : m_(m), schedule_(block_schedule(m, up_to)), proof_(sizes_of(schedule_)) {
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     ErrorTable& e = errors_[level];
     e.rows.resize(m.state_size() + schedule_.lent_rows);
     e.radius.resize(m.coordinates());
@@ -61,7 +61,7 @@ Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
 void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   using Number = Compensated<double>;
   const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     std::ranges::fill(errors_[level].radius, INFINITY);
     for (std::size_t i = 0; i < values[level].size(); ++i)
       errors_[level].rows[i] = {values[level][i], 0, 0, INFINITY};
@@ -105,7 +105,7 @@ void Certifier::Proof::leave(const ChainLink& link) {
 }
 
 Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* handed_in) {
-  solved_ = std::span(levels).first(instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3);
+  solved_ = std::span(all_levels).first(instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3);
   take(instant, handed_in);
   Certificate result{.proven = true, .radius = {}};
   int first_failure = INT_MAX;
