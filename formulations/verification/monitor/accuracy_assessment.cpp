@@ -57,8 +57,9 @@ ConditionMonitor::Ways AccuracyMonitor::State::ways(const Instant& instant,
 }
 
 bool AccuracyMonitor::State::is_due(const Expectation::Signals& signals) const {
-  return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
-         !(signals.growth <= growth_to_assess) || !(signals.drivers.velocity <= growth_to_assess) ||
+  return !started || degraded || after_gap || chosen ||
+         (has(Monitor::clock) && since >= options.every) || !(signals.growth <= growth_to_assess) ||
+         !(signals.drivers.velocity <= growth_to_assess) ||
          !(signals.drivers.acceleration <= growth_to_assess);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/verification/assessment/chosen_equations.h"
 #include "formulations/verification/monitor/accuracy_state.h"
 
 namespace desmo {
@@ -15,8 +16,10 @@ constexpr int look_every = 16;
 }  // namespace
 
 AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const AccuracyMonitorOptions& o)
-    : model(m),
+    : given(m),
+      model(m),
       options(o),
+      has_others(has(Monitor::redundancy) && has_other_equations(m)),
       limits(o.tolerance),
       assessor(m, o.levels, o.asked),
       asked(o.asked.empty() ? assessor.levels().begin() : o.asked.begin(),
@@ -70,7 +73,7 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   else if (is_blind && continuity.is_known() && !j.crossing)
     j.crossing = {continuity.recent()[0].time, instant.time, last.group,
                   SingularityCrossing::Kind::jumped};
-  if (j.assessment.singular) return j;  // which is not delivered
+  if (j.assessment.singular || is_poor(j)) return j;  // which is not delivered
   if (++since % look_every == 0 && !is_assessed) look_at_scales(j.instant);
   deliver(j, is_assessed);
   return j;
@@ -99,23 +102,14 @@ AccuracyMonitor::AccuracyMonitor(const Model& m, const TimeGrid& grid,
     : state_(std::make_unique<State>(m, grid, options)) {}
 AccuracyMonitor::~AccuracyMonitor() = default;
 
-MonitoredInstant AccuracyMonitor::examine(const Instant& instant) {
-  return state_->examine(instant);
-}
 std::optional<MonitoredInstant> AccuracyMonitor::pass(const Instant& singular) {
   return state_->pass(singular);
-}
-std::optional<MonitoredInstant> AccuracyMonitor::solve(const Instant& instant) {
-  return state_->solve(instant);
 }
 AccuracyMonitor::Start AccuracyMonitor::last() const {
   if (!state_->beyond.q.empty()) return state_->beyond;
   const RecentInstants& recent = state_->continuity.recent();
   if (recent.count() == 0) return {};
   return {recent[0].state.q, recent[0].time};
-}
-std::optional<MonitoredInstant> AccuracyMonitor::solve_again(const Instant& instant) {
-  return state_->solve_again(instant);
 }
 void AccuracyMonitor::look_back(const Instant& like) { state_->look_back(like); }
 void AccuracyMonitor::resume() {

@@ -40,6 +40,7 @@ enum class Monitor : unsigned {
   look_back = 1 << 14,     ///< instants before one that turned out worse than expected are assessed
   passage = 1 << 15,       ///< singular positions at which the motion is smooth are passed
   continuation = 1 << 16,  ///< a start on another branch is reached from the nominal position
+  redundancy = 1 << 17,    ///< others of a group's equations are chosen where those kept are poor
 };
 
 struct MonitorName {
@@ -64,6 +65,7 @@ inline constexpr std::array monitor_names{
     MonitorName{Monitor::look_back, "look_back"},
     MonitorName{Monitor::passage, "passage"},
     MonitorName{Monitor::continuation, "continuation"},
+    MonitorName{Monitor::redundancy, "redundancy"},
 };
 
 /// Runs like run_monitored(), without some monitors and rules. without: their bits.

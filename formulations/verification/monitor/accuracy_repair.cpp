@@ -34,8 +34,8 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& ins
   j.solved_anew = true;
   assess(j, signals_of(j.instant, {}), {}, false);
   if (j.assessment.singular) return {};
-  deliver(j, true);
   ++corrected;
+  if (!is_poor(j)) deliver(j, true);
   return j;
 }
 
@@ -44,7 +44,8 @@ std::optional<Instant> AccuracyMonitor::State::solve_from_last(const Instant& in
   return solve_anew(instant);
 }
 
-std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instant& instant) {
+/// Forgets the instant delivered last.
+void AccuracyMonitor::State::take_back(const Instant& instant) {
   RecentInstants& recent = continuity.recent();
   if (recent.count() > 0 && recent[0].is_assessed) signs.take_back();
   recent.drop();
@@ -53,9 +54,6 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instan
   const Scales before = scales.current();
   scales.take_back(instant.time);
   follow_scales(before);
-  if (!continuity.is_known()) return {};
-  const auto solved = solve(instant);
-  return solved ? solved : pass(instant);
 }
 
 /// Solves an instant anew that looks singular where it is: it may be off. Returns whether it is
