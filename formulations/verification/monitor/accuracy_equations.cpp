@@ -27,8 +27,7 @@ AccuracyMonitor::State::State(const State& before, std::unique_ptr<const Model> 
       max_weight_ratio(before.max_weight_ratio),
       improved(before.improved),
       last_time(before.last_time),
-      started(before.started),
-      after_gap(before.after_gap),
+      started(before.continuity.is_known()),
       is_doubted(before.is_doubted),
       condition(before.condition),
       worst(before.worst),
@@ -49,15 +48,15 @@ bool AccuracyMonitor::State::is_poor(const MonitoredInstant& j) const {
 /// there are no better ones, or the last instant is not on the branch of the one before it.
 std::unique_ptr<AccuracyMonitor::State> AccuracyMonitor::State::with_equations_at(
     std::span<const double> q, const Instant& like) {
-  if (!has_others || (started && !continuity.is_known())) return {};
+  if (!has_others) return {};
   auto model_there = with_chosen_equations(model, q);
   if (!model_there) return {};
-  if (started) {
+  if (continuity.is_known()) {
     assessor(view_of(continuity.recent()[0], like), scales.current());
     if (signs.changed_block() >= 0) return {};
   }
   auto other = std::make_unique<State>(*this, std::move(model_there));
-  if (started && !other->begin_at_last(like)) return {};
+  if (other->started && !other->begin_at_last(like)) return {};
   return other;
 }
 
