@@ -13,7 +13,7 @@ std::optional<Continuity::Jump> AccuracyMonitor::State::find_jump(MonitoredInsta
   const auto jump = continuity.find_jump(with_known_rates(j.instant), means());
   if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
   if (from_noise || !has(Monitor::repair)) return jump;  // from where shorter steps lead anywhere
-  if (const auto solved = solve_anew(j.instant)) {
+  if (const auto solved = solve_anew(j.instant); solved && !continuity.passed()) {
     const Instant found = kept(*solved);
     Assessment a = assessor(found, scales.with(found));
     measure(a, found);
@@ -32,8 +32,10 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& ins
   if (!solved) return {};
   MonitoredInstant j{kept(*solved)};
   j.solved_anew = true;
+  const auto passed = continuity.is_known() ? continuity.passed() : std::nullopt;
   assess(j, signals_of(j.instant, {}), {}, false);
   if (j.assessment.singular) return {};
+  if (!j.crossing) j.crossing = passed;
   ++corrected;
   if (!is_poor(j)) deliver(j, true);
   return j;
@@ -64,8 +66,10 @@ bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
   if (!solved) return false;
   MonitoredInstant other{kept(*solved)};
   other.solved_anew = true;
+  const auto passed = continuity.is_known() ? continuity.passed() : std::nullopt;
   assess(other, signals, {}, false);
   if (other.assessment.singular) return false;
+  if (!other.crossing) other.crossing = passed;
   ++corrected;
   j = other;
   return true;
