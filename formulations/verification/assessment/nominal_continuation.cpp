@@ -115,6 +115,16 @@ bool NominalContinuation::begin() {
   return true;
 }
 
+bool NominalContinuation::begin_at(std::span<const double> q) {
+  nominal_.q.assign(q.begin(), q.end());
+  nominal_.qd.assign(q.size(), 0);
+  nominal_.qdd.clear();
+  std::ranges::copy(q, state_.begin());
+  if (!system_.factor(state_)) return false;
+  signs_.assign(system_.orientation().begin(), system_.orientation().end());
+  return true;
+}
+
 bool NominalContinuation::go_to(const Instant& instant) {
   std::vector<double> near_way, whole;
   for (const Driver& d : model_.drivers) {

@@ -22,6 +22,9 @@ class NominalContinuation {
   /// Solves the nominal position: that of the estimate, drivers included. Returns whether there is
   /// one, regular and so near the estimate that this declares it.
   bool begin();
+  /// Begins at solved positions q (coordinates) in place of the nominal ones. Returns whether they
+  /// are regular.
+  bool begin_at(std::span<const double> q);
   /// Moves the drivers from the nominal position to where they are at an instant: straight, without
   /// whole turns of angles; where that is blocked, with them. Returns whether steps lead there.
   bool go_to(const Instant& instant);

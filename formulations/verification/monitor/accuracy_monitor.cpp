@@ -67,6 +67,7 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   if (j.assessment.singular && !instant.interpolated && has(Monitor::repair))
     solve_singular(j, signals);
   if (j.too_coarse) return j;
+  if (j.crossing && !instant.interpolated && has(Monitor::repair)) solve_crossed(j, signals);
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
     j.crossing = jump->crossing;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "formulations/verification/assessment/nominal_continuation.h"
 #include "formulations/verification/monitor/accuracy_state.h"
@@ -73,6 +74,40 @@ bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
   ++corrected;
   j = other;
   return true;
+}
+
+/// Solves an instant anew whose determinants have other signs than the last one's. A small part
+/// that is carried fast may have been assembled as its mirror image, which rates hardly show. So
+/// the drivers go there from the last instant in steps in which determinants hardly change.
+void AccuracyMonitor::State::solve_crossed(MonitoredInstant& j,
+                                           const Expectation::Signals& signals) {
+  if (j.crossing->kind != SingularityCrossing::Kind::passed || !continuity.is_known()) return;
+  const RecentInstants::Node& from = continuity.recent()[0];
+  const Instant target = continuity.driven(j.instant);
+  const bool turns = std::ranges::any_of(model.drivers, [&](const Driver& d) {
+    const Entity& e = model.entities[d.coordinate];
+    return e.kind == EntityKind::angle &&
+           std::abs(target.q[e.first] - from.state.q[e.first]) > std::numbers::pi;
+  });
+  NominalContinuation way(model, assessor.system());
+  if (turns || !way.begin_at(from.state.q) || !way.go_to(target)) return;
+  const desmo::State given{{j.instant.q.begin(), j.instant.q.end()},
+                           {j.instant.qd.begin(), j.instant.qd.end()},
+                           {j.instant.qdd.begin(), j.instant.qdd.end()}};
+  Instant there = target;
+  there.q = way.q();
+  MonitoredInstant other{kept(assessor.corrected(there))};
+  other.solved_anew = true;
+  assess(other, signals, {}, false);
+  if (other.assessment.singular || other.crossing) {  // what is kept is to be of the instant
+    Instant again = j.instant;
+    again.q = given.q, again.qd = given.qd, again.qdd = given.qdd;
+    j.instant = kept(again);
+    assess(j, signals, {}, false);
+    return;
+  }
+  ++corrected;
+  j = other;
 }
 
 /// Goes to the first instant from the nominal position. Where that leads elsewhere, the instant is

@@ -55,6 +55,7 @@ struct AccuracyMonitor::State {
   void declare(MonitoredInstant& j);
   std::optional<Instant> solve_declared(const Instant& instant);
   bool solve_singular(MonitoredInstant& j, const Expectation::Signals& signals);
+  void solve_crossed(MonitoredInstant& j, const Expectation::Signals& signals);
   std::optional<Instant> solve_anew(const Instant& instant);
   Instant with_known_rates(const Instant& instant);
   Level known_rates();
