@@ -131,7 +131,6 @@ std::vector<ExtremeCase> redundant(Extent) {
       bricard("Bricard's mechanism", 0),
       bennett("Bennett's mechanism at rest where it is folded", pi, {{pi}}),
       bennett("Bennett's mechanism from there", pi, {{pi, 1}}),
-      bennett("Bennett's mechanism from there, drawn elsewhere", 2, {{pi, 1}}),
       bennett("Bennett's mechanism past there", 2, {{pi - 0.505, 1}}),
       bennett("Bennett's mechanism to there", 2, {{pi - 1, 1}}),
       bennett("Bennett's mechanism to rest there", 2, {{pi - 1, 2, -1}}),
