@@ -51,7 +51,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   const bool in_doubt = is_in_doubt(instant, signals, step);
   j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
   std::optional<Continuity::Jump> jump;
-  const bool known_before = rates_are_known(), from_noise = degraded && !known_before;
+  const bool was_degraded = degraded, known_before = rates_are_known(),
+             from_noise = was_degraded && !known_before;
   // Accelerations that are noise raise doubts; where velocities are known, shorter steps settle
   // them.
   const bool is_blind =
@@ -67,7 +68,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   if (j.assessment.singular && !instant.interpolated && has(Monitor::repair))
     solve_singular(j, signals);
   if (j.too_coarse) return j;
-  if (j.crossing && !instant.interpolated && has(Monitor::repair)) solve_crossed(j, signals);
+  if (j.crossing && !instant.interpolated && !was_degraded && has(Monitor::repair))
+    solve_crossed(j, signals);
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
     j.crossing = jump->crossing;
