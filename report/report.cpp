@@ -22,6 +22,7 @@ std::vector<Section> paper_sections(const Record& record) {
   add(std::move(times));
   add(threads(record));
   add(requests(record));
+  add(monitors(record));
   if (!record.peers.empty()) add(peers(record));
   if (!record.profiles.empty()) add({sentence("time_split.section"), {}, {time_split(record)}});
   return sections;

@@ -9,33 +9,26 @@
 
 namespace desmo::bench {
 
-namespace {
-
-class FormulationAnalysis final : public Analysis {
+class FormulationCandidate::FormulationAnalysis final : public Analysis {
  public:
-  FormulationAnalysis(std::unique_ptr<Formulation> formulation, const TimeGrid& grid,
-                      const Request& asked, std::size_t delivered, TimingWindows& windows)
-      : formulation_(std::move(formulation)),
-        grid_(grid),
-        asked_(asked),
+  FormulationAnalysis(const FormulationCandidate& candidate, TimingWindows& windows)
+      : candidate_(candidate),
+        formulation_(candidate.make_assembled()),
         windows_(windows),
-        delivery_(delivered, asked.level, windows) {}
+        delivery_(candidate.delivered(), candidate.asked_.level, windows) {}
 
   void run() override {
     windows_.begin();
-    const Summary summary = formulation_->run(grid_, asked_, delivery_);
+    const Summary summary = candidate_.run(*formulation_, delivery_);
     if (!summary.ok()) throw std::runtime_error(describe(summary, formulation_->model()));
   }
 
  private:
+  const FormulationCandidate& candidate_;
   const std::unique_ptr<Formulation> formulation_;
-  const TimeGrid& grid_;
-  const Request& asked_;
   TimingWindows& windows_;
   WindowedDelivery delivery_;
 };
-
-}  // namespace
 
 FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string_view case_name,
                                            int n, std::string_view id, const Configuration& c,
@@ -62,6 +55,10 @@ std::unique_ptr<Formulation> FormulationCandidate::make_formulation() const {
   return formulation;
 }
 
+Summary FormulationCandidate::run(Formulation& formulation, Observer& observer) const {
+  return formulation.run(grid(), asked_, observer);
+}
+
 FormulationCandidate::Checked FormulationCandidate::compare_with(
     const std::function<std::span<const ReferenceInstant>()>& reference, VerifyingRun& found) {
   if (std::string reason = unavailable_reason(settings()); !reason.empty())
@@ -78,7 +75,7 @@ FormulationCandidate::Checked FormulationCandidate::compare_with(
   const std::span<const ReferenceInstant> right = reference();
   const auto observer = comparing(right);
   const double start = now(clock());
-  const Summary summary = formulation->run(grid(), asked_, *observer);
+  const Summary summary = run(*formulation, *observer);
   found.analysis_seconds = now(clock()) - start;
   const Comparison comparison = observer->compare();
   found.errors = comparison.errors;
@@ -106,13 +103,12 @@ std::unique_ptr<Formulation> FormulationCandidate::make_assembled() const {
   Delivery elsewhere(delivered(), asked_.level);
   const double begin = now(clock());
   while (clock() == Clock::wall && now(clock()) - begin < min_wall_seconds)
-    static_cast<void>(formulation->run(grid(), asked_, elsewhere));
+    static_cast<void>(run(*formulation, elsewhere));
   return formulation;
 }
 
 std::unique_ptr<Analysis> FormulationCandidate::make_analysis(TimingWindows& windows) const {
-  return std::make_unique<FormulationAnalysis>(make_assembled(), grid(), asked_, delivered(),
-                                               windows);
+  return std::make_unique<FormulationAnalysis>(*this, windows);
 }
 
 void FormulationCandidate::sample_afresh(double duration) {
@@ -127,7 +123,7 @@ double FormulationCandidate::step_seconds(Formulation& formulation, double durat
   double spent = 0;
   long instants = 0;
   do {
-    const Summary summary = formulation.run(grid(), asked_, delivery);
+    const Summary summary = run(formulation, delivery);
     if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
     instants += summary.instants;
     spent = cpu_now() - start;

@@ -54,6 +54,9 @@ class FormulationCandidate : public Candidate {
   Checked compare_with(const std::function<std::span<const ReferenceInstant>()>& reference,
                        VerifyingRun& found);
 
+  /// Runs the whole motion, which is what is verified and timed; by default without monitors.
+  virtual Summary run(Formulation& formulation, Observer& observer) const;
+
   std::unique_ptr<Formulation> make_formulation() const;
   /// Returns the CPU time of a step: the whole motion with its assembly, drivers and delivery into
   /// plain vectors, divided by the number of instants delivered; repeated until that took
@@ -63,6 +66,7 @@ class FormulationCandidate : public Candidate {
   const Request asked_;
 
  private:
+  class FormulationAnalysis;
   std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
   std::size_t delivered() const {

@@ -148,6 +148,13 @@ TEST(Compensated, HoldsSinesOfAnglesWithLargeCorrections) {
     }
 }
 
+TEST(Compensated, HoldsCosinesOfUncertainAngles) {
+  const Number found = cos(Number(0, 0, 1e-3));
+  const Wide lowest = cos(Wide(1e-3));
+  EXPECT_LE(abs(lowest - Wide(found.value) - Wide(found.correction)), Wide(found.radius));
+  EXPECT_LE(found.radius, 2e-6);
+}
+
 TEST(Compensated, HoldsProductsOfUncertainNumbers) {
   const Number factor(1, 0, 0x1p-40);
   Number sum(2);
@@ -158,6 +165,17 @@ TEST(Compensated, HoldsProductsOfUncertainNumbers) {
     EXPECT_LE(abs(3 * end - Exact(product.value) - Exact(product.correction)),
               Exact(product.radius));
   }
+}
+
+/// Radii of many numbers: each is lost beside the first.
+TEST(Compensated, CountsRoundingOfItsRadius) {
+  constexpr int terms = 1000;
+  constexpr double lost = 0x1.fp-54;
+  Number sum(0, 0, 1);
+  for (int i = 0; i < terms; ++i) sum = sum + Number(0, 0, lost);
+  const double radius = sum.enclosure().radius;
+  EXPECT_LE(1 + terms * Exact(lost), Exact(radius));
+  EXPECT_LE(radius, 1 + 10 * terms * lost);
 }
 
 TEST(Compensated, HoldsWhatMotionsAreInExactArithmetic) {

@@ -110,34 +110,25 @@ TEST(ErrorTable, CountsRoundingOfManySymbols) {
   EXPECT_EQ(row.own, 0);
 }
 
-/// Directions that are not quite at right angles: the second is what is left of a unit vector that
-/// nearly agrees with the first.
-TEST(ErrorBasis, CountsWhatItsDirectionsAreOff) {
-  constexpr double unit = 0x1p-53, of_rank = 0x1p-10;
-  int oblique = 0;
-  for (int trial = 0; trial < 200; ++trial) {
-    using Columns = std::vector<std::array<double, 2>>;
-    const std::array<double, 2> first{0.2, 0.2 * (1.01 + 0.0009 * trial)};
-    const ErrorBasis of_first = basis_of(Columns{first}, 1);
-    // The second direction, of length 1, and what the first has along it.
-    std::array<long double, 2> second{of_first.generator(0, 1), of_first.generator(1, 1) * of_rank};
-    const long double length = std::hypot(second[0], second[1]);
-    for (long double& component : second) component /= length;
-    std::array<long double, 2> direction{of_first.generator(0, 0),
-                                         of_first.generator(1, 0) * of_rank};
-    const long double along = (direction[0] * second[0] + direction[1] * second[1]) /
-                              std::hypot(direction[0], direction[1]);
-    const double share = static_cast<double>(7 * unit / std::abs(along));
-    if (!(share < 0.07)) continue;
-    ++oblique;
-    // Columns at right angles to the second direction: in terms of both, they have parts along it.
-    Columns all{first};
-    for (int k = 0; k < static_cast<int>(0.5 / share); ++k)
-      all.push_back({static_cast<double>(share * std::abs(second[1])),
-                     static_cast<double>(share * std::abs(second[0]) / of_rank)});
-    EXPECT_LE(largest_symbol(basis_of(all, 1), all), 1.0) << trial;
-  }
-  EXPECT_GE(oblique, 20);
+TEST(ErrorBasis, BoundsWhatItsDirectionsAreOff) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (const double off : {0.0, 1e-15, 1e-12, 1e-8})
+    for (int trial = 0; trial < 100; ++trial) {
+      const double x = uniform(generator), y = std::sqrt((1 - x) * (1 + x));
+      std::array<double, 4> q{x, -y, y, x};
+      for (double& component : q) component += off * uniform(generator);
+      Exact norm = 0;
+      for (int s = 0; s < 2; ++s) {
+        Exact sum = 0;
+        for (int r = 0; r < 2; ++r)
+          sum += abs(Exact(q[s]) * Exact(q[r]) + Exact(q[2 + s]) * Exact(q[2 + r]) - (s == r));
+        if (sum > norm) norm = sum;
+      }
+      const double found = ErrorBasis::deviation(q, 2);
+      EXPECT_LE(norm, Exact(found)) << off;
+      EXPECT_LE(found, 1.01 * static_cast<double>(norm) + 1e-14) << off;
+    }
 }
 
 TEST(ErrorBasis, HoldsNearlyDependentErrors) {

@@ -79,13 +79,11 @@ TEST(Interval, IsExactWhereNothingIsRounded) {
   EXPECT_LT((Interval(0.1) * Interval(0)).radius, 1e-100);
 }
 
-TEST(Interval, MagnitudeAndDistanceAreUpperBounds) {
+TEST(Interval, MagnitudeIsAnUpperBound) {
   Intervals intervals(0.5);
   for (int i = 0; i < 10'000; ++i) {
     const Interval a = intervals.next();
-    const double x = intervals.next().mid;
     EXPECT_LE(abs(Exact(a.mid)) + Exact(a.radius), Exact(a.magnitude()));
-    EXPECT_LE(abs(Exact(a.mid) - Exact(x)) + Exact(a.radius), Exact(a.distance(x)));
   }
 }
 

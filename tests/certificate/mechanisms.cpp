@@ -60,6 +60,34 @@ TEST(Certificate, HoldsOnATurnedChain) {
   for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-10);
 }
 
+/// Groups beside a chain that read what a basis encloses as boxes, and groups that read two of
+/// these.
+TEST(Certificate, HoldsWhereAChainBranches) {
+  const Model m = make_model(turned_chain(12, true));
+  const Containment c = contain(m, sampled({0, 0.25, 25}, DESMO_SANITIZED ? 2 : 25));
+  EXPECT_EQ(c.proven, c.instants);
+  for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-10);
+}
+
+TEST(Certificate, HoldsOnAChainWhoseRatesAreLost) {
+  const Model m = make_model(turned_chain(12, true));
+  const std::vector<double> times = sampled({0, 0.25, 25}, DESMO_SANITIZED ? 2 : 25);
+  const auto solved = double_solution(m, times);
+  const auto exact = reference_solution(m, times, Precision::quadruple);
+  const int lost = m.entities[m.find("dyad3/C")].first, last = m.entities[m.find("span/C")].first;
+  Certifier certifier(m);
+  Containment c;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    ReferenceInstant delivered = solved[k];
+    delivered.qdd[lost] = INFINITY;
+    const Certificate found = c.add(certifier, delivered, exact[k]);
+    EXPECT_FALSE(found.proven);
+    EXPECT_LE(found.radius.velocity[last], 1e-10);
+    EXPECT_TRUE(std::isinf(found.radius.acceleration[last]));
+    EXPECT_LE(found.radius.acceleration[m.entities[m.find("end/C")].first], 1e-10);
+  }
+}
+
 TEST(Certificate, HoldsOnAChainOf2000Dyads) {
   const Model m = make_model(turned_chain(2000));
   const Containment c = contain(m, sampled({0, 0.5, 13}, DESMO_SANITIZED ? 2 : 7));

@@ -176,6 +176,8 @@ TEST(CertificateOfLiveDrivers, CountsThemAsExact) {
   const std::vector<double> other{z[0] + 1e-6};
   EXPECT_NEAR(certifier.certify(instant, {t, other, zd, zdd}).radius.position[driven], 1e-6, 1e-15);
   EXPECT_TRUE(certifier.certify(instant).proven);
+  const std::vector<double> nowhere{NAN};
+  EXPECT_FALSE(certifier.certify(instant, {t, nowhere, zd, zdd}).proven);
 }
 
 }  // namespace

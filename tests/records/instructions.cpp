@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/experiments/instructions/step_counts.h"
+#include "bench/kit/monitored_run.h"
 #include "formulations/id.h"
 
 namespace desmo::instructions::instructions_test {
@@ -22,7 +23,7 @@ TEST(Counts, AreOfThePapersAnalysesAndOfWhatGoesBeyond) {
   for (const StepCount& count : all) {
     EXPECT_EQ(count.coordinates, 558);
     EXPECT_TRUE(names.insert(count.name()).second) << count.name();
-    EXPECT_NO_THROW(parse_id(formulation_of(count.id))) << count.id;
+    EXPECT_NO_THROW(parse_id(bench::formulation_of(count.id))) << count.id;
   }
   for (const char* name : {"truck_suspension", "four_bar"})
     for (const char* id :

@@ -12,6 +12,7 @@
 
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/instructions/step_counts.h"
+#include "bench/kit/monitored_run.h"
 #include "bench/kit/process/callgrind.h"
 #include "cases/generators/cases.h"
 
@@ -37,7 +38,7 @@ void print(const std::vector<StepCount>& counts) {
                 static_cast<long long>(c.instructions));
   std::printf("\nWhat monitors add to a step:\n");
   for (const StepCount& c : counts)
-    if (is_monitored(c.id))
+    if (bench::is_monitored(c.id))
       std::printf("%-18s %-68s %12lld %5.1f %%\n", c.case_name.c_str(), c.id.c_str(),
                   static_cast<long long>(c.monitors),
                   100.0 * static_cast<double>(c.monitors) /

@@ -1,10 +1,10 @@
 #include "bench/experiments/instructions/step_counts.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "bench/experiments/paper/extended_ids.h"
+#include "bench/kit/monitored_run.h"
 #include "bench/kit/process/callgrind.h"
 #include "bench/kit/variant_costs.h"
 #include "cases/generators/cases.h"
@@ -21,10 +21,6 @@ constexpr int steps = 50;
 /// are counted, too, and a long motion less a shorter one leaves steps. What monitors take is the
 /// difference of two such, so that both are of the same steps.
 constexpr int short_motion = 100, long_motion = 300;
-
-/// Formulations with which the cost of monitors is counted.
-constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
-                               "block_symbolic_inlined", "group_symbolic_explicit"};
 
 bool is_counted(const Variant& v) {
   return v.partition != Partition::block && !bench::is_dense_global(v) &&
@@ -46,7 +42,8 @@ std::vector<std::string> counted_ids() {
     ids.push_back(id);
   for (const std::string_view id : paper::extended_ids)
     if (is_counted(id)) ids.emplace_back(id);
-  for (const char* id : monitored) ids.push_back(id + std::string(monitored_suffix));
+  for (const std::string_view id : bench::monitored_ids)
+    ids.push_back(std::string(id).append(bench::monitored_suffix));
   return ids;
 }
 
@@ -61,10 +58,10 @@ void count(StepCount& one, const std::string& desmo_steps) {
   const auto more = [&](const std::string& id) {  // all that a longer motion takes more
     return counted(id, long_motion) - counted(id, short_motion);
   };
-  const std::string bare(formulation_of(one.id));
+  const std::string bare(bench::formulation_of(one.id));
   const Settings settings = parse_id(bare).settings;
   one.steps = long_motion - short_motion;
-  if (is_monitored(one.id)) {
+  if (bench::is_monitored(one.id)) {
     one.monitors = (more(one.id) - more(bare)) / one.steps;
     one.instructions = step(bare) + one.monitors;
   } else if (settings.segments > 1 || settings.stride > 1) {

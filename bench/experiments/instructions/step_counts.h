@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace desmo::instructions {
@@ -11,21 +10,11 @@ namespace desmo::instructions {
 /// solution.
 inline constexpr int uncounted_steps = 5;
 
-/// Ends the id of a formulation whose run is monitored: what that costs is part of what is counted.
-inline constexpr std::string_view monitored_suffix = "/monitored";
-
-inline bool is_monitored(std::string_view id) { return id.ends_with(monitored_suffix); }
-
-/// Returns the id of the formulation itself.
-inline std::string_view formulation_of(std::string_view id) {
-  return is_monitored(id) ? id.substr(0, id.size() - monitored_suffix.size()) : id;
-}
-
 /// Instructions of a step of one formulation.
 struct StepCount {
   std::string case_name;
   int coordinates;
-  std::string id;                 ///< with monitored_suffix where the run is monitored
+  std::string id;                 ///< with bench::monitored_suffix where the run is monitored
   std::int64_t instructions = 0;  ///< per step, with as many Newton iterations as it takes
   std::int64_t monitors = 0;      ///< of these, what monitoring takes
   int steps = 0;                  ///< number of counted steps

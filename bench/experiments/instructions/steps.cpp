@@ -8,14 +8,13 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 
 #include "bench/experiments/instructions/step_counts.h"
+#include "bench/kit/monitored_run.h"
 #include "bench/kit/options.h"
 #include "bench/regression/rounds.h"
 #include "bench/regression/stepped_formulation.h"
-#include "formulations/verification/monitor/monitored_run.h"
 
 namespace {
 
@@ -24,23 +23,14 @@ using desmo::regression::SteppedFormulation;
 static_assert(desmo::regression::CountingSettings::uncounted_steps ==
               desmo::instructions::uncounted_steps);
 
-/// Runs the whole motion under all monitors. Throws std::runtime_error where one of them finds
-/// something: that is not the motion whose instructions are asked for.
-desmo::Summary run_monitored(SteppedFormulation& stepped) {
-  const desmo::MonitoredSummary s =
-      run_monitored(stepped.formulation(), stepped.grid, {}, stepped.delivery(), {});
-  if (s.status == desmo::Status::solved && s.outcome() != desmo::Outcome::converged)
-    throw std::runtime_error("the motion is not an ordinary one: " +
-                             describe_accuracy(s.condition, s.bound, desmo::Level::acceleration));
-  return desmo::Summary{s};
-}
-
 }  // namespace
 
 extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(SteppedFormulation& stepped,
                                                                 bool monitored, int first, int last,
                                                                 int repeated) {
-  if (monitored) return run_monitored(stepped);
+  if (monitored)
+    return desmo::bench::run_under_monitors(stepped.formulation(), stepped.grid, {},
+                                            stepped.delivery());
   if (stepped.runs_at_once()) return stepped.run();
   const desmo::Summary s = stepped.walk(first, last);
   return s.ok() && repeated > 0 ? stepped.walk(last - 1, last - repeated) : s;
@@ -58,8 +48,8 @@ int main(int argc, char** argv) {
     Settings settings;
     if (argc > 5) settings.fixed_iterations = whole(argv[5]);
     const int first = std::min(instructions::uncounted_steps, steps);
-    const bool monitored = instructions::is_monitored(argv[3]);
-    const std::string id(instructions::formulation_of(argv[3]));
+    const bool monitored = bench::is_monitored(argv[3]);
+    const std::string id(bench::formulation_of(argv[3]));
     const bench::Problem problem = regression::problem_of({argv[1], whole(argv[2]), id}, steps + 1);
     SteppedFormulation stepped(problem, id, settings);
     Summary s;

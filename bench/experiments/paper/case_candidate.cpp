@@ -6,6 +6,7 @@
 #include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/digests.h"
+#include "bench/kit/monitored_run.h"
 #include "bench/kit/record/record.h"
 #include "bench/kit/variant_costs.h"
 #include "formulations/modelling/modelling.h"
@@ -44,9 +45,9 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
 }  // namespace
 
 CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Options& options,
-                             const Settings& s, Clock by)
-    : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n, id_with(v, s),
-                           {&v, s}, by, {}),
+                             const Settings& s, Clock by, std::string_view id_suffix)
+    : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n,
+                           id_with(v, s).append(id_suffix), {&v, s}, by, {}),
       definition_(d) {
   if (std::string reason = too_costly(v, n, options); !reason.empty())
     refuse(not_run(std::move(reason)));
@@ -91,6 +92,14 @@ void CaseCandidate::profile() {
   phases_ = measure_phases(variant(), settings(), problem().plan.model, first);
 }
 
+MonitoredCandidate::MonitoredCandidate(const Case& d, int n, const Variant& v,
+                                       const Options& options)
+    : CaseCandidate(d, n, v, options, {}, Clock::cpu, bench::monitored_suffix) {}
+
+Summary MonitoredCandidate::run(Formulation& formulation, Observer& observer) const {
+  return bench::run_under_monitors(formulation, grid(), asked_, observer);
+}
+
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {
   std::vector<std::unique_ptr<CaseCandidate>> candidates;
   for (const Case& c : cases()) {
@@ -110,6 +119,9 @@ std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& 
     };
     for (const std::string_view id : extended_ids) add(c.sizes.back(), id);
     add(c.sizes.back(), reference_of_one_block);
+    for (const std::string_view id : bench::monitored_ids)
+      candidates.push_back(
+          std::make_unique<MonitoredCandidate>(c, c.sizes.back(), find_variant(id), options));
     for (const std::string& id : options.formulations)
       for (const int n : c.sizes) add(n, id);
   }

@@ -14,11 +14,12 @@
 namespace desmo::paper {
 
 /// A case at one size with one formulation.
-class CaseCandidate final : public FormulationCandidate {
+class CaseCandidate : public FormulationCandidate {
  public:
   /// Refuses the candidate (Refusal::Kind::not_run), with the reason, where it would be too costly.
   CaseCandidate(const Case& definition, int coordinates, const Variant& variant,
-                const Options& options, const Settings& settings = {}, Clock clock = Clock::cpu);
+                const Options& options, const Settings& settings = {}, Clock clock = Clock::cpu,
+                std::string_view id_suffix = {});
 
   void profile() override;
   void add_to(nlohmann::ordered_json& lists) const override;
@@ -34,6 +35,16 @@ class CaseCandidate final : public FormulationCandidate {
   const Case& definition_;
   std::optional<PhaseTimes> phases_;
   mutable std::optional<Problem> problem_;
+};
+
+/// A case at one size with one formulation, under all monitors.
+class MonitoredCandidate final : public CaseCandidate {
+ public:
+  MonitoredCandidate(const Case& definition, int coordinates, const Variant& variant,
+                     const Options& options);
+
+ private:
+  Summary run(Formulation& formulation, Observer& observer) const override;
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.

@@ -166,6 +166,7 @@ bool NominalContinuation::go(std::span<const double> changes, std::span<const do
   if (!solve_rates(next_.qd) || !keeps_branch()) return false;
   is_at_nominal_ = false;
   reached_ = next_;
+  if (std::ranges::all_of(changes, [](double change) { return change == 0; })) return true;
   if (!guess.empty()) {
     next_.q.assign(guess.begin(), guess.end());
     drive(next_, 1);

@@ -19,7 +19,7 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
       equations(blocks.front().block.shape, constants_of(blocks)) {
   const BlockShape& shape = equations.shape();
   const int n = shape.unknowns, w = shape.width();
-  rounding = (32 * w + 8 * columns + 128) * Interval::unit;
+  rounding = 32 * (w + columns) * Interval::unit;
   for (int i = 0; i < shape.states(); ++i)
     if (shape.columns[i] < n && shape.columns[i] != BlockShape::unread) plain.push_back(i);
   locals.resize(w);

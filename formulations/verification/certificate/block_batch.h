@@ -23,7 +23,7 @@ struct BlockBatch {
     std::vector<int> rows;  ///< row of each column in ErrorTable
   };
 
-  /// magnitudes: of coordinates; errors of 1e-18 of these do not matter. columns: of ErrorTable.
+  /// magnitudes: of coordinates, for the first X. columns: of ErrorTable.
   BlockBatch(std::span<const Member> blocks, const std::vector<double>& magnitudes, int columns);
 
   int blocks() const { return static_cast<int>(members.size()); }

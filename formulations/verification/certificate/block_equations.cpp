@@ -10,24 +10,27 @@ namespace desmo {
 
 namespace {
 
-/// The lowest and highest degree of a polynomial's terms; a sine or cosine has no highest.
+/// The degree of a polynomial all of whose terms have the same one; others have `mixed`.
 struct Degree {
-  int low = 0, high = 0;
+  static constexpr int mixed = 99;
+  int value = 0;
 
   Degree() = default;
   Degree(double) {}
-  Degree(int l, int h) : low(l), high(h) {}
+  static Degree of(int degree) {
+    Degree made;
+    made.value = degree;
+    return made;
+  }
 
   friend Degree operator-(const Degree& a) { return a; }
   friend Degree operator+(const Degree& a, const Degree& b) {
-    return {std::min(a.low, b.low), std::max(a.high, b.high)};
+    return of(a.value == b.value ? a.value : mixed);
   }
   friend Degree operator-(const Degree& a, const Degree& b) { return a + b; }
-  friend Degree operator*(const Degree& a, const Degree& b) {
-    return {a.low + b.low, a.high + b.high};
-  }
-  friend Degree sin(const Degree&) { return {0, 99}; }
-  friend Degree cos(const Degree&) { return {0, 99}; }
+  friend Degree operator*(const Degree& a, const Degree& b) { return of(a.value + b.value); }
+  friend Degree sin(const Degree&) { return of(mixed); }
+  friend Degree cos(const Degree&) { return of(mixed); }
 };
 
 /// Sets a scalar to exact numbers.
@@ -138,7 +141,7 @@ struct BlockEquations::FunctionsOf {
   /// Returns the degree of each entry of the Jacobian.
   static std::vector<Degree> degrees() {
     std::array<Degree, 3> any;
-    any.fill({1, 1});
+    any.fill(Degree::of(1));
     std::array<const Degree*, operands> x;
     x.fill(any.data());
     const Constants<Degree> c{};
@@ -183,8 +186,8 @@ void BlockEquations::add(const BlockShape::Object& o) {
       const std::vector<Degree> degrees = FunctionsOf<Kind>::degrees();
       Object made{&FunctionsOf<Kind>::table, &o, constants, true, o.slots};
       for (std::size_t k = 0; k < degrees.size(); ++k) {
-        made.quadratic &= degrees[k].low == degrees[k].high && degrees[k].high <= 1;
-        if (degrees[k].high == 0) made.rate_slots[k] = -1;
+        made.quadratic &= degrees[k].value <= 1;
+        if (degrees[k].value == 0) made.rate_slots[k] = -1;
       }
       objects_.push_back(std::move(made));
     }
@@ -213,12 +216,9 @@ void BlockEquations::jacobian(const LaneInterval* q, LaneMatrix& to) const {
 
 void BlockEquations::constant_jacobian(LaneMatrix& to) const {
   for (std::vector<Lanes>* part : {&to.mid, &to.radius}) std::ranges::fill(*part, Lanes(0));
-  for (const Term& t : terms_) {
-    if (t.slot < 0) continue;
-    const LaneInterval factor = t.factor.enclosure();
-    to.mid[t.slot] = factor.mid;
-    to.radius[t.slot] = factor.radius;
-  }
+  // These are constants of the kind, or differ from one by 1, and the sum of both parts is exact.
+  for (const Term& t : terms_)
+    if (t.slot >= 0) to.mid[t.slot] = t.factor.value + t.factor.correction;
 }
 
 void BlockEquations::jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const {

@@ -37,7 +37,7 @@ class BlockEquations {
   void motion(const States& x, Level level, const PerLevel<LaneInterval*>& phi) const;
   /// Evaluates Φ_q. Overwrites the entries that are not constant.
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
-  /// Writes the constant entries of Φ_q, and zeros elsewhere.
+  /// Writes the constant entries of Φ_q, each rounded once, and zeros elsewhere.
   void constant_jacobian(LaneMatrix& to) const;
   /// Evaluates Φ̇_q and, at the level of accelerations, Φ̈_q. Overwrites the entries of equations
   /// whose derivatives are not constant.

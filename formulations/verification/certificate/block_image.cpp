@@ -5,9 +5,22 @@
 
 namespace desmo {
 
-/// Finds the errors of the unknowns but for those that X causes: −Y Φ − Y Φ_h δ, and at higher
-/// levels −Y times the lower terms. The rounding of Y Φ needs no term: |Φ| is at most
-/// |Φ_φ| |X| + |Φ_h| |δ| and the lower terms, whose rounding is counted here and in contract().
+// Rounding. Errors are b + A X: b from find_image(), A X from contract(), with A = |I − Y Φ_φ|. Let
+// P = |Y| |Φ_φ| X, and Q = |Y| (|Φ_h| |δ| + the magnitudes of lower terms). These functions add
+// `rounding` times P and Q. That covers the following, in units of roundoff, for a block of w
+// columns, n of them unknown, and K symbols:
+//
+// - Y Φ_φ and Y Φ_h: n (X + P) and n Q, since each entry takes n roundings
+// - centers and symbols: (3 w + 2) (P + 2 Q). They take 3 w + 2 roundings from Φ on, and
+//   |Φ| ≤ |Φ_φ| X + |Φ_h| |δ| + … where b + A X ≤ X
+// - constant entries of Φ_q: P and Q
+// - bounds: (3 w + K + 6) X. They are sums of positive products, which take so many roundings
+//
+// A proof requires A X ≤ X/2, so X ≤ A X + P is at most 2 P. All of it is at most
+// (12 w + 2 K + 15) P + (7 w + 5) Q, and `rounding` is 32 (w + K) units.
+
+/// Finds what errors are without those that X causes: −Y Φ − Y Φ_h δ, and at higher levels −Y times
+/// the lower terms.
 template <int N>
 void BlockProof::find_image(Level level) {
   const BlockShape& s = *shape_;
@@ -44,7 +57,7 @@ void BlockProof::find_image(Level level) {
   }
   for (int i = 0; i < n; ++i) {
     const Lanes *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
-    Lanes center(0), own(Interval::tiny);
+    Lanes center(0), own(0);  // Φ has a radius, so none of these stays zero
     for (int r = 0; r < n; ++r) {
       center = fma(-y[r], center_[r], center);
       own = fma(abs(y[r]), uncertainty_[r], own);
@@ -92,12 +105,7 @@ void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
   }
 }
 
-/// Bounds |(I − Y Φ_φ(X)) X| by the radii of X. The rounding of Y Φ_φ covers that of I − Y Φ_φ: an
-/// entry of I is not larger than those of |Y| |Φ_φ| and of the remainder together.
-///
-/// It covers the rounding of all bounds as well, so that these need no factor. Bounds are sums of
-/// positive products, and lose less than `rounding`/3. A proof requires this bound to be at most
-/// X/2. So |Y| |Φ_φ| X is at least X/2, of which the rounding of Y Φ_φ takes less than a sixth.
+/// Bounds |(I − Y Φ_φ(X)) X| by the radii of X.
 template <int N>
 void BlockProof::contract() {
   const BlockShape& s = *shape_;
@@ -111,7 +119,7 @@ void BlockProof::contract() {
     uncertainty_[r] = sum;
   }
   for (int i = 0; i < n; ++i) {
-    Lanes sum(Interval::tiny);
+    Lanes sum(0);
     for (int r = 0; r < n; ++r) {
       sum = fma(y_->remainder[i * n + r], trial_[r], sum);
       sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);

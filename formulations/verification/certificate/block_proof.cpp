@@ -53,12 +53,10 @@ void BlockProof::gather(Level level, const ErrorTable& errors) {
   }
 }
 
-/// Returns in which lanes the errors of all inputs are bounded, and the positions numbers.
+/// Returns in which lanes the errors of all inputs are bounded.
 LaneMask BlockProof::is_known(Level level) const {
   Lanes sum(0);
   for (int j = shape_->unknowns; j < shape_->width(); ++j) sum += errors_[level].sum[j];
-  if (level == Level::position)
-    for (const int i : batch_->locals) sum += abs(state_.position[i].mid);
   return is_finite(sum);
 }
 
@@ -87,12 +85,13 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   LaneMask proven{};
   constexpr int attempts = 7;
   for (int attempt = 0; attempt < attempts && (lanes & !proven).any(); ++attempt) {
-    const bool wide = attempt == 0 && !linear, was_wide = attempt == 1 && !linear;
     for (int i = 0; i < n; ++i) {
-      // First, X is so large that one evaluation will do, and so small that it costs no digits.
-      // Then it is larger than what the last test returned (epsilon inflation; Rump).
-      const Lanes last = attempt == 0 || was_wide ? Lanes(0) : 2 * contracted_[i];
-      const Lanes trial = wide ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1;
+      // First, X is so large that one evaluation will do, and so small that it costs no digits: X²
+      // is far below a unit. Then it is larger than what the last test returned (epsilon inflation;
+      // Rump).
+      const Lanes last = attempt < 2 ? Lanes(0) : 2 * contracted_[i];
+      const Lanes trial =
+          attempt == 0 && !linear ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1;
       trial_[i] = select(proven, trial_[i], trial);
       state_.position[b.locals[i]].radius = trial_[i];
     }
@@ -103,11 +102,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
     }
     contract();
     LaneMask inside = lanes;
-    for (int i = 0; i < n; ++i) {
-      inside = inside & less(fma(2, contracted_[i], e.sum[i]), trial_[i]);
-      if (wide)
-        inside = inside & less(contracted_[i], e.sum[i] * 0x1p-6 + b.magnitudes[i] * 0x1p-64);
-    }
+    for (int i = 0; i < n; ++i) inside = inside & less(fma(2, contracted_[i], e.sum[i]), trial_[i]);
     proven = proven | inside;
   }
   finish(Level::position, 1);
@@ -126,15 +121,12 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
     if (level == Level::acceleration) lower_.push_back({Level::velocity, 2, Level::velocity});
   }
   find_image(level, all);
-  // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
-  // Positions are proven, so η ≤ ½.
+  // Errors e are at most b + A e with A = |I − Y Φ_φ(X)|. Positions are proven, so A r ≤ r/2 for
+  // the radii r of X. Hence e ≤ 2 max(b/r) r, and e ≤ b + 2 max(b/r) A r.
   const ErrorColumns& e = errors_[level];
-  Lanes ratio(0), contraction(0);
-  for (int i = 0; i < shape_->unknowns; ++i) {
-    ratio = max(ratio, e.sum[i] / trial_[i]);
-    contraction = max(contraction, contracted_[i] / trial_[i]);
-  }
-  finish(level, ratio / (Lanes(1) - contraction));
+  Lanes ratio(0);
+  for (int i = 0; i < shape_->unknowns; ++i) ratio = max(ratio, e.sum[i] / trial_[i]);
+  finish(level, 2 * ratio);
   for (int i = 0; i < shape_->unknowns; ++i) lanes = lanes & is_finite(e.sum[i]);
   return lanes;
 }
@@ -146,8 +138,8 @@ void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
   for (int i = 0; i < shape_->unknowns; ++i) {
     const int *row = &b.rows[Lanes::count * i], *coordinate = &b.coordinates[Lanes::count * i];
     // Whoever reads what is not proven is not proven either.
-    Lanes a = state_[level][b.locals[i]].mid, c = select(proven, e.own[i], 0),
-          d = select(proven, e.sum[i], INFINITY), center = select(proven, e.center[i], 0);
+    Lanes a = state_[level][b.locals[i]].mid, center = e.center[i], c = e.own[i],
+          d = select(proven, e.sum[i], INFINITY);
     const Lanes sum = d;
     transpose(a, center, c, d);
     a.store(&to.rows[row[0]].delivered);
@@ -156,14 +148,9 @@ void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
     if (blocks > 3) d.store(&to.rows[row[3]].delivered);
     for (int lane = 0; lane < blocks; ++lane) to.radius[coordinate[lane]] = sum[lane];
     if (row[0] == coordinate[0]) continue;
-    double own = to.rows[row[0]].own;
-    if (to.has_generators(row[0])) {
-      double* generators = to.of_row(row[0]);
-      if (!proven[0]) std::fill_n(generators, to.columns, 0);
-      for (int k = 0; k < to.columns; ++k) own += std::abs(generators[k]);
-    }
-    to.rows[coordinate[0]] = to.rows[row[0]];
-    to.rows[coordinate[0]].own = own;
+    // Whoever reads the coordinate does not know the symbols.
+    ErrorTable::Row& box = to.rows[coordinate[0]] = to.rows[row[0]];
+    box.own = box.sum - std::abs(box.center);
   }
 }
 

@@ -124,13 +124,12 @@ class Builder {
       const int size = static_cast<int>(coordinates.size());
       depth = std::max(depth, depth_of(coordinates));
       if (is_long(from)) {
-        link.sources.push_back({interface(from, coordinates), -1, lent + rows, link.symbols});
+        link.sources.push_back({interface(from, coordinates), lent + rows, link.symbols});
         link.symbols += size;
+        for (const int i : coordinates) row[i] = lent + rows++;
       } else {
-        for (int k = 0; k < size; ++k)
-          link.sources.push_back({-1, coordinates[k], lent + rows + k, 0});
+        for (const int i : coordinates) row[i] = i;
       }
-      for (const int i : coordinates) row[i] = lent + rows++;
     }
     for (const int i : definition.unknowns) row[i] = row_[i] = lent + rows++;
     const int columns = level_count * link.symbols;

@@ -20,11 +20,11 @@ struct GroupInterface {
 
 /// A structural group that is a link of a long chain.
 struct ChainLink {
-  /// Lent rows of what the group reads, of an interface or of a single coordinate.
+  /// Lent rows of an interface that the group reads. All else it reads as boxes.
   struct Source {
-    int interface, coordinate;  ///< one of them is -1
-    int row;                    ///< the first one
-    int symbol;                 ///< number of symbols before its own, at each level
+    int interface;
+    int row;     ///< the first one
+    int symbol;  ///< number of symbols before its own, at each level
   };
   std::vector<Source> sources;
   std::vector<int> interfaces;  ///< those that later groups read of this one

@@ -92,20 +92,13 @@ void Certifier::Proof::load(const ChainLink& link) {
   for (const Level level : solved_) {
     ErrorTable& e = errors_[level];
     e.columns = static_cast<int>(solved_.size()) * link.symbols;
-    const auto copy = [&](int row, int coordinate) {
-      e.rows[row] = e.rows[coordinate];
-      if (e.has_generators(row)) std::fill_n(e.of_row(row), e.columns, 0);
-    };
     for (const ChainLink::Source& source : link.sources) {
-      if (source.interface < 0) {
-        copy(source.row, source.coordinate);
-        continue;
-      }
       const GroupInterface& from = schedule_.interfaces[source.interface];
       const int size = static_cast<int>(from.rows.size());
       for (int i = 0; i < size; ++i) {
         const int row = source.row + i;
-        copy(row, from.coordinates[i]);
+        e.rows[row] = e.rows[from.coordinates[i]];
+        std::fill_n(e.of_row(row), e.columns, 0);
         if (!from.enclosed) continue;
         double* generators = e.of_row(row) + solved_.size() * source.symbol;
         for (int s = 0; s < from.basis.size(); ++s)

@@ -70,8 +70,8 @@ struct Compensated {
   /// Returns an interval that holds the number.
   BasicInterval<S> enclosure() const {
     // Radii are sums of products, all positive: what 2^13 of them in a row lose by rounding.
-    const S up = radius * S(1 + 0x1p-40) + S(BasicInterval<S>::tiny);
-    return BasicInterval<S>(value, up) + BasicInterval<S>(correction, S(0));
+    constexpr double up = 1 + 0x1p-40;
+    return BasicInterval<S>(value, radius * S(up)) + BasicInterval<S>(correction, S(0));
   }
   /// Compares leading digits: the order of points, which splines look up.
   friend bool operator<(const Compensated& a, const Compensated& b) { return a.value < b.value; }
@@ -148,7 +148,7 @@ struct Compensated {
     const S e = size(a.correction) + a.radius;
     // Half of e² and of the last place exceed what `first` and the sum lose, 4 units of
     // a.correction.
-    return {value, correction, S(last_place) + (size(slope) + S(unit)) * a.radius + e * e};
+    return {value, correction, S(last_place) + size(slope) * a.radius + e * e};
   }
   template <class>
   friend struct Compensated;

@@ -25,7 +25,7 @@ void ErrorBasis::set(int i, const double* generators, double own, int rank) {
   double sum = own;
   for (int k = 0; k < columns_; ++k) sum += std::abs(generators[k]);
   int exponent = 0;
-  if (sum > 1e-200) std::frexp(sum, &exponent);
+  std::frexp(sum, &exponent);
   constexpr int between_ranks = 10;
   scale_[i] = std::ldexp(1.0, -exponent - between_ranks * rank);
   own_[i] = own * scale_[i];
@@ -55,7 +55,9 @@ void ErrorBasis::find_directions() {
       }
       double length = 0;
       for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
-      again = length < 0x1p-20 && unit < d;  // depends on those before: another direction
+      // A direction that depends on those before is replaced. Of what is left, one unit vector has
+      // a square of at least 1/d; those that were tried have less than half of it in all.
+      again = length * (2 * d) < 1 && unit < d;
       length = again ? 1 : 1 / std::sqrt(length);
       for (int i = 0; i < d; ++i)
         basis_[i * d + s] = again ? i == unit : basis_[i * d + s] * length;
@@ -69,24 +71,23 @@ void ErrorBasis::find_directions() {
   }
 }
 
-/// Returns a bound on ‖I − QᵀQ‖∞, and on the rounding of Qᵀ G relative to the widest radius.
-double ErrorBasis::deviation() const {
-  const int d = size_;
+double ErrorBasis::deviation(std::span<const double> q, int d) {
   double worst = 0;
   for (int s = 0; s < d; ++s) {
     double sum = 0;
     for (int r = 0; r < d; ++r) {
       double product = s == r ? -1 : 0;
-      for (int i = 0; i < d; ++i) product += basis_[i * d + s] * basis_[i * d + r];
+      for (int i = 0; i < d; ++i) product += q[i * d + s] * q[i * d + r];
       sum += std::abs(product);
     }
     worst = std::max(worst, sum);
   }
-  // Each product is a sum of d + 1 terms, whose magnitudes add up to little more than 2. That takes
-  // half of this; the other half covers the rounding of Qᵀ G. The error of each of its columns is
-  // at most d unit |Qᵀ| |G|, and the rows of |G| have sums of at most √d times the widest radius,
-  // since all errors are Q s; so those of a column of Q add up to d² unit times it. More than 4 d
-  // units are left, of which the rounding of radii and of generator() takes 3.
+  // In units of roundoff:
+  // - QᵀQ: (d + 1)². Each row has d sums of d + 1 terms, whose magnitudes add up to d + 1.
+  // - Qᵀ G: d². The error of each column is at most d |Qᵀ| |G|. Rows of |G| have sums of at most √d
+  //   times the widest radius, since all errors are Q s; columns of |Q| have sums of at most √d.
+  // - the errors' own radii, d products: d + 1; the sum over a row above: d
+  // - adding this correction, its product, its second order and generator(): less than 4
   return worst + 4 * d * (d + 2) * Interval::unit;
 }
 
@@ -94,22 +95,23 @@ void ErrorBasis::enclose() {
   find_directions();
   // The errors are Q s for s = Q⁻¹ (G t + w), and Q⁻¹ = (QᵀQ)⁻¹ Qᵀ.
   const int d = size_, n = columns_;
-  const double rounding = 4 * (d + n + 8) * Interval::unit;
   double widest = 0;
   for (int s = 0; s < d; ++s) {
     std::fill_n(sums_.begin(), n, 0);
-    double own = 0;
+    double radius = 0;
     for (int i = 0; i < d; ++i) {
       const double q = basis_[i * d + s];
       for (int k = 0; k < n; ++k) sums_[k] += q * generators_[i * n + k];
-      own += std::abs(q) * own_[i];
+      radius += std::abs(q) * own_[i];
     }
-    for (int k = 0; k < n; ++k) own += std::abs(sums_[k]);
-    radii_[s] = own * (1 + rounding) + Interval::tiny;
+    for (int k = 0; k < n; ++k) radius += std::abs(sums_[k]);
+    radii_[s] = radius * (1 + 2 * n * Interval::unit);
     widest = std::max(widest, radii_[s]);
   }
-  const double off = deviation();
-  const double correction = off < 0.5 ? off / (1 - off) * 1.0001 * widest : INFINITY;
+  // With off = ‖I − QᵀQ‖∞, (QᵀQ)⁻¹ differs from I by at most off / (1 − off).
+  const double off = deviation(basis_, d);
+  constexpr double max_off = 0x1p-27;  // its square is half a unit
+  const double correction = off < max_off ? off * widest : INFINITY;
   for (int s = 0; s < d; ++s) radii_[s] += correction;
 }
 

@@ -19,11 +19,15 @@ class ErrorBasis {
 
   /// Begins a set of errors.
   void start(int errors, int columns);
-  /// Sets an error: its row of G, and its own radius. Directions of errors with low ranks come
-  /// first.
+  /// Sets an error, of 1e-300 or more: its row of G, and its own radius. Directions of errors with
+  /// low ranks come first.
   void set(int i, const double* generators, double own, int rank);
   /// Encloses all errors. Allocates nothing.
   void enclose();
+
+  /// Returns a bound on ‖I − QᵀQ‖∞ for a matrix Q (d × d) whose columns are nearly orthonormal, and
+  /// on the rounding of all else relative to the widest radius.
+  static double deviation(std::span<const double> q, int d);
 
   int size() const { return size_; }
   /// Returns H(i, s), rounded once.
@@ -31,7 +35,6 @@ class ErrorBasis {
 
  private:
   void find_directions();
-  double deviation() const;
 
   int size_ = 0, columns_ = 0;
   std::vector<double> generators_;  // G (size × columns)

@@ -30,8 +30,6 @@ struct BasicInterval {
 
   /// Returns an upper bound of all magnitudes in the interval.
   S magnitude() const { return (size(mid) + radius) * above; }
-  /// Returns an upper bound of the distance of any of its numbers from x.
-  S distance(const S& x) const { return (size(mid - x) + radius) * above; }
 
   friend BasicInterval operator-(const BasicInterval& a) { return {-a.mid, a.radius}; }
   friend BasicInterval operator+(const BasicInterval& a, const BasicInterval& b) {
@@ -56,7 +54,7 @@ struct BasicInterval {
   }
 
  private:
-  static constexpr double above = 1 + 8 * unit;  // covers up to six roundings of a radius
+  static constexpr double above = 1 + 8 * unit;  // covers seven roundings of a radius
 
   static S size(const S& x) {
     using std::abs;
@@ -68,9 +66,10 @@ struct BasicInterval {
   /// Returns a sine or cosine from its value and its slope at the midpoint.
   static BasicInterval turned(const BasicInterval& a, const S& value, const S& slope) {
     using std::min;
+    // |f(a + e) − f(a)| ≤ |f′(a)| |e| + e²/2. The slope is off by two roundings, five follow.
     constexpr double last_place = 2 * unit, range = 2;
     const BasicInterval result =
-        rounded(value, a.radius * ((size(slope) + S(last_place)) + a.radius * S(0.5)), last_place);
+        rounded(value, a.radius * (size(slope) + a.radius * S(0.5)), last_place);
     return {value, min(S(range), result.radius)};
   }
 };

@@ -24,7 +24,7 @@ constexpr int max_looks = 128, max_look_numbers = 1 << 20;
 /// Way in magnitudes that does not count: an instant has been corrected.
 constexpr double negligible = 1e-6;
 /// Instants after which coordinates are compared with those of the look.
-constexpr int max_unmeasured = 8;
+constexpr int max_unmeasured = 16;
 /// By how much rates between two instants may exceed those at both.
 constexpr double rate_margin = 1.25;
 /// Coordinates after which it is asked whether the rest matters.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <experimental/simd>
 #include <numbers>
 #include <utility>
 
@@ -35,6 +36,20 @@ constexpr auto worst = [](const auto& off) {
 Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
+
+/// Whether angles turn as their rates say, in each place of a register.
+template <class Register>
+struct AngleTurns {
+  typename Register::mask_type follow{true};
+
+  void take(const Instant& to, const State& from, double half_step, const int* angles) {
+    const auto of = [angles](std::span<const double> values) {
+      return Register([&](int lane) { return values[angles[lane]]; });
+    };
+    const Register turn = of(to.q) - of(from.q), rates = half_step * (of(from.qd) + of(to.qd));
+    follow = follow && abs(turn - rates) <= closely_turned && abs(turn) <= std::numbers::pi;
+  }
+};
 
 }  // namespace
 
@@ -159,14 +174,15 @@ bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights,
 /// turn at most.
 bool Continuity::do_angles_follow(const Instant& instant) const {
   if (instant.qd.empty()) return false;
-  const auto& [q, qd, qdd] = recent_[0].state;
+  const State& last = recent_[0].state;
   const double half = (instant.time - recent_[0].time) / 2;
-  bool follow = true;
-  for (const int i : angles_) {
-    const double turn = instant.q[i] - q[i], rates = half * (qd[i] + instant.qd[i]);
-    follow &= (std::abs(turn - rates) <= closely_turned) & (std::abs(turn) <= std::numbers::pi);
-  }
-  return follow;
+  AngleTurns<std::experimental::native_simd<double>> many;
+  AngleTurns<std::experimental::simd<double, std::experimental::simd_abi::scalar>> one;
+  const int n = static_cast<int>(angles_.size()), width = static_cast<int>(many.follow.size());
+  int k = 0;
+  for (; k + width <= n; k += width) many.take(instant, last, half, angles_.data() + k);
+  for (; k < n; ++k) one.take(instant, last, half, angles_.data() + k);
+  return all_of(many.follow) && all_of(one.follow);
 }
 
 /// Whether an angle turns by more than its rates say, as by a whole turn.

@@ -61,6 +61,13 @@ std::vector<Level> asked_levels(const Model& m, Level level, std::span<const Lev
 class Run final : Observer {
   using From = StridedSteps::From;
 
+  /// What becomes of the run after an instant.
+  enum class Then {
+    go_on,           ///< the formulation is where the instant is
+    return_to_last,  ///< it is elsewhere, and has to go there first
+    halve_stride,    ///< the instant was interpolated, and is not good enough
+  };
+
  public:
   Run(Formulation& formulation, const TimeGrid& grid, const Request& request, Observer& observer,
       const MonitoredRunOptions& options, unsigned without)
@@ -92,14 +99,14 @@ class Run final : Observer {
     if (tried_ == 0 && summary_.violated >= 0 && has(Monitor::continuation)) {
       summary_ = {};
       begin_monitoring();
-      is_astray_ = is_continued_ = true;
+      is_continued_ = true;
+      then_ = Then::return_to_last;
     }
-    if (is_coarse_) steps_.halve();
-    // A stride was too long, or the formulation could not go on, or has gone elsewhere.
-    const bool goes_on = !summary_.ok() && (tried_ > 0 || has(Monitor::continuation));
-    if (is_coarse_ || is_astray_ || goes_on) {
+    if (then_ == Then::halve_stride) steps_.halve();
+    const bool failed = !summary_.ok() && (tried_ > 0 || has(Monitor::continuation));
+    if (failed || then_ != Then::go_on) {
       summary_.status = Status::solved;
-      is_astray_ = true;
+      then_ = Then::return_to_last;
       go_on(tried_, From::last);
     }
     measure_assembly_error();
@@ -125,15 +132,15 @@ class Run final : Observer {
 
   Flow observe(const Instant& instant) noexcept override {
     MonitoredInstant m = accuracy_->examine(instant);
-    is_coarse_ = m.too_coarse;
-    if (is_coarse_) {
+    if (m.too_coarse) {
       tried_ = instant.index;
+      then_ = Then::halve_stride;
       return Flow::stop;
     }
     summary_.time = instant.time;
     if (m.assessment.singular)
       if (const auto passed = accuracy_->pass(instant)) m = *passed;
-    is_astray_ = m.solved_anew;
+    then_ = m.solved_anew ? Then::return_to_last : Then::go_on;
     return m.assessment.singular ? stop_at(m) : hand_on(std::move(m));
   }
 
@@ -150,7 +157,7 @@ class Run final : Observer {
     if (summary_.violated >= 0 && has(Monitor::repair))
       if (const auto again = accuracy_->solve_again(m.instant)) {
         m = *again;
-        is_astray_ = true;
+        then_ = Then::return_to_last;
         summary_.violated = branch_.violated(m.instant);
       }
     const Instant& instant = m.instant;
@@ -168,7 +175,7 @@ class Run final : Observer {
     const Flow flow = output_.hand_over(asked, next_);
     ++summary_.instants;
     summary_.stopped = flow == Flow::stop;
-    return is_astray_ ? Flow::stop : flow;
+    return then_ == Then::go_on ? flow : Flow::stop;
   }
 
   /// Takes the formulation to where the last instant handed on is, or beyond the singular position
@@ -203,15 +210,15 @@ class Run final : Observer {
   void go_on(int first, From from) {
     steps_.restart();
     for (tried_ = first; tried_ < grid_.instants;) {
-      if (is_astray_ && from == From::last) return_to_last();
-      is_astray_ = is_coarse_ = false;
+      if (then_ != Then::go_on && from == From::last) return_to_last();
+      then_ = Then::go_on;
       const auto [s, instant] = steps_.solve(tried_, std::exchange(from, From::last));
       summary_.time = instant.time;
       summary_.iterations += s.iterations;
       if (s.ok()) steps_.hand_on(instant);
-      if (is_coarse_ || (!s.ok() && instant.index > tried_)) {  // the stride is too long
+      if (then_ == Then::halve_stride || (!s.ok() && instant.index > tried_)) {
         steps_.halve();
-        is_astray_ = true;
+        then_ = Then::return_to_last;
         continue;
       }
       if (!s.ok() && !solved_by_monitor(instant)) {
@@ -231,7 +238,7 @@ class Run final : Observer {
   bool solved_by_monitor(const Instant& instant) {
     auto m = accuracy_->solve(instant);
     if (!m) return false;
-    is_astray_ = true;
+    then_ = Then::return_to_last;
     hand_on(std::move(*m));
     return true;
   }
@@ -256,9 +263,8 @@ class Run final : Observer {
   Observer& next_;
   double max_residual_ = 0;    // of the instants handed on
   bool is_continued_ = false;  // the first instant, since it was assembled on another branch
-  bool is_astray_ = false;     // the formulation is not where the last instant is
-  bool is_coarse_ = false;     // an interpolated instant is not good enough
-  int tried_ = 0;              // the instant tried last
+  Then then_ = Then::go_on;
+  int tried_ = 0;  // the instant tried last
 };
 
 }  // namespace

@@ -1,0 +1,54 @@
+// What it costs to monitor a run.
+#include <numeric>
+
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
+#include "report/tables/tables.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
+
+namespace desmo::report {
+namespace {
+
+constexpr std::string_view monitored_suffix = "/monitored";
+
+/// What a monitored run takes more than a bare one.
+struct Price {
+  std::optional<double> step, share, start;  // µs, % of the bare step, ms
+};
+
+/// Takes the first of the timing windows, in which the monitors are made and begin, for the start.
+Price price_of(const Record& record, const Measured& bare, const Measured& monitored) {
+  if (!bare.seconds || !monitored.seconds) return {};
+  const std::vector<double>&without = bare.seconds->windows, &with = monitored.seconds->windows;
+  if (with.size() < 2 || without.size() != with.size()) return {};
+  const double windows = static_cast<double>(with.size() - 1),
+               before = std::accumulate(without.begin() + 1, without.end(), 0.0) / windows,
+               after = std::accumulate(with.begin() + 1, with.end(), 0.0) / windows;
+  const double steps = static_cast<double>(record.settings.instants) / (windows + 1);
+  return {1e6 * (after - before) / steps, 100 * (after / before - 1),
+          1e3 * (with[0] - without[0] - (after - before))};
+}
+
+}  // namespace
+
+Section monitors(const Record& record) {
+  Section section = headed_section("monitors_section");
+  const std::int64_t windows = record.settings.windows.value_or(1);
+  Table table = headed_table("monitors", {{"windows", windows}, {"time", time_word(record)}});
+  for (const auto& [key, candidate] : record.candidates) {
+    if (!key.id.ends_with(monitored_suffix)) continue;
+    CandidateKey without = key;
+    without.id.resize(key.id.size() - monitored_suffix.size());
+    const Measured bare = measured(record, without), monitored = measured(candidate);
+    const Price price = price_of(record, bare, monitored);
+    table.rows.push_back({key.case_name, std::to_string(key.coordinates), without.id,
+                          instant_entry(record, bare), instant_entry(record, monitored),
+                          number_entry(price.step, 2), number_entry(price.share, 2),
+                          number_entry(price.start, 2), remark(candidate)});
+  }
+  if (!table.rows.empty()) section.tables.push_back(std::move(table));
+  return section;
+}
+
+}  // namespace desmo::report
