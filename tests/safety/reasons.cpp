@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,38 @@ TEST(Reasons, AreNoCrossingWhereASmallPartIsCarriedFast) {
     ASSERT_EQ(series.values.size(), expected.size()) << id;
     for (std::size_t i = 0; i < expected.size(); ++i)
       EXPECT_NEAR(series.values[i], expected[i], 1e-9) << id;
+  }
+}
+
+/// Links of a millimetre on a crank of a thousand kilometres: rounding of points so far away is not
+/// taken for a mechanism that cannot be assembled.
+TEST(Reasons, AreNoDeficitWhereLengthsDiffer) {
+  constexpr double large = 1e6, small = 1e-3;
+  const Scene scene =
+      extremes::case_of("sizes",
+                        extremes::one_dyad(large, small / large, large + small / 2, small, small),
+                        small / large / 10, {0, 0.1, 11})
+          .scene;
+  Discard observer;
+  const MonitoredSummary s =
+      run_monitored(*make_formulation(find_variant("global_automatic_klu"), make_model(scene), {}),
+                    scene.grid, {}, observer, {});
+  EXPECT_NE(s.outcome(), Outcome::failed);
+}
+
+TEST(Reasons, NameLengthsThatDifferWhereTheyLeaveTooFewDigits) {
+  const std::vector<ExtremeCase> cases = extremes::scales(Extent::brief);
+  Mechanism mechanism =
+      std::ranges::find(cases, "60 mm on an arm of 10 km", &ExtremeCase::name)->scene.mechanism;
+  for (Mechanism::Point& p : mechanism.points)
+    if (p.name != "O") p.position[0] += 1e7 - 1e4;
+  const std::vector<Motion> motions{Polynomial{{0, 1e-7}}, Polynomial{{1, 1}}};
+  try {
+    model_mechanism(mechanism, motions);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("lengths in it differ"), std::string::npos)
+        << error.what();
   }
 }
 

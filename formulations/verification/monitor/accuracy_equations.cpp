@@ -78,8 +78,9 @@ bool AccuracyMonitor::State::begin_at_last(const Instant& like) {
 /// Returns the positions to which Taylor's polynomial leads from the last instant, if there is one.
 std::vector<double> AccuracyMonitor::State::expected_positions(const Instant& instant) {
   if (!continuity.is_known()) return {instant.q.begin(), instant.q.end()};
-  const auto& [index, time, values, is_assessed, stated] = continuity.recent()[0];
-  const double h = instant.time - time;
+  const RecentInstants::Node& last_one = continuity.recent()[0];
+  const desmo::State& values = last_one.state;
+  const double h = instant.time - last_one.time;
   std::vector<double> q = values.q;
   for (std::size_t i = 0; i < q.size(); ++i) {
     if (!instant.qd.empty()) q[i] += h * values.qd[i];
@@ -98,23 +99,26 @@ std::unique_ptr<AccuracyMonitor::State> AccuracyMonitor::State::with_equations_g
 }
 
 MonitoredInstant AccuracyMonitor::examine(const Instant& instant) {
-  if (auto other = state_->with_equations_given(instant)) state_ = std::move(other);
-  const MonitoredInstant j = state_->examine(instant);
-  if (!state_->is_poor(j)) {
+  if (state_->chosen)
+    if (auto other = state_->with_equations_given(instant)) state_ = std::move(other);
+  MonitoredInstant j = state_->examine(instant);
+  if (!state_->is_poor(j))
     state_->no_better = false;
-    return j;
-  }
-  if (!state_->no_better)
-    if (auto other = state_->with_equations_at(j.instant.q, instant)) {
-      const MonitoredInstant k = other->examine(instant);
-      if (!other->is_poor(k)) {
-        state_ = std::move(other);
-        return k;
-      }
-    }
-  state_->no_better = true;
-  if (!j.assessment.singular) state_->deliver(j, true);
+  else if (state_->no_better || !examine_with_others(j, instant))
+    if (!j.assessment.singular) state_->deliver(j, true);
   return j;
+}
+
+/// Examines a poor instant again with other equations. Returns whether these are better.
+bool AccuracyMonitor::examine_with_others(MonitoredInstant& j, const Instant& instant) {
+  state_->no_better = true;
+  auto other = state_->with_equations_at(j.instant.q, instant);
+  if (!other) return false;
+  const MonitoredInstant k = other->examine(instant);
+  if (other->is_poor(k)) return false;
+  state_ = std::move(other);
+  j = k;
+  return true;
 }
 
 std::optional<MonitoredInstant> AccuracyMonitor::solve(const Instant& instant) {

@@ -62,7 +62,7 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   // may end on another branch.
   const bool is_assessed = in_doubt || !statement.holds || is_due(signals);
   if (is_assessed)
-    assess(j, signals, statement.assessment, in_doubt);
+    assess(j, signals, in_doubt);
   else
     j.assessment = statement.assessment;
   if (j.assessment.singular && !instant.interpolated && has(Monitor::repair))
@@ -114,7 +114,6 @@ AccuracyMonitor::Start AccuracyMonitor::last() const {
   if (recent.count() == 0) return {};
   return {recent[0].state.q, recent[0].time};
 }
-void AccuracyMonitor::look_back(const Instant& like) { state_->look_back(like); }
 void AccuracyMonitor::resume() {
   state_->after_gap = true;
   state_->continuity.forget();

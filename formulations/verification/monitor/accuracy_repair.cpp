@@ -34,7 +34,7 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& ins
   MonitoredInstant j{kept(*solved)};
   j.solved_anew = true;
   const auto passed = continuity.is_known() ? continuity.passed() : std::nullopt;
-  assess(j, signals_of(j.instant, {}), {}, false);
+  assess(j, signals_of(j.instant, {}), false);
   if (j.assessment.singular) return {};
   if (!j.crossing) j.crossing = passed;
   ++corrected;
@@ -68,7 +68,7 @@ bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
   MonitoredInstant other{kept(*solved)};
   other.solved_anew = true;
   const auto passed = continuity.is_known() ? continuity.passed() : std::nullopt;
-  assess(other, signals, {}, false);
+  assess(other, signals, false);
   if (other.assessment.singular) return false;
   if (!other.crossing) other.crossing = passed;
   ++corrected;
@@ -98,12 +98,12 @@ void AccuracyMonitor::State::solve_crossed(MonitoredInstant& j,
   there.q = way.q();
   MonitoredInstant other{kept(assessor.corrected(there))};
   other.solved_anew = true;
-  assess(other, signals, {}, false);
+  assess(other, signals, false);
   if (other.assessment.singular || other.crossing) {  // what is kept is to be of the instant
     Instant again = j.instant;
     again.q = given.q, again.qd = given.qd, again.qdd = given.qdd;
     j.instant = kept(again);
-    assess(j, signals, {}, false);
+    assess(j, signals, false);
     return;
   }
   ++corrected;

@@ -75,8 +75,7 @@ struct AccuracyMonitor::State {
                    const std::optional<StepMeasures>& step);
   double min_excursion(double growth) const;
 
-  void assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected,
-              bool in_doubt);
+  void assess(MonitoredInstant& j, const Expectation::Signals& signals, bool in_doubt);
   bool is_too_coarse(const Instant& instant, const Assessment& a, bool in_doubt);
   void measure(Assessment& a, const Instant& instant);
   bool improve(MonitoredInstant& j);
@@ -84,7 +83,6 @@ struct AccuracyMonitor::State {
   Instant kept(const Instant& instant);
   double worst_share(const Assessment& a) const;
   std::optional<SingularityCrossing> crossing(const Instant& instant);
-  void look_back(const Instant& like);
   void look_at_scales(const Instant& instant);
   void follow_scales(const Scales& before);
 
