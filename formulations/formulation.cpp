@@ -15,9 +15,9 @@ std::span<const double> coordinates(const Model& m, const std::vector<double>& v
 
 }  // namespace
 
-long refactorisations(const Formulation& f) {
-  long sum = 0;
-  for (const DefinedPart& part : parts_of(f)) sum += part.solver->refactorisations();
+PartCounts part_counts(const Formulation& f) {
+  PartCounts sum;
+  for (const DefinedPart& part : parts_of(f)) sum += part.solver->counts();
   return sum;
 }
 
@@ -25,7 +25,7 @@ void Formulation::solve_only(std::span<const Level> needed) {
   if (std::ssize(needed) != model_.coordinates())
     throw std::invalid_argument("there are " + std::to_string(needed.size()) + " levels for " +
                                 std::to_string(model_.coordinates()) + " coordinates");
-  leave_out_levels(needed);
+  do_solve_only(needed);
 }
 
 std::span<const double> Formulation::q() const {

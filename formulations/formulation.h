@@ -38,7 +38,7 @@ class Formulation {
   /// before. level: the highest that is solved. After a failure all coordinates are unspecified,
   /// and the next step assembles. Neither this nor step() throws or takes memory from the heap; a
   /// library inside may take some.
-  Summary assemble(double t, Level level = Level::acceleration) { return assemble_at(t, level); }
+  Summary assemble(double t, Level level = Level::acceleration) { return do_assemble(t, level); }
 
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
   /// Assembles where nothing was solved before. After a failure positions are those before the
@@ -46,7 +46,7 @@ class Formulation {
   /// were solved to lower levels than Settings::guess needs, a simpler guess replaces it. t may be
   /// any number: an earlier one goes back, and the one of the last instant solves that again. NaN
   /// or an infinite t fails, as Status::not_finite.
-  Summary step(double t, Level level = Level::acceleration) { return step_to(t, level); }
+  Summary step(double t, Level level = Level::acceleration) { return do_step(t, level); }
 
   /// Runs through the motion that the model's drivers have: assembles at the first instant of the
   /// grid, solves the others as the settings say, and hands each to the observer. Stops at the
@@ -87,9 +87,9 @@ class Formulation {
   Formulation(const Model& model, const Settings& settings, double tolerance)
       : model_(model), settings_(settings), tolerance_(tolerance) {}
 
-  virtual Summary assemble_at(double t, Level level) = 0;
-  virtual Summary step_to(double t, Level level) = 0;
-  virtual void leave_out_levels(std::span<const Level> needed) = 0;
+  virtual Summary do_assemble(double t, Level level) = 0;
+  virtual Summary do_step(double t, Level level) = 0;
+  virtual void do_solve_only(std::span<const Level> needed) = 0;
 
   const Model& model_;
   const Settings settings_;

@@ -112,6 +112,51 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
   return parts;
 }
 
+/// Returns the settings of parts: with p parts, each within tolerance/√p, the whole mechanism is
+/// within the tolerance, unless rounding leaves a part more than its share.
+Settings share_of(Settings whole, std::size_t parts) {
+  whole.tolerance /= std::sqrt(static_cast<double>(parts));
+  return whole;
+}
+
+std::shared_ptr<SinglePrecisionState> make_single_state(const Model& m, const Settings& settings) {
+  if (settings.scalar != Scalar::single_precision) return nullptr;
+  return std::make_shared<SinglePrecisionState>(m.state_size());
+}
+
+std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
+                                           const Settings& settings, Profile* profile,
+                                           const KernelTable& table);
+
+/// Makes a solver for each thread, which takes one segment after the other.
+std::unique_ptr<SegmentExecutor> make_segments_on_threads(const Common& common,
+                                                          const Settings& settings) {
+  Settings of_worker = settings;
+  of_worker.threads = of_worker.stride = 1;
+  std::vector<std::unique_ptr<SegmentSolver>> workers(settings.threads);
+  for (auto& worker : workers)
+    worker = make_solver(common.variant, common.model, of_worker, nullptr, common.table);
+  return std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
+}
+
+/// Makes the parts of each lane, which solves one segment.
+std::unique_ptr<SegmentExecutor> make_segments_in_lanes(
+    const Common& common, const std::vector<PartDefinition>& definitions,
+    const Settings& settings) {
+  std::vector<SegmentsInLanes::Parts> lanes(settings.segments);
+  for (SegmentsInLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
+  return std::make_unique<SegmentsInLanes>(common.model, std::move(lanes), settings, common.table);
+}
+
+/// Makes what solves segments of a motion at once. Null: the settings ask for none.
+std::unique_ptr<SegmentExecutor> make_segments(const Common& common,
+                                               const std::vector<PartDefinition>& definitions,
+                                               const Settings& settings) {
+  if (settings.threads > 1) return make_segments_on_threads(common, settings);
+  if (settings.segments > 1) return make_segments_in_lanes(common, definitions, settings);
+  return nullptr;
+}
+
 /// Makes all of a formulation but its stride.
 std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
                                            const Settings& settings, Profile* profile,
@@ -119,28 +164,14 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   std::vector<int> type_ends{static_cast<int>(definitions.size())};
   if (v.is_generated()) type_ends = gather_types(m, definitions);
-  // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance, unless
-  // rounding leaves a part more than its share.
-  Settings own = settings;
-  own.tolerance /= std::sqrt(static_cast<double>(definitions.size()));
-  std::shared_ptr<SinglePrecisionState> single;
-  if (settings.scalar == Scalar::single_precision)
-    single = std::make_shared<SinglePrecisionState>(m.state_size());
-  const Common common{m, v, own, Magnitudes(m), std::move(single), profile, table};
-
-  std::unique_ptr<SegmentExecutor> segments;
-  if (settings.threads > 1) {
-    std::vector<std::unique_ptr<SegmentSolver>> workers(settings.threads);
-    Settings of_worker = settings;
-    of_worker.threads = of_worker.stride = 1;
-    for (auto& worker : workers) worker = make_solver(v, m, of_worker, nullptr, table);
-    segments =
-        std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
-  } else if (settings.segments > 1) {
-    std::vector<SegmentsInLanes::Parts> lanes(settings.segments);
-    for (SegmentsInLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
-    segments = std::make_unique<SegmentsInLanes>(m, std::move(lanes), settings, table);
-  }
+  const Common common{.model = m,
+                      .variant = v,
+                      .settings = share_of(settings, definitions.size()),
+                      .magnitudes = Magnitudes(m),
+                      .single = make_single_state(m, settings),
+                      .profile = profile,
+                      .table = table};
+  std::unique_ptr<SegmentExecutor> segments = make_segments(common, definitions, settings);
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
   if (settings.lanes > 1) parts = make_batches(m, std::move(parts), type_ends, settings, table);
   auto steps = std::make_unique<TimeStepping>(m, std::move(parts), settings);

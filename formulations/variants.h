@@ -24,7 +24,8 @@ struct Variant {
 
   /// Returns whether the elimination is generated, too (inlined, explicit).
   bool is_generated() const { return algebra == "inlined" || is_explicit(); }
-  /// Returns whether unknowns are in closed form one after the other, as far as may be.
+  /// Returns whether generated code solves one unknown after the other, in closed form where it
+  /// can.
   bool is_explicit() const { return algebra == "explicit"; }
 };
 

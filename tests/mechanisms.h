@@ -19,7 +19,7 @@ inline Model truck_model(int axles) { return make_model(truck_suspension(axles))
 /// mechanism of the library with its scene.
 inline std::vector<std::pair<Model, TimeGrid>> every_motion() {
   std::vector<std::pair<Model, TimeGrid>> all;
-  for (const Case& c : cases()) all.emplace_back(make_model(c.describe(3)), time_grid(3, 0.01));
+  for (const Case& c : cases()) all.emplace_back(make_model(c.with_units(3)), time_grid(3, 0.01));
   for (const LibraryMechanism& l : library()) {
     const Scene scene = parse_scene(l.scene, std::string(l.name), {});
     all.emplace_back(make_model(scene), scene.grid);

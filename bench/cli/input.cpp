@@ -87,7 +87,7 @@ std::optional<Scene> scalable_case(const std::string& argument) {
                          desmo::in_quotes(argument) + ": how many " + std::string(c.unit_name) +
                              " there are is missing; write " + std::string(c.name) + ":5");
     try {
-      return c.describe(units);
+      return c.with_units(units);
     } catch (const std::invalid_argument& wrong) {
       throw CommandError(usage_error, desmo::in_quotes(argument) + ": " + wrong.what());
     }

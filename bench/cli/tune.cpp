@@ -97,7 +97,7 @@ void tune(const TuneOptions& options) {
                                         " is not a scene file; save it first " +
                                         "('desmo show NAME --scene') and tune that");
   const Model whole_model = model_mechanism(input).model;
-  const Plan plan = make_plan(whole_model, asked_by(input.scene, whole_model));
+  const Plan plan = make_plan(whole_model, outputs_of(input.scene, whole_model));
   const accuracy::Goal goal = options.goal();
   if (plan.level() < goal.level)
     throw CommandError(usage_error, "--level " + std::string(bench::level_names[options.level]) +
@@ -150,7 +150,7 @@ void add_tune(CLI::App& program) {
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
       ->check(CLI::PositiveNumber);
   std::map<std::string, Level> by_name;
-  for (const Level level : levels) by_name.emplace(bench::level_names[level], level);
+  for (const Level level : all_levels) by_name.emplace(bench::level_names[level], level);
   command->add_option("--level", options->level, "Which error is meant; position by default")
       ->transform(CLI::CheckedTransformer(by_name));
   command->add_flag("--write", options->write, "Store the choice in the scene file");

@@ -119,14 +119,14 @@ void FormulationCandidate::sample_afresh(double duration) {
 
 double FormulationCandidate::step_seconds(Formulation& formulation, double duration) const {
   Delivery delivery(delivered(), asked_.level);
-  const double start = cpu_now();
+  const double start = now(clock());
   double spent = 0;
   long instants = 0;
   do {
     const Summary summary = run(formulation, delivery);
     if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
     instants += summary.instants;
-    spent = cpu_now() - start;
+    spent = now(clock()) - start;
   } while (spent < duration);
   return spent / static_cast<double>(instants);
 }

@@ -25,8 +25,8 @@ class FormulationCandidate : public Candidate {
   std::string id() const;
   std::string name() const override;
 
-  /// Takes a sample of a step's CPU time by a formulation made anew on a fresh heap (see
-  /// step_seconds). duration: least CPU time of the sample [s]. Nothing unless it is verified.
+  /// Takes a sample of a step's time by a formulation made anew on a fresh heap (see step_seconds).
+  /// duration: least time of the sample [s]. Does nothing unless it is verified.
   void sample_afresh(double duration);
   /// Returns the least of the samples; infinite when there is none.
   double min_seconds() const;
@@ -58,9 +58,9 @@ class FormulationCandidate : public Candidate {
   virtual Summary run(Formulation& formulation, Observer& observer) const;
 
   std::unique_ptr<Formulation> make_formulation() const;
-  /// Returns the CPU time of a step: the whole motion with its assembly, drivers and delivery into
-  /// plain vectors, divided by the number of instants delivered; repeated until that took
-  /// `duration` [s]. Throws std::runtime_error where the motion cannot be solved.
+  /// Returns the time of a step by clock(): the whole motion with its assembly, drivers and
+  /// delivery into plain vectors, divided by the number of instants delivered; repeated until that
+  /// took `duration` [s]. Throws std::runtime_error where the motion cannot be solved.
   double step_seconds(Formulation& formulation, double duration) const;
 
   const Request asked_;

@@ -93,7 +93,7 @@ std::string verification_failure(const Differences& e, std::size_t expected_inst
 }
 
 void require_agreement(const Model& m, const PerLevel<double>& floor) {
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     if (floor[level] <= highest_floor) continue;
     char text[32];
     std::snprintf(text, sizeof text, "%.1e", floor[level]);

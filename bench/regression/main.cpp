@@ -29,6 +29,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
+constexpr int not_measured = 74;  // exit code: as bench/check says
+
 struct Options {
   std::string base, head, file, slow;
   Names names;
@@ -163,7 +165,7 @@ void measure(const Options& o) {
     throw std::invalid_argument("times need --base: head alone is counted (--no-time)");
   const std::vector<Side> sides = sides_of(o);
   const Names all = all_names(sides.back());
-  for (const std::string& name : o.names) require_known(all, name, "--cell");
+  for (const std::string& name : o.names) require_known(all, name, "--candidate");
   const Names& chosen = o.names.empty() ? all : o.names;
   Json check = {{"schema", "desmo-check"}, {"schema_version", bench::schema_version}};
   check["settings"] = {{"seed", o.seed},
@@ -205,19 +207,19 @@ int run(int argc, char** argv) {
   all->add_option("file", o.file, "Results file to write")->required();
   all->add_option("--slow", o.slow,
                   "SIDE:CANDIDATE:PERCENT: make a candidate slower, to test the check");
-  all->add_option("--cell", o.names, "Measure only these");
+  all->add_option("--candidate", o.names, "Measure only these");
   all->add_flag("!--no-time", o.time, "Count instructions only");
   all->add_flag("!--no-work", o.work, "Measure times only");
   CLI::App* more = app.add_subcommand("more", "Adds rounds of some candidates to a results file");
   more->add_option("file", o.file, "Results file")->required();
   more->add_option("pass", o.pass)->required()->check(CLI::IsMember({"first", "second"}));
-  more->add_option("cells", o.names)->required();
+  more->add_option("candidates", o.names)->required();
   CLI::App* history = app.add_subcommand("history", "Counts a commit's candidates and adds them");
   history->add_option("file", o.file, "History to add to; made where there is none")->required();
   history->add_option("--commit", o.commit.name)->required();
   history->add_option("--date", o.commit.date)->required();
   history->add_option("--subject", o.commit.message)->required();
-  history->add_option("cells", o.names)->required();
+  history->add_option("candidates", o.names)->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -244,6 +246,6 @@ int main(int argc, char** argv) {
     return desmo::bench::usage_error;
   } catch (const std::exception& e) {
     std::cerr << "desmo_check: " << e.what() << '\n';
-    return 74;
+    return desmo::regression::not_measured;
   }
 }

@@ -25,14 +25,14 @@ const Case& find_case(std::string_view name) {
   throw std::invalid_argument("unknown case '" + std::string(name) + "'; there are: " + known);
 }
 
-Scene describe(const Case& c, int coordinates) {
+Scene make_scene(const Case& c, int coordinates) {
   const int units = (coordinates - c.base_coordinates) / c.coordinates_per_unit;
   if (units < 1 || c.base_coordinates + units * c.coordinates_per_unit != coordinates)
     throw std::invalid_argument(std::string(c.name) + ": no size has " +
                                 std::to_string(coordinates) + " coordinates; they are " +
                                 std::to_string(c.base_coordinates) + " + " +
                                 std::to_string(c.coordinates_per_unit) + " k, k = 1, 2, …");
-  return c.describe(units);
+  return c.with_units(units);
 }
 
 TimeGrid time_grid(double seconds, double step) {

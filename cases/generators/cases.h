@@ -18,12 +18,12 @@ Scene truck_suspension(int axles);
 
 /// A scalable case of the suite:
 ///
-///   const Scene scene = describe(find_case("truck_suspension"), 558);
+///   const Scene scene = make_scene(find_case("truck_suspension"), 558);
 struct Case {
-  std::string_view name;         ///< "four_bar", "truck_suspension"
-  std::string_view unit_name;    ///< plural of its repeated unit: "dyads", "axles"
-  Scene (*describe)(int units);  ///< makes it of so many units; throws as four_bar()
-  int base_coordinates;          ///< coordinates(units) = base + per_unit · units
+  std::string_view name;           ///< "four_bar", "truck_suspension"
+  std::string_view unit_name;      ///< plural of its repeated unit: "dyads", "axles"
+  Scene (*with_units)(int units);  ///< makes a scene of so many units; throws as four_bar()
+  int base_coordinates;            ///< coordinates(units) = base + per_unit · units
   int coordinates_per_unit;
   std::vector<int> sizes;        ///< numbers of coordinates in the paper's tables, ascending
   std::vector<int> extra_sizes;  ///< further ones: sparse global references and generated code only
@@ -36,9 +36,9 @@ std::span<const Case> cases();
 /// none.
 const Case& find_case(std::string_view name);
 
-/// Makes a case with that number of coordinates. Throws std::invalid_argument, naming the sizes
-/// that exist, when no whole number of units has it.
-Scene describe(const Case& definition, int coordinates);
+/// Makes the scene of a case with that number of coordinates. Throws std::invalid_argument, naming
+/// the sizes that exist, when no whole number of units has it.
+Scene make_scene(const Case& definition, int coordinates);
 
 /// Makes a grid from 0 to `seconds`, both included, with that step [s]. Throws
 /// std::invalid_argument unless both are positive and finite and the grid has 2 to 10⁹ instants.

@@ -11,7 +11,7 @@
 namespace desmo {
 
 // The functions below read and write the files that cases/files.md specifies. Values are converted
-// to metres (or the mechanism's free unit) and radians. What reads throws InputError for a
+// to metres (or the mechanism's free unit) and radians. Functions that read throw InputError for a
 // fault in a file. file_name: the name of the text in messages.
 
 /// Return a mechanism that has passed validate().

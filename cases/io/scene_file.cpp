@@ -55,7 +55,7 @@ Start from_generator(const JsonValue& value) {
   value.allow({"generator", c.unit_name});
   const JsonValue count = value[c.unit_name];
   try {
-    Scene scene = c.describe(count.whole_number(1, max_units));
+    Scene scene = c.with_units(count.whole_number(1, max_units));
     Units units;
     units.length_unit = units.length_name = scene.mechanism.length_unit;
     return {std::move(scene.mechanism), units, std::move(scene.motions), scene.grid};

@@ -26,8 +26,8 @@ struct Mechanism {
   struct Vector {
     std::string name;
     Vec direction;  ///< nominal direction, of length 1
-    /// Two points of the body, from the first of which to the second the vector always points. The
-    /// vector then follows from the points by a linear equation.
+    /// Two points of the body: the vector always points from the first to the second. It then
+    /// follows from the points by a linear equation.
     std::optional<std::array<int, 2>> along;
   };
 

@@ -124,16 +124,18 @@ MotionSample<S> sample(const Motion& motion, const S& t) {
 
 /// Equally spaced instants. Each is computed from its index, never accumulated.
 struct TimeGrid {
-  double start = 0;  ///< [s]
-  double step = 0;   ///< [s], positive
-  int instants = 0;  ///< number of instants, both ends included
-  int stride = 1;    ///< number of steps between instants
+  double start = 0;            ///< [s]
+  double step = 0;             ///< [s], positive
+  int instants = 0;            ///< number of instants, both ends included
+  int steps_per_interval = 1;  ///< number of steps between instants
 
-  double time(int i) const { return start + i * stride * step; }
-  double interval() const { return stride * step; }  ///< time between instants [s]
+  double time(int i) const { return start + i * steps_per_interval * step; }
+  double interval() const { return steps_per_interval * step; }  ///< time between instants [s]
 
   /// Returns a grid of the first instant and every nth one after it, at exactly the same times.
-  TimeGrid every(int nth) const { return {start, step, (instants + nth - 1) / nth, stride * nth}; }
+  TimeGrid every(int nth) const {
+    return {start, step, (instants + nth - 1) / nth, steps_per_interval * nth};
+  }
 };
 
 }  // namespace desmo

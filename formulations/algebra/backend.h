@@ -26,7 +26,6 @@ struct Backend {
   /// the pattern.
   std::unique_ptr<LinearSolver<double>> (*make_solver)(const Pattern&, const Settings&);
   std::string (*version)();
-  bool squares_condition = false;  ///< solves normal equations, so that errors grow with κ²
   Absence (*absence)() = nullptr;  ///< null: it is linked, so always present
   /// Makes a solver in single precision; null for sparse libraries.
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;

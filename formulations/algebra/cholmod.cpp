@@ -88,8 +88,8 @@ class Cholmod final : public LinearSolver<double> {
     return cholmod_factorize(&a_, l_, &common_) && common_.status == CHOLMOD_OK;
   }
 
-  /// Normal equations square the condition number, whatever the pivots.
-  double pivot_shrinkage() const override { return INFINITY; }
+  Pivots pivots() const override { return {.square_condition = true}; }
+
   void solve(double* b) override {
     normal_.right_side(values_, b, static_cast<double*>(right_->x));
     cholmod_solve2(CHOLMOD_A, l_, right_, nullptr, &x_, nullptr, &y_, &e_, &common_);
@@ -111,8 +111,13 @@ class Cholmod final : public LinearSolver<double> {
 
 extern const Backend cholmod_backend;
 const Backend cholmod_backend{
-    "cholmod", false, &make_sparse_solver<Cholmod>,
-    [] { return version_text(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION); },
-    true};
+    .name = "cholmod",
+    .dense = false,
+    .make_solver = &make_sparse_solver<Cholmod>,
+    .version =
+        [] {
+          return version_text(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
+        },
+};
 
 }  // namespace desmo

@@ -46,7 +46,7 @@ class KluFactors final : public LinearSolver<double> {
     ++pivot_choices_;
     numeric_ = klu_factor(start_.data(), row_.data(), ax, symbolic_, &common_);
     if (!numeric_ || common_.status != KLU_OK) return false;
-    chosen_ = Eigen::Map<const Eigen::ArrayXd>(pivots().data(), n_).abs();
+    chosen_ = pivot_array().abs();
     return true;
   }
 
@@ -70,17 +70,14 @@ class KluFactors final : public LinearSolver<double> {
     klu_tsolve(symbolic_, numeric_, n_, right_sides, b, &common_);
   }
 
-  bool reuses_pivots() const override { return true; }
-
-  void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
-
-  double pivot_shrinkage() const override {
-    if (!numeric_ || chosen_.size() != n_) return 1;
-    return (chosen_ / Eigen::Map<const Eigen::ArrayXd>(pivots().data(), n_).abs()).maxCoeff();
+  Pivots pivots() const override {
+    Pivots result{.reuse_order = true, .choices = pivot_choices_};
+    if (numeric_ && chosen_.size() == n_)
+      result.shrinkage = (chosen_ / pivot_array().abs()).maxCoeff();
+    return result;
   }
 
-  /// Returns how often a pivot order was chosen, the first time included.
-  long pivot_choices() const override { return pivot_choices_; }
+  void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
 
   /// Returns the column at which factor() found the matrix singular.
   int singular_column() const { return common_.singular_col; }
@@ -94,7 +91,7 @@ class KluFactors final : public LinearSolver<double> {
   std::span<const int> block_columns() const { return {symbolic_->Q, row_count()}; }
   /// Return the rows of the blocks in pivot order, and the pivots, of the last factors.
   std::span<const int> pivot_rows() const { return {numeric_->Pnum, row_count()}; }
-  std::span<const double> pivots() const {
+  std::span<const double> pivot_values() const {
     return {static_cast<const double*>(numeric_->Udiag), row_count()};
   }
 
@@ -108,12 +105,13 @@ class KluFactors final : public LinearSolver<double> {
   }
 
   std::size_t row_count() const { return static_cast<std::size_t>(n_); }
+  Eigen::Map<const Eigen::ArrayXd> pivot_array() const { return {pivot_values().data(), n_}; }
 
   /// Returns whether the smallest pivot is large enough compared with the largest (klu_rcond). The
   /// bound is SUNDIALS'.
   bool pivots_are_good() const {
     static const double trusted = std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0);
-    const auto size = Eigen::Map<const Eigen::ArrayXd>(pivots().data(), n_).abs();
+    const auto size = pivot_array().abs();
     return size.minCoeff() > trusted * size.maxCoeff();
   }
 

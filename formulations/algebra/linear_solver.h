@@ -1,5 +1,7 @@
 #pragma once
 
+#include "formulations/base/pivots.h"
+
 namespace desmo {
 
 /// Solver of linear systems with the scaled Jacobian A of one part (JacobianFactors scales rows and
@@ -29,18 +31,12 @@ class LinearSolver {
   /// Returns whether the factors have fewer digits than Real.
   virtual bool rounds_factors() const { return false; }
 
-  /// Returns whether factor() may reuse the pivot order of an earlier call.
-  virtual bool reuses_pivots() const { return false; }
-
-  /// Returns the largest factor by which a pivot has shrunk since the order was chosen. Rounding
-  /// errors grow by the same factor.
-  virtual double pivot_shrinkage() const { return 1; }
+  /// Returns the state of the pivots. The default is that of a solver that chooses them anew in
+  /// every factor().
+  virtual Pivots pivots() const { return {}; }
 
   /// Makes the next factor() choose its pivots anew.
   virtual void forget_pivots() {}
-
-  /// Returns how often factor() chose a pivot order, where it may reuse one.
-  virtual long pivot_choices() const { return 0; }
 };
 
 }  // namespace desmo

@@ -129,8 +129,8 @@ class Ma27 final : public LinearSolver<double> {
     return a_.dialogue.succeeded();
   }
 
-  /// Normal equations square the condition number, whatever the pivots.
-  double pivot_shrinkage() const override { return INFINITY; }
+  Pivots pivots() const override { return {.square_condition = true}; }
+
   void solve(double* b) override {
     a_.normal.right_side(values_, b, right_.data());
     const int reals = count(reals_), integers = count(integers_);
@@ -170,11 +170,10 @@ class Ma27 final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend ma27_backend;
-const Backend ma27_backend{"ma27",
-                           false,
-                           &make_sparse_solver<Ma27>,
-                           [] { return coinhsl().version; },
-                           true,
-                           [] { return coinhsl().absence; }};
+const Backend ma27_backend{.name = "ma27",
+                           .dense = false,
+                           .make_solver = &make_sparse_solver<Ma27>,
+                           .version = [] { return coinhsl().version; },
+                           .absence = [] { return coinhsl().absence; }};
 
 }  // namespace desmo

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "cases/mechanism/level.h"
 #include "formulations/base/part_chain.h"
+#include "formulations/base/pivots.h"
 #include "formulations/base/settings.h"
 #include "formulations/base/state.h"
 #include "formulations/base/summary.h"
@@ -33,11 +35,48 @@ struct PartSettings {
   bool at_rounding = false;
 };
 
+/// When the iterations of Newton's method end. All limits are on ‖Φ‖.
+struct IterationLimits {
+  double stop;    ///< they end below it; 0: their number is fixed
+  double accept;  ///< a position below it is a solution; infinite where their number is fixed
+  int max;        ///< largest number of iterations
+
+  explicit IterationLimits(const PartSettings& s)
+      : stop(s.tolerance), accept(s.tolerance), max(s.max_iterations) {
+    if (s.fixed_iterations == 0) return;
+    stop = 0;
+    accept = std::numeric_limits<double>::infinity();
+    max = s.fixed_iterations;
+  }
+};
+
 /// The outcome of one part in one step.
 struct PartResult {
   Status status = Status::solved;
-  int iterations = 0;  ///< of Newton's method, its failed attempts included
+  /// Of Newton's method, its failed attempts included. What generated code did in a step that it
+  /// refused is not: PartCounts::fallbacks counts such steps.
+  int iterations = 0;
   double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
+};
+
+/// What a part met in its steps so far. Assemblies, which start from estimates, do not count.
+struct PartCounts {
+  /// How often a pivot order that is meant to last had gone bad, and pivots were chosen anew:
+  /// - linear solvers that reuse pivots: new choices of the order after the first
+  /// - generated code: its fallbacks
+  long refactorisations = 0;
+  /// Steps that generated code refused: a pivot, a divisor or a square root is too small, or its
+  /// iterations do not converge. A pivoting part solves them.
+  long fallbacks = 0;
+  /// Fallbacks that ended on another branch than the step before, where the part can tell.
+  long branch_changes = 0;
+
+  PartCounts& operator+=(const PartCounts& other) {
+    refactorisations += other.refactorisations;
+    fallbacks += other.fallbacks;
+    branch_changes += other.branch_changes;
+    return *this;
+  }
 };
 
 /// Coordinates that a part reads.
@@ -80,28 +119,21 @@ class Part {
     return nullptr;
   }
 
-  /// Returns how often a pivot order that is meant to last had gone bad, and pivots were chosen
-  /// anew:
-  /// - linear solvers that reuse pivots: new choices of the order after the first
-  /// - generated code: steps left to the pivoting part (GuardedPart::fallbacks)
-  virtual long refactorisations() const { return 0; }
+  /// Returns what the part counted in all its steps.
+  virtual PartCounts counts() const { return {}; }
 
-  /// Returns whether rates may come from an order of pivots that was chosen at another position.
-  virtual bool reuses_pivots() const { return false; }
+  /// Returns the state of the pivots of a linear solver; of generated code the default.
+  virtual Pivots pivots() const { return {}; }
+
+  /// Sets whether Newton's method makes one more correction where the tolerance is met but ‖Φ‖ is
+  /// above rounding. Monitored runs ask for it: the position's error is κ times as large as ‖Φ‖.
+  /// Only generated eliminations do it.
+  virtual void correct_once_more(bool asked) { static_cast<void>(asked); }
 
   /// Voids what earlier steps left behind: the next solve() starts from an estimate.
   virtual void forget() {}
   /// Tells that the assembly is over, which began with forget(): what follows are steps.
   virtual void end_assembly() {}
-};
-
-/// Second interface of a part whose linear solver may reuse a pivot order (Part::reuses_pivots).
-class PivotReuse {
- public:
-  virtual ~PivotReuse() = default;
-  /// Returns the largest factor by which a pivot has shrunk since the order was chosen. Rounding
-  /// errors grow by the same factor.
-  virtual double pivot_shrinkage() const = 0;
 };
 
 }  // namespace desmo

@@ -6,7 +6,8 @@
 
 namespace desmo {
 
-inline constexpr std::array levels{Level::position, Level::velocity, Level::acceleration};
+/// The three levels, ascending.
+inline constexpr std::array all_levels{Level::position, Level::velocity, Level::acceleration};
 
 /// A value for each level.
 template <class T>

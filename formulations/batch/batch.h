@@ -23,6 +23,22 @@ using SubsystemKernels = std::vector<const LaneKernel*>;
 /// The origin of a number in the state: it never moves, a driver gives it, a part finds it.
 enum class StateKind : char { constant, driven, solved };
 
+// clang-format off
+//
+// Who holds what, and in which layout (two parts a subsystem, 4 lanes):
+//
+//   State, outputs                             BatchState: now and before        parts_
+//   one subsystem after the other              side by side in lanes
+//   ┌────────────┬────────────┬──         number 0 │ l0 │ l1 │ l2 │ l3 │
+//   │ subsystem 0│ subsystem 1│  Gather →  number 1 │ l0 │ l1 │ l2 │ l3 │  ⇄  KernelBatch of first parts
+//   └────────────┴────────────┴── ← Scatter number 2 │ l0 │ l1 │ l2 │ l3 │  ⇄  KernelBatch of second parts
+//   q[places_[l][n]]                      q[n · lanes + l]
+//
+// A *number* n is one that the first subsystem reads or writes. A KernelBatch holds dimensions,
+// weights and branches of its parts in lanes. The parts themselves solve a subsystem alone.
+//
+// clang-format on
+
 /// A batch of equal subsystems, one in each lane, solved by one call of each kernel. Their state
 /// stays in lanes from one instant to the next. Where subsystems are fewer than lanes, the first
 /// fills the rest.
@@ -97,13 +113,13 @@ class Batch {
   std::span<Subsystem> subsystems_;
   std::vector<KernelBatch> parts_;
   std::size_t lanes_;
-  LanePlaces places_;  // in the state, of all that a subsystem reads and writes: local inputs
-  std::vector<int> unknowns_, driven_;  // local inputs, ascending
-  std::vector<int> own_;                // unknowns and driven ones, ascending
-  Gather constants_, moving_;           // values of other parts, read once and in every step
-  Gather undriven_;                     // drivers, where no step was begun
-  Gather starts_;                       // unknowns and drivers from which a step starts
-  Scatter observed_, delivered_;
+  LanePlaces places_;                   // the place in the state of each number of each lane
+  std::vector<int> unknowns_, driven_;  // numbers, ascending
+  std::vector<int> own_;                // both of them, ascending
+  Gather constants_, moving_;           // numbers of other parts, read once or in every step
+  Gather undriven_;                     // driven numbers, read where no step was begun
+  Gather starts_;                       // unknowns, read where none are predicted
+  Scatter observed_, delivered_;        // numbers to write to the state, and to lent outputs
   BatchState state_;
   LaneValues residuals2_;  // by part, for the largest number of lanes
   Step step_;

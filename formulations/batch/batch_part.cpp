@@ -135,10 +135,10 @@ void BatchPart::forget() {
     for (const auto& member : subsystem) member->forget();
 }
 
-long BatchPart::sum(long (GuardedPart::*of_member)() const) const {
-  long sum = 0;
+PartCounts BatchPart::counts() const {
+  PartCounts sum;
   for (const Subsystem& subsystem : subsystems_)
-    for (const auto& member : subsystem) sum += ((*member).*of_member)();
+    for (const auto& member : subsystem) sum += member->counts();
   return sum;
 }
 

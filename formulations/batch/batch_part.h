@@ -6,7 +6,6 @@
 #include "formulations/base/resident_part.h"
 #include "formulations/batch/batch.h"
 #include "formulations/equations/kernel_table.h"
-#include "formulations/parts/guarded_part.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -14,7 +13,7 @@ namespace desmo {
 /// Equal subsystems, none of which needs another, solved in batches by explicit code on wide
 /// registers. A subsystem is one part, or several whose results stay in lanes. One that has no
 /// position yet, or of which the code refuses a part, is solved alone, by its own parts.
-class BatchPart final : public GuardedPart, public ResidentPart {
+class BatchPart final : public Part, public ResidentPart {
  public:
   /// kernels: one or more, each for more lanes than the one before. subsystems: two or more,
   /// alike as are_alike() says. kinds: of each position in the state.
@@ -33,17 +32,14 @@ class BatchPart final : public GuardedPart, public ResidentPart {
   void restore(std::span<double> q) const override;
   void forget() override;
 
-  /// Return the sums over its members.
-  long fallbacks() const override { return sum(&GuardedPart::fallbacks); }
-  long branch_changes() const override { return sum(&GuardedPart::branch_changes); }
+  /// Returns the sums over its members.
+  PartCounts counts() const override;
 
  private:
   void solve(Batch& batch, State& state, std::span<const double> last, Level level,
              PartResult& all);
   static void solve_alone(Subsystem& subsystem, State& state, std::span<const double> last,
                           Level level, PartResult& all);
-
-  long sum(long (GuardedPart::*of_member)() const) const;
 
   std::vector<Subsystem> subsystems_;
   std::vector<Batch> batches_;

@@ -80,7 +80,7 @@ SegmentedFormulation::SegmentedFormulation(std::unique_ptr<TimeStepping> steps,
       steps_(std::move(steps)),
       executor_(std::move(executor)) {}
 
-void SegmentedFormulation::leave_out_levels(std::span<const Level> needed) {
+void SegmentedFormulation::do_solve_only(std::span<const Level> needed) {
   executor_->solve_only(needed);
   steps_->solve_only(needed);
 }
@@ -106,7 +106,7 @@ std::optional<Summary> SegmentedFormulation::run_on(const TimeGrid& grid, const 
                                          : executor_->run(grid, {request.level}, last_, *buffer);
   if (!total && at_once) observer.restart();
   if (!total || total->stopped) return total;
-  steps_->take(last_, grid.time(grid.instants - 1), request.level);
+  steps_->continue_from(last_, grid.time(grid.instants - 1), request.level);
   if (buffer) buffer->hand_over(output, observer, *total);
   return total;
 }

@@ -39,13 +39,13 @@ class SegmentedFormulation final : public SegmentSolver {
   SegmentedFormulation(std::unique_ptr<TimeStepping> steps,
                        std::unique_ptr<SegmentExecutor> executor);
 
-  Summary assemble_at(double t, Level level) override { return steps_->assemble(t, level); }
-  Summary step_to(double t, Level level) override { return steps_->step(t, level); }
+  Summary do_assemble(double t, Level level) override { return steps_->assemble(t, level); }
+  Summary do_step(double t, Level level) override { return steps_->step(t, level); }
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override { return steps_->start_at(q, t); }
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
-  void leave_out_levels(std::span<const Level> needed) override;
+  void do_solve_only(std::span<const Level> needed) override;
   long runs_without_segments() const override { return runs_without_segments_; }
   const std::vector<DefinedPart>& parts() const override { return steps_->parts(); }
   const State& state() const override { return steps_->state(); }

@@ -60,7 +60,7 @@ void start_threads(int count) {
 /// Instants of a grid from `begin` on, up to `end`, which is not among them: at their times but for
 /// rounding.
 TimeGrid cut(const TimeGrid& grid, int begin, int end) {
-  return {grid.time(begin), grid.step, end - begin, grid.stride};
+  return {grid.time(begin), grid.step, end - begin, grid.steps_per_interval};
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ set(settings_h formulations/base/settings.h)
 set(summary_h formulations/base/summary.h)
 set(observer_h formulations/base/observer.h)
 set(formulation_h formulations/formulation.h formulations/variants.h formulations/id.h)
-set(assessment_h formulations/verification/monitor/monitored_run.h)
+set(monitored_run_h formulations/verification/monitor/monitored_run.h)
 set(certificate_h formulations/verification/certificate/certificate.h)
 set(live_run_h formulations/verification/monitor/live_run.h)
 set(range_h formulations/verification/range/driver_range.h)
@@ -25,8 +25,8 @@ set(installed_headers cases/io/input_error.h cases/mechanism/level.h
   formulations/verification/assessment/assessment.h)
 
 set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)
-foreach(name mechanism scene files cases model settings summary observer formulation assessment
-    certificate live_run range generated_code reference)
+foreach(name mechanism scene files cases model settings summary observer formulation
+    monitored_run certificate live_run range generated_code reference)
   list(APPEND installed_headers ${${name}_h})
   list(JOIN ${name}_h "\"\n#include \"" includes)
   set(header ${PROJECT_BINARY_DIR}/include/desmo/${name}.h)

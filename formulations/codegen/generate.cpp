@@ -38,7 +38,7 @@ std::string kernel_name(const Model& m, const std::string& group,
 /// Adds the types of a scene's groups and blocks, sampled over its motion, to those found.
 void collect(const Scene& scene, std::vector<SampledType>& found) {
   const Model whole = make_model(scene);
-  const Model m = make_plan(whole, asked_by(scene, whole)).model;
+  const Model m = make_plan(whole, outputs_of(scene, whole)).model;
   std::vector<double> times;
   for (int i = 0; i < sample_count; ++i)
     times.push_back(scene.grid.time((scene.grid.instants - 1) * i / (sample_count - 1)));
@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
   const std::string folder = argv[1];
   try {
     std::vector<generate::SampledType> types;
-    for (const Case& c : cases()) generate::collect(c.describe(2), types);
+    for (const Case& c : cases()) generate::collect(c.with_units(2), types);
     for (const RequestScene& r : request_scenes())
       generate::collect(parse_scene(r.scene, std::string(r.name), {}), types);
     const std::size_t of_cases = types.size();

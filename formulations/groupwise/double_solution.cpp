@@ -9,7 +9,7 @@ template class GroupwiseSolver<double>;
 std::vector<ReferenceInstant> double_solution(const Model& m, std::span<const double> times) {
   std::vector<ReferenceInstant> result;
   GroupwiseSolver<double> solver(m);
-  walk(
+  follow_motion(
       times, [&](double t) { solver.solve_positions(t); },
       [&](double t) {
         solver.solve_rates();

@@ -19,7 +19,7 @@ std::vector<ReferenceInstant> double_solution(const Model& model, std::span<cons
 /// Steps from an assembly at times.front() [s] to each time in turn, in steps of at most 10 ms.
 /// Calls step(t) to follow the motion, and arrive(t) at each of the times.
 template <class Step, class Arrive>
-void walk(std::span<const double> times, Step&& step, Arrive&& arrive) {
+void follow_motion(std::span<const double> times, Step&& step, Arrive&& arrive) {
   constexpr double max_step = 0.01;
   double t = times.empty() ? 0 : times.front();
   for (const double target : times) {

@@ -13,8 +13,8 @@ namespace desmo {
 using EntityId = int;  ///< position in Model::entities
 using GroupId = int;   ///< position in Model::groups
 
-/// Stands where a group, an entity, a constraint or a coordinate is named by its position, and none
-/// is known or there is none.
+/// The position of a group, an entity, a constraint or a coordinate that does not exist or is not
+/// known.
 inline constexpr int no_position = -1;
 
 enum class EntityKind { point, vector, angle, distance };
@@ -61,8 +61,8 @@ struct Driver {
 /// The *state* is q followed by the components of the fixed entities, so that constraints read
 /// both alike.
 ///
-/// The vectors may be changed directly; validate() then checks them. Only add() and add_fixed()
-/// tell find() of a name: it knows no entity that was appended or renamed directly.
+/// The vectors may be changed directly; validate() then checks them. find() knows only the names
+/// that add() and add_fixed() were given.
 struct Model {
   std::string name;
   std::string length_unit = "m";  ///< "1": an unspecified unit
@@ -96,7 +96,8 @@ struct Model {
 
   GroupId add_group(std::string group_name, std::vector<std::string> bodies);
 
-  /// Adds an entity whose components are coordinates with an initial estimate, solved in a group.
+  /// Adds an entity whose components are coordinates. They have an initial estimate, and a group
+  /// whose solution yields them.
   EntityId add(EntityKind kind, std::string entity_name, std::span<const double> initial_estimate,
                GroupId group);
   /// Adds an entity that never moves.

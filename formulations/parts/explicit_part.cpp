@@ -1,7 +1,6 @@
 #include "formulations/parts/explicit_part.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace desmo {
@@ -65,13 +64,17 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
   std::ranges::copy(weights, w);
   kernel_.fold(c, f);
 
-  const double tolerance2 = settings.tolerance * settings.tolerance;
-  const ExplicitLimits limits =
-      settings.fixed_iterations > 0
-          ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0, settings.fixed_iterations}
-          : ExplicitLimits{tolerance2, core_share * core_share * tolerance2,
-                           settings.max_iterations};
-  binding_ = {inputs_.data(), c, f, branch_, w, anchors_.data(), limits};
+  const IterationLimits limits(settings);
+  const double core_stop = core_share * limits.stop;
+  binding_ = {.in = inputs_.data(),
+              .c = c,
+              .f = f,
+              .branch = branch_,
+              .w = w,
+              .anchors = anchors_.data(),
+              .limits = {.tolerance2 = limits.accept * limits.accept,
+                         .core_tolerance2 = core_stop * core_stop,
+                         .max_iterations = limits.max}};
 }
 
 PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level level) {

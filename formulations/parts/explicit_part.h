@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/part.h"
 #include "formulations/equations/explicit_kernel.h"
 #include "formulations/equations/symbolic.h"
-#include "formulations/parts/guarded_part.h"
 
 namespace desmo {
 
@@ -16,7 +16,7 @@ namespace desmo {
 /// code refuses, where a root or a divisor is too small or the original equations are not
 /// satisfied, is left to `fallback` as well, from the last position, and the branches are those of
 /// its solution.
-class ExplicitPart final : public GuardedPart {
+class ExplicitPart final : public Part {
  public:
   /// bound: inputs and dimensions of the part, also those of `kernel`. weights: 1/magnitude of
   /// each equation (see magnitudes.h).
@@ -32,8 +32,10 @@ class ExplicitPart final : public GuardedPart {
   std::unique_ptr<PartChain> make_chain(std::span<Part* const> parts) override;
   void forget() override;
 
-  long fallbacks() const override { return fallbacks_; }
-  long branch_changes() const override { return branch_changes_; }
+  PartCounts counts() const override {
+    return {
+        .refactorisations = fallbacks_, .fallbacks = fallbacks_, .branch_changes = branch_changes_};
+  }
   /// Returns whether a position was found since forget(), so that the kernel may go on from it.
   bool assembled() const { return assembled_; }
   const ExplicitKernel& kernel() const { return kernel_; }

@@ -17,23 +17,20 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
                          std::vector<int> unknowns)
     : bound_(std::move(bound)),
       weights_(std::move(weights)),
-      tolerance2_(settings.tolerance * settings.tolerance),
-      max_iterations_(settings.max_iterations),
-      accepted2_(tolerance2_),
       at_rounding_(settings.at_rounding),
       corrected_above2_(at_rounding_ ? -1 : infinity),
       fallback_(std::move(fallback)),
       unknowns_(std::move(unknowns)),
       start_(unknowns_.size()) {
-  if (settings.fixed_iterations == 0) return;
-  tolerance2_ = 0;
-  max_iterations_ = settings.fixed_iterations;
-  accepted2_ = infinity;
+  const IterationLimits limits(settings);
+  max_iterations_ = limits.max;
+  stop2_ = limits.stop * limits.stop;
+  accept2_ = limits.accept * limits.accept;
 }
 
 void InlinedPart::correct_once_more(bool asked) {
   if (!at_rounding_)
-    corrected_above2_ = asked ? rounding_share * rounding_share * tolerance2_ : infinity;
+    corrected_above2_ = asked ? rounding_share * rounding_share * stop2_ : infinity;
 }
 
 /// Apart, for the registers that it needs would have to be saved in every step.
@@ -50,10 +47,10 @@ PartResult InlinedPart::solve(State& s, std::span<const double> last, Level leve
   for (std::size_t i = 0; i < unknowns_.size(); ++i) start_[i] = s.q[unknowns_[i]];
 
   InlinedResult position =
-      bound_.kernel->position(s.q.data(), in, c, weights_.data(), tolerance2_, max_iterations_);
-  if (position.residual2 > corrected_above2_ && position.residual2 < tolerance2_) [[unlikely]]
+      bound_.kernel->position(s.q.data(), in, c, weights_.data(), stop2_, max_iterations_);
+  if (position.residual2 > corrected_above2_ && position.residual2 < stop2_) [[unlikely]]
     position = once_more(s, position.iterations);
-  bool good = position.residual2 < accepted2_;  // false for NaN, too
+  bool good = position.residual2 < accept2_;  // false for NaN, too
   if (good && level != Level::position) {
     double* acc = level == Level::acceleration ? s.qdd.data() : nullptr;
     good = bound_.kernel->rates(s.q.data(), s.qd.data(), acc, in, c);
@@ -62,7 +59,7 @@ PartResult InlinedPart::solve(State& s, std::span<const double> last, Level leve
 
   ++fallbacks_;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) s.q[unknowns_[i]] = start_[i];
-  return fallback_->solve(s, last, level);  // fallbacks() counts the attempt; iterations do not
+  return fallback_->solve(s, last, level);
 }
 
 }  // namespace desmo

@@ -3,15 +3,15 @@
 #include <memory>
 #include <vector>
 
+#include "formulations/base/part.h"
 #include "formulations/equations/symbolic.h"
-#include "formulations/parts/guarded_part.h"
 
 namespace desmo {
 
 /// A group solved by generated code throughout: equations, elimination in a pivot order fixed
 /// at generation time, and substitution. When a pivot turns out too small, or the iterations do
-/// not converge, the step is left to `fallback`, which pivots; fallbacks() counts these steps.
-class InlinedPart final : public GuardedPart {
+/// not converge, the step is left to `fallback`, which pivots (PartCounts::fallbacks).
+class InlinedPart final : public Part {
  public:
   /// weights: 1/magnitude of each equation (see magnitudes.h).
   InlinedPart(BoundKernel bound, std::vector<double> weights, const PartSettings& settings,
@@ -25,7 +25,9 @@ class InlinedPart final : public GuardedPart {
   }
   void end_assembly() override { fallbacks_ = fallbacks_before_; }
 
-  long fallbacks() const override { return fallbacks_; }
+  PartCounts counts() const override {
+    return {.refactorisations = fallbacks_, .fallbacks = fallbacks_};
+  }
   void correct_once_more(bool asked) override;
 
  private:
@@ -33,9 +35,8 @@ class InlinedPart final : public GuardedPart {
 
   BoundKernel bound_;
   std::vector<double> weights_;
-  double tolerance2_;  // on ‖Φ‖₂²: where to stop iterating …
   int max_iterations_;
-  double accepted2_;         // largest ‖Φ‖₂² that is accepted
+  double stop2_, accept2_;   // on ‖Φ‖₂²: see IterationLimits
   bool at_rounding_;         // see PartSettings
   double corrected_above2_;  // ‖Φ‖₂² at the tolerance that is worth one more correction
   std::unique_ptr<Part> fallback_;

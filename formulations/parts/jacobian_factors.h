@@ -45,7 +45,8 @@ class JacobianFactors {
   /// - weights: 1/magnitude of each equation; copied
   /// - rounded_weights: the same as Real; outlive this object
   /// - magnitudes: of the unknowns; empty: all are 1; copied
-  /// - tolerance: on ‖Φ‖
+  /// - tolerance: limit of ‖Φ‖ below which a position is accepted; infinite: old factors never are
+  ///   too slow
   /// - solver: of the equations' pattern
   JacobianFactors(const Equations<Real>& equations, std::span<const double> weights,
                   const Vector& rounded_weights, std::span<const double> magnitudes,
@@ -70,40 +71,42 @@ class JacobianFactors {
   /// Begins the iterations of a position.
   void begin_position(JacobianUpdate update) {
     active_update_ = update;
-    corrected_with_old_ = false;
-    is_first_ = true;
+    last_correction_ = Correction::none;
   }
 
   /// Returns whether the last correction came from old factors and led away from the solution.
   bool led_away(double residual) const {
-    return corrected_with_old_ && !(residual < tolerance_) && !(residual < last_residual_);
+    return corrects_with_old() && !(residual < tolerance_) && !(residual < last_residual_);
   }
 
   /// Gives the factors up that led away.
-  void give_up() { has_factors_ = corrected_with_old_ = false; }
+  void give_up() {
+    factors_ = Factors::none;
+    last_correction_ = Correction::none;
+  }
 
   /// Chooses the factors of the next correction: those at hand, or new ones at q. Returns false
   /// where Φ_φ is singular.
   [[gnu::always_inline]] bool prepare_correction(const Real* q, double residual) {
-    corrected_with_old_ = active_update_ != JacobianUpdate::newton && has_factors_ &&
-                          (is_first_ || are_fast_enough(residual));
-    is_first_ = false;
+    const bool keeps = active_update_ != JacobianUpdate::newton && factors_ != Factors::none &&
+                       (last_correction_ == Correction::none || are_fast_enough(residual));
+    last_correction_ = keeps ? Correction::by_old_factors : Correction::by_new_factors;
     last_residual_ = residual;
-    return corrected_with_old_ || factor_at(q);
+    return keeps || factor_at(q);
   }
   /// Returns whether the correction comes from old factors.
-  bool corrects_with_old() const { return corrected_with_old_; }
+  bool corrects_with_old() const { return last_correction_ == Correction::by_old_factors; }
 
   /// Ends a step at the level of positions: factors of JacobianUpdate::step serve one step.
   void end_at_position() {
-    if (active_update_ == JacobianUpdate::step) has_factors_ = false;
+    if (active_update_ == JacobianUpdate::step) factors_ = Factors::none;
   }
 
   /// Prepares solve_rates() at the solved position. Returns false where Φ_φ is singular.
   bool prepare_rates(const Real* q) {
-    if (active_update_ != JacobianUpdate::chord || !has_factors_) return factor_at(q);
+    if (active_update_ != JacobianUpdate::chord || factors_ == Factors::none) return factor_at(q);
     equations_.jacobian(q, values_.data());
-    factors_are_old_ = true;
+    factors_ = Factors::of_earlier_values;
     return true;
   }
 
@@ -125,9 +128,10 @@ class JacobianFactors {
   /// Overwrites b with Φ_φ⁻¹ b for Φ_φ as evaluated last, whatever was factorised. Returns false
   /// where it is singular.
   bool solve_rates(Vector& b) {
-    if (refines() && (has_rounded_factors_ || factors_are_old_)) {
+    const bool are_old = factors_ == Factors::of_earlier_values;
+    if (refines() && (has_rounded_factors_ || are_old)) {
       if (solve_refined(b)) return true;
-      if (!factors_are_old_ || !factor()) return false;
+      if (!are_old || !factor()) return false;
       if (has_rounded_factors_) return solve_refined(b);
     }
     solve(b);
@@ -136,11 +140,18 @@ class JacobianFactors {
 
   /// Discards the factors and the order of their pivots.
   void forget() {
-    has_factors_ = false;
+    factors_ = Factors::none;
     solver_->forget_pivots();
   }
 
  private:
+  enum class Factors : char { none, of_values, of_earlier_values };  // of_values: of values_
+  enum class Correction : char {
+    none,
+    by_old_factors,
+    by_new_factors
+  };  // none: at no position yet
+
   bool refines() const {
     return has_rounded_factors_ || requested_update_ == JacobianUpdate::chord;
   }
@@ -151,8 +162,9 @@ class JacobianFactors {
   }
 
   [[gnu::always_inline]] bool factor() {
-    factors_are_old_ = false;
-    return has_factors_ = solver_->factor(equilibrated_.matrix(values_.data()));
+    const bool is_regular = solver_->factor(equilibrated_.matrix(values_.data()));
+    factors_ = is_regular ? Factors::of_values : Factors::none;
+    return is_regular;
   }
 
   bool solve_refined(Vector& b) {
@@ -169,9 +181,8 @@ class JacobianFactors {
   JacobianUpdate requested_update_, active_update_{};
   double tolerance_;
   std::vector<Real> values_;
-  bool has_factors_ = false;
-  bool factors_are_old_ = false;  // the values are of another position than the factors
-  bool corrected_with_old_ = false, is_first_ = true;
+  Factors factors_ = Factors::none;
+  Correction last_correction_ = Correction::none;
   double last_residual_ = 0;  // ‖Φ‖ an iteration ago
   Refinement<Real> refinement_;
 };

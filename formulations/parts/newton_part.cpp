@@ -1,5 +1,6 @@
 #include "formulations/parts/newton_part.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "formulations/algebra/backend.h"
@@ -12,7 +13,7 @@ namespace desmo {
 namespace {
 
 /// A part solved by Newton–Raphson in double precision.
-class DoublePrecisionPart final : public Part, public PivotReuse {
+class DoublePrecisionPart final : public Part {
  public:
   DoublePrecisionPart(std::unique_ptr<const Equations<double>> equations, const PartContext& c,
                       std::unique_ptr<LinearSolver<double>> linear_solver)
@@ -22,12 +23,10 @@ class DoublePrecisionPart final : public Part, public PivotReuse {
   PartResult solve(State& s, std::span<const double>, Level level) override {
     return solver_.solve(s.q.data(), s.qd.data(), s.qdd.data(), level);
   }
-  long refactorisations() const override { return solver_.refactorisations(); }
-  /// Rates by normal equations, whose pivots count as shrunk, are doubtful as well.
-  bool reuses_pivots() const override {
-    return solver_.reuses_pivots() || std::isinf(solver_.pivot_shrinkage());
+  PartCounts counts() const override {
+    return {.refactorisations = std::max(0L, solver_.pivots().choices - 1)};
   }
-  double pivot_shrinkage() const override { return solver_.pivot_shrinkage(); }
+  Pivots pivots() const override { return solver_.pivots(); }
 
  private:
   NewtonSolver<double> solver_;

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -14,40 +12,24 @@
 
 namespace desmo {
 
-/// Limits within which Newton's iterations find a position.
-struct NewtonLimits {
-  double tolerance;  ///< on ‖Φ‖
-  int min_iterations, max_iterations;
-  bool corrects_solved;  ///< one more correction follows where the tolerance is first met
+/// The rule that accepts a position. It accepts the first one within the limits, whatever factors
+/// led there. Where `corrects_solved` it asks for one more correction first, unless all iterations
+/// are done.
+class Acceptance {
+ public:
+  Acceptance(const IterationLimits& limits, bool corrects_solved)
+      : limits_(limits), is_last_(!corrects_solved) {}
 
-  explicit NewtonLimits(const PartSettings& s)
-      : tolerance(s.tolerance),
-        min_iterations(s.fixed_iterations),
-        max_iterations(s.max_iterations),
-        corrects_solved(s.at_rounding) {
-    if (min_iterations == 0) return;
-    tolerance = std::numeric_limits<double>::infinity();
-    max_iterations = min_iterations;
+  /// Returns whether the iterations end at this position. Notes that a limit was met.
+  bool update(double residual, int iterations) {
+    const bool is_over = iterations == limits_.max;
+    if (!(residual < (is_over ? limits_.accept : limits_.stop))) return false;
+    return std::exchange(is_last_, true) || is_over;
   }
 
-  /// The rule that ends the iterations of one position. It ends them at the first position within
-  /// the tolerance, whatever factors led there, but not before min_iterations. Where
-  /// `corrects_solved` it asks for one more correction first, unless max_iterations are done.
-  class Acceptance {
-   public:
-    explicit Acceptance(const NewtonLimits& limits)
-        : limits_(limits), is_last_(!limits.corrects_solved) {}
-
-    /// Returns whether the iterations end at this position. Notes that the tolerance was met.
-    bool update(double residual, int iterations) {
-      if (!(residual < limits_.tolerance) || iterations < limits_.min_iterations) return false;
-      return std::exchange(is_last_, true) || iterations == limits_.max_iterations;
-    }
-
-   private:
-    const NewtonLimits& limits_;
-    bool is_last_;
-  };
+ private:
+  const IterationLimits& limits_;
+  bool is_last_;
 };
 
 /// Newton–Raphson on a part's equations (paper, Fig. 2b), for every way of evaluating equations
@@ -71,12 +53,13 @@ class NewtonSolver {
         pattern_(equations_->pattern()),
         unknowns_(pattern_.unknowns),
         limits_(settings),
+        corrects_solved_(settings.at_rounding),
         update_(settings.jacobian),
         per_level_(settings.factorisation == Factorisation::per_level),
-        reuses_pivots_(linear_solver->reuses_pivots()),
+        reuses_pivots_(linear_solver->pivots().reuse_order),
         weights_(
             Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern_.n).template cast<Real>()),
-        factors_(*equations_, weights, weights_, magnitudes, update_, limits_.tolerance,
+        factors_(*equations_, weights, weights_, magnitudes, update_, limits_.accept,
                  std::move(linear_solver)),
         b_(pattern_.n),
         correction_(pattern_.n),
@@ -87,12 +70,8 @@ class NewtonSolver {
 
   const Pattern& pattern() const { return pattern_; }
 
-  /// See Part::reuses_pivots.
-  bool reuses_pivots() const { return reuses_pivots_; }
-  /// See LinearSolver::pivot_shrinkage.
-  double pivot_shrinkage() const { return factors_.solver().pivot_shrinkage(); }
-  /// See Part::refactorisations.
-  long refactorisations() const { return std::max(0L, factors_.solver().pivot_choices() - 1); }
+  /// See LinearSolver::pivots.
+  Pivots pivots() const { return factors_.solver().pivots(); }
 
   /// See Part::solve; q, qd and qdd are the state and its time derivatives.
   PartResult solve(Real* q, Real* qd, Real* qdd, Level level) {
@@ -125,13 +104,13 @@ class NewtonSolver {
 
   PartResult position(Real* q) {
     PartResult result;
-    NewtonLimits::Acceptance acceptance(limits_);
+    Acceptance acceptance(limits_, corrects_solved_);
     for (;; ++result.iterations) {
       equations_->residual(q, b_.data());  // Φ
       const double residual = weights_.cwiseProduct(b_).norm();
       result.residual2 = residual * residual;
       if (acceptance.update(residual, result.iterations)) return result;
-      const bool is_over = result.iterations == limits_.max_iterations;
+      const bool is_over = result.iterations == limits_.max;
       if (!is_over && factors_.led_away(residual)) {
         retract(q);
         continue;
@@ -196,9 +175,9 @@ class NewtonSolver {
   std::unique_ptr<const Equations<Real>> equations_;
   const Pattern& pattern_;
   PartUnknowns unknowns_;
-  NewtonLimits limits_;
+  IterationLimits limits_;
   JacobianUpdate update_;
-  bool per_level_, reuses_pivots_;  // the latter: see LinearSolver
+  bool corrects_solved_, per_level_, reuses_pivots_;
   Vector weights_;
   JacobianFactors<Real> factors_;
   Vector b_;           // right-hand side, then solution

@@ -51,10 +51,8 @@ class ProfiledSolver final : public LinearSolver<Real> {
   }
   int break_even_solves() const override { return solver_->break_even_solves(); }
   bool rounds_factors() const override { return solver_->rounds_factors(); }
-  bool reuses_pivots() const override { return solver_->reuses_pivots(); }
-  double pivot_shrinkage() const override { return solver_->pivot_shrinkage(); }
+  Pivots pivots() const override { return solver_->pivots(); }
   void forget_pivots() override { solver_->forget_pivots(); }
-  long pivot_choices() const override { return solver_->pivot_choices(); }
 
  private:
   std::unique_ptr<LinearSolver<Real>> solver_;

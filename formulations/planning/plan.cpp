@@ -12,7 +12,7 @@ namespace desmo {
 
 namespace {
 
-/// Finds what is upstream of what is asked.
+/// Finds what is upstream of what is outputs.
 class Upstream {
  public:
   explicit Upstream(const Model& m)
@@ -32,20 +32,20 @@ class Upstream {
     }
   }
 
-  void ask(const Asked& asked) {
-    need(asked.entity, asked.level, asked.entity);
+  void need_output(const Output& output) {
+    need(output.entity, output.level, output.entity);
     while (!waiting_.empty()) {
       const auto [b, level] = waiting_.back();
       waiting_.pop_back();
       if (block_level[b] && *block_level[b] >= level) continue;
       block_level[b] = level;
-      for (const int i : blocks[b].unknowns) need(owner_[i], level, asked.entity);
+      for (const int i : blocks[b].unknowns) need(owner_[i], level, output.entity);
       for (const Equation& e : blocks[b].equations) {
         constraint_kept[e.constraint] = true;
         for (const int other : blocks_of_constraint_[e.constraint])
           waiting_.emplace_back(other, level);
         for (const EntityId operand : m_.constraints[e.constraint].operands)
-          need(operand, level, asked.entity);
+          need(operand, level, output.entity);
       }
     }
   }
@@ -68,7 +68,7 @@ class Upstream {
   std::vector<std::optional<Level>> block_level;  // none: not needed
   std::vector<std::optional<Level>> entity_level;
   std::vector<bool> constraint_kept;
-  std::vector<EntityId> serves;  // the first asked entity that needs each
+  std::vector<EntityId> serves;  // the first outputs entity that needs each
 
  private:
   void need(EntityId id, Level level, EntityId for_whom) {
@@ -130,11 +130,11 @@ std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstrea
 }
 
 std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
-                                         std::span<const Asked> asked) {
+                                         std::span<const Output> outputs) {
   std::vector<Plan::GroupUse> uses(whole.groups.size());
   for (std::size_t g = 0; g < uses.size(); ++g) uses[g].name = whole.groups[g].name;
-  std::vector<bool> is_asked(whole.entities.size(), false);
-  for (const Asked& a : asked) is_asked[a.entity] = true;
+  std::vector<bool> is_output(whole.entities.size(), false);
+  for (const Output& output : outputs) is_output[output.entity] = true;
   for (std::size_t b = 0; b < up.blocks.size(); ++b) {
     Plan::GroupUse& use = uses[up.blocks[b].groups.front()];
     const int n = static_cast<int>(up.blocks[b].unknowns.size());
@@ -150,7 +150,7 @@ std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
     if (e.fixed) continue;
     Plan::GroupUse& use = uses[e.group];
     (up.entity_level[i] ? use.kept : use.dropped).push_back(e.name);
-    if (up.entity_level[i] && !is_asked[i] && use.serves.empty())
+    if (up.entity_level[i] && !is_output[i] && use.serves.empty())
       use.serves = whole.entities[up.serves[i]].name;
   }
   return uses;
@@ -160,23 +160,23 @@ std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
 
 Level Plan::level() const {
   Level highest = Level::position;
-  for (const Asked& a : outputs) highest = std::max(highest, a.level);
+  for (const Output& output : outputs) highest = std::max(highest, output.level);
   return highest;
 }
 
-Plan make_plan(const Model& whole, std::span<const Asked> asked) {
-  std::vector<Asked> everything;
-  if (asked.empty()) {
+Plan make_plan(const Model& whole, std::span<const Output> outputs) {
+  std::vector<Output> everything;
+  if (outputs.empty()) {
     for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
       everything.push_back({e, Level::acceleration});
-    asked = everything;
+    outputs = everything;
   }
-  for (const Asked& a : asked)
-    if (a.entity < 0 || a.entity >= static_cast<EntityId>(whole.entities.size()))
-      throw std::invalid_argument("a request names entity " + std::to_string(a.entity) +
+  for (const Output& output : outputs)
+    if (output.entity < 0 || output.entity >= static_cast<EntityId>(whole.entities.size()))
+      throw std::invalid_argument("a request names entity " + std::to_string(output.entity) +
                                   ", which the model does not have");
   Upstream up(whole);
-  for (const Asked& a : asked) up.ask(a);
+  for (const Output& output : outputs) up.need_output(output);
   up.keep_consequences();
 
   Plan plan;
@@ -188,13 +188,14 @@ Plan make_plan(const Model& whole, std::span<const Asked> asked) {
     const Entity& e = plan.model.entities[entity[i]];
     for (int k = e.first; k < e.first + e.size; ++k) plan.levels[k] = *up.entity_level[i];
   }
-  for (const Asked& a : asked) plan.outputs.push_back({entity[a.entity], a.level});
-  plan.groups = describe_use(whole, up, asked);
+  for (const Output& output : outputs)
+    plan.outputs.push_back({entity[output.entity], output.level});
+  plan.groups = describe_use(whole, up, outputs);
   return plan;
 }
 
-std::vector<Asked> asked_by(const Scene& scene, const Model& whole) {
-  std::vector<Asked> result;
+std::vector<Output> outputs_of(const Scene& scene, const Model& whole) {
+  std::vector<Output> result;
   for (const RequestedEntity& w : scene.request) {
     const std::string& name =
         w.kind == RequestedEntity::Kind::point    ? scene.mechanism.points[w.index].name

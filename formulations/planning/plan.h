@@ -9,13 +9,13 @@
 
 namespace desmo {
 
-/// An entity that a request asks for.
-struct Asked {
+/// An entity whose coordinates are requested.
+struct Output {
   EntityId entity;  ///< in the whole model; in Plan::outputs, in the reduced one
-  Level level;      ///< highest level that is asked
+  Level level;      ///< highest level requested
 };
 
-/// Reduced model that suffices for a request, and what was left out of the whole model.
+/// Reduced model that suffices for some outputs, and what was left out of the whole model.
 struct Plan {
   /// Use of one group of the whole model.
   struct GroupUse {
@@ -31,22 +31,22 @@ struct Plan {
 
   Model model;                   ///< part of the whole model that is solved
   std::vector<Level> levels;     ///< highest level that is needed of each coordinate
-  std::vector<Asked> outputs;    ///< requested entities, by their ids in `model`
+  std::vector<Output> outputs;   ///< by their ids in `model`
   std::vector<GroupUse> groups;  ///< groups of the whole model, in solution order
 
-  /// Returns the highest level that is requested.
+  /// Returns the highest level of the outputs.
   Level level() const;
 };
 
-/// Reduces a model to what a request needs. Keeps the irreducible blocks upstream of the requested
-/// entities, with the entities that they determine or read and their drivers. Entities and
-/// constraints are kept as a whole. Needed levels propagate upstream: an acceleration needs the
-/// accelerations it depends on. An empty request keeps everything, at the level of acceleration. An
-/// entity that is named twice is solved to the higher level, and is in Plan::outputs twice. Throws
-/// std::invalid_argument for an entity that the model does not have.
-Plan make_plan(const Model& whole, std::span<const Asked> asked);
+/// Reduces a model to what outputs need. Keeps the irreducible blocks upstream of the outputs, with
+/// the entities that they determine or read and their drivers. Entities and constraints are kept as
+/// a whole. Needed levels propagate upstream: an acceleration needs the accelerations it depends
+/// on. Without outputs everything is kept, at the level of acceleration. An entity that is named
+/// twice is solved to the higher level, and is in Plan::outputs twice. Throws std::invalid_argument
+/// for an entity that the model does not have.
+Plan make_plan(const Model& whole, std::span<const Output> outputs);
 
-/// Returns the request of a scene in terms of its whole model.
-std::vector<Asked> asked_by(const Scene& scene, const Model& whole);
+/// Returns the outputs that a scene requests, in terms of its whole model.
+std::vector<Output> outputs_of(const Scene& scene, const Model& whole);
 
 }  // namespace desmo

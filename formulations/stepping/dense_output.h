@@ -73,11 +73,11 @@ class Interpolated final : public FormulationCore {
   /// stride: 2 … max_stride.
   Interpolated(std::unique_ptr<SegmentSolver> inner, int stride);
 
-  Summary assemble_at(double t, Level level) override { return inner_->assemble(t, level); }
-  Summary step_to(double t, Level level) override { return inner_->step(t, level); }
+  Summary do_assemble(double t, Level level) override { return inner_->assemble(t, level); }
+  Summary do_step(double t, Level level) override { return inner_->step(t, level); }
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
-  void leave_out_levels(std::span<const Level>) override {}
+  void do_solve_only(std::span<const Level>) override {}
   long runs_without_segments() const override { return inner_->runs_without_segments(); }
   const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }
   const State& state() const override { return inner_->state(); }

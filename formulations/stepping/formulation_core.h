@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "formulations/base/live_row.h"
@@ -51,10 +50,13 @@ class FormulationCore : public Formulation {
   /// Returns how often a motion that was to be solved in segments was solved step by step instead.
   virtual long runs_without_segments() const { return 0; }
 
-  /// Returns the steps for drivers that are handed in. Null: the settings need a motion known in
-  /// advance (segments, threads, stride).
-  virtual const LiveSteps* live() const { return nullptr; }
-  LiveSteps* live() { return const_cast<LiveSteps*>(std::as_const(*this).live()); }
+  /// Returns whether the settings need a motion known in advance. More than the parts then do the
+  /// work.
+  bool needs_known_motion() const {
+    return settings().segments > 1 || settings().threads > 1 || settings().stride > 1;
+  }
+  /// Returns the steps for drivers that are handed in; null where needs_known_motion().
+  virtual LiveSteps* live() { return nullptr; }
 
  protected:
   FormulationCore(const Model& model, const Settings& settings, double tolerance)
@@ -80,7 +82,24 @@ inline const std::vector<DefinedPart>& parts_of(const Formulation& formulation) 
 std::unique_ptr<Formulation> make_profiled_formulation(const Variant& variant, const Model& model,
                                                        const Settings& settings, Profile& profile);
 
-/// Returns the sum of Part::refactorisations over all parts.
-long refactorisations(const Formulation& formulation);
+/// Returns the sum of Part::counts() over all parts.
+PartCounts part_counts(const Formulation& formulation);
+
+/// One more correction of the parts of a formulation (Part::correct_once_more): asked for as long
+/// as this lives.
+class OneMoreCorrection {
+ public:
+  explicit OneMoreCorrection(std::span<const DefinedPart> parts) : parts_(parts) { ask(true); }
+  ~OneMoreCorrection() { ask(false); }
+  OneMoreCorrection(const OneMoreCorrection&) = delete;
+  OneMoreCorrection& operator=(const OneMoreCorrection&) = delete;
+
+ private:
+  void ask(bool asked) const {
+    for (const DefinedPart& part : parts_) part.solver->correct_once_more(asked);
+  }
+
+  std::span<const DefinedPart> parts_;
+};
 
 }  // namespace desmo

@@ -15,7 +15,7 @@ void clear_rates(State& state) {
 
 }  // namespace
 
-Summary TimeStepping::step_to(double t, Level level) {
+Summary TimeStepping::do_step(double t, Level level) {
   set_read_outside({});
   return assemble_or_step(t, level);
 }
@@ -40,12 +40,12 @@ void TimeStepping::return_to(std::span<const double> q, double t) {
   now_.time = t;
 }
 
-Summary TimeStepping::assemble_at(double t, Level level) {
+Summary TimeStepping::do_assemble(double t, Level level) {
   set_read_outside({});
-  return assemble_alone(t, level);
+  return assemble_from_estimate(t, level);
 }
 
-Summary TimeStepping::assemble_alone(double t, Level level) {
+Summary TimeStepping::assemble_from_estimate(double t, Level level) {
   State &state = now_.state, &last = before_.state;
   std::ranges::copy(model().estimate, state.q.begin());
   std::ranges::copy(model().fixed_values, state.q.begin() + model().coordinates());
@@ -101,7 +101,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   return assembled_;
 }
 
-void TimeStepping::take(const State& solved, double t, Level level) {
+void TimeStepping::continue_from(const State& solved, double t, Level level) {
   now_.state = solved;
   forget();
   now_.time = t;

@@ -36,7 +36,7 @@ void TimeStepping::prepare() {
   read_outside_.reset();
 }
 
-void TimeStepping::leave_out_levels(std::span<const Level> needed) {
+void TimeStepping::do_solve_only(std::span<const Level> needed) {
   sequence_.solve_only(needed);
   prepare();
 }
@@ -103,7 +103,7 @@ Summary TimeStepping::solve_at(double t, Level level) {
 /// Solves an instant, in sub-steps where it cannot be solved at once. Returns the summary of the
 /// whole step if sub-steps fail, too.
 Summary TimeStepping::assemble_or_step(double t, Level level, int max_sub_steps) {
-  if (!assembled_) return assemble_alone(t, level);
+  if (!assembled_) return assemble_from_estimate(t, level);
   const double start = now_.time;
   failure_.part = -1;
   Summary summary = solve_at(t, level);

@@ -21,20 +21,19 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   /// settings: the same that the parts were made with. The model outlives this object.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
 
-  Summary assemble_at(double t, Level level) override;
-  Summary step_to(double t, Level level) override;
+  Summary do_assemble(double t, Level level) override;
+  Summary do_step(double t, Level level) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override;
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                 Observer& observer) override;
-  void leave_out_levels(std::span<const Level> needed) override;
-  const LiveSteps* live() const override { return this; }
+  void do_solve_only(std::span<const Level> needed) override;
+  LiveSteps* live() override { return this; }
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }
 
-  /// Takes over an instant at time t [s] that something else solved, up to `level`. Steps go on
-  /// from there.
-  void take(const State& solved, double t, Level level);
+  /// Continues from an instant at time t [s] that something else solved, up to `level`.
+  void continue_from(const State& solved, double t, Level level);
 
  private:
   static constexpr int unlimited = std::numeric_limits<int>::max();
@@ -69,7 +68,7 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   Summary solve_at(double t, Level level);
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
   Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
-  Summary assemble_alone(double t, Level level);
+  Summary assemble_from_estimate(double t, Level level);
   void note_failure(int part);
   void find_culprit_of_failure(Summary& summary) const;
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);

@@ -7,8 +7,8 @@ namespace desmo {
 
 namespace {
 
-std::vector<Asked> everything(const Model& m) {
-  std::vector<Asked> all;
+std::vector<Output> everything(const Model& m) {
+  std::vector<Output> all;
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
     all.push_back({e, Level::acceleration});
   return all;
@@ -33,14 +33,14 @@ ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> ref
     : ErrorMeasure(m, reference, scales, everything(m)) {}
 
 ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> reference,
-                           const Scales& scales, std::span<const Asked> outputs)
+                           const Scales& scales, std::span<const Output> outputs)
     : reference_(reference) {
   for (const auto& [id, level] : outputs) {
     const Entity& e = m.entities[id];
     if (e.fixed) continue;
-    Output o{e.first, e.size, level, {}};
-    for (const Level l : levels) o.scale[l] = scales.of(e.kind, l);
-    outputs_.push_back(o);
+    Compared o{e.first, e.size, level, {}};
+    for (const Level l : all_levels) o.scale[l] = scales.of(e.kind, l);
+    compared_.push_back(o);
   }
 }
 
@@ -58,7 +58,7 @@ Flow ErrorMeasure::observe(const Instant& instant) noexcept {
 void ErrorMeasure::compare(Level level, std::span<const double> found,
                            std::span<const double> reference, std::span<const double> remainder) {
   if (found.empty()) return;  // beyond the level requested
-  for (const Output& o : outputs_) {
+  for (const Compared& o : compared_) {
     if (o.level < level) continue;
     double squares = 0;
     for (int i = o.first; i < o.first + o.size; ++i) {
@@ -73,7 +73,7 @@ void ErrorMeasure::compare(Level level, std::span<const double> found,
 
 SolutionError ErrorMeasure::error() const {
   SolutionError e;
-  for (const Level level : levels) e[level] = sums_[level].result();
+  for (const Level level : all_levels) e[level] = sums_[level].result();
   e.instants = instants_;
   return e;
 }

@@ -51,9 +51,9 @@ class ErrorMeasure final : public Observer {
                const Scales& scales) = delete;
   /// Compares only these outputs, each up to its requested level (Plan::outputs); skips fixed ones.
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
-               const Scales& scales, std::span<const Asked> outputs);
+               const Scales& scales, std::span<const Output> outputs);
   ErrorMeasure(const Model& model, const std::vector<ReferenceInstant>&& reference,
-               const Scales& scales, std::span<const Asked> outputs) = delete;
+               const Scales& scales, std::span<const Output> outputs) = delete;
 
   Flow observe(const Instant& instant) noexcept override;
   /// Returns the errors of the instants observed so far. SolutionError::instants counts the
@@ -61,7 +61,7 @@ class ErrorMeasure final : public Observer {
   SolutionError error() const;
 
  private:
-  struct Output {
+  struct Compared {
     int first, size;  // coordinates
     Level level;
     PerLevel<double> scale;
@@ -70,7 +70,7 @@ class ErrorMeasure final : public Observer {
                std::span<const double> remainder);
 
   std::span<const ReferenceInstant> reference_;
-  std::vector<Output> outputs_;
+  std::vector<Compared> compared_;
   int instants_ = 0;
   std::size_t next_ = 0;  // index of the next reference instant
   PerLevel<ErrorSum> sums_;

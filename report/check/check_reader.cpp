@@ -42,14 +42,15 @@ void check_pairs(const CheckRecord& check, const RecordValue& root) {
   for (const auto& [key, head] : check.head.candidates) {
     const auto base = check.base->candidates.find(key);
     if (base == check.base->candidates.end())
-      root["base"].complain("the cell " + name_of(key) + " of head is missing");
+      root["base"].complain("the candidate " + name_of(key) + " of head is missing");
     if (base->second.status == Status::ok && head.status == Status::ok &&
         base->second.time.seconds.size() != head.time.seconds.size())
-      root["head"].complain("the cell " + name_of(key) + " has another number of rounds in base");
+      root["head"].complain("the candidate " + name_of(key) +
+                            " has another number of rounds in base");
   }
   for (const auto& [key, base] : check.base->candidates)
     if (!check.head.candidates.contains(key))
-      root["head"].complain("the cell " + name_of(key) + " of base is missing");
+      root["head"].complain("the candidate " + name_of(key) + " of base is missing");
 }
 
 // Its answers are right, whether it was timed or not.
@@ -61,18 +62,19 @@ bool is_sound(const MeasuredCandidate& candidate) {
 void check_complete(const CheckRecord& check, const RecordValue& root) {
   const RecordValue head = root["head"];
   const bool timed = root.find(control_name).has_value();
-  if (check.head.candidates.empty()) head["paper"]["cells"].complain("at least one cell is needed");
+  if (check.head.candidates.empty())
+    head["paper"]["cells"].complain("at least one candidate is needed");
   if (!timed && !check.work) root.complain("nothing was measured: neither times nor work");
   for (const auto& [key, candidate] : check.head.candidates) {
     const std::string name = name_of(key);
     if (candidate.status == Status::failed) continue;
     if (!is_sound(candidate))
-      head.complain("the cell " + name + " was not run: " + candidate.message);
+      head.complain("the candidate " + name + " was not run: " + candidate.message);
     if (check.base && !is_sound(check.base->candidates.at(key))) continue;
     if (timed && candidate.status != Status::ok)
-      head.complain("the cell " + name + " has no times: " + candidate.message);
+      head.complain("the candidate " + name + " has no times: " + candidate.message);
     if (check.work && !check.work->instructions.contains(name))
-      root["work"]["instructions"].complain("the cell " + name + " is missing");
+      root["work"]["instructions"].complain("the candidate " + name + " is missing");
   }
 }
 

@@ -35,7 +35,7 @@ TEST(Drift, IsTheRoundingOfTheDriver) {
   for (int i = 0; i < steps; i += i == window - 1 ? steps - 2 * window + 1 : 1)
     times.push_back(grid.time(i));
   const Reference reference = make_reference(m, times);
-  for (const Level level : levels) EXPECT_LE(reference.floor[level], 1e-25);
+  for (const Level level : all_levels) EXPECT_LE(reference.floor[level], 1e-25);
   const double turned = 2 * std::numbers::pi * grid.time(steps);  // one turn a second
   for (const char* id : {"global_automatic_klu", "group_symbolic_inlined"}) {
     const auto f = make_formulation(find_variant(id), m, {.fixed_iterations = 12});
@@ -48,7 +48,7 @@ TEST(Drift, IsTheRoundingOfTheDriver) {
     // The angle is off by half a unit in its last place, up to turned · 2⁻⁵³, and so is all else.
     EXPECT_GT(last.position.max, 2 * first.position.max);
     EXPECT_GT(last.position.max, turned * 0x1p-53 / 8);
-    for (const Level level : levels)
+    for (const Level level : all_levels)
       EXPECT_LE(last[level].max, 2 * first[level].max + 4 * turned * 0x1p-53)
           << id << ", level " << static_cast<int>(level);
   }

@@ -108,8 +108,8 @@ TEST_F(SliderCrank, ComparesOnlyWhatIsAskedAndDelivered) {
     r.q[first("phi")] += 1;
     r.qd[first("s")] += 1;
   }
-  const std::vector<Asked> asked{{model().find("s"), Level::position},
-                                 {model().find("A"), Level::acceleration}};  // A is fixed
+  const std::vector<Output> asked{{model().find("s"), Level::position},
+                                  {model().find("A"), Level::acceleration}};  // A is fixed
   ErrorMeasure measure(model(), reference().instants, reference().scales, asked);
   for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
   EXPECT_EQ(measure.error().position.compared, 4);
@@ -159,7 +159,7 @@ TEST(ErrorMeasure, IsTheSameInMetresAndMillimetres) {
     }
     errors[unit] = measure.error();
   }
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     EXPECT_GT(errors[0][level].max, 1e-8);
     EXPECT_NEAR(errors[1][level].max / errors[0][level].max, 1, 1e-9);
     EXPECT_NEAR(errors[1][level].rms / errors[0][level].rms, 1, 1e-9);

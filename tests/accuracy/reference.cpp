@@ -22,7 +22,7 @@ void expect_agreement(const Model& m, const TimeGrid& grid, int instants) {
   const std::vector<double> times = sampled(grid, instants);
   const Reference r = make_reference(m, times);
   ASSERT_EQ(r.instants.size(), times.size());
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     EXPECT_LE(r.floor[level], agreement) << m.name << ", level " << static_cast<int>(level);
     EXPECT_GT(r.floor[level], 0) << "they round alike: are they the same?";
   }
@@ -34,7 +34,7 @@ class ReferenceOfCase : public testing::TestWithParam<std::pair<const Case*, int
 
 TEST_P(ReferenceOfCase, TwoFormulationsAgreeOverTheMotion) {
   const auto [definition, coordinates] = GetParam();
-  const Scene scene = describe(*definition, coordinates);
+  const Scene scene = make_scene(*definition, coordinates);
   expect_agreement(make_model(scene), time_grid(DESMO_TEST_SECONDS, 0.01), 16);
 }
 

@@ -109,7 +109,7 @@ class EveryStep : public EveryVariant {};
 TEST_P(EveryStep, AllocatesNothingInAStep) {
   const Variant& v = GetParam();
   for (const Case& c : cases()) {
-    const Model m = make_model(describe(c, bench::is_dense_global(v) ? 114 : 558));
+    const Model m = make_model(make_scene(c, bench::is_dense_global(v) ? 114 : 558));
     const auto f = make_formulation(v, m);
     ASSERT_TRUE(f->assemble(0).ok());
     constexpr int steps = 50;
@@ -127,7 +127,7 @@ TEST_P(EveryStep, AllocatesNothingInAStep) {
 }
 
 TEST(Measures, AllocateNothingWhileInstantsArrive) {
-  const Model m = make_model(describe(cases().back(), 114));
+  const Model m = make_model(make_scene(cases().back(), 114));
   const std::vector<double> times{0, 0.1, 0.2};
   const Reference reference = make_reference(m, times);
   ErrorMeasure error(m, reference.instants, reference.scales);
@@ -144,7 +144,7 @@ TEST(Measures, AllocateNothingWhileInstantsArrive) {
 /// Once warm: a pivot order that has to be chosen anew is KLU's to allocate.
 TEST_P(EveryStep, AllocatesNothingInAStepWhateverTheSettings) {
   const Variant& v = GetParam();
-  const Model m = make_model(describe(find_case("truck_suspension"), 114));
+  const Model m = make_model(make_scene(find_case("truck_suspension"), 114));
   for (const char* suffixes :
        {"/guess:linear", "/guess:quadratic", "/guess:hermite3", "/guess:hermite5", "/guess:adams8",
         "/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step",
@@ -173,7 +173,7 @@ TEST(TreePeers, AllocateNothingInAStep) {
   for (const PeerDefinition& peer : peers()) {
     if (!peer.name.starts_with("tree")) continue;  // libraries do as they like
     for (const Case& c : cases()) {
-      const Scene scene = describe(c, 558);
+      const Scene scene = make_scene(c, 558);
       const Model m = make_model(scene);
       const auto solver = peer.make(scene, m);
       solver->assemble(0);
@@ -188,7 +188,7 @@ TEST(TreePeers, AllocateNothingInAStep) {
 /// Interpolation takes its memory once a motion, however many instants that has.
 TEST(DenseOutput, AllocatesNothingFromInstantToInstant) {
   Discard observer;
-  const Model m = make_model(describe(find_case("truck_suspension"), 114));
+  const Model m = make_model(make_scene(find_case("truck_suspension"), 114));
   const auto f = make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 8});
   ASSERT_TRUE(f->run(time_grid(1, 0.01), {}, observer).ok());
   bool ok = true;

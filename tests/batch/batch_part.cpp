@@ -161,8 +161,8 @@ class Pieces : public ::testing::Test {
             for (const int k : definitions_[p].unknowns) s.qd[k] = s.qdd[k] = 17;
       ASSERT_EQ(together.solve(s, expected.q, Level::acceleration).status, Status::solved);
     }
-    for (const ExplicitPart* const p : seen) EXPECT_EQ(p->fallbacks(), p == other ? 2 : 0);
-    EXPECT_EQ(together.fallbacks(), 2);
+    for (const ExplicitPart* const p : seen) EXPECT_EQ(p->counts().fallbacks, p == other ? 2 : 0);
+    EXPECT_EQ(together.counts().fallbacks, 2);
 
     // Predicted, with nobody who reads anything: the state knows nothing of unknowns and drivers.
     together.bind({std::vector<bool>(model_.state_size(), false), {}, Level::acceleration});
@@ -174,7 +174,7 @@ class Pieces : public ::testing::Test {
       together.begin_step({0.01, 0.01, Level::acceleration, Level::acceleration}, drivers.row());
       ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::solved);
     }
-    EXPECT_EQ(together.fallbacks(), 4);
+    EXPECT_EQ(together.counts().fallbacks, 4);
     std::vector<double> last = s.q;
     together.restore(last);
     together.store(s);
@@ -229,7 +229,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   const State expected = s;
   for (int i = 0; i < 2; ++i)
     ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::solved);
-  EXPECT_EQ(together.fallbacks(), 0);
+  EXPECT_EQ(together.counts().fallbacks, 0);
 
   spoil(copies, together, s);
   const Driven drivers(together, expected);

@@ -56,7 +56,7 @@ class OnTheCases : public testing::TestWithParam<Settings> {};
 
 TEST_P(OnTheCases, SegmentsNeedNoSteps) {
   for (const Case& c : cases()) {
-    const Model m = make_model(c.describe(2));
+    const Model m = make_model(c.with_units(2));
     const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam()),
                g = make_formulation(find_variant("group_symbolic_explicit"), m);
     const TimeGrid grid = time_grid(3, 0.01);

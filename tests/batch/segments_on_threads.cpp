@@ -79,7 +79,7 @@ TEST(SegmentsOnThreads, IsSolvedByAsManyThreadsAsAskedFor) {
     for (const char* id : {"group_symbolic_explicit/threads:3", "group_automatic_klu/threads:3",
                            "group_symbolic_explicit/lanes:4/threads:3",
                            "group_symbolic_explicit/segments:4/threads:3"}) {
-      const Model m = make_model(c.describe(2));
+      const Model m = make_model(c.with_units(2));
       const auto f = make(m, id);
       const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
       Lender lender(grid.instants, {1}, Level::position);

@@ -39,7 +39,7 @@ TEST(TimingWindows, KeepTheLeastTimeOfEach) {
     for (int i = 0; i < 500; ++i) {
       spend(2e-6);
       if (i == disturbed) spend(0.05);
-      windows.passed(i < 20 ? 7 : 1);
+      windows.count_instant(i < 20 ? 7 : 1);
     }
   }
   ASSERT_EQ(windows.count(), 25u);
@@ -60,7 +60,7 @@ TEST(TimingWindows, AreFewerWhenThereAreFewInstants) {
        {std::pair{1, 1}, {3, 2}, {201, 10}, {499, 24}, {3001, 25}}) {
     TimingWindows windows(instants);
     windows.begin();
-    for (int i = 0; i < instants; ++i) windows.passed();
+    for (int i = 0; i < instants; ++i) windows.count_instant();
     ASSERT_EQ(windows.least().size(), static_cast<std::size_t>(count));
     for (const double seconds : windows.least()) EXPECT_LT(seconds, 1) << instants;
   }
@@ -164,7 +164,7 @@ TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
 
 TEST(Phases, AreThoseOfTheSettings) {
   const Case& c = find_case("truck_suspension");
-  const Model m = make_model(describe(c, 114));
+  const Model m = make_model(make_scene(c, 114));
   EXPECT_THROW(measure_phases(find_variant("global_automatic_umfpack"),
                               {.btf = BlockTriangularForm::off}, m, {.step = 0.01, .instants = 2}),
                std::invalid_argument);
@@ -188,7 +188,7 @@ TEST(Candidates, AreNotTimedWithoutTheGeneratedCodeTheirIdPromises) {
 }
 
 TEST(Problems, CountWhatMoves) {
-  EXPECT_EQ(moving_unknowns(make_model(describe(find_case("truck_suspension"), 225))), 218);
+  EXPECT_EQ(moving_unknowns(make_model(make_scene(find_case("truck_suspension"), 225))), 218);
 }
 
 }  // namespace

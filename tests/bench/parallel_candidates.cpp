@@ -22,7 +22,7 @@ TEST(ParallelSegments, OfSeveralThreadsCountNoWork) {
   windows.begin();
   for (int i = 0; i < 500; ++i) {
     if (i == 30) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    windows.passed(7);
+    windows.count_instant(7);
   }
   EXPECT_EQ(std::ranges::count(windows.updates(), 0), 25);
   EXPECT_GE(windows.least()[1], 2e-3);  // sleeping takes no CPU time

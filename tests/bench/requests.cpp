@@ -58,7 +58,7 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
 
 TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
   const auto request = planned("damper");
-  ASSERT_EQ(request->asked.size(), 1u);
+  ASSERT_EQ(request->components.size(), 1u);
   Delivery delivery(request->coordinates.size(), request->plan.level());
   const auto f = make_formulation(find_variant("block_symbolic_inlined"), request->plan.model);
   f->solve_only(request->plan.levels);
@@ -66,7 +66,7 @@ TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
   ASSERT_EQ(delivery.q().size(), 1u);
   ASSERT_EQ(delivery.qd().size(), 1u);
   EXPECT_TRUE(delivery.qdd().empty());
-  const int s10 = request->asked[0].kept;
+  const int s10 = request->components[0].kept;
   EXPECT_EQ(delivery.q()[0], f->q()[s10]);
   EXPECT_EQ(delivery.qd()[0], f->qd()[s10]);
 }
@@ -74,7 +74,7 @@ TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
 TEST_F(Requests, FailWhereSomethingNeededIsLeftOut) {
   auto request = std::make_shared<PlannedRequest>(*planned("damper"));
   for (int i = 0; i < std::ssize(request->plan.levels); ++i)  // not what its velocity needs
-    if (i != request->asked[0].kept) request->plan.levels[i] = Level::position;
+    if (i != request->components[0].kept) request->plan.levels[i] = Level::position;
   RequestCandidate candidate(request, find_variant("group_symbolic_inlined"));
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());

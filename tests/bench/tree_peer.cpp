@@ -34,7 +34,7 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
       paper::PeerCandidate candidate(c, n, find_peer(name), options);
       candidate.verify(references);
       EXPECT_TRUE(candidate.is_verified()) << candidate.name() << ": " << candidate.message();
-      const Scene scene = describe(c, n);
+      const Scene scene = make_scene(c, n);
       const Model model = make_model(scene);
       EXPECT_EQ(std::ssize(find_peer(name).make(scene, model)->answer().coordinates), n) << name;
       EXPECT_EQ(candidate.verifying_run().errors.instants, 51) << candidate.name();

@@ -33,16 +33,16 @@ Counts entity_counts(const Model& m, const Group& g) {
 TEST(Cases, HaveThePapersSizes) {
   for (const Case& c : cases()) {
     EXPECT_EQ(c.sizes, (std::vector{114, 225, 336, 447, 558})) << c.name;
-    for (const int n : c.sizes) EXPECT_EQ(make_model(describe(c, n)).coordinates(), n) << c.name;
+    for (const int n : c.sizes) EXPECT_EQ(make_model(make_scene(c, n)).coordinates(), n) << c.name;
   }
-  EXPECT_EQ(make_model(describe(find_case("four_bar"), 1002)).coordinates(), 1002);
+  EXPECT_EQ(make_model(make_scene(find_case("four_bar"), 1002)).coordinates(), 1002);
 }
 
 TEST(Cases, RefuseWhatDoesNotExist) {
   EXPECT_THROW(find_case("five_bar"), std::invalid_argument);
-  EXPECT_THROW(describe(find_case("truck_suspension"), 115), std::invalid_argument);
-  EXPECT_THROW(describe(find_case("four_bar"), 3), std::invalid_argument);
-  EXPECT_THROW(describe(find_case("four_bar"), -3), std::invalid_argument);
+  EXPECT_THROW(make_scene(find_case("truck_suspension"), 115), std::invalid_argument);
+  EXPECT_THROW(make_scene(find_case("four_bar"), 3), std::invalid_argument);
+  EXPECT_THROW(make_scene(find_case("four_bar"), -3), std::invalid_argument);
   EXPECT_THROW(four_bar(0), std::invalid_argument);
   EXPECT_THROW(truck_suspension(-1), std::invalid_argument);
 }

@@ -194,7 +194,7 @@ TEST(BlockProof, HandsErrorsOn) {
     for (int& row : member.rows) row += rows;
     BlockBatch batch(std::vector{member}, std::vector<double>(rows, 1), columns);
     PerLevel<ErrorTable> errors;
-    for (const Level level : levels) {
+    for (const Level level : all_levels) {
       ErrorTable& e = errors[level];
       e.rows.resize(2 * rows);
       e.radius.resize(rows);
@@ -217,7 +217,7 @@ TEST(BlockProof, HandsErrorsOn) {
       const Exact v = 1 + Exact(off) * t[0], rate_of_v = -1 + Exact(off) * t[1];
       const Exact u = 1 / v, rate = -u * rate_of_v / v;
       const PerLevel<Exact> exact{u, rate, -2 * rate * rate_of_v / v};
-      for (const Level level : levels) {
+      for (const Level level : all_levels) {
         const ErrorTable& e = errors[level];
         const ErrorTable::Row& row = e.rows[rows];
         const Exact error = exact[level] - Exact(row.delivered);
@@ -230,7 +230,7 @@ TEST(BlockProof, HandsErrorsOn) {
         if (abs(error) > largest[level]) largest[level] = abs(error);
       }
     }
-    for (const Level level : levels)
+    for (const Level level : all_levels)
       EXPECT_LE(Exact(errors[level].radius[0]), largest[level] * Exact(1.01));
   }
 }

@@ -21,7 +21,7 @@ Containment contain(const Model& m, std::span<const double> times) {
   for (std::size_t k = 0; k < times.size(); ++k) c.add(certifier, solved[k], exact[k]);
   std::cout << m.name << ", " << m.coordinates() << " coordinates: " << c.proven << " of "
             << c.instants << " proven;";
-  for (const Level level : levels)
+  for (const Level level : all_levels)
     std::cout << " widest " << c.widest[level] << ", " << c.median(level) << " times the error;";
   std::cout << '\n';
   return c;
@@ -46,7 +46,7 @@ TEST(Certificate, HoldsWhateverTheUnit) {
 
 TEST(Certificate, HoldsOnTheCases) {
   for (const Case& definition : cases()) {
-    const Scene scene = describe(definition, definition.sizes.back());
+    const Scene scene = make_scene(definition, definition.sizes.back());
     Containment c = contain(make_model(scene), sampled(scene.grid, DESMO_SANITIZED ? 2 : 20));
     EXPECT_EQ(c.proven, c.instants) << definition.name;
     EXPECT_LE(c.median(Level::position), DESMO_SANITIZED ? 200 : 50) << definition.name;
@@ -57,7 +57,7 @@ TEST(Certificate, HoldsOnATurnedChain) {
   const Model m = make_model(turned_chain(185));
   const Containment c = contain(m, sampled({0, 0.25, 25}, DESMO_SANITIZED ? 2 : 25));
   EXPECT_EQ(c.proven, c.instants);
-  for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-10);
+  for (const Level level : all_levels) EXPECT_LE(c.widest[level], 1e-10);
 }
 
 /// Groups beside a chain that read what a basis encloses as boxes, and groups that read two of
@@ -66,7 +66,7 @@ TEST(Certificate, HoldsWhereAChainBranches) {
   const Model m = make_model(turned_chain(12, true));
   const Containment c = contain(m, sampled({0, 0.25, 25}, DESMO_SANITIZED ? 2 : 25));
   EXPECT_EQ(c.proven, c.instants);
-  for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-10);
+  for (const Level level : all_levels) EXPECT_LE(c.widest[level], 1e-10);
 }
 
 TEST(Certificate, HoldsOnAChainWhoseRatesAreLost) {
@@ -92,7 +92,7 @@ TEST(Certificate, HoldsOnAChainOf2000Dyads) {
   const Model m = make_model(turned_chain(2000));
   const Containment c = contain(m, sampled({0, 0.5, 13}, DESMO_SANITIZED ? 2 : 7));
   EXPECT_EQ(c.proven, c.instants);
-  for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-8);
+  for (const Level level : all_levels) EXPECT_LE(c.widest[level], 1e-8);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(CertificateAtADeadPoint, IsGivenUp) {
   EXPECT_FALSE(c.proven);
   const Entity& pin = m.entities[m.find("dyad1/C")];
   EXPECT_EQ(c.group, pin.group);
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     EXPECT_TRUE(std::isinf(c.radius[level][pin.first]));
     // The crank comes before, and is not in doubt.
     EXPECT_LT(c.radius[level][m.entities[m.find("crank/B")].first], 1e-14);
@@ -144,7 +144,7 @@ TEST(CertificateOfWrongNumbers, IsGivenUpWhereTheyAreNotFinite) {
 TEST(CertificateOfAPlan, EndsAtTheLevelsThatAreSolved) {
   const Scene scene = library_scene("truck_axle");
   const Model whole = make_model(scene);
-  const std::vector<Asked> asked{{whole.constraints.back().operands.front(), Level::velocity}};
+  const std::vector<Output> asked{{whole.constraints.back().operands.front(), Level::velocity}};
   const Plan plan = make_plan(whole, asked);
   const double t = 0.1;
   ReferenceInstant s = double_solution(plan.model, std::span(&t, 1)).front();

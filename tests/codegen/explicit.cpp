@@ -84,20 +84,14 @@ const ExplicitPart& part(const Formulation& f, std::size_t i) {
   return dynamic_cast<const ExplicitPart&>(*parts_of(f)[i].solver);
 }
 
-long fallbacks(const Formulation& f) {
-  long sum = 0;
-  for (const auto& p : parts_of(f)) sum += dynamic_cast<const GuardedPart&>(*p.solver).fallbacks();
-  return sum;
-}
-
 TEST(Explicit, NeedsNoFallbackOnTheCases) {
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Case& c : cases()) {
-      const Model m = make_model(c.describe(2));
+      const Model m = make_model(c.with_units(2));
       const auto f = make_formulation(find_variant(id), m);
       Discard observer;
       ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());
-      EXPECT_EQ(fallbacks(*f), 0) << c.name;
+      EXPECT_EQ(part_counts(*f).fallbacks, 0) << c.name;
       for (const auto& p : parts_of(*f)) EXPECT_TRUE(p.as_named);
     }
 }
@@ -172,7 +166,7 @@ TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
     ++compared;
   }
   EXPECT_GE(compared, 5);
-  EXPECT_GT(fallbacks(*f), 0);
+  EXPECT_GT(part_counts(*f).fallbacks, 0);
 }
 
 /// The kernel of the dyad, refusing always.
@@ -195,10 +189,10 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
   s.qd.assign(s.q.size(), 0);
   s.qdd.assign(s.q.size(), 0);
   ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
-  EXPECT_EQ(bad.fallbacks(), 0);  // the first position is found by iterating, as ever
+  EXPECT_EQ(bad.counts().fallbacks, 0);  // the first position is found by iterating, as ever
   ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
-  EXPECT_EQ(bad.fallbacks(), 1);
-  EXPECT_EQ(bad.branch_changes(), 0);
+  EXPECT_EQ(bad.counts().fallbacks, 1);
+  EXPECT_EQ(bad.counts().branch_changes, 0);
 }
 
 TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
@@ -219,7 +213,7 @@ TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
       EXPECT_GT(side * area, 0) << i;
     }
     EXPECT_EQ(part(*f, 1).branches()[0], at_start);
-    EXPECT_EQ(part(*f, 1).branch_changes(), 0);
+    EXPECT_EQ(part(*f, 1).counts().branch_changes, 0);
   }
 }
 
@@ -271,7 +265,7 @@ TEST(Explicit, LeavesAnglesFarAwayToOthers) {
     ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
     for (int i = 0; i < m.coordinates(); ++i) EXPECT_NEAR(f->q()[i], g->q()[i], 1e-9);
   }
-  EXPECT_GT(fallbacks(*f), 0);
+  EXPECT_GT(part_counts(*f).fallbacks, 0);
 }
 
 /// Whatever the anchor is: none, the last angle, that of a while ago, or one turns away.

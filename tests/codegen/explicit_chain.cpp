@@ -109,7 +109,7 @@ TEST_F(Chains, GoOnBehindAMemberThatIsRefused) {
     ASSERT_TRUE(f_->assemble(0).ok() && expected->assemble(0).ok());
     Refusing::dimensions = refused < 0 ? nullptr : dyads_[refused]->binding().c;
     std::vector<long> before;
-    for (const ExplicitPart* const dyad : dyads_) before.push_back(dyad->fallbacks());
+    for (const ExplicitPart* const dyad : dyads_) before.push_back(dyad->counts().fallbacks);
     for (int i = 1; i <= steps; ++i) {
       const Summary s = f_->step(0.01 * i);
       ASSERT_TRUE(s.ok() && expected->step(0.01 * i).ok());
@@ -120,7 +120,7 @@ TEST_F(Chains, GoOnBehindAMemberThatIsRefused) {
       }
     }
     for (int k = 0; k < dyads; ++k)
-      EXPECT_EQ(dyads_[k]->fallbacks() - before[k], k == refused ? steps : 0) << k;
+      EXPECT_EQ(dyads_[k]->counts().fallbacks - before[k], k == refused ? steps : 0) << k;
   }
 }
 

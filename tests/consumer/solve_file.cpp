@@ -1,9 +1,9 @@
 // Solves a scene file and writes a point's motion: solve_file SCENE.json MOTION.csv
-#include <desmo/assessment.h>
 #include <desmo/files.h>
 #include <desmo/formulation.h>
 #include <desmo/generated_code.h>
 #include <desmo/model.h>
+#include <desmo/monitored_run.h>
 
 #include <cmath>
 #include <cstdio>

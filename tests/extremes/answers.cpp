@@ -92,7 +92,7 @@ TEST(ChainSolution, AgreesWithTheQuadrupleReference) {
   }
   const SolutionError e = errors.error();
   ASSERT_EQ(e.instants, c.scene.grid.instants);
-  for (const Level level : levels) EXPECT_LT(e[level].max, 1e-14);
+  for (const Level level : all_levels) EXPECT_LT(e[level].max, 1e-14);
 }
 
 TEST(ChainSolution, HasNoAnswerWhereThereIsNone) {

@@ -131,8 +131,8 @@ TEST(SceneFile, StartsFromALibraryMechanismOrAGenerator) {
     const std::string generator =
         "{\"generator\": \"" + std::string(c.name) + "\", \"" + std::string(c.unit_name) + "\": 3}";
     const Scene s = parse_scene(scene_of(generator, R"("time": {"end": 1, "step": 0.5})"), "", "");
-    EXPECT_EQ(s.mechanism.bodies.size(), c.describe(3).mechanism.bodies.size());
-    EXPECT_EQ(s.motions.size(), c.describe(3).motions.size());
+    EXPECT_EQ(s.mechanism.bodies.size(), c.with_units(3).mechanism.bodies.size());
+    EXPECT_EQ(s.motions.size(), c.with_units(3).motions.size());
     EXPECT_EQ(s.grid.instants, 3);
   }
 }

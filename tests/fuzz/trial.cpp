@@ -129,7 +129,7 @@ bool all_finite(std::span<const double> values) {
 }
 
 void check_delivered(const Plan& plan, const Formulation& f, double time) {
-  for (const Asked& asked : plan.outputs) {
+  for (const Output& asked : plan.outputs) {
     const Entity& e = plan.model.entities.at(asked.entity);
     if (e.fixed) continue;
     const std::span<const double> found[] = {f.q(), f.qd(), f.qdd()};
@@ -209,7 +209,7 @@ TrialOutcome attempt(std::string_view text, const std::filesystem::path& folder,
 
   Plan plan;
   passes<void>("plan", folder, [&] {
-    plan = make_plan(whole, asked_by(scene, whole));
+    plan = make_plan(whole, outputs_of(scene, whole));
     validate(plan.model);
   });
 

@@ -145,7 +145,7 @@ TEST(Rounding, GrowsWithTheDistanceFromTheOrigin) {
 
 TEST(Rounding, RaisesNoToleranceOfTheCases) {
   for (const Case& c : cases()) {
-    const Model m = make_model(describe(c, c.sizes.back()));
+    const Model m = make_model(make_scene(c, c.sizes.back()));
     for (const Variant& v : variants())
       if (v.evaluation == Evaluation::automatic && v.algebra == "klu") {
         EXPECT_NEAR(make_formulation(v, m)->tolerance(), Settings{}.tolerance, 1e-20)

@@ -54,15 +54,15 @@ const std::vector<Wish>& wishes() {
   return list;
 }
 
-std::vector<Asked> asked_of(const Model& m, const Wish& wish) {
-  std::vector<Asked> result;
+std::vector<Output> asked_of(const Model& m, const Wish& wish) {
+  std::vector<Output> result;
   for (const auto& [entity, level] : wish.asked) result.push_back({m.find(entity), level});
   return result;
 }
 
 /// Everything on the second axle.
-std::vector<Asked> second_axle(const Model& m) {
-  std::vector<Asked> result;
+std::vector<Output> second_axle(const Model& m) {
+  std::vector<Output> result;
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
     if (m.entities[e].name.starts_with("axle2/")) result.push_back({e, Level::acceleration});
   return result;
@@ -98,7 +98,7 @@ const Motions& whole_motion() {
   return all;
 }
 
-void expect_outputs_of_the_whole(const Plan& plan, const std::vector<Asked>& asked,
+void expect_outputs_of_the_whole(const Plan& plan, const std::vector<Output>& asked,
                                  const Variant& variant, const std::string& what) {
   const auto f = make_formulation(variant, plan.model, Settings{1e-13, 25});
   f->solve_only(plan.levels);
@@ -132,8 +132,8 @@ void expect_outputs_of_the_whole(const Plan& plan, const std::vector<Asked>& ask
   }
 }
 
-std::vector<Asked> everything(const Model& m) {
-  std::vector<Asked> result;
+std::vector<Output> everything(const Model& m) {
+  std::vector<Output> result;
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
     result.push_back({e, Level::acceleration});
   return result;
@@ -144,7 +144,7 @@ class EveryPlan : public EveryVariant {};
 TEST_P(EveryPlan, DeliversWhatTheWholeSolutionDoes) {
   for (const Wish& wish : wishes()) {
     SCOPED_TRACE(wish.name);
-    const std::vector<Asked> asked = asked_of(whole(), wish);
+    const std::vector<Output> asked = asked_of(whole(), wish);
     const Plan plan = make_plan(whole(), asked);
     try {
       expect_outputs_of_the_whole(plan, asked.empty() ? everything(whole()) : asked, GetParam(),
@@ -153,7 +153,7 @@ TEST_P(EveryPlan, DeliversWhatTheWholeSolutionDoes) {
       ADD_FAILURE() << e.what();
     }
   }
-  const std::vector<Asked> axle = second_axle(whole());
+  const std::vector<Output> axle = second_axle(whole());
   expect_outputs_of_the_whole(make_plan(whole(), axle), axle, GetParam(), "second axle");
 }
 
@@ -329,7 +329,7 @@ TEST(Plan, TakesWhatASceneAsksFor) {
                {vector, index(s.mechanism.vectors, "axle1/e6"), Level::position},
                {coordinate, index(s.mechanism.coordinates, "axle1/s12"), Level::acceleration}};
   const Model m = make_model(s);
-  const std::vector<Asked> asked = asked_by(s, m);
+  const std::vector<Output> asked = outputs_of(s, m);
   ASSERT_EQ(asked.size(), 3u);
   EXPECT_EQ(m.entities[asked[0].entity].name, "axle1/B6");
   EXPECT_EQ(m.entities[asked[1].entity].name, "axle1/e6");

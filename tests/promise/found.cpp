@@ -27,7 +27,7 @@ class FoundScene : public testing::TestWithParam<Found> {};
 
 TEST_P(FoundScene, IsRightOrFlaggedWithCause) {
   const auto& [scene, id, name, expected] = GetParam();
-  const RunVerdict v = verify_id(draw_scene(1, scene), id);
+  const RunVerdict v = verdict_on_id(draw_scene(1, scene), id);
   const bool is_right = v.verdict == PromiseVerdict::right;
   const bool is_flagged = v.verdict == PromiseVerdict::flagged;
   EXPECT_TRUE((is_right && expected != Expected::flagged) ||

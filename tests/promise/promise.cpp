@@ -102,41 +102,42 @@ TEST(Promise, TruthAgreesWithTheReferenceAwayFromSingularPositions) {
 TEST(Promise, JudgeFindsWhatIsPlanted) {
   DrawnScene s = scott_russell_through_its_change_point();
   SolvedScene right = truth_as_solution(s);
-  EXPECT_EQ(verify(s, right).verdict, PromiseVerdict::right) << verify(s, right).what;
+  EXPECT_EQ(verdict_on_run(s, right).verdict, PromiseVerdict::right)
+      << verdict_on_run(s, right).what;
 
   const int c = s.model.entities[s.model.find("C")].first + 1;
   SolvedScene wrong = right;
   wrong.instants[12].qd[c] += 1e-6;
-  EXPECT_EQ(verify(s, wrong).what, "promise");
+  EXPECT_EQ(verdict_on_run(s, wrong).what, "promise");
   wrong.instants[12].qd[c] = right.instants[12].qd[c] + 1e-11;
-  EXPECT_EQ(verify(s, wrong).what, "bound");
+  EXPECT_EQ(verdict_on_run(s, wrong).what, "bound");
   wrong.summary.bound.velocity = 1e-10;
-  EXPECT_EQ(verify(s, wrong).verdict, PromiseVerdict::right);
+  EXPECT_EQ(verdict_on_run(s, wrong).verdict, PromiseVerdict::right);
 
   SolvedScene other_branch = right;  // after the change point, where C may rest
   other_branch.instants[12].q[c] = 0;
-  EXPECT_EQ(verify(s, other_branch).verdict, PromiseVerdict::wrong);
+  EXPECT_EQ(verdict_on_run(s, other_branch).verdict, PromiseVerdict::wrong);
   other_branch.summary.crossing = {0.375, 0.625, 0, SingularityCrossing::Kind::passed};
-  EXPECT_EQ(verify(s, other_branch).verdict, PromiseVerdict::flagged);
+  EXPECT_EQ(verdict_on_run(s, other_branch).verdict, PromiseVerdict::flagged);
   other_branch.summary.status = Status::singular;
   other_branch.instants[2].q[c] = 0;  // before it
-  EXPECT_EQ(verify(s, other_branch).what, "promise, then failed");
+  EXPECT_EQ(verdict_on_run(s, other_branch).what, "promise, then failed");
 
   SolvedScene silent = right;  // at the change point itself
   silent.instants.insert(silent.instants.begin() + 8, right.instants[7]);
   silent.instants[8].index = 8;
-  EXPECT_EQ(verify(s, silent).what, "no answer");
+  EXPECT_EQ(verdict_on_run(s, silent).what, "no answer");
 
   SolvedScene needless = right;
   needless.instants.resize(4);
   needless.summary.instants = 4;
   needless.summary.status = Status::not_converged;
-  EXPECT_EQ(verify(s, needless).verdict, PromiseVerdict::false_failure);
+  EXPECT_EQ(verdict_on_run(s, needless).verdict, PromiseVerdict::false_failure);
   needless.summary.status = Status::solved;
   needless.summary.crossing = {-0.25, -0.125, 0, SingularityCrossing::Kind::jumped};
-  EXPECT_EQ(verify(s, needless).verdict, PromiseVerdict::false_flag);
+  EXPECT_EQ(verdict_on_run(s, needless).verdict, PromiseVerdict::false_flag);
   needless.instants[3].qd[c] += 1e-11;  // above the bound stated
-  EXPECT_EQ(verify(s, needless).verdict, PromiseVerdict::flagged);
+  EXPECT_EQ(verdict_on_run(s, needless).verdict, PromiseVerdict::flagged);
 }
 
 TEST(Promise, JudgeMeasuresASmallMechanismByItsSize) {
@@ -145,12 +146,13 @@ TEST(Promise, JudgeMeasuresASmallMechanismByItsSize) {
   ASSERT_LT(size, 0.01);
   SolvedScene wrong = truth_as_solution(s);
   wrong.summary.bound.position = 1e-9;
-  EXPECT_EQ(verify(s, wrong).verdict, PromiseVerdict::right) << verify(s, wrong).what;
+  EXPECT_EQ(verdict_on_run(s, wrong).verdict, PromiseVerdict::right)
+      << verdict_on_run(s, wrong).what;
   const auto point = std::ranges::find_if(
       s.model.entities, [](const Entity& e) { return !e.fixed && e.kind == EntityKind::point; });
   ASSERT_NE(point, s.model.entities.end());
   wrong.instants[5].q[point->first] += 2e-10 * size;
-  EXPECT_EQ(verify(s, wrong).what, "promise");
+  EXPECT_EQ(verdict_on_run(s, wrong).what, "promise");
 }
 
 TEST(Promise, ScenesAreDrawnAgainFromTheirNumber) {
@@ -178,7 +180,7 @@ TEST(Promise, EveryFamilyCanBeModelled) {
 /// factors, and what asks for the limit afterwards needs those of the solved one.
 TEST(Promise, CorrectionsToASingularPositionLeaveFactors) {
   const SceneResult result =
-      verify_scene(1, 237, {"block_automatic_klu", "group_symbolic_klu", "global_automatic_klu"});
+      run_scene(1, 237, {"block_automatic_klu", "group_symbolic_klu", "global_automatic_klu"});
   EXPECT_EQ(result.failure, "");
   EXPECT_FALSE(result.wrong);
 }
@@ -193,7 +195,7 @@ void expect_no_wrong_number(std::initializer_list<Once> runs) {
   for (const auto& [number, family, id] : runs) {
     const DrawnScene scene = draw_scene(1, number);
     ASSERT_EQ(scene.family, family) << number;  // else it is another scene
-    const RunVerdict v = verify_id(scene, id);
+    const RunVerdict v = verdict_on_id(scene, id);
     EXPECT_NE(v.verdict, PromiseVerdict::wrong) << number << ", " << id << ": " << v.what;
   }
 }

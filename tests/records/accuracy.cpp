@@ -58,7 +58,7 @@ std::set<int> levels(const Problem& problem, const char* id, const std::vector<S
 
 TEST(Trials, ReducedSettingsReachErrorsOfFourSizes) {
   for (const Case& c : cases()) {
-    const Problem p = problem(describe(c, 114), 1, 21);
+    const Problem p = problem(make_scene(c, 114), 1, 21);
     for (const char* id : {"global_automatic_klu", "group_symbolic_inlined", "block_symbolic_klu",
                            "group_symbolic_explicit", "block_symbolic_explicit"})
       EXPECT_GE(levels(p, id, reduced_settings()).size(), 4u) << c.name << ' ' << id;
@@ -68,7 +68,7 @@ TEST(Trials, ReducedSettingsReachErrorsOfFourSizes) {
 
 /// Of however many instants of however long a motion: no stride hides its error between them.
 TEST(Trials, SeeTheErrorBetweenSolvedInstants) {
-  const Scene scene = describe(find_case("truck_suspension"), 114);
+  const Scene scene = make_scene(find_case("truck_suspension"), 114);
   for (const auto& [duration, compared] : {std::pair{1.0, 21}, {2.0, 101}, {0.8, 6}}) {
     const Problem p = problem(scene, duration, compared);
     double last = 1e-12;  // solved, none has more
@@ -112,7 +112,7 @@ TEST(Problems, CompareInstantsWhereverTheyStandBetweenSolvedOnes) {
 }
 
 TEST(Trials, HaveNoTimeWithoutAnError) {
-  const Problem p = problem(describe(find_case("four_bar"), 114), 0.1, 3);
+  const Problem p = problem(make_scene(find_case("four_bar"), 114), 0.1, 3);
   Trial refused(p, {&find_variant("global_automatic_klu"),
                     {.tolerance = 1e-4, .scalar = Scalar::single_precision}});
   refused.verify(references);
@@ -146,7 +146,7 @@ class Choice : public testing::TestWithParam<const char*> {};
 TEST_P(Choice, KeepsItsPromiseOnTheWholeMotion) {
   const std::string name = GetParam();
   const Scene scene = name.ends_with("114")
-                          ? describe(find_case(name.substr(0, name.size() - 4)), 114)
+                          ? make_scene(find_case(name.substr(0, name.size() - 4)), 114)
                           : library_scene(name);
   const TunedMotion motion = begin_and_whole(scene);
   const Effort effort{.formulations = {&find_variant("group_automatic_klu"),

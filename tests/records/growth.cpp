@@ -22,7 +22,7 @@ struct Times {
 };
 
 Times measure(const Case& c, int units) {
-  const Scene scene = c.describe(units);
+  const Scene scene = c.with_units(units);
   const std::string text = write_mechanism(scene.mechanism);
   const double start = bench::cpu_now();
   const Mechanism mechanism = parse_mechanism(text, std::string(c.name));
@@ -40,7 +40,7 @@ Times measure(const Case& c, int units) {
 
 TEST(FileGrowth, IsNearLinearUpToTenThousandBodies) {
   for (const Case& c : cases()) {
-    const auto bodies_of = [&](int units) { return c.describe(units).mechanism.bodies.size(); };
+    const auto bodies_of = [&](int units) { return c.with_units(units).mechanism.bodies.size(); };
     const int units = static_cast<int>(10'000 / (bodies_of(2) - bodies_of(1)));
     const Times some = measure(c, units / 10), many = measure(c, units);
     // Ten times the bodies: a quadratic cost would show as 100. The bound leaves room for a cache

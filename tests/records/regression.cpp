@@ -118,7 +118,7 @@ TEST_F(Driver, CountsRepeatToTheLastInstruction) {
   if (!can_count()) GTEST_SKIP() << "needs valgrind";
   std::vector<Json> counts;
   for (int run = 0; run < 2; ++run) {
-    ASSERT_EQ(check("measure " + file("results.json") + " --no-time --cell " + name), 0)
+    ASSERT_EQ(check("measure " + file("results.json") + " --no-time --candidate " + name), 0)
         << text("err");
     EXPECT_EQ(verdict(), 0) << text("out");
     const Json both = results()["work"]["instructions"][name];
@@ -131,7 +131,7 @@ TEST_F(Driver, CountsRepeatToTheLastInstruction) {
 
 TEST_F(Driver, OnePercentMoreInstructionsRaiseAnAlarm) {
   if (!can_count()) GTEST_SKIP() << "needs valgrind";
-  ASSERT_EQ(check("measure " + file("results.json") + " --no-time --cell " + name +
+  ASSERT_EQ(check("measure " + file("results.json") + " --no-time --candidate " + name +
                   " --slow head:" + name + ":1"),
             0)
       << text("err");
@@ -204,7 +204,7 @@ TEST_F(Driver, ACommentChangesNoInstruction) {
 }
 
 TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
-  ASSERT_EQ(check("measure " + file("results.json") + " --no-work --cell " + name), 0)
+  ASSERT_EQ(check("measure " + file("results.json") + " --no-work --candidate " + name), 0)
       << text("err");
   EXPECT_NE(text("err").find("rounds of 1 candidates"), std::string::npos) << text("err");
   EXPECT_LE(verdict(), 3) << text("out");
@@ -228,7 +228,7 @@ TEST_F(Driver, ErrorsNameWhatIsWrongAndLeaveNoFile) {
   EXPECT_NE(text("err").find("no/1/such"), std::string::npos) << text("err");
   EXPECT_EQ(check("measure " + file("results.json") + " --slow sideways:" + name + ":5"), 64);
   EXPECT_EQ(check("measure " + file("results.json") + " --slow head:" + name + ":much"), 64);
-  EXPECT_EQ(check("measure " + file("results.json") + " --cell no/1/such"), 64);
+  EXPECT_EQ(check("measure " + file("results.json") + " --candidate no/1/such"), 64);
   const std::string alone =
       std::string(DESMO_CHECK) + " --head " + file("nowhere") + " measure " + file("results.json");
   EXPECT_EQ(shell(alone), 64);
@@ -236,7 +236,7 @@ TEST_F(Driver, ErrorsNameWhatIsWrongAndLeaveNoFile) {
   EXPECT_EQ(shell(alone + " --no-time"), 74);
   EXPECT_NE(text("err").find(file("nowhere")), std::string::npos) << text("err");
   EXPECT_EQ(check("more " + file("results.json") + " first " + name), 74);
-  EXPECT_EQ(check("measure " + file("no/folder.json") + " --no-work --cell " + name), 74);
+  EXPECT_EQ(check("measure " + file("no/folder.json") + " --no-work --candidate " + name), 74);
   EXPECT_FALSE(fs::exists(file("results.json")));
 }
 

@@ -29,7 +29,7 @@ bench::ReferenceCache references;  // stays empty: the problems bring their own
 TimeGrid instants(int count) { return {0, 0.01, count}; }
 
 Problem problem_of(const char* name, int coordinates) {
-  return make_problem(make_model(describe(find_case(name), coordinates)), instants(5), 1e-12);
+  return make_problem(make_model(make_scene(find_case(name), coordinates)), instants(5), 1e-12);
 }
 
 TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
@@ -72,7 +72,7 @@ TEST(SizeCandidate, ThatIsWrongHasNoTime) {
 
 TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
   const Problem problem =
-      make_problem(make_model(describe(find_case("four_bar"), 12'003)), instants(3), 1e-10);
+      make_problem(make_model(make_scene(find_case("four_bar"), 12'003)), instants(3), 1e-10);
   EXPECT_STREQ(problem.checked_against, "double");
   ProblemCandidate candidate(problem, "group_symbolic_inlined", {.tolerance = problem.tolerance});
   candidate.verify(references);
@@ -81,15 +81,15 @@ TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
 
 TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
   for (const Case& c : cases()) {
-    const Model whole = make_model(describe(c, 114));
+    const Model whole = make_model(make_scene(c, 114));
     int last = 0;
     for (const int least : {10, 40, 60, 100}) {
-      const Model cut = cut_to(whole, least);
+      const Model cut = smallest_part(whole, least);
       const int found = moving_unknowns(cut);
       EXPECT_GE(found, least) << c.name;
       EXPECT_LT(found, least + 21) << c.name;  // what the first truck entity needs is 21
       EXPECT_GE(found, last) << c.name;
-      EXPECT_EQ(moving_unknowns(cut_to(whole, found)), found) << c.name;
+      EXPECT_EQ(moving_unknowns(smallest_part(whole, found)), found) << c.name;
       last = found;
       const Problem problem = make_problem(cut, instants(3), 1e-12);
       for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
@@ -99,7 +99,7 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
             << c.name << ' ' << least << ' ' << candidate.message();
       }
     }
-    EXPECT_EQ(moving_unknowns(cut_to(whole, 1'000'000)), moving_unknowns(whole));
+    EXPECT_EQ(moving_unknowns(smallest_part(whole, 1'000'000)), moving_unknowns(whole));
   }
 }
 
@@ -113,7 +113,7 @@ TEST(SizeSeries, AskBothQuestionsOfBothCases) {
     place->second.second = series.size;
     for (const std::string_view id : series.ids) EXPECT_NO_THROW(parse_id(id)) << id;
     if (series.question == Question::growth) {
-      EXPECT_NO_THROW(describe(*series.definition, series.size));
+      EXPECT_NO_THROW(make_scene(*series.definition, series.size));
     }
   }
   ASSERT_EQ(ranges.size(), 4u);

@@ -35,7 +35,7 @@ class Comparison final : public Observer {
     EXPECT_LT(a.condition, 10 * condition) << instant.time;
     EXPECT_GT(a.condition, condition / 10) << instant.time;
     const PerLevel<double> floor = accuracy_limit(condition, 0x1p-53);
-    for (const Level level : levels) {
+    for (const Level level : all_levels) {
       const double error = measure.error()[level].max;
       EXPECT_LE(error, a.bound[level]) << m_.name << ", " << instant.time << " s";
       if (corrected_ && !a.singular) {
@@ -106,7 +106,7 @@ TEST(Assessment, CallsADeadPointSingular) {
     EXPECT_TRUE(a.singular) << distance;
     ASSERT_GE(a.group, 0);
     EXPECT_EQ(m.groups[a.group].name, "dyad1/SG-I");
-    for (const Level level : levels) EXPECT_EQ(a.bound[level], INFINITY);
+    for (const Level level : all_levels) EXPECT_EQ(a.bound[level], INFINITY);
   }
 }
 

@@ -45,7 +45,7 @@ TEST(ChangePoints, ArePassedSmoothlyAndFlagged) {
     const Scene scene = scott_russell(degrees / 30);
     const Model m = make_model(scene);
     for (const std::string& id : every_id())
-      for (const Level level : levels) {
+      for (const Level level : all_levels) {
         SliderError error(m);
         const MonitoredSummary s = run(m, scene.grid, id, level, error);
         EXPECT_EQ(s.outcome(), Outcome::degraded) << id << " in steps of " << degrees;
@@ -76,7 +76,7 @@ TEST(ChangePoints, ShowInTheConditionStatedAMillionthBesideThem) {
   const Model m = make_model(scene);
   for (const char* id : {"global_automatic_klu/guess:hermite5", "global_automatic_klu/guess:linear",
                          "group_symbolic_inlined/guess:hermite3"})
-    for (const Level level : levels) {
+    for (const Level level : all_levels) {
       RockerError rocker(m);
       const MonitoredSummary s = run(m, scene.grid, id, level, rocker);
       EXPECT_NE(s.outcome(), Outcome::failed) << id;

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "formulations/id.h"
-#include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/monitor/live_run.h"
 #include "tests/dead_point.h"
@@ -260,7 +259,8 @@ double cpu_seconds() {
 
 /// A controller's loop. Times depend on the machine; what takes them does not.
 TEST(LiveRun, SolvesEveryMillisecondAtOnce) {
-  const Model m = make_model(describe(find_case("truck_suspension"), DESMO_SANITIZED ? 114 : 558));
+  const Model m =
+      make_model(make_scene(find_case("truck_suspension"), DESMO_SANITIZED ? 114 : 558));
   const int steps = DESMO_SANITIZED ? 2000 : 100'000;
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
   LiveRun run(*f);

@@ -51,7 +51,7 @@ TEST(MonitoredRun, BoundsTheErrorsOfLibraryMotions) {
         options.assesses_all = assesses_all;
         const MonitoredSummary s = run(m, scene.grid, id, measure, options);
         ASSERT_EQ(measure.error().instants, 33);
-        for (const Level level : levels) {
+        for (const Level level : all_levels) {
           EXPECT_LE(measure.error()[level].max, s.bound[level]) << l.name << ", " << id;
         }
       }
@@ -83,7 +83,7 @@ TEST(MonitoredRun, IsDegradedNearADeadPointAndRightToItsBounds) {
                     "degraded: instants " + std::to_string(s.degraded) + ", the first", 0),
                 0)
           << describe(s, m);
-      for (const Level level : levels)
+      for (const Level level : all_levels)
         EXPECT_LE(measure.error()[level].max, s.bound[level]) << distance << ", " << id;
     }
 }

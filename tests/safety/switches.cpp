@@ -48,7 +48,7 @@ class Followed {
       const MonitoredSummary s = run(m_, grid_, id, Level::acceleration, measure, without);
       const auto error = measure.error();
       return s.outcome() == Outcome::converged && error.instants == grid_.instants &&
-             std::ranges::all_of(levels, [&](Level l) { return error[l].max <= s.bound[l]; }) &&
+             std::ranges::all_of(all_levels, [&](Level l) { return error[l].max <= s.bound[l]; }) &&
              error.position.max <= 1e-10 && error.velocity.max <= 1e-8 &&
              error.acceleration.max <= 1e-6;
     });

@@ -62,8 +62,8 @@ TEST(Contracts, RefuseLevelsOfWrongSizeAndUnknownEntities) {
   EXPECT_THROW(f->solve_only({}), std::invalid_argument);
   EXPECT_THROW(LiveRun(*f, {.levels = few}), std::invalid_argument);
   for (const EntityId id : {-1, static_cast<EntityId>(m.entities.size())})
-    EXPECT_THROW(make_plan(m, std::vector{Asked{id, Level::position}}), std::invalid_argument);
-  const std::vector<Asked> twice{{0, Level::position}, {0, Level::velocity}};
+    EXPECT_THROW(make_plan(m, std::vector{Output{id, Level::position}}), std::invalid_argument);
+  const std::vector<Output> twice{{0, Level::position}, {0, Level::velocity}};
   EXPECT_EQ(make_plan(m, twice).outputs.size(), 2u);
 }
 

@@ -188,9 +188,9 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
   ASSERT_EQ(straight.status, Status::solved);
   ASSERT_EQ(fallen.status, Status::solved);
   EXPECT_EQ(fallen.iterations, straight.iterations);  // those of what has solved it
-  EXPECT_EQ(good.fallbacks(), 0);
-  EXPECT_EQ(bad.fallbacks(), 1);
-  EXPECT_EQ(bad.refactorisations(), 1);
+  EXPECT_EQ(good.counts().fallbacks, 0);
+  EXPECT_EQ(bad.counts().fallbacks, 1);
+  EXPECT_EQ(bad.counts().refactorisations, 1);
   for (std::size_t i = 0; i < expected.q.size(); ++i) {
     EXPECT_NEAR(actual.q[i], expected.q[i], 1e-12);
     EXPECT_NEAR(actual.qd[i], expected.qd[i], 1e-12);
@@ -230,8 +230,8 @@ TEST(ReusedPivots, AreChosenAnewAndCountedWhereOneVanishes) {
       for (int i = 0; i < m.coordinates(); ++i)
         EXPECT_NEAR(reusing->qdd()[i], anew->qdd()[i], 1e-10 * (1 + std::abs(anew->qdd()[i])));
     }
-    chosen_anew += refactorisations(*reusing);
-    EXPECT_EQ(refactorisations(*anew), 0);
+    chosen_anew += part_counts(*reusing).refactorisations;
+    EXPECT_EQ(part_counts(*anew).refactorisations, 0);
   }
   EXPECT_GT(chosen_anew, 0);
 }
@@ -261,12 +261,12 @@ TEST(Inlined, MonitorsRefuseAVanishingPivot) {
 
 TEST(Inlined, NeedsNoFallbackOnTheCases) {
   for (const Case& c : cases()) {
-    const Model m = make_model(c.describe(2));
+    const Model m = make_model(c.with_units(2));
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
     Discard observer;
     ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());
     for (const auto& part : parts_of(*f))
-      EXPECT_EQ(dynamic_cast<const InlinedPart&>(*part.solver).fallbacks(), 0)
+      EXPECT_EQ(dynamic_cast<const InlinedPart&>(*part.solver).counts().fallbacks, 0)
           << m.groups[part.definition.groups.front()].name;
   }
 }

@@ -22,6 +22,12 @@
 namespace desmo::linear_algebra_test {
 namespace {
 
+bool solves_normal_equations(const Backend& backend) {
+  const Model m = four_bar_model(1);
+  const AutomaticEquations equations(m, make_partition(m, Partition::group).back());
+  return backend.make_solver(equations.pattern(), {})->pivots().square_condition;
+}
+
 PartContext context(const Model& m, const PartDefinition& part, const Settings& settings) {
   return {m, part, Magnitudes(m).weights(part), std::nullopt, settings, PartSettings(settings)};
 }
@@ -58,7 +64,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
       right[p.known[k].row] -= values[p.dependent_entries() + k] * s.qd[p.known[k].place];
     const double condition = jacobian.norm() * jacobian.inverse().norm();
     const double allowed = 50 * std::numeric_limits<double>::epsilon() * jacobian.norm() *
-                           qd.norm() * (GetParam()->squares_condition ? condition : 1);
+                           qd.norm() * (solves_normal_equations(*GetParam()) ? condition : 1);
     EXPECT_LT((jacobian * qd - right).norm(), allowed);
   }
 }
@@ -96,7 +102,7 @@ AtTheFold velocity_at_the_fold(const Backend& backend, const Settings& settings)
 /// The normal equations may lose the last zero to rounding, but not more than that.
 TEST_P(EveryBackend, NeverCallsASingularPositionSolved) {
   const AtTheFold fold = velocity_at_the_fold(*GetParam(), {});
-  if (GetParam()->squares_condition && fold.result.status == Status::solved)
+  if (solves_normal_equations(*GetParam()) && fold.result.status == Status::solved)
     EXPECT_GT(std::abs(fold.psi_rate), 1e6);
   else
     EXPECT_EQ(fold.result.status, Status::singular);

@@ -27,14 +27,14 @@ std::string unit_of(const Entity& e, Level level, const std::string& length_unit
 
 }  // namespace
 
-std::vector<Column> columns_of(const Model& m, const Asked& asked) {
+std::vector<Column> columns_of(const Model& m, const Output& output) {
   std::vector<Column> columns;
-  const Entity& e = m.entities[asked.entity];
-  for (int order = 0; order <= static_cast<int>(asked.level); ++order) {
+  const Entity& e = m.entities[output.entity];
+  for (int order = 0; order <= static_cast<int>(output.level); ++order) {
     const auto level = static_cast<Level>(order);
     for (int i = e.first; i < e.first + e.size; ++i) {
       Column& column = columns.emplace_back();
-      column.name = prefixes[order] + coordinate_name(m, asked.entity, i);
+      column.name = prefixes[order] + coordinate_name(m, output.entity, i);
       column.unit = unit_of(e, level, m.length_unit);
       column.level = level;
       if (!e.fixed)
@@ -48,9 +48,9 @@ std::vector<Column> columns_of(const Model& m, const Asked& asked) {
 
 std::vector<Column> make_columns(const Plan& plan, const Scene& scene) {
   std::vector<Column> columns;
-  for (const Asked& asked : plan.outputs)
-    if (!scene.request.empty() || !plan.model.is_at_rest(asked.entity))
-      std::ranges::copy(columns_of(plan.model, asked), std::back_inserter(columns));
+  for (const Output& output : plan.outputs)
+    if (!scene.request.empty() || !plan.model.is_at_rest(output.entity))
+      std::ranges::copy(columns_of(plan.model, output), std::back_inserter(columns));
   return columns;
 }
 

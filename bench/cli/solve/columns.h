@@ -27,7 +27,7 @@ struct Column {
 };
 
 /// Returns the columns of an entity up to a level.
-std::vector<Column> columns_of(const Model& model, const Asked& asked);
+std::vector<Column> columns_of(const Model& model, const Output& output);
 
 /// Entity by entity in the order asked for: positions, velocities and
 /// accelerations as far as asked. Where everything is asked for, what never moves is left out.

@@ -82,7 +82,7 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     const MonitoredSummary one = as_motion(s);
     total.add(s);
     total.condition = std::max(total.condition, one.condition);
-    for (const Level l : levels) total.bound[l] = std::max(total.bound[l], one.bound[l]);
+    for (const Level l : all_levels) total.bound[l] = std::max(total.bound[l], one.bound[l]);
     total.degraded += s.degraded;
     if (!total.first_degraded) total.first_degraded = one.first_degraded;
     if (!total.crossing) total.crossing = one.crossing;

@@ -20,7 +20,7 @@ void Proof::add(const Instant& instant) {
     return;
   }
   ++proven_;
-  for (const Level level : levels)
+  for (const Level level : all_levels)
     for (const Entity& e : m_.entities) {
       if (e.fixed) continue;
       double squares = 0;
@@ -33,7 +33,7 @@ void Proof::add(const Instant& instant) {
 std::string Proof::note(Level level) const {
   std::string note = formatted("proof: %ld of %ld instants", proven_, instants_);
   const char* names[] = {"; errors at most %.1e", ", %.1e in velocity", ", %.1e in acceleration"};
-  for (const Level l : levels) {
+  for (const Level l : all_levels) {
     if (proven_ == 0 || l > level) break;
     const double bound = std::max(relative(length_[l], scales_.current().length[l]),
                                   relative(rotation_[l], scales_.current().rotation[l]));

@@ -7,7 +7,6 @@
 #include "bench/cli/text.h"
 #include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
-#include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
@@ -147,13 +146,9 @@ std::string note_on_tolerance(const Formulation& f, double asked) {
 }
 
 std::string note_on_refusals(const Formulation& f) {
-  long steps = 0, parts = 0, changes = 0;
-  for (const DefinedPart& part : parts_of(f))
-    if (const auto* guarded = dynamic_cast<const GuardedPart*>(part.solver.get())) {
-      steps += guarded->fallbacks();
-      parts += guarded->fallbacks() > 0;
-      changes += guarded->branch_changes();
-    }
+  const auto [refactorisations, steps, changes] = part_counts(f);
+  long parts = 0;
+  for (const DefinedPart& part : parts_of(f)) parts += part.solver->counts().fallbacks > 0;
   if (steps == 0) return "";
   std::string note = "note: " + count(steps, "step") + " of " + count(parts, "part") +
                      " too near a singular position for generated code; solved with pivoting";

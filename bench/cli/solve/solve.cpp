@@ -108,46 +108,63 @@ void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading&
   task.output.finish();
 }
 
-void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading,
-                  std::unique_ptr<SeriesFormat> format) {
+/// Runs through the motion, writes its rows, and has them certified where there is a proof.
+MonitoredSummary run_through(const Task& task, Formulation& formulation, SeriesWriter& writer,
+                             std::optional<Proof>& proof) {
   const SolveOptions& o = task.options;
-  const Plan& plan = task.plan;
-  const TimeGrid& grid = task.input.scene.grid;
-  const double tolerance = task.chosen.settings.tolerance;
-  const bool in_the_way = task.output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
-  std::optional<bench::Progress> progress;
-  if (!o.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
-  SeriesWriter writer(heading, std::move(format), task.output, progress ? &*progress : nullptr);
   MonitoredRunOptions monitoring{
-      .levels = plan.levels, .strict = o.strict, .past_failures = o.past_failures};
-  std::optional<Proof> proof;
-  if (o.certify) {
-    proof.emplace(plan.model, grid, plan.levels);
-    monitoring.monitored = [&](const MonitoredInstant& i) { proof->add(i.instant); };
-  }
-  const MonitoredSummary summary =
-      run_monitored(formulation, grid, Request{plan.level()}, writer, monitoring);
-  const std::string overflow = writer.overflow();
-  progress.reset();
+      .levels = task.plan.levels, .strict = o.strict, .past_failures = o.past_failures};
+  if (proof) monitoring.monitored = [&](const MonitoredInstant& i) { proof->add(i.instant); };
+  return run_monitored(formulation, task.input.scene.grid, Request{task.plan.level()}, writer,
+                       monitoring);
+}
+
+/// Throws where the run failed or strict rules refuse it. Before, rows go to standard output, which
+/// may have any number of them; a file is written whole or not at all.
+void require_success(const Task& task, const MonitoredSummary& summary, SeriesWriter& writer,
+                     const std::optional<Proof>& proof) {
   const auto fail = [&](const std::string& what, long instants) {
     std::string text = task.input.source + ": " + what;
     if (task.output.is_standard_output())
       text += "\ndesmo: instants before it, on standard output: " + std::to_string(instants);
     throw CommandError(not_solved, text);
   };
+  const Model& m = task.plan.model;
+  const std::string overflow = writer.overflow();
   const bool all = summary.outcome() != Outcome::failed && overflow.empty();
   if (all || task.output.is_standard_output()) writer.flush();
   if (!overflow.empty()) fail(overflow, summary.instants - 1);
-  if (summary.refused) fail(refusal_text(summary, plan.level(), plan.model), summary.instants);
-  if (!all) fail(failure_text(summary, plan.model), summary.instants);
-  if (o.strict && proof && !proof->is_complete())
+  if (summary.refused) fail(refusal_text(summary, task.plan.level(), m), summary.instants);
+  if (!all) fail(failure_text(summary, m), summary.instants);
+  if (task.options.strict && proof && !proof->is_complete())
     fail(proof->reason() + "; solve without --strict", summary.instants);
+}
+
+std::string notes_on(const Task& task, const Formulation& formulation,
+                     const MonitoredSummary& summary) {
+  const Model& m = task.plan.model;
+  return note_on_tolerance(formulation, task.chosen.settings.tolerance) +
+         note_on_refusals(formulation) + note_on_steps(formulation) +
+         note_on_stride(summary, formulation) + note_on_gaps(summary, m) +
+         note_on_accuracy(summary, task.plan.level(), m);
+}
+
+void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading,
+                  std::unique_ptr<SeriesFormat> format) {
+  const Plan& plan = task.plan;
+  const TimeGrid& grid = task.input.scene.grid;
+  const bool in_the_way = task.output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
+  std::optional<bench::Progress> progress;
+  if (!task.options.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
+  SeriesWriter writer(heading, std::move(format), task.output, progress ? &*progress : nullptr);
+  std::optional<Proof> proof;
+  if (task.options.certify) proof.emplace(plan.model, grid, plan.levels);
+  const MonitoredSummary summary = run_through(task, formulation, writer, proof);
+  progress.reset();
+  require_success(task, summary, writer, proof);
   task.output.finish();
-  if (!o.quiet)
-    say(note_on_tolerance(formulation, tolerance) + note_on_refusals(formulation) +
-        note_on_steps(formulation) + note_on_stride(summary, formulation) +
-        note_on_gaps(summary, plan.model) + note_on_accuracy(summary, plan.level(), plan.model) +
-        (proof ? proof->note(plan.level()) : ""));
+  if (!task.options.quiet)
+    say(notes_on(task, formulation, summary) + (proof ? proof->note(plan.level()) : ""));
 }
 
 void solve(const SolveOptions& options) {
@@ -159,7 +176,7 @@ void solve(const SolveOptions& options) {
   const Configuration chosen = choose_formulation(options, input);
   OutputFile output(options.output, remove_when_interrupted);
   const Model whole = model_mechanism(input).model;
-  const Plan plan = make_plan(whole, asked_by(input.scene, whole));
+  const Plan plan = make_plan(whole, outputs_of(input.scene, whole));
   if (options.explain) say(explain(plan, whole));
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
   const Task task{options, input, chosen, whole, plan, output, named};

@@ -17,7 +17,7 @@ MotionRecorder::MotionRecorder(const Model& model, const TimeGrid& grid, std::si
 MonitoredSummary MotionRecorder::run(Formulation& formulation) {
   MonitoredRunOptions options;
   options.past_failures = true;
-  options.monitored = [this](const MonitoredInstant& instant) { take(instant); };
+  options.monitored = [this](const MonitoredInstant& instant) { record(instant); };
   const MonitoredSummary summary =
       run_monitored(formulation, grid_, {Level::acceleration}, *this, options);
   for (RecordedInstant& last : passed_) instants_.push_back(std::move(last));
@@ -27,7 +27,7 @@ MonitoredSummary MotionRecorder::run(Formulation& formulation) {
     state.resize(3 * state.size());
     instants_.push_back({0, std::move(state), 0, {}});
   }
-  forgive(summary);
+  drop_outgrown_flags(summary);
   flag_failures(summary);
   std::ranges::stable_sort(flags_, {}, &Flag::from);
   return summary;
@@ -38,7 +38,7 @@ Flow MotionRecorder::observe(const Instant&) noexcept {
   return overflowed_ ? Flow::stop : Flow::go_on;
 }
 
-void MotionRecorder::take(const MonitoredInstant& monitored) {
+void MotionRecorder::record(const MonitoredInstant& monitored) {
   const Instant& instant = monitored.instant;
   const auto n = static_cast<std::size_t>(model_.coordinates());
   std::vector<double> state;
@@ -50,7 +50,7 @@ void MotionRecorder::take(const MonitoredInstant& monitored) {
   ++solved_;
   flag(monitored);
   condition_ = std::max(condition_, monitored.assessment.condition);
-  for (const Level level : levels)
+  for (const Level level : all_levels)
     bound_[level] = std::max(bound_[level], monitored.assessment.bound[level]);
   keep({instant.index, std::move(state), condition_, bound_});
 }
@@ -67,11 +67,11 @@ void MotionRecorder::keep(RecordedInstant instant) {
   instants_.push_back(std::move(instant));
   condition_ = 0;
   bound_ = {};
-  if (instants_.size() > max_kept_) thin();
+  if (instants_.size() > max_kept_) drop_every_second();
 }
 
 /// Doubles the stride. What is left out hands its condition and bounds to the next one kept.
-void MotionRecorder::thin() {
+void MotionRecorder::drop_every_second() {
   stride_ *= 2;
   std::vector<RecordedInstant> kept;
   for (std::size_t i = 0; i < instants_.size(); ++i) {
@@ -79,7 +79,8 @@ void MotionRecorder::thin() {
     const bool before_gap =
         i + 1 < instants_.size() && instants_[i + 1].index > instant.index + stride_;
     condition_ = std::max(condition_, instant.condition);
-    for (const Level level : levels) bound_[level] = std::max(bound_[level], instant.bound[level]);
+    for (const Level level : all_levels)
+      bound_[level] = std::max(bound_[level], instant.bound[level]);
     if (instant.index % stride_ != 0 && !before_gap) continue;
     instant.condition = std::exchange(condition_, 0);
     instant.bound = std::exchange(bound_, {});
@@ -110,7 +111,7 @@ void MotionRecorder::flag(const MonitoredInstant& monitored) {
 
 /// Removes flags of instants that are not degraded compared with the whole motion: its rates have
 /// grown.
-void MotionRecorder::forgive(const MonitoredSummary& summary) {
+void MotionRecorder::drop_outgrown_flags(const MonitoredSummary& summary) {
   const double first = summary.first_degraded ? summary.first_degraded->time : INFINITY;
   std::erase_if(flags_, [&](const Flag& flag) {
     return flag.kind == Flag::Kind::degraded && flag.to < first;

@@ -48,11 +48,11 @@ class MotionRecorder final : public Observer {
   bool overflowed() const { return overflowed_; }            ///< a number is not finite
 
  private:
-  void take(const MonitoredInstant& instant);
+  void record(const MonitoredInstant& instant);
   void keep(RecordedInstant instant);
-  void thin();
+  void drop_every_second();
   void flag(const MonitoredInstant& instant);
-  void forgive(const MonitoredSummary& summary);
+  void drop_outgrown_flags(const MonitoredSummary& summary);
   void flag_failures(const MonitoredSummary& summary);
 
   const Model& model_;

@@ -181,19 +181,19 @@ class Writer {
   }
 
   void write_plots() {
-    std::vector<Asked> asked = asked_by(scene_, m_);
+    std::vector<Output> outputs = outputs_of(scene_, m_);
     json_["requested"] = !scene_.request.empty();
     if (scene_.request.empty()) {
       for (const Mechanism::Coordinate& c : scene_.mechanism.coordinates)
-        asked.push_back({m_.find(c.name), Level::acceleration});
+        outputs.push_back({m_.find(c.name), Level::acceleration});
       for (const EntityId point : points_)
-        if (!m_.is_at_rest(point)) asked.push_back({point, Level::acceleration});
+        if (!m_.is_at_rest(point)) outputs.push_back({point, Level::acceleration});
     }
     for (const Driver& driver : m_.drivers)
       json_["driven"].push_back(plot(columns_of(m_, {driver.coordinate, Level::position})[0]));
     std::size_t wanted = 0;
     json_["plotted"] = Json::array();
-    for (const Asked& a : asked) {
+    for (const Output& a : outputs) {
       const std::vector<Column> columns = columns_of(m_, a);
       wanted += columns.size();
       if ((plotted_.size() + columns.size()) * shown_.size() > max_plotted) continue;
@@ -202,7 +202,7 @@ class Writer {
     json_["wanted"] = wanted;
     json_["condition"] = pack({{"name", "condition number"}, {"unit", "1"}}, 0,
                               [](const RecordedInstant& i) { return i.condition; });
-    for (const Level level : levels)
+    for (const Level level : all_levels)
       json_["bounds"].push_back(
           pack({{"name", std::string("error bound, ") + level_names[static_cast<int>(level)]},
                 {"unit", "1"}},

@@ -32,7 +32,7 @@ double rounded(double value) { return bench::rounded(value, 6); }
 
 Json per_level(const PerLevel<double>& values) {
   Json j;
-  for (const Level level : levels) j[level_names[level]] = values[level];
+  for (const Level level : all_levels) j[level_names[level]] = values[level];
   return j;
 }
 
@@ -40,7 +40,7 @@ Json per_level(const PerLevel<double>& values) {
 Json error_json(const SolutionError& error) {
   constexpr double max_error = 1e100;
   Json j = Json::object();
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     const LevelError& e = error[level];
     if (e.compared > 0 && e.max <= max_error && std::isfinite(e.rms))
       j[level_names[level]] = {{"max", rounded(e.max)}, {"rms", rounded(e.rms)}};
@@ -114,7 +114,7 @@ void measure_all(const bench::CommonOptions& options, const bench::CommandLine& 
   Json lists = {{"floors", Json::array()}, {"points", Json::array()}};
   TimeGrid usual;
   for (const AccuracySeries& series : all) {
-    const Model whole = make_model(describe(*series.definition, series.coordinates));
+    const Model whole = make_model(make_scene(*series.definition, series.coordinates));
     const TimeGrid grid = time_grid(series.step * (series.instants - 1), series.step);
     if (&series == &all.front()) usual = grid;
     const Problem problem = bench::make_problem(make_plan(whole, {}), grid, compared_instants);

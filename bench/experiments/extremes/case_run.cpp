@@ -135,7 +135,8 @@ class Record final : public Observer {
             (t > summary.crossing->after || t >= summary.crossing->before))
           steps[i].flag = CaseRun::Flag::doubtful;
     run_.max.condition = std::max(run_.max.condition, summary.condition);
-    for (const Level l : levels) run_.max.bound[l] = std::max(run_.max.bound[l], summary.bound[l]);
+    for (const Level l : all_levels)
+      run_.max.bound[l] = std::max(run_.max.bound[l], summary.bound[l]);
     run_.gaps.insert(run_.gaps.end(), summary.gaps.begin(), summary.gaps.end());
     note_flag(summary, m);
   }

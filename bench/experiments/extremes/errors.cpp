@@ -16,7 +16,7 @@ PerLevel<double> max_errors(const CaseRun& run, std::size_t count) {
   PerLevel<double> worst;
   for (const auto& of_part : run.errors)
     for (std::size_t i = 0; i < std::min(count, of_part.size()); ++i)
-      for (const Level level : levels)
+      for (const Level level : all_levels)
         if (of_part[i]) worst[level] = std::max(worst[level], (*of_part[i])[level]);
   return worst;
 }
@@ -101,7 +101,7 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const Yardsticks& ya
                             : Flag::failed;
       if (!a.errors[part][next] || flag == Flag::doubtful) continue;
       if (!found.worst) found.worst.emplace();
-      for (const Level level : levels) {
+      for (const Level level : all_levels) {
         const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
                            allowed(level, part, next)};
         WorstError& worst = (*found.worst)[level];

@@ -29,7 +29,7 @@ PerLevel<double> floor_at(const Model& m, std::span<const double> q, double cond
     driven = std::max(driven, std::abs(q[e.first]) / (is_length(e.kind) ? size : 1));
   }
   PerLevel<double> floor = accuracy_limit(std::max(1.0, condition), std::ldexp(1, -53));
-  for (const Level level : levels) floor[level] *= driven;
+  for (const Level level : all_levels) floor[level] *= driven;
   return floor;
 }
 

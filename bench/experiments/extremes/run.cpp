@@ -27,7 +27,7 @@ double rounded(double value) { return bench::rounded(value, 4); }
 
 Json worst_json(const PerLevel<WorstError>& worst) {
   Json j;
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     const WorstError& e = worst[level];
     j[bench::level_names[level]] = {
         {"error", rounded(e.error)}, {"floor", rounded(e.floor)}, {"allowed", rounded(e.allowed)}};

@@ -33,7 +33,7 @@ bool is_excused(const KnownCase& p, const CaseRun& a, std::size_t instant) {
   if (found == p.compared.end() || *found != static_cast<int>(instant)) return true;
   const std::size_t next = found - p.compared.begin();
   return std::ranges::any_of(p.answers, [&](const Answers& of_part) {
-    return std::ranges::all_of(levels, [&](Level l) {
+    return std::ranges::all_of(all_levels, [&](Level l) {
       return a.stated[next]->bound[l] <= max_over_floor * of_part.floor[next][l];
     });
   });
@@ -92,7 +92,7 @@ std::string overstated(const KnownCase& p, const CaseRun& a) {
     return formatted("condition %.1e said to be %.1e", condition, a.max.condition);
   double allowed =
       p.definition->factor * std::max(p.definition->scene.tolerance, std::ldexp(condition, -53));
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     if (!(a.max.bound[level] <= allowed))
       return formatted("%s said to be wrong by up to %.1e, more than %.1e",
                        bench::level_names[level], a.max.bound[level], allowed);

@@ -71,7 +71,7 @@ void measure(const Options& options, const bench::CommandLine& line) {
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
   count(counts, desmo_steps());
   print(counts);
-  if (recording) recording->write(cases().front().describe(1).grid, counts_json(counts, tool));
+  if (recording) recording->write(cases().front().with_units(1).grid, counts_json(counts, tool));
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ std::vector<StepCount> to_be_counted(int coordinates) {
   std::vector<StepCount> all;
   for (const Case& c : cases()) {
     const int size = coordinates > 0 ? coordinates : c.sizes.back();
-    describe(c, size);  // throws where there is no such size
+    make_scene(c, size);  // throws where there is no such size
     for (const std::string& id : counted_ids()) all.push_back({std::string(c.name), size, id});
   }
   return all;

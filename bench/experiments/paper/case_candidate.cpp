@@ -46,7 +46,7 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
 
 CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Options& options,
                              const Settings& s, Clock by, std::string_view id_suffix)
-    : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n,
+    : FormulationCandidate(chosen_grid(d.with_units(1).grid, options), d.name, n,
                            id_with(v, s).append(id_suffix), {&v, s}, by, {}),
       definition_(d) {
   if (std::string reason = too_costly(v, n, options); !reason.empty())
@@ -56,7 +56,7 @@ CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Optio
 const Problem& CaseCandidate::problem() const {
   if (!problem_) {
     problem_.emplace();
-    problem_->plan.model = make_model(describe(definition_, coordinates()));
+    problem_->plan.model = make_model(make_scene(definition_, coordinates()));
   }
   return *problem_;
 }

@@ -55,7 +55,7 @@ class PeerAnalysis final : public Analysis {
       std::ranges::copy(peer_->answer().q, q_.begin());
       std::ranges::copy(peer_->answer().qd, qd_.begin());
       std::ranges::copy(peer_->answer().qdd, qdd_.begin());
-      windows_.passed();
+      windows_.count_instant();
     }
   }
 
@@ -76,7 +76,7 @@ void for_every_size(Make&& make) {
 }  // namespace
 
 PeerCandidate::PeerCandidate(const Case& d, int n, const PeerDefinition& p, const Options& options)
-    : Candidate(chosen_grid(d.describe(1).grid, options)),
+    : Candidate(chosen_grid(d.with_units(1).grid, options)),
       definition_(d),
       coordinates_(n),
       peer_(p),
@@ -91,7 +91,7 @@ PeerCandidate::Solved::Solved(Scene described)
     : scene(std::move(described)), model(make_model(scene)) {}
 
 const PeerCandidate::Solved& PeerCandidate::solved() const {
-  if (!solved_) solved_ = std::make_unique<const Solved>(describe(definition_, coordinates_));
+  if (!solved_) solved_ = std::make_unique<const Solved>(make_scene(definition_, coordinates_));
   return *solved_;
 }
 

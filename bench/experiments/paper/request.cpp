@@ -25,16 +25,16 @@ constexpr std::array<std::string_view, 6> requested_ids{
     "global_automatic_klu",   "global_symbolic_klu",     "group_symbolic_inlined",
     "block_symbolic_inlined", "group_symbolic_explicit", "block_symbolic_explicit"};
 
-/// Returns what is asked, component by component; what never moves needs no solving and no
+/// Returns the outputs, component by component; what never moves needs no solving and no
 /// delivery.
-std::vector<AskedComponent> components(const Model& whole, const Plan& plan,
-                                       std::span<const Asked> asked) {
-  std::vector<AskedComponent> result;
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    const Entity& from = whole.entities[asked[i].entity];
+std::vector<OutputComponent> components_of(const Model& whole, const Plan& plan,
+                                           std::span<const Output> outputs) {
+  std::vector<OutputComponent> result;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const Entity& from = whole.entities[outputs[i].entity];
     const Entity& to = plan.model.entities[plan.outputs[i].entity];
     for (int k = 0; !from.fixed && k < from.size; ++k)
-      result.push_back({from.first + k, to.first + k, asked[i].level});
+      result.push_back({from.first + k, to.first + k, outputs[i].level});
   }
   return result;
 }
@@ -51,7 +51,7 @@ class VerifyingRequest final : public ComparingObserver {
     ResultDigest results;
     for_each([&](const ReferenceInstant& r, const State& solved) {
       ++errors.instants;
-      for (const AskedComponent& a : request_.asked) {
+      for (const OutputComponent& a : request_.components) {
         const std::size_t place =
             std::ranges::lower_bound(request_.coordinates, a.kept) - request_.coordinates.begin();
         const auto compare = [&](Level level, double& largest, const std::vector<double>& found,
@@ -83,12 +83,12 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
       whole(make_model(scene)),
       definition(find_case(scene.mechanism.name)) {
   grid = chosen_grid(scene.grid, options);
-  const std::vector<Asked> everything_asked = asked_by(scene, whole);
-  plan = make_plan(whole, everything_asked);
-  asked = components(whole, plan, everything_asked);
-  if (asked.empty())
+  const std::vector<Output> outputs = outputs_of(scene, whole);
+  plan = make_plan(whole, outputs);
+  components = components_of(whole, plan, outputs);
+  if (components.empty())
     throw std::invalid_argument("request " + name + ": asks for nothing that moves");
-  for (const AskedComponent& a : asked) coordinates.push_back(a.kept);
+  for (const OutputComponent& a : components) coordinates.push_back(a.kept);
   std::ranges::sort(coordinates);
   coordinates.erase(std::ranges::unique(coordinates).begin(), coordinates.end());
   unknowns = moving_unknowns(plan.model);

@@ -17,9 +17,9 @@
 
 namespace desmo::paper {
 
-/// A component that a request asks for: where it stands in the whole mechanism and in the part of
-/// it that is solved.
-struct AskedComponent {
+/// A component of an output: its coordinate in the whole mechanism, and in the part of it that is
+/// solved.
+struct OutputComponent {
   int whole;
   int kept;
   Level level;
@@ -28,17 +28,17 @@ struct AskedComponent {
 /// A scene's request of a case at one size, as the problem that has to be solved for it. Shared by
 /// its formulations, whose mechanisms these are.
 struct PlannedRequest : Problem {
-  /// Throws std::invalid_argument when the scene's mechanism is not a case of the suite, or nothing
-  /// that is asked moves.
+  /// Throws std::invalid_argument when the scene's mechanism is not a case of the suite, or no
+  /// output moves.
   PlannedRequest(std::string_view short_name, const Scene& scene, const Options& options);
 
   std::string name;   ///< in the benchmark's name
   std::string title;  ///< for people
   Model whole;
   const Case& definition;
-  std::vector<AskedComponent> asked;  ///< without what never moves
-  std::vector<int> coordinates;       ///< of the part that is solved, those asked for, ascending
-  int unknowns, all_unknowns;         ///< solved for at every instant, of how many
+  std::vector<OutputComponent> components;  ///< without what never moves
+  std::vector<int> coordinates;  ///< of the part that is solved, those of outputs, ascending
+  int unknowns, all_unknowns;    ///< solved for at every instant, of how many
 };
 
 /// A request with one formulation.

@@ -75,14 +75,14 @@ class Progress {
   std::map<int, SceneResult> done_;
 };
 
-void verify_all(Progress& progress, const Options& options, const std::vector<std::string>& ids) {
+void run_all(Progress& progress, const Options& options, const std::vector<std::string>& ids) {
   std::vector<int> left;
   for (int i = 0; i < options.scenes; ++i)
     if (!progress.has(i)) left.push_back(i);
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i; (i = next++) < left.size();)
-      progress.add(verify_scene(options.seed, left[i], ids));
+      progress.add(run_scene(options.seed, left[i], ids));
   };
   std::vector<std::jthread> others;
   for (int i = 1; i < options.threads; ++i) others.emplace_back(work);
@@ -142,7 +142,7 @@ int run(const bench::CommandLine& line) {
                                                 head["commit"].get<std::string>());
   std::optional<bench::RecordWriter> recording;
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
-  verify_all(progress, options, ids);
+  run_all(progress, options, ids);
   const std::vector<SceneResult> results = progress.results(options.scenes);
   print(std::cout, results, ids, options.seed);
   if (recording) recording->write(no_grid, record_lists(results, ids));

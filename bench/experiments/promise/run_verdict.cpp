@@ -50,7 +50,7 @@ Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
   const Scales drivers = scales_of_drivers(scene);
   for (const auto column : {&Scales::length, &Scales::rotation}) {
     PerLevel<double>& s = scales.*column;
-    for (const Level level : levels)
+    for (const Level level : all_levels)
       s[level] = std::max({s[level], (others.*column)[level], (drivers.*column)[level]});
     s.acceleration =
         std::max(s.acceleration, VerdictLimits::min_scale * s.velocity * s.velocity / s.position);
@@ -69,7 +69,7 @@ PerLevel<double> errors(const DrawnScene& scene, const Delivered& d, const Scale
   if (d.index >= std::ssize(scene.other_answers) || scene.other_answers[d.index].q.empty())
     return result;
   const PerLevel<double> other = errors_of(scene.model, scene.other_answers[d.index], d, scales);
-  for (const Level l : levels) result[l] = std::min(result[l], other[l]);
+  for (const Level l : all_levels) result[l] = std::min(result[l], other[l]);
   return result;
 }
 
@@ -81,7 +81,7 @@ struct Worst {
 void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double>& allowed,
              const TrueInstant& truth, const char* what) {
   const PerLevel<double> floor = floor_of(truth);
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     const double limit = VerdictLimits::scale_slack * allowed[level] + floor[level];
     if (limit >= VerdictLimits::no_digit) continue;
     if (!(errors[level] > worst.ratio * limit)) continue;
@@ -126,58 +126,69 @@ bool all_right(const DrawnScene& scene, const SolvedScene& solved) {
   });
 }
 
-/// Returns the verdict about a run without wrong numbers.
-RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
+/// Returns the index of the instant nearest to a time [s].
+int index_of(const TimeGrid& grid, double time) {
+  const double i = std::nearbyint((time - grid.start) / grid.interval());
+  return static_cast<int>(std::clamp(i, 0.0, grid.instants - 1.0));
+}
+
+RunVerdict verdict_on_failure(const DrawnScene& scene, const MonitoredSummary& s) {
+  const int at = static_cast<int>(s.instants);
+  const bool is_false = is_regular(scene, at - 1, at);
+  RunVerdict verdict{is_false ? PromiseVerdict::false_failure : PromiseVerdict::flagged};
+  verdict.what = s.violated >= 0                     ? "another branch"
+                 : s.status == Status::singular      ? "singular"
+                 : s.status == Status::not_converged ? "not converged"
+                                                     : "not finite";
+  verdict.time = s.time;
+  if (at < std::ssize(scene.truth)) verdict.condition = scene.truth[at].condition;
+  return verdict;
+}
+
+/// A crossing is reported falsely where all is right without the report, too.
+RunVerdict verdict_on_crossing(const DrawnScene& scene, const SolvedScene& solved) {
+  static constexpr const char* kinds[] = {"passed", "jumped", "not declared"};
+  const SingularityCrossing& crossing = *solved.summary.crossing;
+  const TimeGrid& grid = scene.scene.grid;
+  const int from = index_of(grid, crossing.after), to = index_of(grid, crossing.before);
+  RunVerdict verdict{PromiseVerdict::flagged, kinds[static_cast<int>(crossing.kind)]};
+  verdict.time = crossing.before;
+  verdict.condition = scene.truth[to].condition;
+  SolvedScene unflagged = solved;
+  unflagged.summary.crossing.reset();
+  if (is_regular(scene, from - 1, to + 1) && all_right(scene, solved) &&
+      !find_wrong(scene, unflagged))
+    verdict.verdict = PromiseVerdict::false_flag;
+  return verdict;
+}
+
+RunVerdict verdict_on_degradation(const DrawnScene& scene, const SolvedScene& solved) {
+  const Degradation& first = *solved.summary.first_degraded;
+  const PerLevel<double>& stated = first.assessment.bound;
+  const PerLevel<double> limit = Limits(solved.tolerance).degraded;
+  const int at = index_of(scene.scene.grid, first.time);
+  const TrueInstant& truth = scene.truth[at];
+  RunVerdict verdict{PromiseVerdict::flagged, "degraded"};
+  verdict.level = *std::ranges::max_element(
+      all_levels, {}, [&](Level level) { return stated[level] / limit[level]; });
+  verdict.allowed = stated[verdict.level];
+  verdict.time = first.time;
+  verdict.condition = truth.condition;
+  const auto d = std::ranges::find(solved.instants, at, &Delivered::index);
+  if (d != solved.instants.end() && has_answer(truth))
+    verdict.error =
+        errors_of(scene.model, truth.instant, *d, scales_of(scene, solved))[verdict.level];
+  if (is_regular(scene, at, at) && all_right(scene, solved))
+    verdict.verdict = PromiseVerdict::false_flag;
+  return verdict;
+}
+
+/// Returns the verdict about the flag of a run without wrong numbers.
+RunVerdict verdict_on_flag(const DrawnScene& scene, const SolvedScene& solved) {
   const MonitoredSummary& s = solved.summary;
   if (s.outcome() == Outcome::converged) return {};
-  const auto index = [&](double time) {
-    const TimeGrid& grid = scene.scene.grid;
-    const double i = std::nearbyint((time - grid.start) / grid.interval());
-    return static_cast<int>(std::clamp(i, 0.0, grid.instants - 1.0));
-  };
-  if (s.outcome() == Outcome::failed) {
-    const int at = static_cast<int>(s.instants);
-    const bool is_false = is_regular(scene, at - 1, at);
-    return {is_false ? PromiseVerdict::false_failure : PromiseVerdict::flagged,
-            s.violated >= 0                     ? "another branch"
-            : s.status == Status::singular      ? "singular"
-            : s.status == Status::not_converged ? "not converged"
-                                                : "not finite",
-            Level::position,
-            0,
-            0,
-            s.time,
-            at < std::ssize(scene.truth) ? scene.truth[at].condition : 0};
-  }
-  RunVerdict j{PromiseVerdict::flagged, s.crossing ? "crossing" : "degraded"};
-  if (s.crossing) {
-    static constexpr const char* kinds[] = {"passed", "jumped", "not declared"};
-    j.what = kinds[static_cast<int>(s.crossing->kind)];
-    j.time = s.crossing->before;
-    const int to = index(s.crossing->before), from = index(s.crossing->after);
-    j.condition = scene.truth[to].condition;
-    SolvedScene unflagged = solved;
-    unflagged.summary.crossing.reset();
-    if (is_regular(scene, from - 1, to + 1) && all_right(scene, solved) &&
-        !find_wrong(scene, unflagged))
-      j.verdict = PromiseVerdict::false_flag;
-  } else {
-    j.time = s.first_degraded->time;
-    const int at = index(j.time);
-    j.condition = scene.truth[at].condition;
-    const PerLevel<double>& stated = s.first_degraded->assessment.bound;
-    const PerLevel<double> limit = Limits(solved.tolerance).degraded;
-    j.level = *std::ranges::max_element(levels, {},
-                                        [&](Level level) { return stated[level] / limit[level]; });
-    j.allowed = stated[j.level];
-    const auto d = std::ranges::find(solved.instants, at, &Delivered::index);
-    if (d != solved.instants.end() && has_answer(scene.truth[at]))
-      j.error =
-          errors_of(scene.model, scene.truth[at].instant, *d, scales_of(scene, solved))[j.level];
-    if (is_regular(scene, at, at) && all_right(scene, solved))
-      j.verdict = PromiseVerdict::false_flag;
-  }
-  return j;
+  if (s.outcome() == Outcome::failed) return verdict_on_failure(scene, s);
+  return s.crossing ? verdict_on_crossing(scene, solved) : verdict_on_degradation(scene, solved);
 }
 
 class Collector final : public Observer {
@@ -207,15 +218,15 @@ PerLevel<double> errors_of(const Model& m, const ReferenceInstant& truth, const 
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
-RunVerdict verify(const DrawnScene& scene, const SolvedScene& solved) {
+RunVerdict verdict_on_run(const DrawnScene& scene, const SolvedScene& solved) {
   if (std::optional<RunVerdict> wrong = find_wrong(scene, solved)) {
     if (solved.summary.outcome() == Outcome::failed) wrong->what += ", then failed";
     return *wrong;
   }
-  return verify_flags(scene, solved);
+  return verdict_on_flag(scene, solved);
 }
 
-RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
+RunVerdict verdict_on_id(const DrawnScene& scene, const std::string& id) {
   std::unique_ptr<Formulation> f;
   std::optional<Configuration> c;
   try {
@@ -232,7 +243,7 @@ RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
   // What the motion's scales excuse in the end is no flag.
   if (solved.summary.degraded == 0)
     for (Delivered& d : solved.instants) d.degraded = false;
-  return verify(scene, solved);
+  return verdict_on_run(scene, solved);
 }
 
 }  // namespace desmo::promise

@@ -73,9 +73,9 @@ PerLevel<double> errors_of(const Model& model, const ReferenceInstant& truth,
 ///   error exceeds the limits of *converged* or the bound stated for the run, or
 /// - its instant is degraded and its error exceeds the bound stated, or
 /// - there is no answer, and no flag at this instant (but see DrawnScene::overconstrained).
-RunVerdict verify(const DrawnScene& scene, const SolvedScene& solved);
+RunVerdict verdict_on_run(const DrawnScene& scene, const SolvedScene& solved);
 
 /// Solves a scene as `desmo solve` does and judges it.
-RunVerdict verify_id(const DrawnScene& scene, const std::string& id);
+RunVerdict verdict_on_id(const DrawnScene& scene, const std::string& id);
 
 }  // namespace desmo::promise

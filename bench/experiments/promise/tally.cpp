@@ -71,7 +71,7 @@ void print_finding(std::ostream& out, const char* title, const SceneResult::Find
 
 }  // namespace
 
-SceneResult verify_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids) {
+SceneResult run_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids) {
   SceneResult r{.number = number};
   std::optional<DrawnScene> scene;
   try {
@@ -83,7 +83,7 @@ SceneResult verify_scene(std::uint64_t seed, int number, const std::vector<std::
   r.family = scene->family;
   r.aim = scene->aim;
   for (const std::string& id : ids) {
-    const RunVerdict j = verify_id(*scene, id);
+    const RunVerdict j = verdict_on_id(*scene, id);
     r.verdicts += letter_of(j.verdict);
     if (j.verdict == PromiseVerdict::wrong && (!r.wrong || is_worse(j, r.wrong->details)))
       r.wrong = {id, j};

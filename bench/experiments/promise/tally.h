@@ -32,7 +32,7 @@ struct SceneResult {
 };
 
 /// Draws a scene and judges it in every id.
-SceneResult verify_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids);
+SceneResult run_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids);
 
 /// Returns a result as JSON.
 nlohmann::ordered_json to_json(const SceneResult& result);

@@ -104,7 +104,7 @@ int run(const bench::CommandLine& line) {
     right &= measure(series, repetitions, lists[std::string(name_of(series.question))]);
     progress.done(work_of(series));
   }
-  recording.write(all.front().definition->describe(1).grid, lists);
+  recording.write(all.front().definition->with_units(1).grid, lists);
   return right ? 0 : 1;
 }
 

@@ -41,7 +41,7 @@ constexpr int break_even_instants = 51;
 double tolerance_of(int coordinates) { return 5e-15 * std::max(200, coordinates); }
 
 TimeGrid begin_of(const Case& c, int instants) {
-  TimeGrid grid = c.describe(1).grid;
+  TimeGrid grid = c.with_units(1).grid;
   grid.instants = instants;
   return grid;
 }
@@ -58,22 +58,22 @@ std::vector<std::string_view> all_at_once() {
 
 /// Returns what the first entities need; nothing where none of them moves.
 std::optional<Model> needed_by_first(const Model& whole, int count) {
-  std::vector<Asked> asked;
+  std::vector<Output> outputs;
   for (EntityId e = 0; e < count; ++e)
-    if (!whole.is_at_rest(e)) asked.push_back({e, Level::acceleration});
-  if (asked.empty()) return std::nullopt;
-  return make_plan(whole, asked).model;
+    if (!whole.is_at_rest(e)) outputs.push_back({e, Level::acceleration});
+  if (outputs.empty()) return std::nullopt;
+  return make_plan(whole, outputs).model;
 }
 
-Model largest(const Case& c) { return make_model(describe(c, c.sizes.back())); }
+Model largest(const Case& c) { return make_model(make_scene(c, c.sizes.back())); }
 
-/// Each number of unknowns once: the first entities may need more than they were asked for.
+/// Each number of unknowns once: the first entities may need more than was asked for.
 void add_break_even(std::vector<SizeSeries>& all, const Case& c, int max_unknowns) {
   const Model whole = largest(c);
   int last = 0;
   for (const int least : unknowns) {
     if (least > max_unknowns) return;
-    const int found = bench::moving_unknowns(cut_to(whole, least));
+    const int found = bench::moving_unknowns(smallest_part(whole, least));
     if (found != last) all.push_back({Question::break_even, &c, last = found, all_at_once()});
   }
 }
@@ -97,13 +97,13 @@ std::string_view name_of(Question question) {
 
 bench::Problem SizeSeries::problem() const {
   if (question == Question::growth)
-    return bench::make_problem(make_model(describe(*definition, size)),
+    return bench::make_problem(make_model(make_scene(*definition, size)),
                                begin_of(*definition, growth_instants), tolerance_of(size));
-  return bench::make_problem(cut_to(largest(*definition), size),
+  return bench::make_problem(smallest_part(largest(*definition), size),
                              begin_of(*definition, break_even_instants), Settings{}.tolerance);
 }
 
-Model cut_to(const Model& whole, int min_unknowns) {
+Model smallest_part(const Model& whole, int min_unknowns) {
   // More entities never need less.
   int first = 1, last = static_cast<int>(whole.entities.size()) + 1;
   while (first < last) {

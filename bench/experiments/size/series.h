@@ -39,6 +39,6 @@ std::vector<SizeSeries> matching(std::vector<SizeSeries> all, const std::regex& 
 /// Returns the smallest part of a mechanism that has at least `min_unknowns` unknowns and can be
 /// solved alone: the part that its first entities need. Returns the whole where it has fewer
 /// unknowns.
-Model cut_to(const Model& whole, int min_unknowns);
+Model smallest_part(const Model& whole, int min_unknowns);
 
 }  // namespace desmo::size

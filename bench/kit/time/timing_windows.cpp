@@ -36,7 +36,7 @@ void TimingWindows::begin() {
 
 void TimingWindows::restart() {
   next_ = 0;
-  passed_ = 0;
+  counted_ = 0;
   sum_ = 0;
   began_ = analysis_began_;
 }

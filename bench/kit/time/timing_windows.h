@@ -27,9 +27,9 @@ class TimingWindows {
   /// Tells that an instant was delivered. Every instant of the motion comes once, in any order.
   /// updates: its work (Summary::updates). By the wall clock work is not counted: several threads
   /// deliver in another order every time, so that it is not that of a window.
-  void passed(long updates = 0) {
+  void count_instant(long updates = 0) {
     if (clock_ == Clock::cpu) sum_ += updates;
-    if (passed_++ == last_instants_[next_]) end();
+    if (counted_++ == last_instants_[next_]) end();
   }
 
   std::size_t count() const { return last_instants_.size() - 1; }
@@ -49,7 +49,7 @@ class TimingWindows {
   std::vector<double> sample_;  // of the analysis that goes on
   std::vector<long> updates_;
   std::size_t next_ = 0;  // to end
-  int passed_ = 0;        // instants
+  int counted_ = 0;       // instants
   long sum_ = 0;          // of updates in the window that goes on
   double began_ = 0, analysis_began_ = 0;
 };
@@ -61,7 +61,7 @@ class WindowedDelivery final : public Delivery {
       : Delivery(coordinates, level), windows_(windows) {}
 
   Flow observe(const Instant& instant) noexcept override {
-    windows_.passed(instant.updates);
+    windows_.count_instant(instant.updates);
     return Delivery::observe(instant);
   }
   void restart() noexcept override { windows_.restart(); }

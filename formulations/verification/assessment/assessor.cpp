@@ -17,11 +17,11 @@ constexpr double missed = 3;
 Assessment undetermined(Assessment a, GroupId group) {
   a.singular = true;
   a.group = group;
-  for (const Level level : levels) a.bound[level] = INFINITY;
+  for (const Level level : all_levels) a.bound[level] = INFINITY;
   return a;
 }
 
-std::vector<Level> all_levels(const Model& m, std::span<const Level> given) {
+std::vector<Level> given_or_highest(const Model& m, std::span<const Level> given) {
   std::vector<Level> result(given.begin(), given.end());
   result.resize(m.coordinates(), Level::acceleration);
   return result;
@@ -31,7 +31,7 @@ std::vector<Level> all_levels(const Model& m, std::span<const Level> given) {
 
 Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<const Level> asked)
     : model_(m),
-      levels_(all_levels(m, levels)),
+      levels_(given_or_highest(m, levels)),
       asked_(asked.empty() ? levels_ : std::vector<Level>(asked.begin(), asked.end())),
       row_levels_(levels_of_rows(m, levels_)),
       system_(m),
@@ -61,7 +61,7 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<cons
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
     for (int r = 0; r < rows(m.constraints[c]); ++r)
       if (!(m.constraints[c].left_out >> r & 1)) row_magnitudes_[row++] = magnitudes.of({c, r});
-  for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
+  for (const Level level : all_levels) corrected_[level].resize(m.coordinates());
   std::mt19937 bits;
   for (double& sign : signs_.reshaped()) sign = bits() >> 31 ? -1 : 1;
 }
@@ -127,7 +127,7 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
     own = of_change_(system_, weights_, change_).value;
   }
   motion_.take(instant);
-  for (const Level level : desmo::levels) {
+  for (const Level level : all_levels) {
     const double rounding = motion_.of_drivers(level, scales);
     if (rounding > late && a.bound[level] > 0 && a.condition * rounding > share * a.bound[level])
       return Limit::drivers;

@@ -73,10 +73,10 @@ PerLevel<double> BackwardError::operator()(const Instant& instant, const Scales&
   const auto in_scale = [](double magnitude, double scale) {
     return scale > 0 ? magnitude / scale : 0;
   };
-  for (const Level level : levels)
+  for (const Level level : all_levels)
     off[level] *= condition * std::max(in_scale(size_, scales.length[level]),
                                        in_scale(1, scales.rotation[level]));
-  for (const Level level : levels) off[level] = std::max(off[level], of_drivers[level]);
+  for (const Level level : all_levels) off[level] = std::max(off[level], of_drivers[level]);
   return off;
 }
 

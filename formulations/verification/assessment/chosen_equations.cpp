@@ -17,12 +17,12 @@ using Eigen::MatrixXd;
 constexpr double better = 1.5;
 
 /// Rows of a group in the order of their pivots, and the pivot of the last one needed.
-struct Pivots {
+struct RankedRows {
   Eigen::VectorXi order;
   double last;
 };
 
-Pivots pivots(const MatrixXd& rows) {
+RankedRows ranked(const MatrixXd& rows) {
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
   const Eigen::Index n = rows.cols();
   return {qr.colsPermutation().indices(), std::abs(qr.matrixQR()(n - 1, n - 1))};
@@ -38,8 +38,8 @@ bool choose(Model& m, const GroupSystem& s, const MatrixXd& all) {
   int count = 0;
   for (std::size_t i = 0; i < s.rows.size(); ++i)
     if (is_kept(m, s.rows[i])) kept.row(count++) = all.row(static_cast<Eigen::Index>(i));
-  const auto [order, last] = pivots(all);
-  if (!(last > better * pivots(kept).last)) return false;
+  const auto [order, last] = ranked(all);
+  if (!(last > better * ranked(kept).last)) return false;
   for (const auto& [c, row] : s.rows) m.constraints[c].left_out |= 1u << row;
   for (int i = 0; i < s.unknowns; ++i) {
     const auto& [c, row] = s.rows[order[i]];

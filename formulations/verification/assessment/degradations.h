@@ -25,7 +25,7 @@ class Degradations {
       ++others_;
       return;
     }
-    for (const Level l : levels) degradation.assessment.bound[l] /= share_[l];
+    for (const Level l : all_levels) degradation.assessment.bound[l] /= share_[l];
     kept_.push_back(degradation);
   }
   /// Forgets an instant that is solved again, if it was the last one added.
@@ -51,7 +51,7 @@ class Degradations {
  private:
   PerLevel<double> bound(const Degradation& d) const {
     PerLevel<double> result = d.assessment.bound;
-    for (const Level l : levels) result[l] *= share_[l];
+    for (const Level l : all_levels) result[l] *= share_[l];
     return result;
   }
 

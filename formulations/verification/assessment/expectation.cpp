@@ -23,7 +23,7 @@ void Expectation::learn(const Assessment& a, const Signals& signals) {
   const bool would_be_stated = last_.bound.position > 0 && signals.growth <= risen;
   if (would_be_stated) {
     const Assessment expected = without_margin(signals);
-    for (const Level l : levels)
+    for (const Level l : all_levels)
       if (expected.bound[l] > 0)
         margin_[l] = std::max(margin_[l], doubled * a.bound[l] / expected.bound[l]);
   }

@@ -21,7 +21,7 @@ inline PerLevel<double> powers(double factor, double tolerance) {
 
 /// Returns whether a bound exceeds its limit, or is NaN, at any level.
 inline bool exceeds(const PerLevel<double>& bound, const PerLevel<double>& limit) {
-  return std::ranges::any_of(levels, [&](Level l) { return !(bound[l] <= limit[l]); });
+  return std::ranges::any_of(all_levels, [&](Level l) { return !(bound[l] <= limit[l]); });
 }
 
 /// Limits of the error bounds when positions are solved to a tolerance.
@@ -38,7 +38,7 @@ class Limits {
   PerLevel<double> worth_correcting(double condition) const {
     constexpr double over_floor = 10, unit_roundoff = 0x1p-53;
     PerLevel<double> least = accuracy_limit(condition, over_floor * unit_roundoff);
-    for (const Level l : levels) least[l] = std::max(least[l], worth_correcting_[l]);
+    for (const Level l : all_levels) least[l] = std::max(least[l], worth_correcting_[l]);
     return least;
   }
 

@@ -31,7 +31,7 @@ struct Measurement {
   /// Returns the bounds. The margin alone does not take one above its limit.
   PerLevel<double> stated(const PerLevel<double>& limit) const {
     PerLevel<double> sum{};
-    for (const Level l : levels) {
+    for (const Level l : all_levels) {
       sum[l] = margin * error[l] + rounding[l];
       if (error[l] + rounding[l] <= limit[l]) sum[l] = std::min(sum[l], limit[l]);
     }
@@ -94,7 +94,7 @@ Measurement MeasuredError::Refinement<Wide>::operator()(const Instant& instant,
   std::ranges::copy(instant.q, position_.begin());
   double rest = system_.factor(position_) ? finer * a.rounding : INFINITY;
   Measurement result;
-  for (const Level level : levels) {
+  for (const Level level : all_levels) {
     if (level == Level::velocity && instant.qd.empty()) break;
     if (level == Level::acceleration && instant.qdd.empty()) break;
     const auto over = [&](Level of, double length, double rotation) {
@@ -198,8 +198,9 @@ PerLevel<double> MeasuredError::operator()(const Instant& instant, const Scales&
                                            const Assessment& a, const PerLevel<double>& limit) {
   auto& [extended, quadruple] = *refinements_;
   const Measurement m = extended(instant, scales, a);
-  const bool decides = std::ranges::all_of(
-      levels, [&](Level l) { return m.rounding[l] <= m.error[l] || m.rounding[l] <= limit[l]; });
+  const bool decides = std::ranges::all_of(all_levels, [&](Level l) {
+    return m.rounding[l] <= m.error[l] || m.rounding[l] <= limit[l];
+  });
   if (!exceeds(m.stated(limit), limit) || (decides && exceeds(m.error, limit)))
     return m.stated(limit);
   if (!quadruple) quadruple.emplace(extended);

@@ -66,7 +66,7 @@ GroupId ScaledSystem::group_of_block(int block) const {
 
 double ScaledSystem::log_determinant(int block) const {
   const auto start = factors_->block_start(), rows = factors_->block_rows();
-  const auto pivots = factors_->pivots();
+  const auto pivots = factors_->pivot_values();
   double log = 0;
   for (int i = start[block]; i < start[block + 1]; ++i)
     log += std::log(std::abs(pivots[i]) * row_sums_[rows[i]]);
@@ -137,7 +137,7 @@ void ScaledSystem::orient() {
   std::ranges::fill(counted_, 0);
   for (std::size_t b = 0; b < orientation_.size(); ++b) {
     const auto start = factors_->block_start(), chosen = factors_->pivot_rows();
-    const auto pivots = factors_->pivots();
+    const auto pivots = factors_->pivot_values();
     int sign = 1;
     for (int i = start[b]; i < start[b + 1]; ++i) {
       if (pivots[i] < 0) sign = -sign;

@@ -12,7 +12,7 @@ namespace {
 
 /// Number of groups in a chain, above which errors are handed on in bases.
 constexpr int max_boxed_chain = 8;
-constexpr int level_count = static_cast<int>(levels.size());
+constexpr int level_count = static_cast<int>(all_levels.size());
 
 class Builder {
  public:
@@ -103,7 +103,7 @@ class Builder {
     std::vector<std::vector<BlockBatch::Member>> batches;
     for (const BlockBatch::Member& made : members) {
       const auto equal = std::ranges::find_if(batches, [&](const auto& batch) {
-        return batch.size() < Lanes::count && batch.front().block.shape == made.block.shape;
+        return batch.size() < LaneNumbers::count && batch.front().block.shape == made.block.shape;
       });
       if (equal == batches.end())
         batches.push_back({made});
@@ -156,7 +156,7 @@ class Builder {
     const int size = static_cast<int>(coordinates.size());
     GroupInterface made{coordinates, {}, {level_count * size, level_count * from.symbols}, {}};
     for (const int i : coordinates) made.rows.push_back(row_[i]);
-    for (const Level level : levels) made.center[level].resize(size);
+    for (const Level level : all_levels) made.center[level].resize(size);
     result_.interfaces.push_back(std::move(made));
     return index;
   }

@@ -84,8 +84,9 @@ AccuracyMonitor::State::Statement AccuracyMonitor::State::state(const Instant& i
 /// Whether pivots of earlier positions may spoil the rates.
 bool AccuracyMonitor::State::has_bad_pivots() const {
   if (!options.reuses_pivots || !has(Monitor::pivots)) return false;
-  return options.parts.empty() || std::ranges::any_of(options.parts, [](const PivotReuse* part) {
-           return !(part->pivot_shrinkage() <= doubtful_pivot_loss);
+  return options.parts.empty() || std::ranges::any_of(options.parts, [](const Part* part) {
+           const Pivots pivots = part->pivots();
+           return pivots.square_condition || !(pivots.shrinkage <= doubtful_pivot_loss);
          });
 }
 
@@ -168,7 +169,7 @@ bool AccuracyMonitor::State::is_too_coarse(const Instant& instant, const Assessm
 void AccuracyMonitor::State::measure(Assessment& a, const Instant& instant) {
   if (a.singular || !exceeds(a.bound, limits.degraded)) return;
   const PerLevel<double> error = measured(instant, scales.with(instant), a, limits.degraded);
-  for (const Level l : levels) a.bound[l] = std::min(a.bound[l], error[l]);
+  for (const Level l : all_levels) a.bound[l] = std::min(a.bound[l], error[l]);
 }
 
 /// Corrects an instant.
@@ -201,7 +202,7 @@ Instant AccuracyMonitor::State::kept(const Instant& instant) {
 /// The largest bound over its limit.
 double AccuracyMonitor::State::worst_share(const Assessment& a) const {
   double share = 0;
-  for (const Level l : levels) share = std::max(share, a.bound[l] / limits.degraded[l]);
+  for (const Level l : all_levels) share = std::max(share, a.bound[l] / limits.degraded[l]);
   return share;
 }
 

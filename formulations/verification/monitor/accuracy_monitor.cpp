@@ -96,7 +96,7 @@ void AccuracyMonitor::State::deliver(const MonitoredInstant& j, bool is_assessed
 }
 
 void AccuracyMonitor::State::add(const Degradation& d, bool is_degraded) {
-  for (const Level l : levels) worst[l] = std::max(worst[l], d.assessment.bound[l]);
+  for (const Level l : all_levels) worst[l] = std::max(worst[l], d.assessment.bound[l]);
   if (is_degraded) degradations.add(d);
 }
 

@@ -17,7 +17,7 @@
 
 namespace desmo {
 
-class PivotReuse;  // base/part.h
+class Part;  // base/part.h
 
 /// A monitor or a rule of a monitored run, which tests leave out to see what it alone finds.
 enum class Monitor : unsigned {
@@ -75,9 +75,9 @@ struct AccuracyMonitorOptions {
   std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
   std::span<const Level> asked{};        ///< to which it is judged; empty: as far as solved
   bool assesses_all = false;             ///< assess every instant
-  bool reuses_pivots = false;            ///< Part::reuses_pivots: rates may be spoilt
+  bool reuses_pivots = false;            ///< Pivots::may_spoil_rates of any part
   /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
-  std::vector<const PivotReuse*> parts{};
+  std::vector<const Part*> parts{};
   unsigned without = 0;            ///< Monitor bits left out
   std::optional<Scales> scales{};  ///< to which bounds are relative; empty: the motion's
   int max_steps = 4096;            ///< shorter steps in which a doubtful step is retried

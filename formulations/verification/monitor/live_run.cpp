@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <variant>
 
-#include "formulations/parts/guarded_part.h"
 #include "formulations/planning/plan.h"
 #include "formulations/stepping/diagnosis.h"
 #include "formulations/stepping/formulation_core.h"
@@ -43,7 +42,7 @@ struct LiveRun::Monitors {
 };
 
 std::string unsupported_live_reason(const Formulation& f) {
-  if (core_of(f).live()) return {};
+  if (!core_of(f).needs_known_motion()) return {};
   return "segments, threads and a stride need a motion known in advance; live drivers are known "
          "one step at a time";
 }
@@ -60,7 +59,7 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
     throw std::invalid_argument(reason);
   if (options.max_sub_steps < 0)
     throw std::invalid_argument("the number of sub-steps must not be negative");
-  for (const Level level : levels)
+  for (const Level level : all_levels)
     if (options.scales && level <= options.level &&
         !(options.scales->length[level] > 0 && options.scales->rotation[level] > 0))
       throw std::invalid_argument("scales must be positive, for bounds are relative to them");
@@ -220,7 +219,9 @@ void LiveRun::restart() {
   has_position_ = false;
   time_ = 0;
   steps_of(formulation_).return_to({}, 0);
-  const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
+  const auto reuses = [](const DefinedPart& part) {
+    return part.solver->pivots().may_spoil_rates();
+  };
   monitors_->accuracy.emplace(
       monitors_->plan.model, TimeGrid{},
       AccuracyMonitorOptions{.tolerance = formulation_.settings().tolerance,

@@ -7,7 +7,6 @@
 
 #include "formulations/base/output_writer.h"
 #include "formulations/base/part.h"
-#include "formulations/parts/guarded_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/stepping/strided_steps.h"
 #include "formulations/verification/monitor/accuracy_monitor.h"
@@ -27,10 +26,10 @@ AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
                                 .assesses_all = options.strict || options.assesses_all,
                                 .without = without};
   for (const DefinedPart& part : parts_of(f))
-    if (part.solver->reuses_pivots()) {
+    if (part.solver->pivots().may_spoil_rates()) {
       result.reuses_pivots = true;
-      const auto* pivots = dynamic_cast<const PivotReuse*>(part.solver.get());
-      if (core_of(f).live() && pivots) result.parts.push_back(pivots);  // else others do the work
+      if (!core_of(f).needs_known_motion())  // else others do the work
+        result.parts.push_back(part.solver.get());
     }
   return result;
 }

@@ -49,7 +49,7 @@ std::string describe_scales(const Scales& scales, Level level, const Model& m) {
   static constexpr const char* per_time[] = {"", "/s", "/s^2"};
   const std::string unit = m.length_unit == "1" ? "" : m.length_unit;
   std::string result;
-  for (const Level l : levels) {
+  for (const Level l : all_levels) {
     if (l > level) break;
     const std::string per = per_time[static_cast<int>(l)];
     char text[80];

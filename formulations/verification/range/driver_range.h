@@ -19,19 +19,20 @@ enum class RangeStop {
   none,          ///< nothing: two turns, or ten times the mechanism's size
 };
 
-/// End of a driver's way in one direction. Values are the driver's, in rad or the unit of length.
+/// The end of a driver's range in one direction. Values of the driver are in rad or the unit of
+/// length.
 struct RangeEnd {
   RangeStop stop = RangeStop::none;
-  double value = 0;   ///< last one with a solved position
-  double beyond = 0;  ///< next to it, one without a position on this branch; the same where the
-                      ///< mechanism does not lock
-  int turns = 0;      ///< full_turn: until it is back, 1 or 2
+  double value = 0;  ///< last value of the driver with a solved position
+  /// Value next to it without a position on this branch; equal to it where nothing locks.
+  double beyond = 0;
+  int turns = 0;                   ///< full_turn: turns until the mechanism is back, 1 or 2
   GroupId group = no_position;     ///< dead_point: group that locks
   std::vector<EntityId> moving{};  ///< dead_point: what can still move while all drivers rest
   std::vector<int> constraints{};  ///< dead_point: those that hold the driver, by force
 };
 
-/// Singular position that the mechanism passes: branches cross there, or they touch.
+/// A singular position that the mechanism passes: branches cross or touch there.
 struct ChangePoint {
   double value;            ///< of the driver
   GroupId group;           ///< group whose determinant is zero; no_position: not known
@@ -44,8 +45,8 @@ struct DriverRange {
   double start;          ///< value of the driver at the given position
   bool is_idle = false;  ///< the driver moves nothing but itself
   RangeEnd down, up;
-  /// The end on the other branch that begins at the start, in the direction that is not locked;
-  /// nothing unless the start is a dead point.
+  /// The end on the second branch that begins at a dead point; nothing unless the start is one.
+  /// Both branches lead in the direction that is not locked.
   std::optional<RangeEnd> other_branch;
   std::vector<ChangePoint> change_points;  ///< ascending
 };

@@ -18,7 +18,7 @@ std::vector<WideInstant> quadruple_solution(const Model& m, std::span<const doub
   Solver<double> walker(m);
   Solver<Quadruple> solver(m);
   std::vector<WideInstant> result;
-  walk(
+  follow_motion(
       times, [&](double t) { walker.solve_positions(t); },
       [&](double t) {
         solver.start_at(walker);

@@ -35,7 +35,7 @@ TEST_P(Peers, AgreeWithTheQuadrupleReference) {
     candidate.verify(references);
     EXPECT_TRUE(candidate.is_verified()) << candidate.name() << ": " << candidate.message();
     EXPECT_GE(candidate.verifying_run().errors.instants, 51) << candidate.name();
-    const Scene scene = describe(find_case(name), coordinates);
+    const Scene scene = make_scene(find_case(name), coordinates);
     const Model model = make_model(scene);
     const auto solver = peer.make(scene, model);
     solver->assemble(0);

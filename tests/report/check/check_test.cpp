@@ -254,8 +254,9 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
   EXPECT_NE(complaint([](Json& c) { c["base"]["paper"]["cells"].erase(0); }).find("base"),
             std::string::npos);
   EXPECT_NE(complaint([](Json& c) { c.erase("control"); }).find("control"), std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { c["head"]["paper"]["cells"].erase(0); }).find("head: the cell"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint([](Json& c) { c["head"]["paper"]["cells"].erase(0); }).find("head: the candidate"),
+      std::string::npos);
   EXPECT_NE(complaint([](Json& c) {
               for (const char* side : {"base", "head"}) c[side]["paper"]["cells"] = Json::array();
             }).find("head"),
@@ -275,7 +276,7 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
             std::string::npos);
   EXPECT_NE(complaint([](Json& c) {
               c["work"]["instructions"] = Json::object();
-            }).find("/work/instructions: the cell truck_suspension"),
+            }).find("/work/instructions: the candidate truck_suspension"),
             std::string::npos);
   EXPECT_NE(
       complaint([](Json& c) { c["work"]["instructions"][watched]["head"] = 0.5; }).find("whole"),
