@@ -156,6 +156,8 @@ TEST(Compensated, HoldsCosinesOfUncertainAngles) {
 }
 
 TEST(Compensated, HoldsProductsOfUncertainNumbers) {
+  const Number zero(0, 0, 0x1p-20);
+  EXPECT_LE(0x1p-40, (zero * zero).radius);
   const Number factor(1, 0, 0x1p-40);
   Number sum(2);
   sum.add_product(factor, 3);
@@ -201,8 +203,8 @@ TEST(Compensated, HoldsWhatMotionsAreInExactArithmetic) {
   for (const Level level : all_levels) EXPECT_GT(worst[level], 0.05);
 }
 
-TEST(Lanes, AreTransposedAndMasked) {
-  Lanes a, b, c, d;
+TEST(LaneNumbers, AreTransposedAndMasked) {
+  LaneNumbers a, b, c, d;
   for (int k = 0; k < 4; ++k) a.set(k, k), b.set(k, 4 + k), c.set(k, 8 + k), d.set(k, 12 + k);
   transpose(a, b, c, d);
   for (int k = 0; k < 4; ++k) {
@@ -211,7 +213,7 @@ TEST(Lanes, AreTransposedAndMasked) {
     EXPECT_EQ(c[k], 4 * k + 2);
     EXPECT_EQ(d[k], 4 * k + 3);
   }
-  Lanes broken(1);
+  LaneNumbers broken(1);
   broken.set(2, NAN);
   broken.set(3, INFINITY);
   const LaneMask finite = is_finite(broken);

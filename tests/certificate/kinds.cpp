@@ -171,7 +171,7 @@ TYPED_TEST(KindInIntervals, HoldsAllThatItsOperandsHold) {
   }
 }
 
-using Number = Compensated<Lanes>;
+using Number = Compensated<LaneNumbers>;
 
 /// Returns the numbers of four samples, a lane each.
 template <class Kind>

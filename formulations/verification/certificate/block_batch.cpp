@@ -6,7 +6,7 @@ namespace {
 
 std::vector<std::vector<double>> constants_of(std::span<const BlockBatch::Member> members) {
   std::vector<std::vector<double>> all;
-  for (std::size_t lane = 0; lane < Lanes::count; ++lane)
+  for (std::size_t lane = 0; lane < LaneNumbers::count; ++lane)
     all.push_back(members[lane < members.size() ? lane : 0].block.constants);
   return all;
 }
@@ -26,11 +26,11 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
   for (int i = 0; i < shape.states(); ++i)
     if (shape.columns[i] >= 0) locals[shape.columns[i]] = i;
   magnitudes.resize(n);
-  for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+  for (std::size_t lane = 0; lane < LaneNumbers::count; ++lane) {
     const Member& m = members[lane < members.size() ? lane : 0];
     const auto place = [&](std::vector<int>& to, const std::vector<int>& from) {
-      to.resize(Lanes::count * from.size());
-      for (std::size_t k = 0; k < from.size(); ++k) to[Lanes::count * k + lane] = from[k];
+      to.resize(LaneNumbers::count * from.size());
+      for (std::size_t k = 0; k < from.size(); ++k) to[LaneNumbers::count * k + lane] = from[k];
     };
     std::vector<int> plain_states;
     for (const int i : plain) plain_states.push_back(m.block.states[i]);

@@ -30,15 +30,15 @@ struct BlockBatch {
 
   std::vector<Member> members;
   BlockEquations equations;
-  std::vector<int> plain;         ///< local states of unknowns and of what is fixed
-  std::vector<int> states;        ///< of each plain one, in the state of the model
-  std::vector<int> coordinates;   ///< of each column
-  std::vector<int> rows;          ///< of each column, in ErrorTable
-  std::vector<int> locals;        ///< local state of each column, the same in all lanes
-  std::vector<Lanes> magnitudes;  ///< of the unknowns
-  double rounding;                ///< bound on the relative rounding of all sums of products
-  LaneMatrix jacobian;            ///< Φ_q
-  Preconditioner constant;        ///< of linear equations
+  std::vector<int> plain;               ///< local states of unknowns and of what is fixed
+  std::vector<int> states;              ///< of each plain one, in the state of the model
+  std::vector<int> coordinates;         ///< of each column
+  std::vector<int> rows;                ///< of each column, in ErrorTable
+  std::vector<int> locals;              ///< local state of each column, the same in all lanes
+  std::vector<LaneNumbers> magnitudes;  ///< of the unknowns
+  double rounding;          ///< bound on all relative rounding, counted in block_image.cpp
+  LaneMatrix jacobian;      ///< Φ_q
+  Preconditioner constant;  ///< of linear equations
 };
 
 }  // namespace desmo

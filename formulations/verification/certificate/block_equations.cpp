@@ -35,12 +35,12 @@ struct Degree {
 
 /// Sets a scalar to exact numbers.
 template <class S>
-void assign(S& to, const Lanes& exact) {
+void assign(S& to, const LaneNumbers& exact) {
   to = {exact, 0};
 }
-void assign(Compensated<Lanes>& to, const Lanes& exact) { to = {exact, 0, 0}; }
+void assign(Compensated<LaneNumbers>& to, const LaneNumbers& exact) { to = {exact, 0, 0}; }
 template <class S>
-void assign(Jet<S>& to, const Lanes& exact) {
+void assign(Jet<S>& to, const LaneNumbers& exact) {
   assign(to.value, exact);
 }
 
@@ -82,23 +82,23 @@ struct BlockEquations::FunctionsOf {
       for (int i = 0; i < Kind::constants; ++i) assign(c[i], o.constants[i]);
     }
   };
-  static Compensated<Lanes> exact(const Lanes& x) { return {x, 0, 0}; }
+  static Compensated<LaneNumbers> exact(const LaneNumbers& x) { return {x, 0, 0}; }
 
-  static void write_rows(const Object& o, const Compensated<Lanes>* all, LaneInterval* phi) {
+  static void write_rows(const Object& o, const Compensated<LaneNumbers>* all, LaneInterval* phi) {
     for (int r = 0; r < Kind::rows; ++r)
       if (o.shape->rows[r] >= 0) phi[o.shape->rows[r]] = all[r].enclosure();
   }
   static void motion(const Object& o, const States& x, Level level,
                      const PerLevel<LaneInterval*>& phi) {
     if (level == Level::position) {
-      using S = Compensated<Lanes>;
+      using S = Compensated<LaneNumbers>;
       const Operands<S> at(o, [&](int i) { return exact(x.position[i].mid); });
       std::array<S, Kind::rows> all;
       Kind::residual(at.x.data(), at.c.data(), all.data());
       write_rows(o, all.data(), phi.position);
       return;
     }
-    using S = Jet<Compensated<Lanes>>;
+    using S = Jet<Compensated<LaneNumbers>>;
     const Operands<S> at(o, [&](int i) {
       return S(exact(x.position[i].mid), exact(x.velocity[i].mid),
                level == Level::acceleration ? exact(x.acceleration[i].mid) : exact(0));
@@ -157,7 +157,8 @@ BlockEquations::BlockEquations(const BlockShape& shape,
                                const std::vector<std::vector<double>>& constants)
     : shape_(shape), constants_(constants.front().size() + 1) {
   for (std::size_t k = 0; k < constants.front().size(); ++k)
-    for (int lane = 0; lane < Lanes::count; ++lane) constants_[k].set(lane, constants[lane][k]);
+    for (int lane = 0; lane < LaneNumbers::count; ++lane)
+      constants_[k].set(lane, constants[lane][k]);
   for (const BlockShape::Object& o : shape_.objects) add(o);
   std::ranges::stable_sort(terms_, {}, &Term::row);
   std::vector<bool> varies(shape_.entries.size());
@@ -169,11 +170,11 @@ BlockEquations::BlockEquations(const BlockShape& shape,
 }
 
 void BlockEquations::add(const BlockShape::Object& o) {
-  const Lanes* constants = constants_.data() + o.first_constant;
+  const LaneNumbers* constants = constants_.data() + o.first_constant;
   visit_kind(o.kind, [&]<class Kind>(Kind) {
     if constexpr (Kind::linear) {
       // Such kinds are homogeneous, too: Φ = Φ_q q.
-      using S = Compensated<Lanes>;
+      using S = Compensated<LaneNumbers>;
       std::array<S, Kind::constants + 1> c;
       for (int i = 0; i < Kind::constants; ++i) assign(c[i], constants[i]);
       const int* slot = o.slots.data();
@@ -201,7 +202,7 @@ void BlockEquations::motion(const States& x, Level level,
     const int row = terms_[first].row;
     while (end < terms_.size() && terms_[end].row == row) ++end;
     for (const Level l : all_levels) {
-      Compensated<Lanes> sum;
+      Compensated<LaneNumbers> sum;
       for (std::size_t k = first; k < end; ++k)
         sum.add_product(terms_[k].factor, x[l][terms_[k].state].mid);
       phi[l][row] = sum.enclosure();
@@ -215,7 +216,8 @@ void BlockEquations::jacobian(const LaneInterval* q, LaneMatrix& to) const {
 }
 
 void BlockEquations::constant_jacobian(LaneMatrix& to) const {
-  for (std::vector<Lanes>* part : {&to.mid, &to.radius}) std::ranges::fill(*part, Lanes(0));
+  for (std::vector<LaneNumbers>* part : {&to.mid, &to.radius})
+    std::ranges::fill(*part, LaneNumbers(0));
   // These are constants of the kind, or differ from one by 1, and the sum of both parts is exact.
   for (const Term& t : terms_)
     if (t.slot >= 0) to.mid[t.slot] = t.factor.value + t.factor.correction;

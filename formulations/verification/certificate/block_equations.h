@@ -6,16 +6,16 @@
 #include "formulations/verification/certificate/block_shape.h"
 #include "formulations/verification/certificate/compensated.h"
 #include "formulations/verification/certificate/interval.h"
-#include "formulations/verification/certificate/lanes.h"
+#include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
 
-using LaneInterval = BasicInterval<Lanes>;
+using LaneInterval = BasicInterval<LaneNumbers>;
 
 /// An interval matrix for each lane, with the entries that BlockShape::entries lists. Midpoints and
 /// radii are kept apart.
 struct LaneMatrix {
-  std::vector<Lanes> mid, radius;
+  std::vector<LaneNumbers> mid, radius;
 
   void resize(int entries) { mid.resize(entries), radius.resize(entries); }
 };
@@ -52,7 +52,7 @@ class BlockEquations {
   struct Object {
     const Functions* functions;
     const BlockShape::Object* shape;
-    const Lanes* constants;
+    const LaneNumbers* constants;
     bool quadratic;               ///< Φ_q is constant or linear in each entry
     std::vector<int> rate_slots;  ///< slots without those of constant entries
   };
@@ -60,12 +60,12 @@ class BlockEquations {
   struct Term {
     int row, state;
     int slot;  ///< in the Jacobian; -1: none
-    Compensated<Lanes> factor;
+    Compensated<LaneNumbers> factor;
   };
   void add(const BlockShape::Object& object);
 
   BlockShape shape_;
-  std::vector<Lanes> constants_;
+  std::vector<LaneNumbers> constants_;
   std::vector<Object> objects_;
   std::vector<Term> terms_;            // by rows
   std::vector<int> constant_entries_;  // of Φ_q

@@ -26,25 +26,25 @@ void BlockProof::find_image(Level level) {
   const BlockShape& s = *shape_;
   const LaneMatrix& jacobian = batch_->jacobian;
   const int n = N > 0 ? N : s.unknowns, m = s.inputs;
-  const Lanes rounding = batch_->rounding;
+  const LaneNumbers rounding = batch_->rounding;
   ErrorColumns& e = errors_[level];
   for (int r = 0; r < n; ++r) {
     const LaneInterval& f = phi_[level][r];
-    Lanes center = f.mid, uncertain = f.radius;
+    LaneNumbers center = f.mid, uncertain = f.radius;
     const int row_end = s.row_begins[r + 1];
     for (int k = s.input_begins[r]; k < row_end; ++k) {
       const int j = s.entries[k];
-      const Lanes mid = jacobian.mid[k];
+      const LaneNumbers mid = jacobian.mid[k];
       center = fma(mid, e.center[j], center);
       uncertain = fma(fma(rounding, abs(mid), jacobian.radius[k]), e.sum[j], uncertain);
     }
     for (const LowerTerm& term : lower_) {
       const ErrorColumns& lower = errors_[term.errors];
       const LaneMatrix& derivative = rates_[term.derivative];
-      Lanes of_center(0), of_own(0);
+      LaneNumbers of_center(0), of_own(0);
       for (int k = s.row_begins[r]; k < row_end; ++k) {
         const int j = s.entries[k];
-        const Lanes mid = derivative.mid[k];
+        const LaneNumbers mid = derivative.mid[k];
         of_center = fma(mid, lower.center[j], of_center);
         of_own = fma(abs(mid), lower.weight[j], of_own);
         of_own = fma(derivative.radius[k], lower.sum[j], of_own);
@@ -56,8 +56,8 @@ void BlockProof::find_image(Level level) {
     uncertainty_[r] = uncertain;
   }
   for (int i = 0; i < n; ++i) {
-    const Lanes *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
-    Lanes center(0), own(0);  // Φ has a radius, so none of these stays zero
+    const LaneNumbers *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
+    LaneNumbers center(0), own(0);  // Φ has a radius, so none of these stays zero
     for (int r = 0; r < n; ++r) {
       center = fma(-y[r], center_[r], center);
       own = fma(abs(y[r]), uncertainty_[r], own);
@@ -79,7 +79,7 @@ void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
   const auto add = [&](const LaneMatrix& derivative, double factor, bool inputs, Level from) {
     for (int r = 0; r < n; ++r)
       for (int e = inputs ? s.input_begins[r] : s.row_begins[r]; e < s.row_begins[r + 1]; ++e) {
-        const int row = rows[Lanes::count * s.entries[e]];
+        const int row = rows[LaneNumbers::count * s.entries[e]];
         const double t = factor * derivative.mid[e][0];
         if (t == 0 || !errors[from].has_generators(row)) continue;
         const double* image = errors[from].of_row(row);
@@ -91,7 +91,7 @@ void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
   add(batch_->jacobian, 1, true, level);
   for (const LowerTerm& t : lower_) add(rates_[t.derivative], t.factor, false, t.errors);
   for (int i = 0; i < n; ++i) {
-    double* generators = to.of_row(rows[Lanes::count * i]);
+    double* generators = to.of_row(rows[LaneNumbers::count * i]);
     std::fill_n(generators, columns, 0);
     for (int r = 0; r < n; ++r) {
       const double y = y_->inverse[i * n + r][0];
@@ -111,15 +111,15 @@ void BlockProof::contract() {
   const BlockShape& s = *shape_;
   const LaneMatrix& jacobian = batch_->jacobian;
   const int n = N > 0 ? N : s.unknowns;
-  const Lanes rounding = batch_->rounding;
+  const LaneNumbers rounding = batch_->rounding;
   for (int r = 0; r < n; ++r) {
-    Lanes sum(0);
+    LaneNumbers sum(0);
     for (int e = s.row_begins[r]; e < s.input_begins[r]; ++e)
       sum = fma(fma(rounding, abs(jacobian.mid[e]), jacobian.radius[e]), trial_[s.entries[e]], sum);
     uncertainty_[r] = sum;
   }
   for (int i = 0; i < n; ++i) {
-    Lanes sum(0);
+    LaneNumbers sum(0);
     for (int r = 0; r < n; ++r) {
       sum = fma(y_->remainder[i * n + r], trial_[r], sum);
       sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);

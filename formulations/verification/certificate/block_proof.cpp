@@ -7,8 +7,8 @@ namespace desmo {
 
 namespace {
 
-Lanes loaded(const ErrorTable::Row& row) {
-  return Lanes::load(&row.delivered);  // and what follows it
+LaneNumbers loaded(const ErrorTable::Row& row) {
+  return LaneNumbers::load(&row.delivered);  // and what follows it
 }
 
 }  // namespace
@@ -35,36 +35,37 @@ void BlockProof::gather(Level level, const ErrorTable& errors) {
   ErrorColumns& e = errors_[level];
   const int* at = b.states.data();
   for (const int i : b.plain) {
-    x[i] = {Lanes(Lanes::Numbers{errors.rows[at[0]].delivered, errors.rows[at[1]].delivered,
-                                 errors.rows[at[2]].delivered, errors.rows[at[3]].delivered}),
+    x[i] = {LaneNumbers(
+                LaneNumbers::Numbers{errors.rows[at[0]].delivered, errors.rows[at[1]].delivered,
+                                     errors.rows[at[2]].delivered, errors.rows[at[3]].delivered}),
             0};
-    at += Lanes::count;
+    at += LaneNumbers::count;
   }
   for (int j = shape_->unknowns; j < shape_->width(); ++j) {
-    const int* row = &b.rows[Lanes::count * j];
-    Lanes delivered = loaded(errors.rows[row[0]]), center = loaded(errors.rows[row[1]]),
-          own = loaded(errors.rows[row[2]]), sum = loaded(errors.rows[row[3]]);
+    const int* row = &b.rows[LaneNumbers::count * j];
+    LaneNumbers delivered = loaded(errors.rows[row[0]]), center = loaded(errors.rows[row[1]]),
+                own = loaded(errors.rows[row[2]]), sum = loaded(errors.rows[row[3]]);
     transpose(delivered, center, own, sum);
     e.center[j] = center;
     e.own[j] = own;
     e.sum[j] = sum;
     // Derivatives at higher levels are those at the delivered rates, for the time being.
-    x[b.locals[j]] = {delivered, level == Level::position ? sum : Lanes(0)};
+    x[b.locals[j]] = {delivered, level == Level::position ? sum : LaneNumbers(0)};
   }
 }
 
 /// Returns in which lanes the errors of all inputs are bounded.
 LaneMask BlockProof::is_known(Level level) const {
-  Lanes sum(0);
+  LaneNumbers sum(0);
   for (int j = shape_->unknowns; j < shape_->width(); ++j) sum += errors_[level].sum[j];
   return is_finite(sum);
 }
 
 /// Adds to the errors of the unknowns what X causes, and completes them.
-void BlockProof::finish(Level level, const Lanes& factor) {
+void BlockProof::finish(Level level, const LaneNumbers& factor) {
   ErrorColumns& e = errors_[level];
   for (int i = 0; i < shape_->unknowns; ++i) {
-    const Lanes more = contracted_[i] * factor;
+    const LaneNumbers more = contracted_[i] * factor;
     e.own[i] += more;
     e.sum[i] += more;
   }
@@ -89,8 +90,8 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
       // First, X is so large that one evaluation will do, and so small that it costs no digits: X²
       // is far below a unit. Then it is larger than what the last test returned (epsilon inflation;
       // Rump).
-      const Lanes last = attempt < 2 ? Lanes(0) : 2 * contracted_[i];
-      const Lanes trial =
+      const LaneNumbers last = attempt < 2 ? LaneNumbers(0) : 2 * contracted_[i];
+      const LaneNumbers trial =
           attempt == 0 && !linear ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1;
       trial_[i] = select(proven, trial_[i], trial);
       state_.position[b.locals[i]].radius = trial_[i];
@@ -124,7 +125,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   // Errors e are at most b + A e with A = |I − Y Φ_φ(X)|. Positions are proven, so A r ≤ r/2 for
   // the radii r of X. Hence e ≤ 2 max(b/r) r, and e ≤ b + 2 max(b/r) A r.
   const ErrorColumns& e = errors_[level];
-  Lanes ratio(0);
+  LaneNumbers ratio(0);
   for (int i = 0; i < shape_->unknowns; ++i) ratio = max(ratio, e.sum[i] / trial_[i]);
   finish(level, 2 * ratio);
   for (int i = 0; i < shape_->unknowns; ++i) lanes = lanes & is_finite(e.sum[i]);
@@ -136,11 +137,12 @@ void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
   const ErrorColumns& e = errors_[level];
   const int blocks = b.blocks();
   for (int i = 0; i < shape_->unknowns; ++i) {
-    const int *row = &b.rows[Lanes::count * i], *coordinate = &b.coordinates[Lanes::count * i];
+    const int *row = &b.rows[LaneNumbers::count * i],
+              *coordinate = &b.coordinates[LaneNumbers::count * i];
     // Whoever reads what is not proven is not proven either.
-    Lanes a = state_[level][b.locals[i]].mid, center = e.center[i], c = e.own[i],
-          d = select(proven, e.sum[i], INFINITY);
-    const Lanes sum = d;
+    LaneNumbers a = state_[level][b.locals[i]].mid, center = e.center[i], c = e.own[i],
+                d = select(proven, e.sum[i], INFINITY);
+    const LaneNumbers sum = d;
     transpose(a, center, c, d);
     a.store(&to.rows[row[0]].delivered);
     if (blocks > 1) center.store(&to.rows[row[1]].delivered);
@@ -166,7 +168,7 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
   LaneMask lanes = LaneMask::all();
   for (const Level level : all_levels) {
     if (level > up_to) break;
-    lanes = lanes & is_known(level);
+    lanes = lanes & is_known(level);  // others would fail, too, but later
     if (lanes.any())
       lanes = level == Level::position ? prove_positions(errors, lanes)
                                        : bound_rates(level, errors, lanes);

@@ -28,8 +28,8 @@ class BlockProof {
   /// Error bounds at one level, for each variable of a block: its inputs and, once they are
   /// bounded, its unknowns.
   struct ErrorColumns {
-    std::vector<Lanes> center, own, sum;
-    std::vector<Lanes> weight;  ///< own, and what rounding of a product with the error adds
+    std::vector<LaneNumbers> center, own, sum;
+    std::vector<LaneNumbers> weight;  ///< own, and what rounding of a product with the error adds
   };
   /// factor × derivative times the errors of a lower level: a term of an equation for rates.
   struct LowerTerm {
@@ -42,7 +42,7 @@ class BlockProof {
   LaneMask is_known(Level level) const;
   LaneMask prove_positions(PerLevel<ErrorTable>& errors, LaneMask lanes);
   LaneMask bound_rates(Level level, PerLevel<ErrorTable>& errors, LaneMask lanes);
-  void finish(Level level, const Lanes& factor);
+  void finish(Level level, const LaneNumbers& factor);
   void scatter(Level level, LaneMask proven, ErrorTable& to) const;
 
   // In block_image.cpp. N is the number of unknowns where it is small, for loops to unroll; or 0.
@@ -63,10 +63,10 @@ class BlockProof {
   PerLevel<LaneMatrix> rates_;                 // Φ̇_q, Φ̈_q
   PerLevel<ErrorColumns> errors_;              // (n + m)
   Preconditioner preconditioner_;
-  std::vector<Lanes> center_, uncertainty_;  // of the equations (n)
-  std::vector<Lanes> trial_;                 // radii of X (n)
-  std::vector<Lanes> contracted_;            // bound on |(I − Y Φ_φ(X)) X| (n)
-  std::vector<double> generators_;           // of the equations (n × columns)
+  std::vector<LaneNumbers> center_, uncertainty_;  // of the equations (n)
+  std::vector<LaneNumbers> trial_;                 // radii of X (n)
+  std::vector<LaneNumbers> contracted_;            // bound on |(I − Y Φ_φ(X)) X| (n)
+  std::vector<double> generators_;                 // of the equations (n × columns)
 };
 
 }  // namespace desmo

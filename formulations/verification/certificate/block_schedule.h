@@ -6,17 +6,9 @@
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
 #include "formulations/verification/certificate/block_batch.h"
-#include "formulations/verification/certificate/error_basis.h"
+#include "formulations/verification/certificate/group_interface.h"
 
 namespace desmo {
-
-/// Coordinates of a group that a later group of a long chain reads.
-struct GroupInterface {
-  std::vector<int> coordinates, rows;  ///< rows in ErrorTable, while its group is certified
-  ErrorBasis basis;                    ///< errors of all coordinates, one level after the other
-  PerLevel<std::vector<double>> center;
-  bool enclosed = false;  ///< by the basis, at this instant; otherwise only by radii
-};
 
 /// A structural group that is a link of a long chain.
 struct ChainLink {

@@ -89,47 +89,18 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
 
 /// Fills the lent rows of what a group reads, at each of the solved levels.
 void Certifier::Proof::load(const ChainLink& link) {
+  const int count = static_cast<int>(solved_.size());
   for (const Level level : solved_) {
-    ErrorTable& e = errors_[level];
-    e.columns = static_cast<int>(solved_.size()) * link.symbols;
-    for (const ChainLink::Source& source : link.sources) {
-      const GroupInterface& from = schedule_.interfaces[source.interface];
-      const int size = static_cast<int>(from.rows.size());
-      for (int i = 0; i < size; ++i) {
-        const int row = source.row + i;
-        e.rows[row] = e.rows[from.coordinates[i]];
-        std::fill_n(e.of_row(row), e.columns, 0);
-        if (!from.enclosed) continue;
-        double* generators = e.of_row(row) + solved_.size() * source.symbol;
-        for (int s = 0; s < from.basis.size(); ++s)
-          generators[s] = from.basis.generator(static_cast<int>(level) * size + i, s);
-        e.rows[row].set_error(from.center[level][i], std::span(generators, from.basis.size()));
-      }
-    }
+    errors_[level].columns = count * link.symbols;
+    for (const ChainLink::Source& source : link.sources)
+      schedule_.interfaces[source.interface].lend(level, source.row, count * source.symbol,
+                                                  errors_[level]);
   }
 }
 
 /// Encloses what later groups of a chain read of this one.
 void Certifier::Proof::leave(const ChainLink& link) {
-  const int count = static_cast<int>(solved_.size());
-  for (const int index : link.interfaces) {
-    GroupInterface& to = schedule_.interfaces[index];
-    const int size = static_cast<int>(to.rows.size());
-    to.enclosed = true;
-    for (const Level level : solved_)
-      for (const int row : to.rows)
-        to.enclosed = to.enclosed && std::isfinite(errors_[level].rows[row].sum);
-    if (!to.enclosed) continue;
-    to.basis.start(count * size, count * link.symbols);
-    for (const Level level : solved_)
-      for (int i = 0; i < size; ++i) {
-        const ErrorTable& e = errors_[level];
-        const int row = to.rows[i], rank = static_cast<int>(level);
-        to.center[level][i] = e.rows[row].center;
-        to.basis.set(rank * size + i, e.of_row(row), e.rows[row].own, rank);
-      }
-    to.basis.enclose();
-  }
+  for (const int index : link.interfaces) schedule_.interfaces[index].enclose(solved_, errors_);
   for (const Level level : solved_) errors_[level].columns = 0;
 }
 

@@ -36,9 +36,20 @@ struct Certificate {
 /// proves a solution in the left side, and no other in X (Krawczyk, Computing 4, 1969; Neumaier,
 /// Interval Methods for Systems of Equations, 5.1). Velocities and accelerations are linear: the
 /// contraction of the same test bounds their errors. Φ and its rates are evaluated in compensated
-/// arithmetic, so that radii are hardly larger than the errors. Equal blocks share registers. Along
-/// long chains of groups, what a later group reads is enclosed in an
-/// orthonormal basis that turns with the errors.
+/// arithmetic, so that radii are hardly larger than the errors. Equal blocks share registers.
+///
+/// Each term enters at one place:
+/// - Φ and its rates: BlockEquations::motion(); midpoint and radius go into find_image()
+/// - Φ_φ and Φ_h within X and δ, and their rates: BlockEquations::jacobian(), jacobian_rates()
+/// - errors of drivers: Certifier::Proof::take()
+/// - errors δ of earlier blocks: BlockProof::gather(); centers and radii go through Y Φ_h in
+///   find_image(), symbols in find_generators()
+/// - errors of lower levels, which rates depend on: BlockProof::bound_rates()
+/// - inflation of X, and the limit of its contraction: BlockProof::prove_positions()
+/// - (I − Y Φ_φ(X)) X: BlockProof::contract(); finish() adds it
+/// - rounding: `rounding`, counted at the top of block_image.cpp
+/// - change of basis: GroupInterface encloses what later groups of a long chain read in an
+///   orthonormal basis that turns with the errors (ErrorBasis), and hands it on
 ///
 ///   Certifier certifier(model);
 ///   const Certificate c = certifier.certify(instant);   // in an observer, for example

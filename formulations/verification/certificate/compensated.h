@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "formulations/verification/certificate/interval.h"
-#include "formulations/verification/certificate/lanes.h"
+#include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
 
@@ -14,7 +14,7 @@ namespace desmo {
 /// for the rounding of radii, which enclosure() adds. The correction takes up what each operation
 /// rounds off, so the radius is of the second order in the unit roundoff (Ogita, Rump & Oishi, SIAM
 /// J. Sci. Comput. 26, 2005). It suits residuals, where all leading digits cancel. S: double, or
-/// Lanes for four numbers.
+/// LaneNumbers for four numbers.
 ///
 /// Assumptions: those of intervals; sine and cosine of `long double` within one unit in its last
 /// place.

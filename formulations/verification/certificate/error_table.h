@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -32,6 +33,11 @@ struct ErrorTable {
   std::vector<double> generators;  ///< G of the lent rows
   int columns = 0, first_lent = 0;
 
+  /// Lends a row to an error without symbols.
+  void lend(int row, const Row& box) {
+    rows[row] = box;
+    std::fill_n(of_row(row), columns, 0);
+  }
   bool has_generators(int row) const { return columns > 0 && row >= first_lent; }
   double* of_row(int row) { return generators.data() + (row - first_lent) * columns; }
   const double* of_row(int row) const { return generators.data() + (row - first_lent) * columns; }

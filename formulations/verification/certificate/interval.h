@@ -9,7 +9,7 @@ namespace desmo {
 /// Each operation returns an interval that holds all results of numbers from its operands. The
 /// radius takes up the rounding of the midpoint and its own (Rump, Fast and parallel interval
 /// arithmetic, BIT 39, 1999). No operation switches the rounding mode, so all of them vectorise.
-/// S: double, or Lanes for four intervals.
+/// S: double, or LaneNumbers for four intervals.
 ///
 /// What is assumed: IEEE arithmetic rounded to nearest; sine and cosine of the standard library are
 /// within one unit in the last place, and within ±1.

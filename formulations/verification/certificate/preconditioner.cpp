@@ -10,21 +10,21 @@ namespace desmo {
 namespace {
 
 /// Returns the smallest number in some lanes.
-double smallest(const Lanes& x, LaneMask lanes) {
-  const Lanes y = select(lanes, x, INFINITY);
+double smallest(const LaneNumbers& x, LaneMask lanes) {
+  const LaneNumbers y = select(lanes, x, INFINITY);
   return std::min(std::min(y[0], y[1]), std::min(y[2], y[3]));
 }
 
 /// Gauss–Jordan elimination of row k and column k, in place.
 template <int N>
-void eliminate(Lanes* a, int size, int k) {
+void eliminate(LaneNumbers* a, int size, int k) {
   const int n = N > 0 ? N : size;
-  const Lanes scale = Lanes(1) / a[k * n + k];
+  const LaneNumbers scale = LaneNumbers(1) / a[k * n + k];
   a[k * n + k] = 1;
   for (int j = 0; j < n; ++j) a[k * n + j] *= scale;
   for (int i = 0; i < n; ++i) {
     if (i == k) continue;
-    const Lanes factor = -a[i * n + k];
+    const LaneNumbers factor = -a[i * n + k];
     if (N == 0 && !(!is_zero(factor)).any()) continue;
     a[i * n + k] = 0;
 #pragma GCC unroll 4
@@ -35,24 +35,24 @@ void eliminate(Lanes* a, int size, int k) {
 }  // namespace
 
 void Preconditioner::resize(int n, int m) {
-  for (std::vector<Lanes>* matrix : {&inverse, &remainder, &work_}) matrix->resize(n * n);
+  for (std::vector<LaneNumbers>* matrix : {&inverse, &remainder, &work_}) matrix->resize(n * n);
   slopes.resize(n * m);
   scales_.resize(n);
   rows_.resize(n);
 }
 
 /// Finds Y with pivots that are large in their rows in all these lanes.
-void Preconditioner::invert(const BlockShape& s, const Lanes* jacobian, LaneMask lanes) {
+void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
   const int n = s.unknowns;
-  Lanes* a = work_.data();
-  std::fill_n(a, n * n, Lanes(0));
+  LaneNumbers* a = work_.data();
+  std::fill_n(a, n * n, LaneNumbers(0));
   for (int i = 0; i < n; ++i) {
-    Lanes largest(0x1p-1000);
+    LaneNumbers largest(0x1p-1000);
     for (int e = s.row_begins[i]; e < s.input_begins[i]; ++e) {
       a[i * n + s.entries[e]] = jacobian[e];
       largest = max(largest, abs(jacobian[e]));
     }
-    if (n > 1) scales_[i] = Lanes(1) / largest;
+    if (n > 1) scales_[i] = LaneNumbers(1) / largest;
   }
   for (int k = 0; k < n; ++k) {
     int pivot = k;
@@ -75,20 +75,20 @@ void Preconditioner::invert(const BlockShape& s, const Lanes* jacobian, LaneMask
 }
 
 /// Finds |D − Y c| for a column c of Φ_q, where D has a 1 in row `one` and zeros elsewhere.
-void Preconditioner::multiply(const BlockShape& s, const Lanes* jacobian, int column, int one,
-                              Lanes* to, int stride) const {
+void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, int column, int one,
+                              LaneNumbers* to, int stride) const {
   const int begin = s.column_begins[column], count = s.column_begins[column + 1] - begin;
   const int* rows = &s.column_rows[begin];
   const auto with = [&]<int Count>() {
-    std::array<const Lanes*, Count> y;
-    std::array<Lanes, Count> minus;
+    std::array<const LaneNumbers*, Count> y;
+    std::array<LaneNumbers, Count> minus;
     for (int k = 0; k < Count; ++k) {
       y[k] = &inverse[rows[k]];
       minus[k] = -jacobian[s.column_entries[begin + k]];
     }
     const int n = s.unknowns;
     for (int i = 0; i < n; ++i) {
-      Lanes sum(i == one ? 1 : 0);
+      LaneNumbers sum(i == one ? 1 : 0);
       for (int k = 0; k < Count; ++k) sum = fma(y[k][i * n], minus[k], sum);
       to[i * stride] = abs(sum);
     }
@@ -107,32 +107,32 @@ void Preconditioner::multiply(const BlockShape& s, const Lanes* jacobian, int co
   }
   const int n = s.unknowns;
   for (int i = 0; i < n; ++i) {
-    Lanes sum(i == one ? 1 : 0);
+    LaneNumbers sum(i == one ? 1 : 0);
     for (int k = 0; k < count; ++k)
       sum = fma(inverse[i * n + rows[k]], -jacobian[s.column_entries[begin + k]], sum);
     to[i * stride] = abs(sum);
   }
 }
 
-void Preconditioner::find_remainder(const BlockShape& s, const Lanes* jacobian) {
+void Preconditioner::find_remainder(const BlockShape& s, const LaneNumbers* jacobian) {
   for (int j = 0; j < s.unknowns; ++j) multiply(s, jacobian, j, j, &remainder[j], s.unknowns);
 }
 
-void Preconditioner::find_slopes(const BlockShape& s, const Lanes* jacobian) {
+void Preconditioner::find_slopes(const BlockShape& s, const LaneNumbers* jacobian) {
   for (int j = 0; j < s.inputs; ++j)
     multiply(s, jacobian, s.unknowns + j, -1, &slopes[j], s.inputs);
 }
 
-void Preconditioner::find(const BlockShape& s, const Lanes* jacobian, LaneMask lanes) {
+void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
   invert(s, jacobian, lanes);
   find_remainder(s, jacobian);
   if (s.unknowns > 1) {
-    Lanes worst(0);
+    LaneNumbers worst(0);
     for (int i = 0; i < s.unknowns * s.unknowns; ++i) worst += remainder[i];
     constexpr double good = 1e-6;
     const LaneMask poor = lanes & !less(worst, good);
     if (poor.any()) {
-      for (int lane = 0; lane < Lanes::count; ++lane)
+      for (int lane = 0; lane < LaneNumbers::count; ++lane)
         if (poor[lane]) invert(s, jacobian, LaneMask::only(lane));
       find_remainder(s, jacobian);
     }

@@ -3,31 +3,32 @@
 #include <vector>
 
 #include "formulations/verification/certificate/block_shape.h"
-#include "formulations/verification/certificate/lanes.h"
+#include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
 
 /// An approximate inverse Y of the matrices Φ_φ (n × n) of four blocks, and what depends on it. An
 /// inaccurate inverse only makes a proof fail.
 struct Preconditioner {
-  std::vector<Lanes> inverse;  ///< Y (n × n)
-  std::vector<Lanes> remainder;  ///< |I − Y Φ_φ|, rounded, without what rounding Y Φ_φ adds (n × n)
-  std::vector<Lanes> slopes;  ///< |Y Φ_h|, rounded, h: the m inputs (n × m)
+  std::vector<LaneNumbers> inverse;  ///< Y (n × n)
+  std::vector<LaneNumbers>
+      remainder;  ///< |I − Y Φ_φ|, rounded, without what rounding Y Φ_φ adds (n × n)
+  std::vector<LaneNumbers> slopes;  ///< |Y Φ_h|, rounded, h: the m inputs (n × m)
 
   void resize(int n, int m);
   /// Finds all from the midpoints of Φ_q. Lanes share pivots where these suit all.
-  void find(const BlockShape& shape, const Lanes* jacobian, LaneMask lanes);
+  void find(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
 
  private:
-  void invert(const BlockShape& shape, const Lanes* jacobian, LaneMask lanes);
-  void multiply(const BlockShape& shape, const Lanes* jacobian, int column, int one, Lanes* to,
-                int stride) const;
-  void find_remainder(const BlockShape& shape, const Lanes* jacobian);
-  void find_slopes(const BlockShape& shape, const Lanes* jacobian);
+  void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
+  void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int column, int one,
+                LaneNumbers* to, int stride) const;
+  void find_remainder(const BlockShape& shape, const LaneNumbers* jacobian);
+  void find_slopes(const BlockShape& shape, const LaneNumbers* jacobian);
 
-  std::vector<Lanes> work_;    // (n × n)
-  std::vector<Lanes> scales_;  // of rows (n)
-  std::vector<int> rows_;      // of the pivots (n)
+  std::vector<LaneNumbers> work_;    // (n × n)
+  std::vector<LaneNumbers> scales_;  // of rows (n)
+  std::vector<int> rows_;            // of the pivots (n)
 };
 
 }  // namespace desmo
