@@ -24,7 +24,7 @@ double width(int level, int i) {
 GroupInterface interface_of_two() {
   GroupInterface made{
       {0, 1}, {first_lent, first_lent + 1}, {static_cast<int>(levels.size()) * size, columns}, {}};
-  for (const Level level : levels) made.center[level].resize(size);
+  for (const Level level : all_levels) made.center[level].resize(size);
   return made;
 }
 
