@@ -36,7 +36,7 @@ struct Linearisation {
   Eigen::VectorXd share;     ///< of a row's norm in that over all variables it reads (rows)
 
   /// Returns Φ over all that it reads: rounding leaves little of it, however far points are.
-  Eigen::VectorXd relative_phi() const { return phi.cwiseProduct(share); }
+  Eigen::VectorXd off() const { return phi.cwiseProduct(share); }
 };
 
 /// A lineariser of the group systems of a model.
