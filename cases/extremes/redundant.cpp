@@ -76,9 +76,9 @@ ExtremeCase bricard(std::string name, double off) {
           .scene = {"bricard", d.release(), {Polynomial{{0, 0.5}}}, redundant_grid, {}, {}}};
 }
 
-/// Bennett's mechanism, drawn with its crank at `start` and turned from there. Where the crank is
-/// folded, some of its equations do not tell how it moves on.
-ExtremeCase bennett(std::string name, double start, double rate, double tolerance) {
+/// Bennett's mechanism, drawn with its crank at `start`. Where the crank is folded, some of its
+/// equations do not tell how it moves on.
+ExtremeCase bennett(std::string name, double start, Polynomial motion, double tolerance = 1e-12) {
   const double twists[] = {0.7, 1.6};
   const double lengths[] = {1, std::sin(twists[1]) / std::sin(twists[0])};
   const double ratio =
@@ -117,21 +117,24 @@ ExtremeCase bennett(std::string name, double start, double rate, double toleranc
   theta.from = {from, -1, -1};
   theta.towards = {towards, -1, -1};
   theta.driven = true;
-  return {
-      .name = std::move(name),
-      .scene =
-          {"bennett", d.release(), {Polynomial{{start, rate}}}, redundant_grid, {}, {}, tolerance},
-      .factor = 100};  // what is promised
+  return {.name = std::move(name),
+          .scene = {"bennett", d.release(), {std::move(motion)}, redundant_grid, {}, {}, tolerance},
+          .factor = 100};  // what is promised
 }
 
 }  // namespace
 
 std::vector<ExtremeCase> redundant(Extent) {
+  using std::numbers::pi;
   std::vector<ExtremeCase> all{
-      parallel_cranks("three parallel cranks", 0), bricard("Bricard's mechanism", 0),
-      bennett("Bennett's mechanism at rest where it is folded", std::numbers::pi, 0, 1e-12),
-      bennett("Bennett's mechanism from there", std::numbers::pi, 1, 1e-12),
-      bennett("Bennett's mechanism to a tolerance of 1e-15", 1, 1, 1e-15)};
+      parallel_cranks("three parallel cranks", 0),
+      bricard("Bricard's mechanism", 0),
+      bennett("Bennett's mechanism at rest where it is folded", pi, {{pi}}),
+      bennett("Bennett's mechanism from there", pi, {{pi, 1}}),
+      bennett("Bennett's mechanism past there", 2, {{pi - 0.505, 1}}),
+      bennett("Bennett's mechanism to there", 2, {{pi - 1, 1}}),
+      bennett("Bennett's mechanism to rest there", 2, {{pi - 1, 2, -1}}),
+      bennett("Bennett's mechanism to a tolerance of 1e-15", 1, {{1, 1}}, 1e-15)};
   for (ExtremeCase& c : all) c.is_redundant = true;
   for (const ExtremeCase& c : {parallel_cranks("the cranks, contradictory by 1e-6", 1e-6),
                                bricard("Bricard's mechanism, contradictory by 1e-6", 1e-6)}) {

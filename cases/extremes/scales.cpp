@@ -33,8 +33,8 @@ ExtremeCase both() {
       case_of("× 1e-9 and × 1e9 in one", {small, large}, {turning, turning}, scale_grid));
 }
 
-/// A four-bar of millimetres at the end of an arm [m] that turns slowly.
-ExtremeCase on_arm(std::string name, double arm) {
+/// A four-bar of 60 mm at the end of an arm [m] that turns [rad/s].
+ExtremeCase on_arm(std::string name, double arm, double rate = 1e-7) {
   constexpr double crank = 0.02, link = 0.06, start = 1;
   MechanismBuilder d("four_bar_on_arm", 2);
   const double bx = arm + crank * std::cos(start), by = crank * std::sin(start);
@@ -60,7 +60,7 @@ ExtremeCase on_arm(std::string name, double arm) {
   return {.name = std::move(name),
           .scene = {"four_bar_on_arm",
                     d.release(),
-                    {Polynomial{{0, 1e-7}}, Polynomial{{start, 1}}},
+                    {Polynomial{{0, rate}}, Polynomial{{start, 1}}},
                     scale_grid,
                     {},
                     {}},
@@ -77,7 +77,8 @@ std::vector<ExtremeCase> scales(Extent) {
           scaled(1e-150),
           scaled(1e150),
           on_arm("60 mm on an arm of 10 km", 1e4),
-          on_arm("60 mm on an arm of 100 km", 1e5)};
+          on_arm("60 mm on an arm of 100 km", 1e5),
+          on_arm("60 mm on an arm of 20 m, fast", 20, 0.1)};
 }
 
 }  // namespace desmo::extremes

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cases/extremes/rows.h"
@@ -96,6 +98,44 @@ TEST(ChangePoints, LeaveErrorsWithinTheBoundsWhereACrankRocksNextToThem) {
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
     EXPECT_LE(rocker.error.position, s.bound.position) << id;
     EXPECT_LE(rocker.error.position, 1e-10) << id;
+  }
+}
+
+const Scene& folded(std::string_view name) {
+  static const std::vector<ExtremeCase> all = extremes::redundant(Extent::brief);
+  return std::ranges::find(all, name, &ExtremeCase::name)->scene;
+}
+
+class Positions final : public Observer {
+ public:
+  Flow observe(const Instant& i) noexcept override {
+    values.insert(values.end(), i.q.begin(), i.q.end());
+    values.insert(values.end(), i.qd.begin(), i.qd.end());
+    return Flow::go_on;
+  }
+  std::vector<double> values;
+};
+
+/// Drawn folded, Bennett's linkage keeps equations that are regular there. Drawn elsewhere it keeps
+/// others, which are not.
+TEST(Redundant, LinkageIsFollowedFromWhereTheEquationsKeptAreSingular) {
+  const Scene& from_there = folded("Bennett's mechanism from there");
+  Scene elsewhere = folded("Bennett's mechanism past there");
+  elsewhere.motions = from_there.motions;
+  for (const char* id :
+       {"global_automatic_klu", "group_automatic_lapack", "block_automatic_eigen"}) {
+    Positions expected, found;
+    for (const auto& [scene, positions] :
+         {std::pair(&from_there, &expected), std::pair(&std::as_const(elsewhere), &found)}) {
+      const MonitoredSummary s =
+          run(make_model(*scene), scene->grid, id, Level::acceleration, *positions);
+      EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+    }
+    ASSERT_EQ(found.values.size(), expected.values.size()) << id;
+    double off = 0;
+    for (std::size_t i = 0; i < found.values.size(); ++i)
+      off = std::max(off, std::abs(found.values[i] - expected.values[i]));
+    EXPECT_LE(off, 1e-10) << id;
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 double condition(const Model& m, const TimeGrid& grid) {
   Discard observer;
   MonitoredRunOptions options;
-  options.every = 1;
+  options.assesses_all = true;
   return run_monitored(*make_formulation(find_variant("global_automatic_klu"), m), grid, {},
                        observer, options)
       .condition;

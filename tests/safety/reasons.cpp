@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "cases/extremes/rows.h"
 #include "formulations/modelling/modelling.h"
@@ -15,6 +18,20 @@
 
 namespace desmo {
 namespace {
+
+/// Keeps a coordinate.
+class Series final : public Observer {
+ public:
+  explicit Series(int coordinate) : coordinate_(coordinate) {}
+  Flow observe(const Instant& i) noexcept override {
+    values.push_back(i.q[coordinate_]);
+    return Flow::go_on;
+  }
+  std::vector<double> values;
+
+ private:
+  int coordinate_;
+};
 
 TEST(Reasons, AreNoDeficitWhereAPositionExists) {
   const Model m = locking_four_bar(Polynomial{{dead_point}});
@@ -61,6 +78,60 @@ TEST(Reasons, NameSizesThatDiffer) {
         run_monitored(*make_formulation(find_variant(id), m, {}), scene.grid, {}, observer, {});
     ASSERT_TRUE(s.first_degraded) << id;
     EXPECT_EQ(s.first_degraded->assessment.limit, Limit::sizes) << id;
+  }
+}
+
+/// A four-bar of 60 mm is carried at 100 m/s. Assembled from where it was, it may be its mirror
+/// image, 10⁵ times smaller than what it moves by.
+TEST(Reasons, AreNoCrossingWhereASmallPartIsCarriedFast) {
+  const std::vector<ExtremeCase> cases = extremes::scales(Extent::brief);
+  Scene scene = std::ranges::find(cases, "60 mm on an arm of 10 km", &ExtremeCase::name)->scene;
+  scene.motions[0] = Polynomial{{0, 1e-2}};
+  const Model m = make_model(scene);
+  const int c = m.entities[m.find("C")].first;
+  std::vector<double> expected;
+  for (const char* id : {"global_automatic_klu", "group_automatic_lapack", "block_automatic_eigen",
+                         "block_symbolic_inlined"}) {
+    Series series(c);
+    const MonitoredSummary s =
+        run_monitored(*make_formulation(find_variant(id), m, {}), scene.grid, {}, series, {});
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+    if (expected.empty()) expected = series.values;
+    ASSERT_EQ(series.values.size(), expected.size()) << id;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(series.values[i], expected[i], 1e-9) << id;
+  }
+}
+
+/// Links of a millimetre on a crank of a thousand kilometres: rounding of points so far away is not
+/// taken for a mechanism that cannot be assembled.
+TEST(Reasons, AreNoDeficitWhereLengthsDiffer) {
+  constexpr double large = 1e6, small = 1e-3;
+  const Scene scene =
+      extremes::case_of("sizes",
+                        extremes::one_dyad(large, small / large, large + small / 2, small, small),
+                        small / large / 10, {0, 0.1, 11})
+          .scene;
+  Discard observer;
+  const MonitoredSummary s =
+      run_monitored(*make_formulation(find_variant("global_automatic_klu"), make_model(scene), {}),
+                    scene.grid, {}, observer, {});
+  EXPECT_NE(s.outcome(), Outcome::failed);
+}
+
+TEST(Reasons, NameLengthsThatDifferWhereTheyLeaveTooFewDigits) {
+  const std::vector<ExtremeCase> cases = extremes::scales(Extent::brief);
+  Mechanism mechanism =
+      std::ranges::find(cases, "60 mm on an arm of 10 km", &ExtremeCase::name)->scene.mechanism;
+  for (Mechanism::Point& p : mechanism.points)
+    if (p.name != "O") p.position[0] += 1e7 - 1e4;
+  const std::vector<Motion> motions{Polynomial{{0, 1e-7}}, Polynomial{{1, 1}}};
+  try {
+    model_mechanism(mechanism, motions);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("lengths in it differ"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -45,10 +45,10 @@ TEST(MonitoredRun, BoundsTheErrorsOfLibraryMotions) {
     const Model m = make_model(scene);
     const Reference reference = make_reference(m, sampled(scene.grid, 33));
     for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
-      for (const int every : {1, 1000}) {
+      for (const bool assesses_all : {true, false}) {
         ErrorMeasure measure(m, reference.instants, reference.scales);
         MonitoredRunOptions options;
-        options.every = every;
+        options.assesses_all = assesses_all;
         const MonitoredSummary s = run(m, scene.grid, id, measure, options);
         ASSERT_EQ(measure.error().instants, 33);
         for (const Level level : all_levels) {
@@ -172,10 +172,8 @@ TEST(MonitoredRun, SaysThatAChangePointWasPassed) {
   const Model m = parallelogram();
   Discard observer;
   const TimeGrid grid{0, 0.01, 400};  // θ = π/3 + t passes π at 2.09 s
-  MonitoredRunOptions options;
-  options.every = 50;
   const MonitoredSummary s =
-      run(m, grid, "group_symbolic_inlined", observer, options, {.guess = Guess::quadratic});
+      run(m, grid, "group_symbolic_inlined", observer, {}, {.guess = Guess::quadratic});
   EXPECT_EQ(s.outcome(), Outcome::degraded);
   ASSERT_TRUE(s.crossing);
   EXPECT_LE(s.crossing->after, 2 * std::numbers::pi / 3);
@@ -236,11 +234,8 @@ TEST(MonitoredRun, RepairsAnAngleThatJumpsByWholeTurns) {
 /// What a run ends as without a monitor.
 MonitoredSummary without(Monitor monitor, const Model& m, const TimeGrid& grid, Observer& observer,
                          const Settings& settings = {}, Level level = Level::acceleration) {
-  MonitoredRunOptions options;
-  options.every = 100;
   const auto f = make_formulation(find_variant("group_symbolic_inlined"), m, settings);
-  return run_monitored_without(static_cast<unsigned>(monitor), *f, grid, {level}, observer,
-                               options);
+  return run_monitored_without(static_cast<unsigned>(monitor), *f, grid, {level}, observer, {});
 }
 
 /// A crank that turns at a constant rate until it has all but come to its dead point.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/extremes/rows.h"
 #include "formulations/id.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/monitor/accuracy_monitor.h"
@@ -169,6 +170,14 @@ bool starts_are_right(unsigned without) {
          is_right("andrews", 0.3, "global_automatic_klu") && other_assembly_is_flagged(without);
 }
 
+/// Bennett's linkage past where it is folded, which is regular by all its equations.
+bool folded_linkage_is_right(unsigned without) {
+  for (const ExtremeCase& c : extremes::redundant(Extent::brief))
+    if (c.name == "Bennett's mechanism past there")
+      return !is_flagged(make_model(c.scene), c.scene.grid, "global_automatic_klu", without);
+  return false;
+}
+
 /// The rows of the table of recipes, each with what makes it right.
 std::vector<std::function<bool(unsigned)>> recipes() {
   const double radian = 0.5 / std::numbers::pi;  // s
@@ -189,7 +198,10 @@ std::vector<std::function<bool(unsigned)>> recipes() {
           &parallelograms_are_right,
           of(strides),
           of(bounds),
-          [](unsigned without) { return jumps.is_right(without) && returns_are_right(without); },
+          [](unsigned without) {
+            return jumps.is_right(without) && returns_are_right(without) &&
+                   folded_linkage_is_right(without);
+          },
           &starts_are_right,
           &turns_are_flagged};
 }

@@ -56,7 +56,7 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
                 const SeriesFormat& format, OutputFile& output) {
   const Plan& plan = request.plan;
   LiveOptions options{.level = plan.level(), .levels = plan.levels};
-  if (request.strict) options.every = 1;
+  options.assesses_all = request.strict;
   LiveRun run(formulation, options);
   DriverRows rows(request.drivers, request.whole, plan.model, plan.level());
   output.write(format.heading(heading));

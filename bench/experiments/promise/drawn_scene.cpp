@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/experiments/promise/judgeable.h"
 #include "bench/experiments/promise/mechanisms.h"
 #include "bench/experiments/promise/path_range.h"
 #include "cases/io/files.h"
@@ -192,6 +193,7 @@ DrawnScene try_scene(Random& r, int number) {
   s.overconstrained = std::ranges::any_of(modelled.left_out, &LeftOut::redundant);
   s.model = std::move(modelled.model);
   s.truth = true_motion(s.model, s.scene.grid);
+  if (s.overconstrained) add_other_answers(s);
   s.rounding = rounding_of(s.model, s.scene.grid);
   return s;
 }

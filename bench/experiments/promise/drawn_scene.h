@@ -19,6 +19,8 @@ struct DrawnScene {
   Scene scene = {};  ///< read from the text
   Model model = {};
   std::vector<TrueInstant> truth = {};  ///< (instants)
+  /// (instants) Answers of other equations of an overconstrained mechanism; no q: there are none.
+  std::vector<ReferenceInstant> other_answers = {};
   /// Magnitude of coordinates over the mechanism's size, times that of the drivers, at least 1:
   /// rounding grows with it.
   double rounding = 1;

@@ -4,9 +4,61 @@
 #include <cmath>
 #include <iterator>
 
+#include "formulations/verification/assessment/chosen_equations.h"
 #include "formulations/verification/assessment/limits.h"
+#include "formulations/verification/monitor/branch_monitor.h"
+#include "formulations/verification/reference/global_solver.h"
 
 namespace desmo::promise {
+
+namespace {
+
+/// Condition number above which other equations may determine rates to more digits.
+constexpr double poor = 1e3;
+
+ReferenceInstant rounded(double time, const GlobalSolver<Quadruple>& solver) {
+  ReferenceInstant r{time, {}, {}, {}};
+  const auto split = [](const std::vector<Quadruple>& values, std::vector<double>& high,
+                        std::vector<double>& low) {
+    for (const Quadruple& x : values) {
+      high.push_back(static_cast<double>(x));
+      low.push_back(static_cast<double>(x - high.back()));
+    }
+  };
+  split(solver.q(), r.q, r.remainder.q);
+  split(solver.qd(), r.qd, r.remainder.qd);
+  split(solver.qdd(), r.qdd, r.remainder.qdd);
+  return r;
+}
+
+/// Returns no q where the equations kept are as good as others.
+ReferenceInstant with_other_equations(const Model& given, const TrueInstant& t) {
+  const auto model = t.condition > poor ? with_chosen_equations(given, t.instant.q) : nullptr;
+  if (!model) return {t.instant.time, {}, {}, {}};
+  GlobalSolver<Quadruple> solver(*model);
+  std::vector<Jet<Quadruple>> state = solver.state();
+  for (std::size_t i = 0; i < t.instant.q.size(); ++i) state[i].value = t.instant.q[i];
+  solver.restore(state);
+  solver.solve_positions(t.instant.time);
+  solver.solve_rates();
+  return rounded(t.instant.time, solver);
+}
+
+}  // namespace
+
+void add_other_answers(DrawnScene& scene) {
+  constexpr double tolerance = 1e-12;
+  BranchMonitor others(scene.model, {}, tolerance);
+  for (TrueInstant& t : scene.truth) {
+    scene.other_answers.push_back({t.instant.time, {}, {}, {}});
+    if (!has_answer(t)) continue;
+    const auto& [time, q, qd, qdd, remainder] = t.instant;
+    if (others.violated({.index = 0, .time = time, .q = q, .qd = qd, .qdd = qdd}, true) >= 0)
+      t.instant.q.clear();
+    else
+      scene.other_answers.back() = with_other_equations(scene.model, t);
+  }
+}
 
 bool has_answer(const TrueInstant& t) { return !t.instant.q.empty(); }
 

@@ -63,6 +63,16 @@ bool is_doubtful(const MonitoredSummary& s, double time) {
   return s.crossing && (time > s.crossing->after || time >= s.crossing->before);
 }
 
+/// Returns the errors of an instant that has an answer; of two answers the nearer one counts.
+PerLevel<double> errors(const DrawnScene& scene, const Delivered& d, const Scales& scales) {
+  PerLevel<double> result = errors_of(scene.model, scene.truth[d.index].instant, d, scales);
+  if (d.index >= std::ssize(scene.other_answers) || scene.other_answers[d.index].q.empty())
+    return result;
+  const PerLevel<double> other = errors_of(scene.model, scene.other_answers[d.index], d, scales);
+  for (const Level l : all_levels) result[l] = std::min(result[l], other[l]);
+  return result;
+}
+
 struct Worst {
   double ratio = 1;  // error over what is allowed
   RunVerdict details;
@@ -96,10 +106,10 @@ std::optional<RunVerdict> find_wrong(const DrawnScene& scene, const SolvedScene&
       return RunVerdict{PromiseVerdict::wrong, "no answer",    Level::position, INFINITY, 0,
                         truth.instant.time,    truth.condition};
     }
-    const PerLevel<double> errors = errors_of(scene.model, truth.instant, d, scales);
-    if (!d.degraded) compare(promise, errors, limit, truth, "promise");
+    const PerLevel<double> off = errors(scene, d, scales);
+    if (!d.degraded) compare(promise, off, limit, truth, "promise");
     if (failed) continue;  // no bound is stated
-    compare(bound, errors, solved.summary.bound, truth, d.degraded ? "bound, degraded" : "bound");
+    compare(bound, off, solved.summary.bound, truth, d.degraded ? "bound, degraded" : "bound");
   }
   if (promise.ratio > 1) return promise.details;
   if (bound.ratio > 1) return bound.details;
@@ -112,7 +122,7 @@ bool all_right(const DrawnScene& scene, const SolvedScene& solved) {
   const PerLevel<double> limit = Limits(solved.tolerance).degraded;
   return std::ranges::all_of(solved.instants, [&](const Delivered& d) {
     const TrueInstant& truth = scene.truth[d.index];
-    return has_answer(truth) && !exceeds(errors_of(scene.model, truth.instant, d, scales), limit);
+    return has_answer(truth) && !exceeds(errors(scene, d, scales), limit);
   });
 }
 

@@ -17,6 +17,8 @@ namespace {
 /// How much of what comes before an equation may be uncertain: its share of a derivative below
 /// which this may be zero.
 constexpr double certain = 1e-8;
+/// Rounding of each number that an equation reads, relative to it.
+constexpr double ulps = 0x1p-52;
 
 std::vector<GroupSystem> list_columns(const Model& m) {
   const std::vector<bool> independent = independent_coordinates(m);
@@ -66,7 +68,7 @@ Lineariser::Lineariser(const Model& model)
 Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem& s) {
   const int n = static_cast<int>(s.rows.size());
   Eigen::VectorXd phi(n), length = Eigen::VectorXd::Zero(n);  // of what comes before
-  Eigen::VectorXd share = Eigen::VectorXd::Ones(n);
+  Eigen::VectorXd share = Eigen::VectorXd::Ones(n), rounding = Eigen::VectorXd::Zero(n);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, static_cast<int>(s.columns.size()));
   for (std::size_t j = 0; j < s.columns.size(); ++j) column_[s.columns[j]] = static_cast<int>(j);
   int row = 0;
@@ -84,6 +86,7 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
                      [&](int r, int operand, int i, double value) {
                        const int at = first[operand] + i;
                        const double scaled = value * scale_[at];
+                       rounding[row + r] += ulps * std::abs(value * state[at]);
                        if (column_[at] >= 0)
                          jacobian(row + r, column_[at]) += scaled;
                        else
@@ -98,9 +101,10 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
     if (scale == 0) continue;
     share[i] = scale / std::hypot(own, length[i]);
     phi[i] /= scale;
+    rounding[i] /= scale;
     jacobian.row(i) /= scale;
   }
-  return {std::move(phi), std::move(jacobian), std::move(share)};
+  return {std::move(phi), std::move(jacobian), std::move(share), std::move(rounding)};
 }
 
 void Lineariser::move(std::vector<double>& state, const GroupSystem& s,

@@ -34,9 +34,13 @@ struct Linearisation {
   Eigen::VectorXd phi;       ///< (rows)
   Eigen::MatrixXd jacobian;  ///< (rows × columns) of the GroupSystem
   Eigen::VectorXd share;     ///< of a row's norm in that over all variables it reads (rows)
+  Eigen::VectorXd rounding;  ///< what rounding of all that a row reads may make of Φ (rows)
 
-  /// Returns Φ over all that it reads: rounding leaves little of it, however far points are.
-  Eigen::VectorXd off() const { return phi.cwiseProduct(share); }
+  /// Returns |Φ| over all that it reads, without what rounding may make of it: however far points
+  /// are, nothing is left of equations that hold.
+  Eigen::VectorXd off() const {
+    return (phi.cwiseAbs() - rounding).cwiseMax(0).cwiseProduct(share);
+  }
 };
 
 /// A lineariser of the group systems of a model.

@@ -14,15 +14,6 @@ namespace {
 /// What the estimate of a norm may miss.
 constexpr double missed = 3;
 
-/// The irreducible blocks of a system, by themselves.
-struct Blocks {
-  ScaledSystem& system;
-  void solve(double* x) { system.solve_blocks(x); }
-  void solve_transposed(double* x, int right_sides) {
-    system.solve_blocks_transposed(x, right_sides);
-  }
-};
-
 Assessment undetermined(Assessment a, GroupId group) {
   a.singular = true;
   a.group = group;
@@ -130,7 +121,7 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
   change_.setOnes();
   double own = 1, worst = 0;
   if (system_.size() > 0) {
-    Blocks blocks{system_};
+    IrreducibleBlocks blocks{system_};
     worst = of_change_(blocks, weights_, change_).value / spread;
     if (worst > near_singular) return Limit::singular_position;
     own = of_change_(system_, weights_, change_).value;

@@ -28,6 +28,8 @@ constexpr int max_corrections = 20;
 constexpr double estimate_share = 0.4;
 /// Blocks of so few unknowns have two positions at most, a link apart.
 constexpr int two_fold = 3;
+/// Condition number of a block, in its own lengths, up to which its branch is known.
+constexpr double max_condition = 1e6;
 /// First and shortest step, of the whole way; steps tried at most.
 constexpr double first_step = 1, min_step = 0x1p-44;
 constexpr int max_tries = 5000;
@@ -115,6 +117,18 @@ bool NominalContinuation::begin() {
   return true;
 }
 
+bool NominalContinuation::begin_at(std::span<const double> q) {
+  is_followed_closely_ = true;
+  nominal_.q.assign(q.begin(), q.end());
+  nominal_.qd.assign(q.size(), 0);
+  nominal_.qdd.clear();
+  std::ranges::copy(q, state_.begin());
+  if (!system_.factor(state_)) return false;
+  signs_.assign(system_.orientation().begin(), system_.orientation().end());
+  own_condition_ = own_condition();
+  return own_condition_ <= max_condition;
+}
+
 bool NominalContinuation::go_to(const Instant& instant) {
   std::vector<double> near_way, whole;
   for (const Driver& d : model_.drivers) {
@@ -125,7 +139,8 @@ bool NominalContinuation::go_to(const Instant& instant) {
                            : whole.back());
   }
   turns_ = near_way != whole;
-  const std::span<const double> guess = turns_ ? std::span<const double>() : instant.q;
+  const bool has_guess = !turns_ && !is_followed_closely_;
+  const std::span<const double> guess = has_guess ? instant.q : std::span<const double>();
   if (!go(near_way, guess) && (!turns_ || !go(whole, {}))) return false;
   for (const Driver& d : model_.drivers) {
     const int i = model_.entities[d.coordinate].first;
@@ -176,8 +191,9 @@ bool NominalContinuation::go(std::span<const double> changes, std::span<const do
 
 /// Solves next_, and makes it the position reached if a step leads there.
 bool NominalContinuation::arrives(double step) {
-  const std::vector<double> before = determinants_;
-  if (solve(next_.q) && solve_rates(next_.qd) && leads_on(step) && keeps_branch()) {
+  const std::vector<double> before = determinants_, predicted = next_.q;
+  if (solve(next_.q) && solve_rates(next_.qd) && leads_on(step) && keeps_branch() &&
+      (!is_followed_closely_ || is_close(predicted))) {
     std::swap(reached_, next_);
     return true;
   }
@@ -210,6 +226,27 @@ double NominalContinuation::farthest(std::span<const double> q) const {
 /// Returns the condition number at the position factorised last.
 double NominalContinuation::condition() {
   return InverseNorm(system_.size())(system_, system_.unknown_shares(), system_.row_shares()).value;
+}
+
+/// Returns the worst condition number of a block at the position factorised last, in its own
+/// lengths: about the inverse of the distance to a singular position.
+double NominalContinuation::own_condition() {
+  const Eigen::ArrayXd ones = Eigen::ArrayXd::Ones(system_.size());
+  IrreducibleBlocks blocks{system_};
+  return system_.size() > 0 ? InverseNorm(system_.size())(blocks, ones, ones).value : 1;
+}
+
+/// Returns whether the position solved last is near its prediction, compared with the distances of
+/// both ends of the step to a singular position.
+bool NominalContinuation::is_close(std::span<const double> predicted) {
+  constexpr double share = 0.1;
+  double off = 0;
+  for (std::size_t i = 0; i < predicted.size(); ++i)
+    off = std::max(off, std::abs(next_.q[i] - predicted[i]) / magnitude_[i]);
+  const double before = own_condition_, now = own_condition();
+  if (!(off * std::max(before, now) <= share)) return false;
+  own_condition_ = now;
+  return true;
 }
 
 /// Returns whether the rates at both ends lead from one to the other.

@@ -22,6 +22,10 @@ class NominalContinuation {
   /// Solves the nominal position: that of the estimate, drivers included. Returns whether there is
   /// one, regular and so near the estimate that this declares it.
   bool begin();
+  /// Begins at solved positions q (coordinates) in place of the nominal ones. The way there is then
+  /// followed closely: predictions are off by a tenth of the distance to a singular position at
+  /// most, so that no step passes one. Returns whether the positions are regular.
+  bool begin_at(std::span<const double> q);
   /// Moves the drivers from the nominal position to where they are at an instant: straight, without
   /// whole turns of angles; where that is blocked, with them. Returns whether steps lead there.
   bool go_to(const Instant& instant);
@@ -41,6 +45,8 @@ class NominalContinuation {
   bool leads_on(double step) const;
   bool keeps_branch();
   double condition();
+  double own_condition();
+  bool is_close(std::span<const double> predicted);
 
   const Model& model_;
   ScaledSystem& system_;
@@ -48,6 +54,8 @@ class NominalContinuation {
   State nominal_, reached_, next_;  // q and its derivative along the way
   bool is_at_nominal_ = false;      // the factors are
   bool turns_ = false;              // whole turns were left out
+  bool is_followed_closely_ = false;
+  double own_condition_ = 0;        // of the position reached, then
   std::vector<signed char> signs_;  // of the nominal position
   std::vector<double> determinants_, state_;
   Eigen::ArrayXd off_;          // (rows) of the equations

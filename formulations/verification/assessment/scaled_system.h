@@ -90,4 +90,13 @@ class ScaledSystem {
   std::vector<char> counted_;            // marks rows in orient()
 };
 
+/// The irreducible blocks of a system without what couples them, as InverseNorm solves.
+struct IrreducibleBlocks {
+  ScaledSystem& system;
+  void solve(double* x) { system.solve_blocks(x); }
+  void solve_transposed(double* x, int right_sides) {
+    system.solve_blocks_transposed(x, right_sides);
+  }
+};
+
 }  // namespace desmo

@@ -57,7 +57,7 @@ ConditionMonitor::Ways AccuracyMonitor::State::ways(const Instant& instant,
 }
 
 bool AccuracyMonitor::State::is_due(const Expectation::Signals& signals) const {
-  return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
+  return !started || degraded || after_gap || chosen || options.assesses_all ||
          !(signals.growth <= growth_to_assess) || !(signals.drivers.velocity <= growth_to_assess) ||
          !(signals.drivers.acceleration <= growth_to_assess);
 }
@@ -108,10 +108,10 @@ double AccuracyMonitor::State::min_excursion(double growth) const {
   return std::min(1 / (16 * now * now), conditioning.way_left() / now);
 }
 
-/// Assesses an instant, and corrects it where that helps. expected: what would have been stated.
-/// An interpolated instant that is too coarse leaves no trace.
+/// Assesses an instant, and corrects it where that helps. An interpolated instant that is too
+/// coarse leaves no trace.
 void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Signals& signals,
-                                    const Assessment& expected, bool in_doubt) {
+                                    bool in_doubt) {
   if (!started && !is_declared && has(Monitor::orientation)) signs.declare(j.instant);
   const Assessment given = assessor(j.instant, scales.with(j.instant));
   ++assessed;
@@ -121,10 +121,6 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     assessor(j.instant, scales.with(j.instant));  // its factors again
   }
   last = given;
-  if (started && !j.instant.interpolated && exceeds(given.bound, expected.bound)) {
-    look_back(j.instant);
-    assessor(j.instant, scales.with(j.instant));  // its factors again
-  }
   since = 0;
   const bool tries = has(Monitor::bounds) && has(Monitor::repair) && !j.instant.interpolated &&
                      exceeds(given.bound, limits.worth_correcting(given.condition));
@@ -218,22 +214,6 @@ std::optional<SingularityCrossing> AccuracyMonitor::State::crossing(const Instan
     return {};
   }
   return after_gap ? signs.after_gap(instant) : signs.since(last_time, instant);
-}
-
-void AccuracyMonitor::State::look_back(const Instant& like) {
-  if (!has(Monitor::look_back)) return;
-  RecentInstants& recent = continuity.recent();
-  for (int back = 0; back < recent.count() && !recent[back].is_assessed; ++back) {
-    RecentInstants::Node& node = recent[back];
-    Assessment a = assessor(view_of(node, like), scales.current());
-    ++assessed;
-    node.is_assessed = true;
-    if (!exceeds(a.bound, node.stated)) return;
-    measure(a, view_of(node, like));
-    node.stated = a.bound;
-    condition = std::max(condition, a.condition);
-    add({node.index, node.time, a}, exceeds(a.bound, limits.degraded));
-  }
 }
 
 void AccuracyMonitor::State::look_at_scales(const Instant& instant) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/verification/assessment/chosen_equations.h"
 #include "formulations/verification/monitor/accuracy_state.h"
 
 namespace desmo {
@@ -15,8 +16,10 @@ constexpr int look_every = 32;
 }  // namespace
 
 AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const AccuracyMonitorOptions& o)
-    : model(m),
+    : given(m),
+      model(m),
       options(o),
+      has_others(has(Monitor::redundancy) && has_other_equations(m)),
       limits(o.tolerance),
       assessor(m, o.levels, o.asked),
       asked(o.asked.empty() ? assessor.levels().begin() : o.asked.begin(),
@@ -48,7 +51,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   const bool in_doubt = is_in_doubt(instant, signals, step);
   j.angles_follow = !in_doubt && has(Monitor::continuity) && continuity.angles_follow();
   std::optional<Continuity::Jump> jump;
-  const bool known_before = rates_are_known(), from_noise = degraded && !known_before;
+  const bool was_degraded = degraded, known_before = rates_are_known(),
+             from_noise = was_degraded && !known_before;
   // Accelerations that are noise raise doubts; where velocities are known, shorter steps settle
   // them.
   const bool is_blind =
@@ -58,19 +62,21 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   // may end on another branch.
   const bool is_assessed = in_doubt || !statement.holds || is_due(signals);
   if (is_assessed)
-    assess(j, signals, statement.assessment, in_doubt);
+    assess(j, signals, in_doubt);
   else
     j.assessment = statement.assessment;
   if (j.assessment.singular && !instant.interpolated && has(Monitor::repair))
     solve_singular(j, signals);
   if (j.too_coarse) return j;
+  if (j.crossing && !instant.interpolated && !was_degraded && has(Monitor::repair))
+    solve_crossed(j, signals);
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))
     j.crossing = jump->crossing;
   else if (is_blind && continuity.is_known() && !j.crossing)
     j.crossing = {continuity.recent()[0].time, instant.time, last.group,
                   SingularityCrossing::Kind::jumped};
-  if (j.assessment.singular) return j;  // which is not delivered
+  if (j.assessment.singular || is_poor(j)) return j;  // which is not delivered
   if (++since % look_every == 0 && !is_assessed) look_at_scales(j.instant);
   deliver(j, is_assessed);
   return j;
@@ -99,14 +105,8 @@ AccuracyMonitor::AccuracyMonitor(const Model& m, const TimeGrid& grid,
     : state_(std::make_unique<State>(m, grid, options)) {}
 AccuracyMonitor::~AccuracyMonitor() = default;
 
-MonitoredInstant AccuracyMonitor::examine(const Instant& instant) {
-  return state_->examine(instant);
-}
 std::optional<MonitoredInstant> AccuracyMonitor::pass(const Instant& singular) {
   return state_->pass(singular);
-}
-std::optional<MonitoredInstant> AccuracyMonitor::solve(const Instant& instant) {
-  return state_->solve(instant);
 }
 AccuracyMonitor::Start AccuracyMonitor::last() const {
   if (!state_->beyond.q.empty()) return state_->beyond;
@@ -114,10 +114,6 @@ AccuracyMonitor::Start AccuracyMonitor::last() const {
   if (recent.count() == 0) return {};
   return {recent[0].state.q, recent[0].time};
 }
-std::optional<MonitoredInstant> AccuracyMonitor::solve_again(const Instant& instant) {
-  return state_->solve_again(instant);
-}
-void AccuracyMonitor::look_back(const Instant& like) { state_->look_back(like); }
 void AccuracyMonitor::resume() {
   state_->after_gap = true;
   state_->continuity.forget();

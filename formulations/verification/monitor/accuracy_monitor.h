@@ -25,21 +25,20 @@ enum class Monitor : unsigned {
   sensitivity = 1 << 0,  ///< rates of unknowns over those of the drivers
   condition = 1 << 1,    ///< growth of the condition number that rates do not show
   residual = 1 << 2,     ///< ‖Φ‖ at which positions were accepted
-  clock = 1 << 3,        ///< the number of instants since the last assessment
-  bounds = 1 << 4,       ///< tells degraded and singular instants from others
-  orientation = 1 << 5,  ///< signs of the determinants of irreducible blocks
-  continuity = 1 << 6,   ///< whether rates lead from each instant to the next (Continuity)
-  turns = 1 << 7,        ///< drivers that turn back within a step (DriverTurns)
-  branch = 1 << 8,       ///< conditions beyond the equations that were solved (BranchMonitor)
+  bounds = 1 << 3,       ///< tells degraded and singular instants from others
+  orientation = 1 << 4,  ///< signs of the determinants of irreducible blocks
+  continuity = 1 << 5,   ///< whether rates lead from each instant to the next (Continuity)
+  turns = 1 << 6,        ///< drivers that turn back within a step (DriverTurns)
+  branch = 1 << 7,       ///< conditions beyond the equations that were solved (BranchMonitor)
   // Reactions to what is found.
-  correction = 1 << 9,     ///< Newton's method makes one more correction (OneMoreCorrection)
-  repair = 1 << 10,        ///< instants are corrected, doubtful steps retried in shorter ones
-  measurement = 1 << 11,   ///< the error is measured where a bound would flag it (MeasuredError)
-  pivots = 1 << 12,        ///< reused pivots that have shrunk: residuals of rates
-  rows = 1 << 13,          ///< interpolated instants are judged
-  look_back = 1 << 14,     ///< instants before one that turned out worse than expected are assessed
-  passage = 1 << 15,       ///< singular positions at which the motion is smooth are passed
-  continuation = 1 << 16,  ///< a start on another branch is reached from the nominal position
+  correction = 1 << 8,     ///< Newton's method makes one more correction (OneMoreCorrection)
+  repair = 1 << 9,         ///< instants are corrected, doubtful steps retried in shorter ones
+  measurement = 1 << 10,   ///< the error is measured where a bound would flag it (MeasuredError)
+  pivots = 1 << 11,        ///< reused pivots that have shrunk: residuals of rates
+  rows = 1 << 12,          ///< interpolated instants are judged
+  passage = 1 << 13,       ///< singular positions at which the motion is smooth are passed
+  continuation = 1 << 14,  ///< a start on another branch is reached from the nominal position
+  redundancy = 1 << 15,    ///< others of a group's equations are chosen where those kept are poor
 };
 
 struct MonitorName {
@@ -50,7 +49,6 @@ inline constexpr std::array monitor_names{
     MonitorName{Monitor::sensitivity, "sensitivity"},
     MonitorName{Monitor::condition, "condition"},
     MonitorName{Monitor::residual, "residual"},
-    MonitorName{Monitor::clock, "clock"},
     MonitorName{Monitor::bounds, "bounds"},
     MonitorName{Monitor::orientation, "orientation"},
     MonitorName{Monitor::continuity, "continuity"},
@@ -61,9 +59,9 @@ inline constexpr std::array monitor_names{
     MonitorName{Monitor::measurement, "measurement"},
     MonitorName{Monitor::pivots, "pivots"},
     MonitorName{Monitor::rows, "rows"},
-    MonitorName{Monitor::look_back, "look_back"},
     MonitorName{Monitor::passage, "passage"},
     MonitorName{Monitor::continuation, "continuation"},
+    MonitorName{Monitor::redundancy, "redundancy"},
 };
 
 /// Runs like run_monitored(), without some monitors and rules. without: their bits.
@@ -73,11 +71,11 @@ MonitoredSummary run_monitored_without(unsigned without, Formulation& formulatio
 
 /// Settings of an accuracy monitor.
 struct AccuracyMonitorOptions {
-  double tolerance = default_tolerance;   ///< of Settings; run_monitored() takes the formulation's
-  std::span<const Level> levels{};        ///< to which each coordinate is solved (Plan::levels)
-  std::span<const Level> asked{};         ///< to which it is judged; empty: as far as solved
-  int every = usual_assessment_interval;  ///< longest interval between assessments, in instants
-  bool reuses_pivots = false;             ///< Pivots::may_spoil_rates of any part
+  double tolerance = default_tolerance;  ///< of Settings; run_monitored() takes the formulation's
+  std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
+  std::span<const Level> asked{};        ///< to which it is judged; empty: as far as solved
+  bool assesses_all = false;             ///< assess every instant
+  bool reuses_pivots = false;            ///< Pivots::may_spoil_rates of any part
   /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
   std::vector<const Part*> parts{};
   unsigned without = 0;            ///< Monitor bits left out
@@ -87,9 +85,8 @@ struct AccuracyMonitorOptions {
 };
 
 /// Monitors the accuracy of a motion's instants at little cost. It assesses (Assessor) the first
-/// instant, and others when the clock has come round. It also does so when a signal has grown by a
-/// factor of four since the last assessment. A smaller growth suffices where correcting would pay
-/// (Expectation). The signals:
+/// instant, and others when a signal has grown by a factor of four since the last assessment. A
+/// smaller growth suffices where correcting would pay (Expectation). The signals:
 ///
 ///   sensitivity  the largest rate of a group's unknowns over that of the drivers; it grows as the
 ///                condition number does, unless the motion happens not to show it
@@ -134,9 +131,6 @@ class AccuracyMonitor {
   /// Returns where the motion goes on: at the last instant, or beyond the singular position that
   /// it lies in.
   Start last() const;
-  /// Assesses the instants before one that turned out worse than it was expected to be, the latest
-  /// first, until one is as stated. Those that are not raise the bounds.
-  void look_back(const Instant& like);
 
   /// Tells that the next instant does not follow the last one; the monitor will assess it.
   void resume();
@@ -162,6 +156,8 @@ class AccuracyMonitor {
 
  private:
   struct State;
+  bool examine_with_others(MonitoredInstant& j, const Instant& instant);
+
   std::unique_ptr<State> state_;
 };
 

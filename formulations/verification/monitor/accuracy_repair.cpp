@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "formulations/verification/assessment/nominal_continuation.h"
 #include "formulations/verification/monitor/accuracy_state.h"
@@ -13,7 +14,7 @@ std::optional<Continuity::Jump> AccuracyMonitor::State::find_jump(MonitoredInsta
   const auto jump = continuity.find_jump(with_known_rates(j.instant), means());
   if (!jump || jump->crossing.kind == SingularityCrossing::Kind::passed) return jump;
   if (from_noise || !has(Monitor::repair)) return jump;  // from where shorter steps lead anywhere
-  if (const auto solved = solve_anew(j.instant)) {
+  if (const auto solved = solve_anew(j.instant); solved && !continuity.passed()) {
     const Instant found = kept(*solved);
     Assessment a = assessor(found, scales.with(found));
     measure(a, found);
@@ -32,10 +33,12 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve(const Instant& ins
   if (!solved) return {};
   MonitoredInstant j{kept(*solved)};
   j.solved_anew = true;
-  assess(j, signals_of(j.instant, {}), {}, false);
+  const auto passed = continuity.is_known() ? continuity.passed() : std::nullopt;
+  assess(j, signals_of(j.instant, {}), false);
   if (j.assessment.singular) return {};
-  deliver(j, true);
+  if (!j.crossing) j.crossing = passed;
   ++corrected;
+  if (!is_poor(j)) deliver(j, true);
   return j;
 }
 
@@ -44,7 +47,8 @@ std::optional<Instant> AccuracyMonitor::State::solve_from_last(const Instant& in
   return solve_anew(instant);
 }
 
-std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instant& instant) {
+/// Forgets the instant delivered last.
+void AccuracyMonitor::State::take_back(const Instant& instant) {
   RecentInstants& recent = continuity.recent();
   if (recent.count() > 0 && recent[0].is_assessed) signs.take_back();
   recent.drop();
@@ -53,9 +57,6 @@ std::optional<MonitoredInstant> AccuracyMonitor::State::solve_again(const Instan
   const Scales before = scales.current();
   scales.take_back(instant.time);
   follow_scales(before);
-  if (!continuity.is_known()) return {};
-  const auto solved = solve(instant);
-  return solved ? solved : pass(instant);
 }
 
 /// Solves an instant anew that looks singular where it is: it may be off. Returns whether it is
@@ -66,11 +67,47 @@ bool AccuracyMonitor::State::solve_singular(MonitoredInstant& j,
   if (!solved) return false;
   MonitoredInstant other{kept(*solved)};
   other.solved_anew = true;
-  assess(other, signals, {}, false);
+  const auto passed = continuity.is_known() ? continuity.passed() : std::nullopt;
+  assess(other, signals, false);
   if (other.assessment.singular) return false;
+  if (!other.crossing) other.crossing = passed;
   ++corrected;
   j = other;
   return true;
+}
+
+/// Solves an instant anew whose determinants have other signs than the last one's. A small part
+/// that is carried fast may have been assembled as its mirror image, which rates hardly show. So
+/// the drivers go there from the last instant in steps in which determinants hardly change.
+void AccuracyMonitor::State::solve_crossed(MonitoredInstant& j,
+                                           const Expectation::Signals& signals) {
+  if (j.crossing->kind != SingularityCrossing::Kind::passed || !continuity.is_known()) return;
+  const RecentInstants::Node& from = continuity.recent()[0];
+  const Instant target = continuity.driven(j.instant);
+  const bool turns = std::ranges::any_of(model.drivers, [&](const Driver& d) {
+    const Entity& e = model.entities[d.coordinate];
+    return e.kind == EntityKind::angle &&
+           std::abs(target.q[e.first] - from.state.q[e.first]) > std::numbers::pi;
+  });
+  NominalContinuation way(model, assessor.system());
+  if (turns || !way.begin_at(from.state.q) || !way.go_to(target)) return;
+  const desmo::State given{{j.instant.q.begin(), j.instant.q.end()},
+                           {j.instant.qd.begin(), j.instant.qd.end()},
+                           {j.instant.qdd.begin(), j.instant.qdd.end()}};
+  Instant there = target;
+  there.q = way.q();
+  MonitoredInstant other{kept(assessor.corrected(there))};
+  other.solved_anew = true;
+  assess(other, signals, false);
+  if (other.assessment.singular || other.crossing) {  // what is kept is to be of the instant
+    Instant again = j.instant;
+    again.q = given.q, again.qd = given.qd, again.qdd = given.qdd;
+    j.instant = kept(again);
+    assess(j, signals, false);
+    return;
+  }
+  ++corrected;
+  j = other;
 }
 
 /// Goes to the first instant from the nominal position. Where that leads elsewhere, the instant is

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,7 @@ namespace desmo {
 /// The monitors of one motion, what they know of its instants, and the counts. accuracy_monitor.cpp
 /// has the steps that an instant goes through. accuracy_assessment.cpp decides whether it is
 /// assessed, and assesses it. accuracy_repair.cpp solves instants again.
+/// accuracy_equations.cpp chooses other equations.
 struct AccuracyMonitor::State {
   /// The statement about an instant that is not assessed, and whether it holds.
   struct Statement {
@@ -31,21 +33,29 @@ struct AccuracyMonitor::State {
   static constexpr double unusable_rate = 1e-3;
 
   State(const Model& m, const TimeGrid& grid, const AccuracyMonitorOptions& o);
+  /// Makes a state that goes on from another one with other equations. Null: those given.
+  State(const State& before, std::unique_ptr<const Model> other);
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
   Continuity::Means means() { return {assessor, scales.current(), weights, signs}; }
 
   MonitoredInstant examine(const Instant& instant);
+  bool is_poor(const MonitoredInstant& j) const;
+  std::unique_ptr<State> with_equations_at(std::span<const double> q, const Instant& like);
+  std::unique_ptr<State> with_equations_given(const Instant& like) const;
+  bool begin_at_last(const Instant& like);
+  std::vector<double> expected_positions(const Instant& instant);
   std::optional<Continuity::Jump> find_jump(MonitoredInstant& j, bool from_noise);
   void deliver(const MonitoredInstant& j, bool is_assessed);
   void add(const Degradation& d, bool is_degraded);
   std::optional<MonitoredInstant> solve(const Instant& instant);
   std::optional<Instant> solve_from_last(const Instant& instant);
   std::optional<Instant> solve_alone(const Instant& instant);
-  std::optional<MonitoredInstant> solve_again(const Instant& instant);
+  void take_back(const Instant& instant);
   void declare(MonitoredInstant& j);
   std::optional<Instant> solve_declared(const Instant& instant);
   bool solve_singular(MonitoredInstant& j, const Expectation::Signals& signals);
+  void solve_crossed(MonitoredInstant& j, const Expectation::Signals& signals);
   std::optional<Instant> solve_anew(const Instant& instant);
   Instant with_known_rates(const Instant& instant);
   Level known_rates();
@@ -65,8 +75,7 @@ struct AccuracyMonitor::State {
                    const std::optional<StepMeasures>& step);
   double min_excursion(double growth) const;
 
-  void assess(MonitoredInstant& j, const Expectation::Signals& signals, const Assessment& expected,
-              bool in_doubt);
+  void assess(MonitoredInstant& j, const Expectation::Signals& signals, bool in_doubt);
   bool is_too_coarse(const Instant& instant, const Assessment& a, bool in_doubt);
   void measure(Assessment& a, const Instant& instant);
   bool improve(MonitoredInstant& j);
@@ -74,12 +83,14 @@ struct AccuracyMonitor::State {
   Instant kept(const Instant& instant);
   double worst_share(const Assessment& a) const;
   std::optional<SingularityCrossing> crossing(const Instant& instant);
-  void look_back(const Instant& like);
   void look_at_scales(const Instant& instant);
   void follow_scales(const Scales& before);
 
-  const Model& model;
+  const Model& given;
+  const std::unique_ptr<const Model> chosen{};  // null: the equations given
+  const Model& model;                           // either of them
   const AccuracyMonitorOptions options;
+  const bool has_others;  // equations that were left out
   const Limits limits;
   Assessor assessor;
   std::vector<Level> asked;  // of each coordinate
@@ -102,6 +113,7 @@ struct AccuracyMonitor::State {
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false, is_doubted = false;
+  bool no_better = false;        // equations than those kept, where these are poor
   bool is_declared = false;      // the first instant: the nominal position leads there,
   std::vector<double> declared;  // to these positions
   int since = 0;                 // instants since the last assessment

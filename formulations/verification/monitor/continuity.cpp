@@ -252,6 +252,7 @@ void Continuity::correct(const Instant& instant, Assessor& assessor, Node& resul
 std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant& instant, End end,
                                                const Means& means) {
   const auto& [assessor, scales, weights, signs] = means;
+  passed_.reset();
   const double whole = instant.time - start.time, least = shortest * std::abs(whole);
   std::span<const double> turns = turns_.times();  // that are ahead
   reached_ = start;
@@ -276,10 +277,11 @@ std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant&
       if (to_end) {
         if (const Assessment a = assessor(next, scales); a.singular)
           return Jump{{from.time, target, a.group, SingularityCrossing::Kind::jumped}, true};
-        if (const int block = signs.changed_block(); block >= 0)
-          return Jump{{start.time, target, assessor.system().group_of_block(block),
-                       SingularityCrossing::Kind::passed},
-                      true};
+        if (const int block = signs.changed_block(); block >= 0) {
+          passed_ = {start.time, target, assessor.system().group_of_block(block),
+                     SingularityCrossing::Kind::passed};
+          if (end == End::given) return Jump{*passed_, true};
+        }
         turns = turns.subspan(1);
       }
       std::swap(reached_, next_);

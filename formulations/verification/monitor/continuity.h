@@ -68,6 +68,9 @@ class Continuity {
   /// above it are unspecified.
   std::optional<Instant> solve_anew(const Instant& instant, const Means& means,
                                     Level known = Level::acceleration);
+  /// Returns the crossing, if any, that the steps of the last solve_anew() passed where drivers
+  /// turn. Which way the motion goes on there is not known.
+  const std::optional<SingularityCrossing>& passed() const { return passed_; }
   /// Returns the instant with its drivers evaluated at its time; valid until the next call.
   Instant driven(const Instant& instant);
 
@@ -135,6 +138,7 @@ class Continuity {
   double fastest_ = 0;          // largest rate of the drivers so far [magnitudes/s]
   double fastest_at_last_ = 0;  // the same of the last instant
   RecentInstants recent_;
+  std::optional<SingularityCrossing> passed_;
   Node reached_, next_, start_, end_;
   std::array<Node, 6> passage_;  // two before, two beyond, two between
   Eigen::ArrayXd turned_;        // position_mismatch()

@@ -226,7 +226,7 @@ void LiveRun::restart() {
       monitors_->plan.model, TimeGrid{},
       AccuracyMonitorOptions{.tolerance = formulation_.settings().tolerance,
                              .levels = monitors_->plan.levels,
-                             .every = options_.every,
+                             .assesses_all = options_.assesses_all,
                              .reuses_pivots = std::ranges::any_of(parts_of(formulation_), reuses),
                              .scales = options_.scales,
                              .max_steps = options_.max_sub_steps,

@@ -23,7 +23,7 @@ struct LiveOptions {
   std::optional<Scales> scales{};
   /// Shorter steps that one row may take, to be solved or to be followed on its branch.
   int max_sub_steps = 64;
-  int every = usual_assessment_interval;  ///< most rows from one assessment to the next
+  bool assesses_all = false;  ///< assess every row
 };
 
 /// A fault that keeps a row from being tried.

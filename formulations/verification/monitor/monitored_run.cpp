@@ -23,7 +23,7 @@ AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
   AccuracyMonitorOptions result{.tolerance = f.settings().tolerance,
                                 .levels = levels,
                                 .asked = asked,
-                                .every = options.strict ? 1 : options.every,
+                                .assesses_all = options.strict || options.assesses_all,
                                 .without = without};
   for (const DefinedPart& part : parts_of(f))
     if (part.solver->pivots().may_spoil_rates()) {
@@ -221,7 +221,6 @@ class Run final : Observer {
         continue;
       }
       if (!s.ok() && !solved_by_monitor(instant)) {
-        accuracy_->look_back(instant);
         summary_.status = s.status;
         summary_.group = s.group;
         summary_.constraint = s.constraint;

@@ -75,9 +75,6 @@ struct MonitoredInstant {
   Assessment assessment{};
 };
 
-/// Longest interval between assessments, in instants.
-inline constexpr int usual_assessment_interval = 5000;
-
 /// Settings of a monitored run. The tolerance is Formulation::tolerance().
 struct MonitoredRunOptions {
   /// Level asked for of each coordinate (Plan::levels); empty: that of the request. Where it asks
@@ -86,7 +83,7 @@ struct MonitoredRunOptions {
   std::span<const Level> levels{};
   bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
   bool past_failures = false;  ///< continue after an interval that cannot be assembled
-  int every = usual_assessment_interval;  ///< most instants from one assessment to the next
+  bool assesses_all = false;   ///< assess every instant
   /// Callback that receives each instant before the observer does; empty: none. It must not throw:
   /// it is called through Observer::observe(), where an exception ends the program.
   std::function<void(const MonitoredInstant&)> monitored{};

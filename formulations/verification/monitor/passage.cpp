@@ -53,7 +53,7 @@ std::optional<Continuity::Passage> Continuity::pass(const Instant& singular, con
         node = recent_[0];
         return true;
       }
-      if (go(target, End::solved, means)) return false;
+      if (go(target, End::solved, means) || passed_) return false;
       node = next_;
       return true;
     };

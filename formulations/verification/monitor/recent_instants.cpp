@@ -10,8 +10,8 @@ namespace desmo {
 
 namespace {
 
-/// Instants kept, and numbers kept at most in all.
-constexpr int max_kept = 8, max_numbers = 1 << 21;
+/// Instants kept, the last and the one to go back to, and numbers kept at most in all.
+constexpr int max_kept = 2, max_numbers = 1 << 21;
 
 /// The levels of a step: x and its rate r, at both ends.
 struct Streams {
@@ -82,7 +82,6 @@ void RecentInstants::take(const Instant& instant, bool is_assessed,
   Node& node = next();
   newest_ = (newest_ + 1) % size();
   count_ = std::min(count_ + 1, size() - 1);
-  node.index = instant.index;
   node.time = instant.time;
   node.is_assessed = is_assessed;
   node.stated = stated;

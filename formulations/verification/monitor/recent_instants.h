@@ -17,13 +17,11 @@ struct StepMeasures {
   bool is_bound = false;  ///< the mismatch by weights that it is judged by is at most this one
 };
 
-/// Copies of the last few instants, and what was stated of them. What follows may show that they
-/// were worse.
+/// Copies of the last instants, and what was stated of them.
 class RecentInstants {
  public:
   /// Copy of an instant.
   struct Node {
-    int index = 0;
     double time = 0;
     State state;
     bool is_assessed = false;
