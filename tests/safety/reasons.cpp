@@ -112,10 +112,10 @@ TEST(Reasons, AreNoDeficitWhereLengthsDiffer) {
                         extremes::one_dyad(large, small / large, large + small / 2, small, small),
                         small / large / 10, {0, 0.1, 11})
           .scene;
+  const Model m = make_model(scene);
   Discard observer;
-  const MonitoredSummary s =
-      run_monitored(*make_formulation(find_variant("global_automatic_klu"), make_model(scene), {}),
-                    scene.grid, {}, observer, {});
+  const MonitoredSummary s = run_monitored(
+      *make_formulation(find_variant("global_automatic_klu"), m), scene.grid, {}, observer, {});
   EXPECT_NE(s.outcome(), Outcome::failed);
 }
 
