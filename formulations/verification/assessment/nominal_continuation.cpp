@@ -244,7 +244,8 @@ bool NominalContinuation::is_close(std::span<const double> predicted) {
   for (std::size_t i = 0; i < predicted.size(); ++i)
     off = std::max(off, std::abs(next_.q[i] - predicted[i]) / magnitude_[i]);
   const double before = own_condition_, now = own_condition();
-  if (!(off * std::max(before, now) <= share)) return false;
+  // Nearer to a singular position rounding hides which branch a step leads to.
+  if (!(now <= max_condition) || !(off * std::max(before, now) <= share)) return false;
   own_condition_ = now;
   return true;
 }

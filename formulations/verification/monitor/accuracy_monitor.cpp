@@ -19,7 +19,7 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
     : given(m),
       model(m),
       options(o),
-      has_others(has(Monitor::redundancy) && has_other_equations(m)),
+      has_others(has(Monitor::redundancy) && o.may_allocate && has_other_equations(m)),
       limits(o.tolerance),
       assessor(m, o.levels, o.asked),
       asked(o.asked.empty() ? assessor.levels().begin() : o.asked.begin(),
@@ -68,7 +68,8 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   if (j.assessment.singular && !instant.interpolated && has(Monitor::repair))
     solve_singular(j, signals);
   if (j.too_coarse) return j;
-  if (j.crossing && !instant.interpolated && !was_degraded && has(Monitor::repair))
+  if (j.crossing && !instant.interpolated && !was_degraded && has(Monitor::repair) &&
+      options.may_allocate)
     solve_crossed(j, signals);
   // Nobody can tell where a doubtful step from rates that are noise leads.
   if (jump && (jump->at_turn || from_noise || (known_before && rates_are_known())))

@@ -82,6 +82,8 @@ struct AccuracyMonitorOptions {
   std::optional<Scales> scales{};  ///< to which bounds are relative; empty: the motion's
   int max_steps = 4096;            ///< shorter steps in which a doubtful step is retried
   int max_degradations = 1000000;  ///< degraded instants reconsidered when scales grow
+  /// Follow a crossing closely, and choose other equations, for which memory is taken.
+  bool may_allocate = true;
 };
 
 /// Monitors the accuracy of a motion's instants at little cost. It assesses (Assessor) the first

@@ -230,7 +230,8 @@ void LiveRun::restart() {
                              .reuses_pivots = std::ranges::any_of(parts_of(formulation_), reuses),
                              .scales = options_.scales,
                              .max_steps = options_.max_sub_steps,
-                             .max_degradations = 0});
+                             .max_degradations = 0,
+                             .may_allocate = false});
   monitors_->branch.emplace(monitors_->plan.model, monitors_->plan.levels,
                             formulation_.settings().tolerance);
 }
