@@ -132,6 +132,8 @@ class AccuracyMonitor {
   /// it lies in.
   Start last() const;
 
+  /// Tells that the instant examined last is not delivered, so that it does not count.
+  void withdraw(const Instant& instant);
   /// Tells that the next instant does not follow the last one; the monitor will assess it.
   void resume();
 

@@ -22,10 +22,12 @@ bool are_finite(std::span<const double> values) {
 
 LiveSteps& steps_of(Formulation& f) { return *core_of(f).live(); }
 
-/// Everything, up to a level, of a model whose motions are polynomials of degree 5.
+/// Everything, up to a level, of a model whose motions are polynomials of degree 5. Velocities are
+/// monitored in any case: from positions alone nobody can tell which branch they are on.
 Plan whole_plan(const Model& m, const LiveOptions& options) {
   Plan plan{m, {options.levels.begin(), options.levels.end()}, {}, {}};
   plan.levels.resize(m.coordinates(), options.level);
+  for (Level& level : plan.levels) level = std::max(level, Level::velocity);
   for (Driver& d : plan.model.drivers) d.motion = Polynomial{std::vector<double>(6)};
   return plan;
 }
@@ -36,6 +38,9 @@ Plan whole_plan(const Model& m, const LiveOptions& options) {
 struct LiveRun::Monitors {
   /// Drivers follow the polynomial from the row tried last, at time 0, to the last good one.
   Plan plan;
+  std::vector<Level> asked;  // of each coordinate
+  std::vector<double>
+      at_rest;  // q̇ at rows of positions alone, between which drivers start and stop
   std::optional<AccuracyMonitor> accuracy{};
   std::optional<BranchMonitor> branch{};
   std::optional<OneMoreCorrection> corrections{};
@@ -50,7 +55,10 @@ std::string unsupported_live_reason(const Formulation& f) {
 LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
     : formulation_(f),
       options_(options),
-      monitors_(std::make_unique<Monitors>(whole_plan(f.model(), options))),
+      monitors_(std::make_unique<Monitors>(
+          whole_plan(f.model(), options),
+          std::vector<Level>(options.levels.begin(), options.levels.end()),
+          std::vector<double>(f.model().coordinates()))),
       tried_(f.model().drivers.size()) {
   const std::vector<double> magnitudes = natural_magnitudes(f.model());
   for (const Driver& d : f.model().drivers)
@@ -67,7 +75,16 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   good_.position.resize(n);
   if (options.level >= Level::velocity) good_.velocity.resize(n);
   if (options.level >= Level::acceleration) good_.acceleration.resize(n);
-  if (!options.levels.empty()) f.solve_only(options.levels);
+  if (options.level < Level::velocity) {  // any scales of rates do: all are zero
+    const double size = options.scales ? options.scales->length.position : nominal_size(f.model()),
+                 turn = options.scales ? options.scales->rotation.position : 1;
+    options_.scales = Scales{{size, size, size}, {turn, turn, turn}};
+  }
+  if (!options.levels.empty() && options.levels.size() != n)
+    throw std::invalid_argument("a live run is not given one level for each coordinate");
+  monitors_->asked.resize(n, options.level);
+  if (!options.levels.empty())
+    f.solve_only(options.level < Level::velocity ? options.levels : monitors_->plan.levels);
   options_.levels = {};  // the caller's memory may be gone from here on
   monitors_->corrections.emplace(parts_of(f));
   restart();
@@ -123,7 +140,7 @@ std::string describe(const LiveSummary& s, const Model& m) {
 
 /// Assesses a row that was solved, and makes it the last good one if it is good.
 void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
-  const std::span<const double> none;
+  const std::span<const double> none, at_rest = monitors_->at_rest;
   if (!set_drivers(row)) monitors_->accuracy->doubt_next();
   const double since = has_position_ ? row.time - time_ : 0;
   monitors_->accuracy->shift_time(-since);
@@ -132,7 +149,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
       monitors_->accuracy->examine({.index = 0,
                                     .time = 0,
                                     .q = formulation_.q(),
-                                    .qd = good_.velocity.empty() ? none : formulation_.qd(),
+                                    .qd = good_.velocity.empty() ? at_rest : formulation_.qd(),
                                     .qdd = good_.acceleration.empty() ? none : formulation_.qdd(),
                                     .updates = summary.updates,
                                     .residual = summary.residual});
@@ -159,7 +176,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
     summary.crossing->before += row.time;
   }
   std::ranges::copy(found.q, good_.position.begin());
-  std::ranges::copy(found.qd, good_.velocity.begin());
+  if (!good_.velocity.empty()) std::ranges::copy(found.qd, good_.velocity.begin());
   std::ranges::copy(found.qdd, good_.acceleration.begin());
   time_ = row.time;
   has_position_ = true;
@@ -187,9 +204,8 @@ bool LiveRun::set_drivers(const LiveRow& row) {
     const double v0 = good_.velocity.empty() ? 0 : good_.velocity[i];
     moved = std::max({moved, std::abs(h * v) / unit_[d], std::abs(h * v0) / unit_[d]});
     missed = std::max(missed, std::abs(good_.position[i] - z - h / 2 * (v + v0)) / unit_[d]);
-    if (good_.velocity.empty()) continue;
     const double off = (good_.position[i] - z - h * (v + h * a / 2)) / (h * h * h),
-                 rate_off = (good_.velocity[i] - v - h * a) / (h * h);
+                 rate_off = (v0 - v - h * a) / (h * h);
     if (good_.acceleration.empty()) {
       c[2] = h * (3 * off - rate_off), c[3] = rate_off - 2 * off;
       continue;
@@ -200,7 +216,7 @@ bool LiveRun::set_drivers(const LiveRow& row) {
     c[5] = (6 * off - 3 * rate_off + second_off / 2) / (h * h);
   }
   constexpr double smooth = 0.02, negligible = 1e-9;
-  return missed <= (good_.velocity.empty() ? smooth : smooth * moved + negligible);
+  return missed <= smooth * moved + negligible;
 }
 
 void LiveRun::go_back() {
@@ -215,6 +231,8 @@ void LiveRun::set_time(double t) {
   go_back();
 }
 
+const Scales& LiveRun::scales() const { return monitors_->accuracy->scales(); }
+
 void LiveRun::restart() {
   has_position_ = false;
   time_ = 0;
@@ -226,6 +244,7 @@ void LiveRun::restart() {
       monitors_->plan.model, TimeGrid{},
       AccuracyMonitorOptions{.tolerance = formulation_.settings().tolerance,
                              .levels = monitors_->plan.levels,
+                             .asked = monitors_->asked,
                              .assesses_all = options_.assesses_all,
                              .reuses_pivots = std::ranges::any_of(parts_of(formulation_), reuses),
                              .scales = options_.scales,

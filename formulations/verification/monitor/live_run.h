@@ -70,8 +70,8 @@ std::string describe(const LiveSummary& summary, const Model& model);
 /// prediction or, where that fails, in sub-steps: drivers then move linearly from the last good
 /// row. Every answer is monitored like those of run_monitored(). The monitor takes driver
 /// values as exact. Between two rows it takes the quintic through both, or the cubic where
-/// accelerations are not solved. Where the rates do not lead from one row to the next, it follows
-/// the motion in shorter steps and assesses the row.
+/// accelerations are not solved, which rests at both rows of positions alone. Where the rates do
+/// not lead from one row to the next, it follows the motion in shorter steps and assesses the row.
 ///
 /// Outcomes of unusual rows:
 /// - NaN, infinity or a wrong size: failed, with a `fault`; nothing was tried
@@ -107,6 +107,8 @@ class LiveRun {
   std::span<const double> q() const { return good_.position; }
   std::span<const double> qd() const { return good_.velocity; }
   std::span<const double> qdd() const { return good_.acceleration; }
+  /// Returns the scales that bounds are relative to: those given, or the motion's so far.
+  const Scales& scales() const;
 
   /// The obstacle to a row that could not be solved.
   struct Obstacle {
