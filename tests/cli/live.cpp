@@ -42,7 +42,7 @@ TEST_F(Cli, AnswersRowsOfPositionsAlone) {
     "time": {"end": 1, "step": 0.5}, "request": [{"points": ["B"], "level": "position"}]})");
   write("rows", "0 0.3\n0.1 0.4\n0.2 2\n");
   ASSERT_EQ(desmo("solve scene.json --drivers rows -o out/motion.csv"), 0) << err_;
-  EXPECT_TRUE(says("; relative to 0.2 m or 1 rad\n")) << err_;
+  EXPECT_TRUE(says("; relative to 0.05 m or 1 rad\n")) << err_;
   out_ = text_of(out("motion.csv"));
   ASSERT_EQ(lines().size(), 4u);
   for (const auto& [line, angle] :
