@@ -182,6 +182,37 @@ TEST(BlockProof, CountsWhatErrorsOfRatesAddToThemselves) {
   EXPECT_GE(proven, 5);
 }
 
+/// A lane that is proven at once keeps its X while another lane needs a larger one.
+TEST(BlockProof, KeepsWhatIsProvenInOneLane) {
+  constexpr double small = 0x1p-40, off = 0.3;
+  const std::array<double, 2> products{small, 1}, delivered{small, 1.001};
+  std::array<double, 2> radius;
+  for (const int lanes : {1, 2}) {
+    std::vector<BlockBatch::Member> members;
+    for (int k = 0; k < lanes; ++k) {
+      BlockBatch::Member& made = members.emplace_back(product_of_vectors(products[k]));
+      for (int& row : made.rows) row += 6 * k;
+      made.block.states = made.block.coordinates = made.rows;
+    }
+    BlockBatch batch(members, std::vector<double>(12, 1), 0);
+    PerLevel<ErrorTable> errors;
+    errors.position.rows.resize(12);
+    errors.position.radius.resize(12);
+    for (int k = 0; k < lanes; ++k) {
+      errors.position.rows[6 * k].delivered = delivered[k];
+      errors.position.rows[6 * k + 3].delivered = 1;
+    }
+    errors.position.rows[3] = {1, 0, off, off};
+    BlockProof proof({.unknowns = 1, .width = 6, .states = 6, .columns = 0});
+    const PerLevel<LaneMask> proven = proof.prove(batch, Level::position, errors);
+    ASSERT_TRUE(proven.position[0] && proven.position[1]);
+    radius[lanes - 1] = errors.position.radius[0];
+    EXPECT_LE(small / (1 - off) - small, radius[lanes - 1]);
+    EXPECT_LE(radius[lanes - 1], 1e-11);
+  }
+  EXPECT_EQ(radius[0], radius[1]);
+}
+
 /// An input that is uncertain at two levels, in a link of a chain: by symbols, or in a box. What
 /// the block hands on holds for each choice within both, with the symbols and without them.
 TEST(BlockProof, HandsErrorsOn) {

@@ -22,8 +22,10 @@ double width(int level, int i) {
 }
 
 GroupInterface interface_of_two() {
-  GroupInterface made{
-      {0, 1}, {first_lent, first_lent + 1}, {static_cast<int>(levels.size()) * size, columns}, {}};
+  GroupInterface made{{0, 1},
+                      {first_lent, first_lent + 1},
+                      {static_cast<int>(all_levels.size()) * size, columns},
+                      {}};
   for (const Level level : all_levels) made.center[level].resize(size);
   return made;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "formulations/verification/assessment/assessor.h"
 #include "formulations/verification/monitor/condition_monitor.h"
 #include "formulations/verification/monitor/monitored_run.h"
 #include "tests/accuracy/scenes.h"
@@ -19,8 +20,9 @@ TEST(Price, APositionIsLookedAtOnce) {
   m.drivers[0].motion = Polynomial{{0, 1}};
   constexpr int steps = 500;  // a turn
   const auto f = make_formulation(find_variant("global_automatic_eigen"), m);
-  ScaledSystem system(m);
-  ConditionMonitor monitor(m, system);
+  Assessor assessor(m);
+  ScaledSystem& system = assessor.system();
+  ConditionMonitor monitor(m, system, assessor.row_magnitudes());
   std::vector<int> looks(3, 0);  // of each turn
   std::vector<double> state(m.state_size());
   std::ranges::copy(m.fixed_values, state.begin() + m.coordinates());

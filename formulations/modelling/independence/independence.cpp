@@ -32,7 +32,7 @@ VectorXd min_residual(std::vector<double>& state, const GroupSystem& s, Linearis
   constexpr int most = 50;
   for (int iteration = 0;; ++iteration) {
     const Linearisation now = lineariser.at(state, s);
-    const VectorXd off = now.off();
+    const VectorXd off = now.relative_phi();
     if (iteration == most || !off.allFinite() || !(off.lpNorm<Eigen::Infinity>() > agrees / 100))
       return off;
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));

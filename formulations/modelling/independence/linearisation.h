@@ -38,7 +38,7 @@ struct Linearisation {
 
   /// Returns |Φ| over all that it reads, without what rounding may make of it: however far points
   /// are, nothing is left of equations that hold.
-  Eigen::VectorXd off() const {
+  Eigen::VectorXd relative_phi() const {
     return (phi.cwiseAbs() - rounding).cwiseMax(0).cwiseProduct(share);
   }
 };

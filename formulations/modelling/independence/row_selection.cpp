@@ -28,7 +28,7 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
     const Linearisation now = lineariser.at(state, s);
     if (!now.phi.allFinite() || !now.jacobian.allFinite()) return false;
     if (now.phi.size() == 0) return true;
-    const double before = std::exchange(largest, now.off().lpNorm<Eigen::Infinity>());
+    const double before = std::exchange(largest, now.relative_phi().lpNorm<Eigen::Infinity>());
     if (largest < 1e-13 || (largest < vanishes && !(largest < before / 2))) return true;
     const VectorXd step = smallest_correction(now.jacobian, now.phi);
     lineariser.move(state, s, -step);
@@ -170,7 +170,8 @@ JudgedPositions assemble_positions(const Model& m, const std::vector<GroupSystem
   nominal = m.estimate;
   nominal.insert(nominal.end(), m.fixed_values.begin(), m.fixed_values.end());
   for (const GroupSystem& s : systems)
-    if (!assemble(nominal, s, lineariser)) refuse_assembly(m, s, lineariser.at(nominal, s).off());
+    if (!assemble(nominal, s, lineariser))
+      refuse_assembly(m, s, lineariser.at(nominal, s).relative_phi());
   for (std::size_t p = 1; p < positions.size(); ++p) {
     positions[p] = nominal;
     for (double amount = 0.02; amount > 0.002; amount /= 2)

@@ -53,6 +53,8 @@ class Assessor {
 
   /// Returns the equations, factorised at the position used last.
   ScaledSystem& system() { return system_; }
+  /// Returns the magnitude of each row (Magnitudes), whatever the position.
+  const Eigen::ArrayXd& row_magnitudes() const { return row_magnitudes_; }
   std::span<const Level> levels() const { return levels_; }
 
  private:

@@ -16,8 +16,9 @@ namespace desmo {
 // - constant entries of Φ_q: P and Q
 // - bounds: (3 w + K + 6) X. They are sums of positive products, which take so many roundings
 //
-// A proof requires A X ≤ X/2, so X ≤ A X + P is at most 2 P. All of it is at most
-// (12 w + 2 K + 15) P + (7 w + 5) Q, and `rounding` is 32 (w + K) units.
+// Of rates, X is what bound_rates() multiplies A with. A proof requires A X ≤ X/2, so X ≤ A X + P
+// is at most 2 P. All of it is at most (12 w + 2 K + 15) P + (7 w + 5) Q, and `rounding` is 32 (w +
+// K) units.
 
 /// Finds what errors are without those that X causes: −Y Φ − Y Φ_h δ, and at higher levels −Y times
 /// the lower terms.

@@ -18,7 +18,7 @@ AccuracyMonitor::State::State(const State& before, std::unique_ptr<const Model> 
       measured(model, assessor.system(), assessor.levels(), asked),
       scales(before.scales),
       sensitivity(model, assessor.levels(), assessor.system().magnitudes()),
-      conditioning(model, assessor.system()),
+      conditioning(model, assessor.system(), assessor.row_magnitudes()),
       continuity(before.continuity),
       backward_error(model, assessor.system().equations(), assessor.levels()),
       signs(model, assessor.system()),

@@ -27,7 +27,7 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
       measured(m, assessor.system(), assessor.levels(), asked),
       scales(m, grid, o.scales),
       sensitivity(m, assessor.levels(), assessor.system().magnitudes()),
-      conditioning(m, assessor.system()),
+      conditioning(m, assessor.system(), assessor.row_magnitudes()),
       continuity(m, grid, assessor.system().magnitudes(), o.max_steps),
       backward_error(m, assessor.system().equations(), assessor.levels()),
       signs(m, assessor.system()),

@@ -45,11 +45,13 @@ double max_of_chunks(Eigen::Index n, Find&& find) {
 
 }  // namespace
 
-ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
+ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system,
+                                   const Eigen::ArrayXd& row_magnitudes)
     : state_(m.state_size()),
       unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
       right_(system.size(), 4),
       x_(system.size(), 4),
+      row_magnitudes_(row_magnitudes),
       way_(m.coordinates()),
       share_before_(m.groups.size()),
       way_of_group_(m.groups.size()),
@@ -228,11 +230,12 @@ void ConditionMonitor::measure(Look& look, ScaledSystem& system) {
   look.distance.setZero();
   if (system.size() > 0) {
     const auto largest = [&](int j) { return x_.row(j).abs().maxCoeff(); };
-    x_ = right_;
+    const auto scaled = right_.colwise() * (row_magnitudes_ / system.row_sums());
+    x_ = scaled;
     system.solve(x_.data(), static_cast<int>(x_.cols()));
     for (int j = 0; j < system.size(); ++j)
       look.share[group_[j]] = std::max(look.share[group_[j]], largest(j));
-    x_ = right_;
+    x_ = scaled;
     system.solve_blocks(x_.data(), static_cast<int>(x_.cols()));
     for (int j = 0; j < system.size(); ++j)
       look.distance[block_[j]] = std::max(look.distance[block_[j]], largest(j));

@@ -12,8 +12,10 @@
 namespace desmo {
 
 /// Monitors the growth of the condition number since the last assessment where rates do not show
-/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for four fixed b
-/// without pattern, now and then (a *look*), with factors of its own. What it finds:
+/// it: a motion that just misses a change point is smooth. It solves x = (M⁻¹ Φ_φ S)⁻¹ b for four
+/// fixed b without pattern, now and then (a *look*), with factors of its own. M holds the
+/// magnitudes of the equations: where two points all but meet, the whole row of their distance
+/// vanishes, which A does not show. What it finds:
 ///
 ///   growth     of ‖x‖∞ of each group since the assessment
 ///   distance   of each irreducible block D to a singular one, d = 1/‖D⁻¹ b‖∞; it falls to zero
@@ -29,8 +31,9 @@ namespace desmo {
 /// far they have gone.
 class ConditionMonitor {
  public:
-  /// system: the one of the model.
-  ConditionMonitor(const Model& model, const ScaledSystem& system);
+  /// system: the one of the model. row_magnitudes: M, (rows).
+  ConditionMonitor(const Model& model, const ScaledSystem& system,
+                   const Eigen::ArrayXd& row_magnitudes);
 
   /// Moves on to an instant. ways: how far drivers and unknowns have moved at most in the step to
   /// it, the first in magnitudes, the second by the weights of reset(). Infinity: not known.
@@ -80,7 +83,8 @@ class ConditionMonitor {
   std::vector<int> block_;               // irreducible block of each unknown
   std::vector<GroupId> of_block_;        // group of each block
   Eigen::ArrayX4d right_;                // b
-  Eigen::ArrayX4d x_;                    // A⁻¹ b
+  Eigen::ArrayX4d x_;                    // what b becomes
+  const Eigen::ArrayXd row_magnitudes_;  // M
   Eigen::ArrayXd way_;                   // of each coordinate since the look before, in magnitudes
   Eigen::ArrayXd share_before_, distance_before_;  // of that look
   std::vector<double> way_of_group_;               // the largest of what each group reads
