@@ -98,6 +98,8 @@ TEST_F(Cli, NamesLineAndColumnOfARowThatCannotBeRead) {
            {"0,0,1\n", "line 1, column 4: 3 numbers, where 4 are needed; write t,theta,d/dt theta"},
            {"t,theta,d/dt theta\n", "line 1, column 1: there is no column 'd2/dt2 theta'"},
            {"theta,d/dt theta,d2/dt2 theta\n", "line 1, column 1: there is no column t"},
+           {"0;0;1;0\n", "line 1, column 1: there is no column t"},
+           {"0,0,1,0\n1;0,1,0,0\n", "line 2, column 1: '1;0' is not a number"},
            {"t [s],theta [deg]\n", "line 1, column 2: 'theta [deg]': the unit is rad"},
            {"t,theta,theta\n", "line 1, column 3: 'theta' stands there twice"}}) {
     write("rows", rows);

@@ -22,7 +22,8 @@ enum class Outcome {
   failed,     ///< solved only before the instant that the summary names
 };
 
-/// Interval in which a mechanism could not be assembled; ends accurate to 1e-9 s.
+/// Interval in which a mechanism could not be assembled. Its ends are accurate to 1e-9 s or, where
+/// that is more, to what rounding of time and of the drivers leaves.
 struct Gap {
   double from, to;  ///< [s]
   bool ends;        ///< false: the interval lasts until the end of the run
