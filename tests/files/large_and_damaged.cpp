@@ -46,7 +46,7 @@ TEST(Files, EndWhereTheirTextEnds) {
       ADD_FAILURE() << rest.size();
     } catch (const InputError& error) {
       const std::string place =
-          rest.size() == 1 ? "zero.json: line 27, column 2: " : "zero.json: line 28, column 1: ";
+          rest.size() == 1 ? "zero.json: line 26, column 2: " : "zero.json: line 27, column 1: ";
       EXPECT_EQ(error.what(), place + "a byte of value 0 is no text; leave it out");
     }
   }

@@ -213,12 +213,17 @@ class PositionsAlone : public LockingRun {
 
 TEST_F(PositionsAlone, FollowsAJump) { follow_jumps(); }
 
-/// Rows that turn back at the dead point are neither flagged nor do they leave the branch.
+/// Rows that turn back, or rest, next to the dead point are neither flagged nor leave the branch.
 TEST_F(PositionsAlone, TurnsBackNextToADeadPoint) {
   for (int i = 0; i <= 40; ++i) {
     const double angle = (dead_point - 1e-3) * std::cos(0.25 * i);
     EXPECT_EQ(step(0.01 * i, angle).outcome(), Outcome::converged) << i;
     expect_good_row(0.01 * i, angle);
+  }
+  for (const double angle : {0.5, dead_point - 1e-2, dead_point - 1e-2, 0.5}) {
+    const double next = run.time() + 0.01;
+    EXPECT_EQ(step(next, angle).outcome(), Outcome::converged) << angle;
+    expect_good_row(next, angle);
   }
   EXPECT_EQ(step(1, dead_point - 1e-13).outcome(), Outcome::degraded);
 }

@@ -123,6 +123,7 @@ void AccuracyMonitor::resume() {
   state_->after_gap = true;
   state_->continuity.forget();
 }
+void AccuracyMonitor::rest() { state_->continuity.rest(); }
 void AccuracyMonitor::doubt_next() { state_->is_doubted = true; }
 void AccuracyMonitor::shift_time(double by) {
   state_->last_time += by;

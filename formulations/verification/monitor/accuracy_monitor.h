@@ -137,6 +137,8 @@ class AccuracyMonitor {
   /// Tells that the next instant does not follow the last one; the monitor will assess it.
   void resume();
 
+  /// Lets the motion rest at the last instant: its rates become 0.
+  void rest();
   /// Doubts the step to the next instant: the monitor goes it again and assesses its end.
   void doubt_next();
   /// Counts time from an origin that is `by` [s] earlier.

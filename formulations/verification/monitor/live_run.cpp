@@ -39,8 +39,8 @@ struct LiveRun::Monitors {
   /// Drivers follow the polynomial from the row tried last, at time 0, to the last good one.
   Plan plan;
   std::vector<Level> asked;  // of each coordinate
-  std::vector<double>
-      at_rest;  // q̇ at rows of positions alone, between which drivers start and stop
+  /// ż of a run of positions alone, made up: of the row tried last, and of the last good one.
+  std::vector<double> rates, last_rates;
   std::optional<AccuracyMonitor> accuracy{};
   std::optional<BranchMonitor> branch{};
   std::optional<OneMoreCorrection> corrections{};
@@ -58,7 +58,8 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
       monitors_(std::make_unique<Monitors>(
           whole_plan(f.model(), options),
           std::vector<Level>(options.levels.begin(), options.levels.end()),
-          std::vector<double>(f.model().coordinates()))),
+          std::vector<double>(f.model().drivers.size()),
+          std::vector<double>(f.model().drivers.size()))),
       tried_(f.model().drivers.size()) {
   const std::vector<double> magnitudes = natural_magnitudes(f.model());
   for (const Driver& d : f.model().drivers)
@@ -75,16 +76,10 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   good_.position.resize(n);
   if (options.level >= Level::velocity) good_.velocity.resize(n);
   if (options.level >= Level::acceleration) good_.acceleration.resize(n);
-  if (options.level < Level::velocity) {  // any scales of rates do: all are zero
-    const double size = options.scales ? options.scales->length.position : nominal_size(f.model()),
-                 turn = options.scales ? options.scales->rotation.position : 1;
-    options_.scales = Scales{{size, size, size}, {turn, turn, turn}};
-  }
   if (!options.levels.empty() && options.levels.size() != n)
     throw std::invalid_argument("a live run is not given one level for each coordinate");
   monitors_->asked.resize(n, options.level);
-  if (!options.levels.empty())
-    f.solve_only(options.level < Level::velocity ? options.levels : monitors_->plan.levels);
+  if (!options.levels.empty()) f.solve_only(monitors_->plan.levels);
   options_.levels = {};  // the caller's memory may be gone from here on
   monitors_->corrections.emplace(parts_of(f));
   restart();
@@ -106,18 +101,42 @@ RowFault LiveRun::fault_of(const LiveRow& row) const {
   return has_position_ && row.time <= time_ ? RowFault::time_not_later : RowFault::none;
 }
 
-LiveSummary LiveRun::step(const LiveRow& row) {
+/// Makes up the rates of a row of positions alone: those of the straight way to it. Drivers rest at
+/// the last row where they would not go straight on from there: the cubic would leave the way.
+std::span<const double> LiveRun::rates_of(const LiveRow& row) {
+  const Model& m = formulation_.model();
+  std::vector<double>&rates = monitors_->rates, &last = monitors_->last_rates;
+  std::ranges::fill(rates, 0.0);
+  if (!has_position_) return rates;
+  bool goes_on = true;
+  for (std::size_t d = 0; d < rates.size(); ++d) {
+    const double start = good_.position[m.entities[m.drivers[d].coordinate].first],
+                 rate = (row.z[d] - start) / (row.time - time_);
+    if (std::isfinite(rate)) rates[d] = rate;
+    goes_on = goes_on && rates[d] * last[d] >= 0 && std::abs(last[d]) <= 3 * std::abs(rates[d]);
+  }
+  if (!goes_on) {
+    std::ranges::fill(last, 0.0);
+    monitors_->accuracy->rest();
+  }
+  return rates;
+}
+
+LiveSummary LiveRun::step(const LiveRow& given) {
   LiveSummary summary;
-  summary.time = row.time;
-  summary.fault = fault_of(row);
+  summary.time = given.time;
+  summary.fault = fault_of(given);
   if (summary.fault != RowFault::none) {
     summary.status =
         summary.fault == RowFault::not_finite ? Status::not_finite : Status::not_converged;
     return summary;
   }
+  LiveRow row = given;
+  if (options_.level < Level::velocity) row.zd = rates_of(given);
   std::ranges::copy(row.z, tried_.begin());
   const Summary step =
-      steps_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
+      steps_of(formulation_)
+          .step_to_row(row, std::max(options_.level, Level::velocity), options_.max_sub_steps);
   static_cast<BasicSummary&>(summary) = step;
   if (step.ok()) assess(row, summary);
   return summary;
@@ -140,7 +159,7 @@ std::string describe(const LiveSummary& s, const Model& m) {
 
 /// Assesses a row that was solved, and makes it the last good one if it is good.
 void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
-  const std::span<const double> none, at_rest = monitors_->at_rest;
+  const std::span<const double> none;
   if (!set_drivers(row)) monitors_->accuracy->doubt_next();
   const double since = has_position_ ? row.time - time_ : 0;
   monitors_->accuracy->shift_time(-since);
@@ -149,7 +168,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
       monitors_->accuracy->examine({.index = 0,
                                     .time = 0,
                                     .q = formulation_.q(),
-                                    .qd = good_.velocity.empty() ? at_rest : formulation_.qd(),
+                                    .qd = formulation_.qd(),
                                     .qdd = good_.acceleration.empty() ? none : formulation_.qdd(),
                                     .updates = summary.updates,
                                     .residual = summary.residual});
@@ -178,6 +197,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
   std::ranges::copy(found.q, good_.position.begin());
   if (!good_.velocity.empty()) std::ranges::copy(found.qd, good_.velocity.begin());
   std::ranges::copy(found.qdd, good_.acceleration.begin());
+  std::ranges::copy(monitors_->rates, monitors_->last_rates.begin());
   time_ = row.time;
   has_position_ = true;
   if (j.solved_anew) steps_of(formulation_).return_to(good_.position, time_);
@@ -194,14 +214,12 @@ bool LiveRun::set_drivers(const LiveRow& row) {
     std::vector<double>& c =
         std::get<Polynomial>(monitors_->plan.model.drivers[d].motion).coefficients;
     const int i = m.entities[m.drivers[d].coordinate].first;
-    const auto value = [](Level level, Level solved, std::span<const double> values,
-                          std::size_t k) { return level > solved ? 0 : values[k]; };
-    const double z = row.z[d], v = value(Level::velocity, options_.level, row.zd, d),
-                 a = value(Level::acceleration, options_.level, row.zdd, d);
+    const double z = row.z[d], v = row.zd[d],
+                 a = options_.level < Level::acceleration ? 0 : row.zdd[d];
     std::ranges::fill(c, 0.0);
     c[0] = z, c[1] = v, c[2] = a / 2;
     if (!has_position_) continue;
-    const double v0 = good_.velocity.empty() ? 0 : good_.velocity[i];
+    const double v0 = good_.velocity.empty() ? monitors_->last_rates[d] : good_.velocity[i];
     moved = std::max({moved, std::abs(h * v) / unit_[d], std::abs(h * v0) / unit_[d]});
     missed = std::max(missed, std::abs(good_.position[i] - z - h / 2 * (v + v0)) / unit_[d]);
     const double off = (good_.position[i] - z - h * (v + h * a / 2)) / (h * h * h),
