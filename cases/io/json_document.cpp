@@ -169,6 +169,8 @@ JsonDocument::JsonDocument(std::string_view text, std::string file_name)
     complain("top level", "the text is empty; give one JSON object");
   Builder builder(*this, text);
   nlohmann::json::sax_parse(text, &builder);
+  if (const auto zero = text.find('\0'); zero != text.npos)  // which the library takes for the end
+    complain(line_and_column(text, zero), "a byte of value 0 is no text; leave it out");
 }
 
 JsonValue JsonDocument::root() const { return {this, 0}; }

@@ -7,7 +7,7 @@ namespace desmo {
 /// Goes from one time to another in sub-steps. A sub-step that fails is halved, down to 2⁻¹⁰ of
 /// the whole step; after one that succeeds the next is twice as long. go(t) goes to time t, and
 /// returns whether it could. Returns whether `to` was reached, with max_tries calls; false where
-/// `from` or `to` is not finite.
+/// `from` or `to` is not finite, and where no double lies between two times.
 template <class Go>
 bool go_in_sub_steps(double from, double to, int max_tries, Go&& go) {
   if (!std::isfinite(to - from)) return false;  // halves of it would not end
@@ -22,6 +22,8 @@ bool go_in_sub_steps(double from, double to, int max_tries, Go&& go) {
       sub_step *= 2;
     } else {
       sub_step = (next - reached) / 2;
+      const double middle = reached + sub_step;
+      if (middle == reached || middle == next) return false;  // no double lies between
       if (!(std::abs(sub_step) >= min_sub_step * std::abs(to - from))) return false;
     }
   }

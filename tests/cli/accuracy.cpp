@@ -39,6 +39,22 @@ TEST_F(Cli, DeliversDegradedInstantsAndSaysSo) {
       << err_;
 }
 
+TEST_F(Cli, SaysOfARunThatFailsWhatWasDegradedBefore) {
+  // As in nearly_locks, and one step more.
+  write("fails.json", slider_crank(30, R"(,
+    "time": {"end": 0.20483276468, "step": 0.10241638234})"));
+  for (const char* to : {"", " -o out/motion.csv"}) {
+    EXPECT_EQ(desmo("solve fails.json" + std::string(to)), 1);
+    EXPECT_TRUE(
+        says("accuracy: degraded: 1 instant of 2, the first at group 'SG-II' (rod, slider), "
+             "t = 0.102416382 s: so near a singular position that condition "))
+        << err_;
+    EXPECT_TRUE(says("t = 0.204832765 s: no position was found")) << err_;
+  }
+  EXPECT_EQ(desmo("solve fails.json --quiet"), 1);
+  EXPECT_FALSE(says("accuracy")) << err_;
+}
+
 TEST_F(Cli, StrictRefusesWhatIsDegraded) {
   write("nearly.json", nearly_locks);
   EXPECT_EQ(desmo("solve nearly.json --strict -o out/motion.csv"), 1);

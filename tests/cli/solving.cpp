@@ -44,6 +44,24 @@ TEST_F(Cli, SolvesAnAngleThatIsMeasuredTwice) {
   EXPECT_EQ(instants, 101);
 }
 
+TEST_F(Cli, SolvesWhatIsFixed) {
+  for (const char* level : {"position", "velocity", "acceleration"}) {
+    write("fixed.json", R"({"format": "desmo-scene", "version": 2,
+      "mechanism": {"library": "slider_crank"},
+      "motion": {"theta": {"type": "constant", "value": 20}}, "time": {"end": 1, "step": 0.5},
+      "request": [{"points": ["A"], "level": ")" +
+                            std::string(level) + R"("}]})");
+    write("rows", "0 0 1 0\n0.5 0 1 0\n1 0 1 0\n");
+    for (const char* how : {"", " --strict", " --past-failures", " --certify --strict",
+                            " --drivers rows --strict", " --formulation global_automatic_klu",
+                            " --formulation group_symbolic_explicit/lanes:4"}) {
+      ASSERT_EQ(desmo("solve fixed.json" + std::string(how)), 0) << level << how << err_;
+      ASSERT_EQ(lines().size(), 4u);
+      EXPECT_TRUE(lines()[2].starts_with("0.5,0,0")) << lines()[2];
+    }
+  }
+}
+
 TEST_F(Cli, SolvesToTheSameNumbersInEitherFormat) {
   ASSERT_EQ(desmo("solve slider_crank --quiet"), 0) << err_;
   EXPECT_EQ(err_, "");

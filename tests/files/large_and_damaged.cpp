@@ -39,6 +39,19 @@ TEST(Mechanism, OfManyBodiesIsCheckedAndReadQuickly) {
   EXPECT_LT(seconds, 10);  // generous, for sanitizers; quadratic work would take longer
 }
 
+TEST(Files, EndWhereTheirTextEnds) {
+  for (const std::string& rest : {std::string(1, '\0'), "\n" + std::string(1, '\0') + "{]"}) {
+    try {
+      parse_mechanism(slider_crank + rest, "zero.json");
+      ADD_FAILURE() << rest.size();
+    } catch (const InputError& error) {
+      const std::string place =
+          rest.size() == 1 ? "zero.json: line 26, column 2: " : "zero.json: line 27, column 1: ";
+      EXPECT_EQ(error.what(), place + "a byte of value 0 is no text; leave it out");
+    }
+  }
+}
+
 // Whatever is done to a good file, it is read or refused, never anything else.
 TEST(Files, SurviveRandomDamage) {
   std::mt19937 random(1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <iostream>
@@ -103,6 +104,26 @@ class LockingRun : public testing::Test {
     EXPECT_NEAR(std::hypot(c[0] - 8, c[1]), 6, 1e-10);
     EXPECT_GT(expected * side(), 0) << angle;
   }
+  /// Wherever the crank jumps to: on the branch, or it is said.
+  void follow_jumps() {
+    int by_sub_steps = 0, in_vain = 0;
+    for (double share = -0.99; share < 1; share += 0.03) {
+      run.restart();
+      for (int i = 0; i <= 20; ++i) {
+        const double angle = start + i * (-0.9 * dead_point - start) / 20;
+        ASSERT_EQ(step(i, angle).outcome(), Outcome::converged);
+      }
+      const LiveSummary s = step(20.001, share * dead_point);
+      ASSERT_NE(s.outcome(), Outcome::failed) << share;
+      EXPECT_LE(s.sub_steps, LiveOptions{}.max_sub_steps);
+      by_sub_steps += s.sub_steps > 0;
+      EXPECT_GE(side(), 0) << share;
+      in_vain += s.crossing.has_value();
+      expect_good_row(20.001, share * dead_point, 1);
+    }
+    EXPECT_GT(by_sub_steps, 0);
+    EXPECT_LE(in_vain, 1);
+  }
   int at(const char* name) const { return m.entities[m.find(name)].first; }
 
   const Model m = locking_four_bar();
@@ -139,26 +160,7 @@ TEST_F(LockingRun, RefusesARowThatCannotBeMeant) {
   expect_good_row(1, start);
 }
 
-/// Wherever the crank jumps to: on the branch, or it is said.
-TEST_F(LockingRun, FollowsAJump) {
-  int by_sub_steps = 0, in_vain = 0;
-  for (double share = -0.99; share < 1; share += 0.03) {
-    run.restart();
-    for (int i = 0; i <= 20; ++i) {
-      const double angle = start + i * (-0.9 * dead_point - start) / 20;
-      ASSERT_EQ(step(i, angle).outcome(), Outcome::converged);
-    }
-    const LiveSummary s = step(20.001, share * dead_point);
-    ASSERT_NE(s.outcome(), Outcome::failed) << share;
-    EXPECT_LE(s.sub_steps, LiveOptions{}.max_sub_steps);
-    by_sub_steps += s.sub_steps > 0;
-    EXPECT_GE(side(), 0) << share;
-    in_vain += s.crossing.has_value();
-    expect_good_row(20.001, share * dead_point, 1);
-  }
-  EXPECT_GT(by_sub_steps, 0);
-  EXPECT_LE(in_vain, 1);
-}
+TEST_F(LockingRun, FollowsAJump) { follow_jumps(); }
 
 TEST_F(LockingRun, StaysAtTheLastGoodRowWhereNoneCanBeReached) {
   const LiveSummary first = step(0, 3);
@@ -197,6 +199,33 @@ TEST_F(LockingRun, SaysWhatConditioningLeaves) {
   EXPECT_TRUE(near.degraded);
   EXPECT_GT(near.assessment.condition, 1e4);
   EXPECT_GT(near.assessment.bound.acceleration, 1e-6);
+}
+
+class PositionsAlone : public LockingRun {
+ protected:
+  static LiveOptions positions() {
+    LiveOptions options;
+    options.level = Level::position;
+    return options;
+  }
+  PositionsAlone() : LockingRun(positions()) {}
+};
+
+TEST_F(PositionsAlone, FollowsAJump) { follow_jumps(); }
+
+/// Rows that turn back, or rest, next to the dead point are neither flagged nor leave the branch.
+TEST_F(PositionsAlone, TurnsBackNextToADeadPoint) {
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = (dead_point - 1e-3) * std::cos(0.25 * i);
+    EXPECT_EQ(step(0.01 * i, angle).outcome(), Outcome::converged) << i;
+    expect_good_row(0.01 * i, angle);
+  }
+  for (const double angle : {0.5, dead_point - 1e-2, dead_point - 1e-2, 0.5}) {
+    const double next = run.time() + 0.01;
+    EXPECT_EQ(step(next, angle).outcome(), Outcome::converged) << angle;
+    expect_good_row(next, angle);
+  }
+  EXPECT_EQ(step(1, dead_point - 1e-13).outcome(), Outcome::degraded);
 }
 
 class WithoutSubSteps : public LockingRun {
@@ -238,6 +267,22 @@ TEST(LiveOptions, ScaleTheBounds) {
   const Row row(*f);
   EXPECT_EQ(run.step({.time = 0, .z = row.z}).outcome(), Outcome::converged);
   EXPECT_TRUE(run.qd().empty());
+  EXPECT_THROW(LiveRun(*f, {.levels = std::array{Level::position}}), std::invalid_argument);
+}
+
+/// Positions that others have rates next to are followed like these.
+TEST(LiveRun, SolvesCoordinatesToLevelsOfTheirOwn) {
+  const Model m = locking_four_bar();
+  std::vector<Level> levels(m.coordinates(), Level::position);
+  levels[m.entities[m.find("crank/theta")].first] = Level::acceleration;
+  const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
+  LiveRun run(*f, {.levels = levels});
+  const std::vector<double> rate{1}, none{0};
+  const double start = sample(m.drivers[0].motion, 0.0).position;
+  for (int i = 0; i <= 50; ++i) {
+    const std::vector<double> angle{start + 0.01 * i};
+    EXPECT_EQ(run.step({0.01 * i, angle, rate, none}).outcome(), Outcome::converged) << i;
+  }
 }
 
 TEST(LiveRun, NeedsAFormulationThatStepsThroughTime) {

@@ -101,6 +101,27 @@ TEST(MonitoredRun, FailsAtASingularPosition) {
   }
 }
 
+TEST(MonitoredRun, SaysOfAFailureWhatWasFlaggedBefore) {
+  const Model m = locking_four_bar(Polynomial{{dead_point - 0.25 - 1e-10, 1}});
+  Discard observer;
+  const MonitoredSummary s = run(m, {0, 0.25, 3}, "group_symbolic_inlined", observer);
+  EXPECT_EQ(s.outcome(), Outcome::failed);
+  EXPECT_EQ(s.instants, 2);
+  EXPECT_TRUE(describe(s, m).ends_with("; degraded before: instants 1, the first at t = 0.25 s"))
+      << describe(s, m);
+}
+
+TEST(MonitoredRun, HasNothingToDoubtWhereAllIsFixed) {
+  Model m;
+  m.add_fixed(EntityKind::point, "A", std::vector<double>{1, 2});
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
+    Discard observer;
+    const MonitoredSummary s = run(m, {0, 1, 3}, id, observer);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+    EXPECT_EQ(s.instants, 3) << id;
+  }
+}
+
 TEST(MonitoredRun, StrictEndsAtTheFirstDegradedInstant) {
   const Model m = swinging(1e-11);
   Discard observer;
@@ -127,6 +148,23 @@ class Times final : public Observer {
   }
   std::vector<int> indices;
 };
+
+/// Ends are as accurate as time is, where its rounding is more than 1e-9 s.
+TEST(MonitoredRun, FindsTheEndsOfGapsAtLateTimes) {
+  const double start = std::numbers::pi / 3;
+  MonitoredRunOptions options;
+  options.past_failures = true;
+  for (const double late : {1e5, 1e6, 1e9}) {
+    Model m = locking_four_bar();
+    m.drivers[0].motion = Polynomial{{start - late, 1}};
+    Discard observer;
+    const MonitoredSummary s = run(m, {late, 0.5, 13}, "group_symbolic_inlined", observer, options);
+    ASSERT_EQ(s.gaps.size(), 1u) << late;
+    const double rounding = 2e-9 + 4 * late * 0x1p-53;
+    EXPECT_NEAR(s.gaps[0].from - late, dead_point - start, rounding) << late;
+    EXPECT_NEAR(s.gaps[0].to - late, 2 * std::numbers::pi - dead_point - start, rounding) << late;
+  }
+}
 
 TEST(MonitoredRun, GoesOnPastAnIntervalThatCannotBeAssembled) {
   const Model m = overswinging();

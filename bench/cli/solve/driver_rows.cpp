@@ -28,12 +28,13 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Splits at commas, semicolons or tabs where there are any, and else at blanks.
+/// Splits at commas or tabs where there are any, and else at blanks. Semicolons are not taken: next
+/// to them commas may be decimal ones.
 void split(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
-  const bool at_blanks = line.find_first_of(",;\t") == std::string_view::npos;
+  const bool at_blanks = line.find_first_of(",\t") == std::string_view::npos;
   while (true) {
-    const std::size_t end = line.find_first_of(at_blanks ? " " : ",;\t");
+    const std::size_t end = line.find_first_of(at_blanks ? " " : ",\t");
     fields.push_back(trimmed(line.substr(0, end)));
     if (end == std::string_view::npos) return;
     line.remove_prefix(end + 1);

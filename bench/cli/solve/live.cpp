@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "bench/cli/errors.h"
 #include "bench/cli/solve/driver_rows.h"
 #include "bench/cli/solve/run_notes.h"
 #include "bench/cli/text.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/monitor/live_run.h"
 
 namespace desmo::cli {
@@ -70,7 +72,11 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     if (!is_good) {
       ++failed;
       const std::string what = rows.place() + ": " + reason_of(s, run, plan);
-      if (!request.past_failures) throw CommandError(not_solved, request.source + ": " + what);
+      if (!request.past_failures) {
+        if (!request.quiet)
+          std::fputs(note_on_flags(total, plan.level(), plan.model).c_str(), stderr);
+        throw CommandError(not_solved, request.source + ": " + what);
+      }
       if (!request.quiet) std::fprintf(stderr, "note: %s\n", what.c_str());
     }
     text.clear();
@@ -82,6 +88,7 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     const MonitoredSummary one = as_motion(s);
     total.add(s);
     total.condition = std::max(total.condition, one.condition);
+    rescale(total.bound, std::exchange(total.scales, run.scales()), run.scales());
     for (const Level l : all_levels) total.bound[l] = std::max(total.bound[l], one.bound[l]);
     total.degraded += s.degraded;
     if (!total.first_degraded) total.first_degraded = one.first_degraded;

@@ -170,8 +170,12 @@ std::string note_on_stride(const MonitoredSummary& s, const Formulation& f) {
 }
 
 std::string note_on_accuracy(const MonitoredSummary& s, Level level, const Model& m) {
-  std::string note = "accuracy: " + describe_accuracy(s.condition, s.bound, level) + "; " +
-                     describe_scales(s.scales, level, m) + '\n';
+  return "accuracy: " + describe_accuracy(s.condition, s.bound, level) + "; " +
+         describe_scales(s.scales, level, m) + '\n' + note_on_flags(s, level, m);
+}
+
+std::string note_on_flags(const MonitoredSummary& s, Level level, const Model& m) {
+  std::string note;
   if (s.first_degraded)
     note += "accuracy: degraded: " + count(s.degraded, "instant") + " of " +
             std::to_string(s.instants) + ", the first at " +

@@ -33,6 +33,9 @@ std::string note_on_tolerance(const Formulation& formulation, double asked);
 /// degraded instants and a singular position that was passed, if any.
 std::string note_on_accuracy(const MonitoredSummary& summary, Level level, const Model& model);
 
+/// Returns these further lines alone: of a run that failed, what was flagged before.
+std::string note_on_flags(const MonitoredSummary& summary, Level level, const Model& model);
+
 /// Returns why a strict run ended, in the form of failure_text().
 std::string refusal_text(const MonitoredSummary& summary, Level level, const Model& model);
 

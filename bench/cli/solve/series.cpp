@@ -19,6 +19,10 @@ void append_number(double value, std::string& text) {
   text.append(digits, end);
 }
 
+bool is_known(const Column& column, const Instant& instant) {
+  return column.coordinate < 0 || !instant.q.empty();
+}
+
 /// As RFC 4180 has it.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -39,7 +43,7 @@ class Csv final : public SeriesFormat {
     append_number(instant.time, text);
     for (const Column& c : heading.columns) {
       text += ',';
-      if (!instant.q.empty()) append_number(c.value(instant), text);
+      if (is_known(c, instant)) append_number(c.value(instant), text);
     }
     if (heading.has_outcomes) text.append(",").append(outcome);
     text += '\n';
@@ -67,10 +71,10 @@ class JsonLines final : public SeriesFormat {
       text += "null";
     for (const Column& c : heading.columns) {
       text += ',';
-      if (instant.q.empty())
-        text += "null";
-      else
+      if (is_known(c, instant))
         append_number(c.value(instant), text);
+      else
+        text += "null";
     }
     if (heading.has_outcomes) text.append(",\"").append(outcome).append("\"");
     text += "]\n";

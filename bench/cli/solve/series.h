@@ -26,7 +26,7 @@ class SeriesFormat {
  public:
   virtual ~SeriesFormat() = default;
   virtual std::string heading(const SeriesHeading& heading) const = 0;
-  /// Finite numbers: JSON knows no others. An instant without positions has empty cells.
+  /// Finite numbers: JSON knows no others. Without positions only what is fixed has a value.
   virtual void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
                       std::string_view outcome = {}) const = 0;
 };

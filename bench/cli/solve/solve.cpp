@@ -133,6 +133,8 @@ void require_success(const Task& task, const MonitoredSummary& summary, SeriesWr
   const std::string overflow = writer.overflow();
   const bool all = summary.outcome() != Outcome::failed && overflow.empty();
   if (all || task.output.is_standard_output()) writer.flush();
+  if (!all && !summary.refused && !task.options.quiet)
+    say(note_on_gaps(summary, m) + note_on_flags(summary, task.plan.level(), m));
   if (!overflow.empty()) fail(overflow, summary.instants - 1);
   if (summary.refused) fail(refusal_text(summary, task.plan.level(), m), summary.instants);
   if (!all) fail(failure_text(summary, m), summary.instants);

@@ -39,6 +39,7 @@ AccuracyMonitor::State::State(const Model& m, const TimeGrid& grid, const Accura
 
 MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
   MonitoredInstant j{given};
+  if (model.coordinates() == 0) return j;  // all is fixed: nothing can be wrong
   if (given.interpolated && !has(Monitor::rows)) return j;
   if (!started) declare(j);
   const Instant instant = j.instant;
@@ -115,10 +116,15 @@ AccuracyMonitor::Start AccuracyMonitor::last() const {
   if (recent.count() == 0) return {};
   return {recent[0].state.q, recent[0].time};
 }
+void AccuracyMonitor::withdraw(const Instant& instant) {
+  state_->degradations.take_back(instant.index);
+  state_->worst = state_->worst_before;
+}
 void AccuracyMonitor::resume() {
   state_->after_gap = true;
   state_->continuity.forget();
 }
+void AccuracyMonitor::rest() { state_->continuity.rest(); }
 void AccuracyMonitor::doubt_next() { state_->is_doubted = true; }
 void AccuracyMonitor::shift_time(double by) {
   state_->last_time += by;

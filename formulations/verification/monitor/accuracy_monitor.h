@@ -134,9 +134,13 @@ class AccuracyMonitor {
   /// it lies in.
   Start last() const;
 
+  /// Tells that the instant examined last is not delivered, so that it does not count.
+  void withdraw(const Instant& instant);
   /// Tells that the next instant does not follow the last one; the monitor will assess it.
   void resume();
 
+  /// Lets the motion rest at the last instant: its rates become 0.
+  void rest();
   /// Doubts the step to the next instant: the monitor goes it again and assesses its end.
   void doubt_next();
   /// Counts time from an origin that is `by` [s] earlier.

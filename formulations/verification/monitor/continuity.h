@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -96,6 +97,11 @@ class Continuity {
   void forget() {
     recent_.forget();
     turns_.forget();
+  }
+  /// Lets the motion rest at the instant taken last, from where it goes on.
+  void rest() {
+    if (is_known()) std::ranges::fill(recent_[0].state.qd, 0.0);
+    fastest_at_last_ = 0;
   }
   /// Returns whether there is an instant to go on from.
   bool is_known() const { return recent_.count() > 0; }

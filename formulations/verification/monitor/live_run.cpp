@@ -22,10 +22,12 @@ bool are_finite(std::span<const double> values) {
 
 LiveSteps& steps_of(Formulation& f) { return *core_of(f).live(); }
 
-/// Everything, up to a level, of a model whose motions are polynomials of degree 5.
+/// Everything, up to a level, of a model whose motions are polynomials of degree 5. Velocities are
+/// monitored in any case: from positions alone nobody can tell which branch they are on.
 Plan whole_plan(const Model& m, const LiveOptions& options) {
   Plan plan{m, {options.levels.begin(), options.levels.end()}, {}, {}};
   plan.levels.resize(m.coordinates(), options.level);
+  for (Level& level : plan.levels) level = std::max(level, Level::velocity);
   for (Driver& d : plan.model.drivers) d.motion = Polynomial{std::vector<double>(6)};
   return plan;
 }
@@ -36,6 +38,9 @@ Plan whole_plan(const Model& m, const LiveOptions& options) {
 struct LiveRun::Monitors {
   /// Drivers follow the polynomial from the row tried last, at time 0, to the last good one.
   Plan plan;
+  std::vector<Level> asked;  // of each coordinate
+  /// ż of a run of positions alone, made up: of the row tried last, and of the last good one.
+  std::vector<double> rates, last_rates;
   std::optional<AccuracyMonitor> accuracy{};
   std::optional<BranchMonitor> branch{};
   std::optional<OneMoreCorrection> corrections{};
@@ -50,7 +55,11 @@ std::string unsupported_live_reason(const Formulation& f) {
 LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
     : formulation_(f),
       options_(options),
-      monitors_(std::make_unique<Monitors>(whole_plan(f.model(), options))),
+      monitors_(std::make_unique<Monitors>(
+          whole_plan(f.model(), options),
+          std::vector<Level>(options.levels.begin(), options.levels.end()),
+          std::vector<double>(f.model().drivers.size()),
+          std::vector<double>(f.model().drivers.size()))),
       tried_(f.model().drivers.size()) {
   const std::vector<double> magnitudes = natural_magnitudes(f.model());
   for (const Driver& d : f.model().drivers)
@@ -67,7 +76,10 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   good_.position.resize(n);
   if (options.level >= Level::velocity) good_.velocity.resize(n);
   if (options.level >= Level::acceleration) good_.acceleration.resize(n);
-  if (!options.levels.empty()) f.solve_only(options.levels);
+  if (!options.levels.empty() && options.levels.size() != n)
+    throw std::invalid_argument("a live run is not given one level for each coordinate");
+  monitors_->asked.resize(n, options.level);
+  if (!options.levels.empty()) f.solve_only(monitors_->plan.levels);
   options_.levels = {};  // the caller's memory may be gone from here on
   monitors_->corrections.emplace(parts_of(f));
   restart();
@@ -89,18 +101,42 @@ RowFault LiveRun::fault_of(const LiveRow& row) const {
   return has_position_ && row.time <= time_ ? RowFault::time_not_later : RowFault::none;
 }
 
-LiveSummary LiveRun::step(const LiveRow& row) {
+/// Makes up the rates of a row of positions alone: those of the straight way to it. Drivers rest at
+/// the last row where they would not go straight on from there: the cubic would leave the way.
+std::span<const double> LiveRun::rates_of(const LiveRow& row) {
+  const Model& m = formulation_.model();
+  std::vector<double>&rates = monitors_->rates, &last = monitors_->last_rates;
+  std::ranges::fill(rates, 0.0);
+  if (!has_position_) return rates;
+  bool goes_on = true;
+  for (std::size_t d = 0; d < rates.size(); ++d) {
+    const double start = good_.position[m.entities[m.drivers[d].coordinate].first],
+                 rate = (row.z[d] - start) / (row.time - time_);
+    if (std::isfinite(rate)) rates[d] = rate;
+    goes_on = goes_on && rates[d] * last[d] >= 0 && std::abs(last[d]) <= 3 * std::abs(rates[d]);
+  }
+  if (!goes_on) {
+    std::ranges::fill(last, 0.0);
+    monitors_->accuracy->rest();
+  }
+  return rates;
+}
+
+LiveSummary LiveRun::step(const LiveRow& given) {
   LiveSummary summary;
-  summary.time = row.time;
-  summary.fault = fault_of(row);
+  summary.time = given.time;
+  summary.fault = fault_of(given);
   if (summary.fault != RowFault::none) {
     summary.status =
         summary.fault == RowFault::not_finite ? Status::not_finite : Status::not_converged;
     return summary;
   }
+  LiveRow row = given;
+  if (options_.level < Level::velocity) row.zd = rates_of(given);
   std::ranges::copy(row.z, tried_.begin());
   const Summary step =
-      steps_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
+      steps_of(formulation_)
+          .step_to_row(row, std::max(options_.level, Level::velocity), options_.max_sub_steps);
   static_cast<BasicSummary&>(summary) = step;
   if (step.ok()) assess(row, summary);
   return summary;
@@ -132,7 +168,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
       monitors_->accuracy->examine({.index = 0,
                                     .time = 0,
                                     .q = formulation_.q(),
-                                    .qd = good_.velocity.empty() ? none : formulation_.qd(),
+                                    .qd = formulation_.qd(),
                                     .qdd = good_.acceleration.empty() ? none : formulation_.qdd(),
                                     .updates = summary.updates,
                                     .residual = summary.residual});
@@ -159,8 +195,9 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
     summary.crossing->before += row.time;
   }
   std::ranges::copy(found.q, good_.position.begin());
-  std::ranges::copy(found.qd, good_.velocity.begin());
+  if (!good_.velocity.empty()) std::ranges::copy(found.qd, good_.velocity.begin());
   std::ranges::copy(found.qdd, good_.acceleration.begin());
+  std::ranges::copy(monitors_->rates, monitors_->last_rates.begin());
   time_ = row.time;
   has_position_ = true;
   if (j.solved_anew) steps_of(formulation_).return_to(good_.position, time_);
@@ -177,19 +214,16 @@ bool LiveRun::set_drivers(const LiveRow& row) {
     std::vector<double>& c =
         std::get<Polynomial>(monitors_->plan.model.drivers[d].motion).coefficients;
     const int i = m.entities[m.drivers[d].coordinate].first;
-    const auto value = [](Level level, Level solved, std::span<const double> values,
-                          std::size_t k) { return level > solved ? 0 : values[k]; };
-    const double z = row.z[d], v = value(Level::velocity, options_.level, row.zd, d),
-                 a = value(Level::acceleration, options_.level, row.zdd, d);
+    const double z = row.z[d], v = row.zd[d],
+                 a = options_.level < Level::acceleration ? 0 : row.zdd[d];
     std::ranges::fill(c, 0.0);
     c[0] = z, c[1] = v, c[2] = a / 2;
     if (!has_position_) continue;
-    const double v0 = good_.velocity.empty() ? 0 : good_.velocity[i];
+    const double v0 = good_.velocity.empty() ? monitors_->last_rates[d] : good_.velocity[i];
     moved = std::max({moved, std::abs(h * v) / unit_[d], std::abs(h * v0) / unit_[d]});
     missed = std::max(missed, std::abs(good_.position[i] - z - h / 2 * (v + v0)) / unit_[d]);
-    if (good_.velocity.empty()) continue;
     const double off = (good_.position[i] - z - h * (v + h * a / 2)) / (h * h * h),
-                 rate_off = (good_.velocity[i] - v - h * a) / (h * h);
+                 rate_off = (v0 - v - h * a) / (h * h);
     if (good_.acceleration.empty()) {
       c[2] = h * (3 * off - rate_off), c[3] = rate_off - 2 * off;
       continue;
@@ -200,7 +234,7 @@ bool LiveRun::set_drivers(const LiveRow& row) {
     c[5] = (6 * off - 3 * rate_off + second_off / 2) / (h * h);
   }
   constexpr double smooth = 0.02, negligible = 1e-9;
-  return missed <= (good_.velocity.empty() ? smooth : smooth * moved + negligible);
+  return missed <= smooth * moved + negligible;
 }
 
 void LiveRun::go_back() {
@@ -215,6 +249,8 @@ void LiveRun::set_time(double t) {
   go_back();
 }
 
+const Scales& LiveRun::scales() const { return monitors_->accuracy->scales(); }
+
 void LiveRun::restart() {
   has_position_ = false;
   time_ = 0;
@@ -226,6 +262,7 @@ void LiveRun::restart() {
       monitors_->plan.model, TimeGrid{},
       AccuracyMonitorOptions{.tolerance = formulation_.settings().tolerance,
                              .levels = monitors_->plan.levels,
+                             .asked = monitors_->asked,
                              .assesses_all = options_.assesses_all,
                              .reuses_pivots = std::ranges::any_of(parts_of(formulation_), reuses),
                              .scales = options_.scales,

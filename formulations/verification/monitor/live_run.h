@@ -70,8 +70,9 @@ std::string describe(const LiveSummary& summary, const Model& model);
 /// prediction or, where that fails, in sub-steps: drivers then move linearly from the last good
 /// row. Every answer is monitored like those of run_monitored(). The monitor takes driver
 /// values as exact. Between two rows it takes the quintic through both, or the cubic where
-/// accelerations are not solved. Where the rates do not lead from one row to the next, it follows
-/// the motion in shorter steps and assesses the row.
+/// accelerations are not solved. Rows of positions alone get the rates of the way between them.
+/// Where the rates do not lead from one row to the next, it follows the motion in shorter steps and
+/// assesses the row.
 ///
 /// Outcomes of unusual rows:
 /// - NaN, infinity or a wrong size: failed, with a `fault`; nothing was tried
@@ -92,7 +93,7 @@ class LiveRun {
   ~LiveRun();
 
   /// Solves and assesses one row.
-  LiveSummary step(const LiveRow& row);
+  LiveSummary step(const LiveRow& given);
 
   /// Sets the time of the last good position [s]: the next row may have any later one.
   void set_time(double t);
@@ -107,6 +108,8 @@ class LiveRun {
   std::span<const double> q() const { return good_.position; }
   std::span<const double> qd() const { return good_.velocity; }
   std::span<const double> qdd() const { return good_.acceleration; }
+  /// Returns the scales that bounds are relative to: those given, or the motion's so far.
+  const Scales& scales() const;
 
   /// The obstacle to a row that could not be solved.
   struct Obstacle {
@@ -119,6 +122,7 @@ class LiveRun {
 
  private:
   RowFault fault_of(const LiveRow& row) const;
+  std::span<const double> rates_of(const LiveRow& row);
   bool set_drivers(const LiveRow& row);
   void assess(const LiveRow& row, LiveSummary& summary);
   void go_back();

@@ -160,6 +160,7 @@ class Run final : Observer {
         summary_.violated = branch_.violated(m.instant);
       }
     const Instant& instant = m.instant;
+    if (summary_.violated >= 0) accuracy_->withdraw(instant);
     if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
     if (is_continued_ && summary_.instants == 0 && !summary_.crossing)
       summary_.crossing = {instant.time, instant.time, m.assessment.group,

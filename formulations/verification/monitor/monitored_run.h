@@ -22,7 +22,8 @@ enum class Outcome {
   failed,     ///< solved only before the instant that the summary names
 };
 
-/// Interval in which a mechanism could not be assembled; ends accurate to 1e-9 s.
+/// Interval in which a mechanism could not be assembled. Its ends are accurate to 1e-9 s or, where
+/// that is more, to what rounding of time and of the drivers leaves.
 struct Gap {
   double from, to;  ///< [s]
   bool ends;        ///< false: the interval lasts until the end of the run
@@ -104,8 +105,8 @@ MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
                                const Request& request, Observer& observer,
                                const MonitoredRunOptions& options = {});
 
-/// Returns the outcome in a line: what failed when and where, or what was flagged first, and the
-/// accuracy of the instants. model: the formulation's.
+/// Returns the outcome in a line: what failed when and where, and what was flagged before; or what
+/// was flagged first, and the accuracy of the instants. model: the formulation's.
 std::string describe(const MonitoredSummary& summary, const Model& model);
 
 /// Returns the accuracy in words, up to a level: "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11

@@ -6,29 +6,43 @@
 
 namespace desmo {
 
-std::string describe(const MonitoredSummary& s, const Model& m) {
-  const auto at = [](double time) {
-    char text[40];
-    std::snprintf(text, sizeof text, " at t = %.9g s", time);
-    return std::string(text);
-  };
-  if (s.violated >= 0)
-    return "another branch" + at(s.time) + ", constraint '" + m.constraints[s.violated].name + "'";
-  if (s.status != Status::solved) return describe(Summary{s}, m);
+namespace {
+
+std::string at(double time) {
+  char text[40];
+  std::snprintf(text, sizeof text, " at t = %.9g s", time);
+  return text;
+}
+
+std::string flags_of(const MonitoredSummary& s) {
   std::string flags;
+  const auto add = [&](const std::string& what, double time) {
+    flags += (flags.empty() ? "" : "; ") + what + at(time);
+  };
   if (s.first_degraded)
-    flags += "instants " + std::to_string(s.degraded) + ", the first" + at(s.first_degraded->time) +
-             "; ";
-  if (s.crossing) flags += "a singular position or a jump" + at(s.crossing->before) + "; ";
+    add("instants " + std::to_string(s.degraded) + ", the first", s.first_degraded->time);
+  if (s.crossing) add("a singular position or a jump", s.crossing->before);
   if (!s.gaps.empty())
-    flags += "intervals that cannot be assembled " + std::to_string(s.gaps.size()) + ", the first" +
-             at(s.gaps.front().from) + "; ";
+    add("intervals that cannot be assembled " + std::to_string(s.gaps.size()) + ", the first",
+        s.gaps.front().from);
+  return flags;
+}
+
+}  // namespace
+
+std::string describe(const MonitoredSummary& s, const Model& m) {
+  const std::string flags = flags_of(s);
+  const std::string before = flags.empty() ? "" : "; degraded before: " + flags;
+  if (s.violated >= 0)
+    return "another branch" + at(s.time) + ", constraint '" + m.constraints[s.violated].name + "'" +
+           before;
+  if (s.status != Status::solved) return describe(Summary{s}, m) + before;
   const char* const outcome = s.outcome() == Outcome::failed     ? "refused: "
                               : s.outcome() == Outcome::degraded ? "degraded: "
                                                                  : "converged: ";
-  return outcome + flags + std::to_string(s.instants) + " instants in all, " +
-         describe_accuracy(s.condition, s.bound, Level::acceleration) + ", " +
-         describe_scales(s.scales, Level::acceleration, m);
+  return outcome + flags + (flags.empty() ? "" : "; ") + std::to_string(s.instants) +
+         " instants in all, " + describe_accuracy(s.condition, s.bound, Level::acceleration) +
+         ", " + describe_scales(s.scales, Level::acceleration, m);
 }
 
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level) {
