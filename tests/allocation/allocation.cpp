@@ -203,23 +203,25 @@ TEST_P(EveryStep, AllocatesNothingWhateverRowIsHandedIn) {
   const Variant& v = GetParam();
   if (allocates_inside(v) || v.algebra == "klu") return;  // which chooses pivots anew
   const Model m = locking_four_bar();
-  const auto f = make_formulation(v, m);
-  LiveRun run(*f);
-  const std::vector<double> one{1}, none{0};
-  std::vector<double> z{std::numbers::pi / 3};
-  ASSERT_EQ(run.step({0, z, one, none}).outcome(), Outcome::converged);
-  long failed = 0, flagged = 0;
-  const long n = count([&] {
-    for (int i = 1; i <= 500; ++i) {
-      z[0] = i % 7 == 0 ? 2.2 : 0.8 * std::sin(0.1 * i * i);
-      if (i % 50 == 0) z[0] = NAN;
-      const LiveSummary s = run.step({1e-3 * i, z, one, none});
-      failed += s.outcome() == Outcome::failed;
-      flagged += s.crossing.has_value();
-    }
-  });
-  EXPECT_GT(failed, 50);
-  EXPECT_EQ(n, 0) << failed << " failed, " << flagged << " flagged";
+  for (const Level level : all_levels) {
+    const auto f = make_formulation(v, m);
+    LiveRun run(*f, {.level = level});
+    const std::vector<double> one{1}, none{0};
+    std::vector<double> z{std::numbers::pi / 3};
+    ASSERT_EQ(run.step({0, z, one, none}).outcome(), Outcome::converged);
+    long failed = 0, flagged = 0;
+    const long n = count([&] {
+      for (int i = 1; i <= 500; ++i) {
+        z[0] = i % 7 == 0 ? 2.2 : 0.8 * std::sin(0.1 * i * i);
+        if (i % 50 == 0) z[0] = NAN;
+        const LiveSummary s = run.step({1e-3 * i, z, one, none});
+        failed += s.outcome() == Outcome::failed;
+        flagged += s.crossing.has_value();
+      }
+    });
+    EXPECT_GT(failed, 50);
+    EXPECT_EQ(n, 0) << failed << " failed, " << flagged << " flagged";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryStep, testing::ValuesIn(tested_variants()),

@@ -230,12 +230,15 @@ void ConditionMonitor::measure(Look& look, ScaledSystem& system) {
   look.distance.setZero();
   if (system.size() > 0) {
     const auto largest = [&](int j) { return x_.row(j).abs().maxCoeff(); };
-    const auto scaled = right_.colwise() * (row_magnitudes_ / system.row_sums());
-    x_ = scaled;
+    const auto scale = [&] {  // by columns: all at once would take memory from the heap
+      for (Eigen::Index k = 0; k < x_.cols(); ++k)
+        x_.col(k) = right_.col(k) * (row_magnitudes_ / system.row_sums());
+    };
+    scale();
     system.solve(x_.data(), static_cast<int>(x_.cols()));
     for (int j = 0; j < system.size(); ++j)
       look.share[group_[j]] = std::max(look.share[group_[j]], largest(j));
-    x_ = scaled;
+    scale();
     system.solve_blocks(x_.data(), static_cast<int>(x_.cols()));
     for (int j = 0; j < system.size(); ++j)
       look.distance[block_[j]] = std::max(look.distance[block_[j]], largest(j));
