@@ -53,8 +53,8 @@ class NewtonSolver {
         pattern_(equations_->pattern()),
         unknowns_(pattern_.unknowns),
         limits_(settings),
-        corrects_solved_(settings.at_rounding),
         update_(settings.jacobian),
+        corrects_solved_(settings.at_rounding),
         per_level_(settings.factorisation == Factorisation::per_level),
         reuses_pivots_(linear_solver->pivots().reuse_order),
         weights_(
