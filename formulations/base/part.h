@@ -53,15 +53,15 @@ struct IterationLimits {
 /// The outcome of one part in one step.
 struct PartResult {
   Status status = Status::solved;
-  /// Of Newton's method, its failed attempts included. What generated code did in a step that it
-  /// refused is not: PartCounts::fallbacks counts such steps.
+  /// Iterations of Newton's method, its failed attempts included. Those of generated code in a step
+  /// that it refused are not: PartCounts::fallbacks counts such steps.
   int iterations = 0;
   double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
 };
 
-/// What a part met in its steps so far. Assemblies, which start from estimates, do not count.
+/// Counts of what a part met in its steps so far, without assemblies, which start from estimates.
 struct PartCounts {
-  /// How often a pivot order that is meant to last had gone bad, and pivots were chosen anew:
+  /// Number of times a pivot order that is meant to last had gone bad and was chosen anew:
   /// - linear solvers that reuse pivots: new choices of the order after the first
   /// - generated code: its fallbacks
   long refactorisations = 0;
