@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/extremes/rows.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/assessment/limits.h"
@@ -50,6 +51,37 @@ TEST(Reasons, AreNoJumpWhereAMotionStartsAtRest) {
     EXPECT_FALSE(s.crossing) << id;
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
   }
+}
+
+/// A drag link in steps of half a radian: the last of the shorter steps that repeat one is not what
+/// rounding leaves of it.
+TEST(Reasons, AreNoJumpWhereStepsAreLongAndAccelerationsAreNotSolved) {
+  const Scene scene = parse_scene(R"({
+    "format": "desmo-scene", "version": 2,
+    "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "drag_link", "dimension": 2,
+      "points": {"O": [0, 0], "A": [1.910672978251212, 0.5910404133226791], "B": [2.80948306556001, -0.8519219655881333], "D": [1, 0]},
+      "ground": {"points": ["O", "D"]},
+      "bodies": {"crank": {"points": ["O", "A"], "length": 2},
+                 "coupler": {"points": ["A", "B"], "length": 1.7},
+                 "rocker": {"points": ["D", "B"], "length": 2}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["O"]},
+                 {"type": "revolute", "bodies": ["crank", "coupler"], "points": ["A"]},
+                 {"type": "revolute", "bodies": ["coupler", "rocker"], "points": ["B"]},
+                 {"type": "revolute", "bodies": ["ground", "rocker"], "points": ["D"]}],
+      "coordinates": {"theta": {"angle": ["O", "A"]}, "psi": {"angle": ["D", "B"]}},
+      "drivers": ["theta"]},
+    "motion": {"theta": {"type": "polynomial", "coefficients": [0.3, 30]}},
+    "time": {"end": 1, "step": 0.016666666666666666}})",
+                                  "drag_link.scene.json", "");
+  const Model m = make_model(scene);
+  for (const char* id : {"global_automatic_klu", "block_symbolic_explicit"})
+    for (const Level level : all_levels) {
+      Discard observer;
+      const MonitoredSummary s =
+          run_monitored(*make_formulation(find_variant(id), m), scene.grid, {level}, observer);
+      EXPECT_EQ(s.outcome(), Outcome::converged) << id << ", " << static_cast<int>(level);
+    }
 }
 
 /// Of a motion at late times its drivers are to blame, at a condition number of ten.

@@ -266,7 +266,8 @@ std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant&
     while (!turns.empty() && turns[0] - reached_.time <= least) turns = turns.subspan(1);
     to_turn = !turns.empty() && turns[0] < instant.time - least;
     const double target = to_turn ? turns[0] : instant.time, left = target - reached_.time;
-    const bool to_end = std::abs(step) >= std::abs(left);
+    // What rounding leaves of the way is no step: rates cannot be told by it.
+    const bool to_end = std::abs(step) + least >= std::abs(left);
     const bool is_given = to_end && !to_turn && end == End::given;
     if (!is_given) predict(to_end ? target : reached_.time + step, instant, assessor);
     const Instant next = is_given ? instant : view_of(next_, instant);
