@@ -71,8 +71,8 @@ std::string describe(const LiveSummary& summary, const Model& model);
 /// row. Every answer is monitored like those of run_monitored(). The monitor takes driver
 /// values as exact. Between two rows it takes the quintic through both, or the cubic where
 /// accelerations are not solved. Rows of positions alone get the rates of the way between them.
-/// Where the rates do not lead from one row to the next, it follows the motion in shorter steps and
-/// assesses the row.
+/// It follows the motion in shorter steps and assesses the row where the rates do not lead from one
+/// row to the next.
 ///
 /// Outcomes of unusual rows:
 /// - NaN, infinity or a wrong size: failed, with a `fault`; nothing was tried
