@@ -126,7 +126,9 @@ TEST(SizeSeries, AskBothQuestionsOfBothCases) {
   }
 }
 
-// A record of the program is one that the report reads, and has what the filter lets through.
+// A record of the program is one that the report reads, and has what the filter lets through. How
+// many sizes a slope has is looked for by itself: behind a wide interval it stands on the next
+// line.
 TEST(SizeRecord, IsReadByTheReport) {
   const std::string record = testing::TempDir() + "desmo_growth_record.json",
                     run = DESMO_BENCH " size --quick --repetitions 2 --record " + record,
@@ -135,7 +137,7 @@ TEST(SizeRecord, IsReadByTheReport) {
       " --filter '(four_bar/(114|225|336)/group_symbolic_explicit|break_even/four_bar/"
       "[1-3].*/global_automatic_(klu|lapack))$'";
   ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
-  for (const char* found : {"four_bar *group_symbolic_explicit .* n=3", " four_bar *klu "})
+  for (const char* found : {" four_bar *group_symbolic_explicit ", " n=3( |$)", " four_bar *klu "})
     EXPECT_EQ(std::system(
                   (DESMO_REPORT " tables --all " + record + " | grep -Eq '" + found + "'").c_str()),
               0)
