@@ -188,8 +188,8 @@ std::vector<std::function<bool(unsigned)>> recipes() {
       {locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 0.5}}),
        {0, 0.01, 101},
        {"global_automatic_klu", "group_symbolic_inlined"}},
-      {locking_four_bar(HarmonicSum{0.5, {{0.5, 1 / radian, -0.3 / radian + pi / 2}}}),  // rests
-       {0.3, 0.01, 101},                                                                 // at first
+      {locking_four_bar(HarmonicSum{0.5, {{0.5, 2 * pi, -pi / 8}}}),  // from rest
+       {5. / 16, 1. / 128, 129},
        {"global_automatic_klu", "group_symbolic_inlined"}}};
   static const std::vector<Followed> bodies{
       {make_model(library_scene("whitworth")), {0, 1. / 6, 19}, {"group_automatic_klu"}},
