@@ -8,7 +8,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Of the tolerance, what one more correction is not made for. The monitors state what it leaves.
-constexpr double left_share = 0.3;
+constexpr double left_share = 0.1;
 
 }  // namespace
 
