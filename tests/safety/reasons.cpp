@@ -16,6 +16,7 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
+#include "tests/safety/limited_motions.h"
 
 namespace desmo {
 namespace {
@@ -84,40 +85,22 @@ TEST(Reasons, AreNoJumpWhereStepsAreLongAndAccelerationsAreNotSolved) {
     }
 }
 
-/// Of a motion at late times its drivers are to blame, at a condition number of ten.
-TEST(Reasons, NameRoundedDriversAtLateTimes) {
-  Model m = four_bar_model(1);
-  Discard observer;
-  const MonitoredSummary s =
-      run_monitored(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
-                    {0x1p26, 0.125, 9}, {}, observer, {});
-  ASSERT_TRUE(s.first_degraded);
-  EXPECT_EQ(s.first_degraded->assessment.limit, Limit::drivers);
-}
-
-/// Links of a millimetre on a crank of ten kilometres, at a distance of 1e-3 from a pivot.
-TEST(Reasons, NameSizesThatDiffer) {
-  constexpr double large = 1e4, small = 1e-3;
-  const Scene scene =
-      extremes::case_of("sizes",
-                        extremes::one_dyad(large, small / large, large + small / 2, small, small),
-                        small / large / 10, {0, 0.1, 11})
-          .scene;
-  const Model m = make_model(scene);
-  for (const char* id : {"global_automatic_klu", "group_automatic_eigen"}) {
-    Discard observer;
-    const MonitoredSummary s =
-        run_monitored(*make_formulation(find_variant(id), m, {}), scene.grid, {}, observer, {});
-    ASSERT_TRUE(s.first_degraded) << id;
-    EXPECT_EQ(s.first_degraded->assessment.limit, Limit::sizes) << id;
-  }
+TEST(Reasons, NameWhatLimitsAMotion) {
+  for (const LimitedMotion& m : limited_motions())
+    for (const char* id : {"global_automatic_klu", "group_automatic_eigen",
+                           "group_symbolic_inlined", "block_symbolic_explicit"}) {
+      Discard observer;
+      const MonitoredSummary s =
+          run_monitored(*make_formulation(find_variant(id), m.model), m.grid, {}, observer);
+      ASSERT_TRUE(s.first_degraded) << m.name << ", " << id;
+      EXPECT_EQ(s.first_degraded->assessment.limit, m.limit) << m.name << ", " << id;
+    }
 }
 
 /// A four-bar of 60 mm is carried at 100 m/s. Assembled from where it was, it may be its mirror
 /// image, 10⁵ times smaller than what it moves by.
 TEST(Reasons, AreNoCrossingWhereASmallPartIsCarriedFast) {
-  const std::vector<ExtremeCase> cases = extremes::scales(Extent::brief);
-  Scene scene = std::ranges::find(cases, "60 mm on an arm of 10 km", &ExtremeCase::name)->scene;
+  Scene scene = four_bar_on_arm("60 mm on an arm of 10 km");
   scene.motions[0] = Polynomial{{0, 1e-2}};
   const Model m = make_model(scene);
   const int c = m.entities[m.find("C")].first;
@@ -138,12 +121,7 @@ TEST(Reasons, AreNoCrossingWhereASmallPartIsCarriedFast) {
 /// Links of a millimetre on a crank of a thousand kilometres: rounding of points so far away is not
 /// taken for a mechanism that cannot be assembled.
 TEST(Reasons, AreNoDeficitWhereLengthsDiffer) {
-  constexpr double large = 1e6, small = 1e-3;
-  const Scene scene =
-      extremes::case_of("sizes",
-                        extremes::one_dyad(large, small / large, large + small / 2, small, small),
-                        small / large / 10, {0, 0.1, 11})
-          .scene;
+  const Scene scene = small_dyad(1e6);
   const Model m = make_model(scene);
   Discard observer;
   const MonitoredSummary s = run_monitored(
@@ -152,9 +130,7 @@ TEST(Reasons, AreNoDeficitWhereLengthsDiffer) {
 }
 
 TEST(Reasons, NameLengthsThatDifferWhereTheyLeaveTooFewDigits) {
-  const std::vector<ExtremeCase> cases = extremes::scales(Extent::brief);
-  Mechanism mechanism =
-      std::ranges::find(cases, "60 mm on an arm of 10 km", &ExtremeCase::name)->scene.mechanism;
+  Mechanism mechanism = four_bar_on_arm("60 mm on an arm of 10 km").mechanism;
   for (Mechanism::Point& p : mechanism.points)
     if (p.name != "O") p.position[0] += 1e7 - 1e4;
   const std::vector<Motion> motions{Polynomial{{0, 1e-7}}, Polynomial{{1, 1}}};
@@ -165,16 +141,6 @@ TEST(Reasons, NameLengthsThatDifferWhereTheyLeaveTooFewDigits) {
     EXPECT_NE(std::string(error.what()).find("lengths in it differ"), std::string::npos)
         << error.what();
   }
-}
-
-TEST(Reasons, NameASingularPositionNearADeadPoint) {
-  const Model m = locking_four_bar(Polynomial{{dead_point - 1e-11, 1}});
-  Discard observer;
-  const MonitoredSummary s =
-      run_monitored(*make_formulation(find_variant("group_symbolic_inlined"), m, {}), {0, 1, 1}, {},
-                    observer, {});
-  ASSERT_TRUE(s.first_degraded);
-  EXPECT_EQ(s.first_degraded->assessment.limit, Limit::singular_position);
 }
 
 /// Outcome and bounds are one: what is stated beyond the limits is degraded, and only that.

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "formulations/scaling/characteristic_lengths.h"
 #include "formulations/verification/assessment/inverse_norm.h"
 
 namespace desmo {
@@ -107,7 +106,7 @@ bool NominalContinuation::begin() {
   signs_.assign(signs.begin(), signs.end());
   if (signs_ != declared) return false;
   std::optional<double> nearest_of_many;
-  const std::vector<double> lengths = CharacteristicLengths(model_, nominal_.q).of_coordinates();
+  const std::vector<double> lengths = system_.magnitudes_at(nominal_.q);
   for (int j = 0; j < system_.size(); ++j) {
     const int i = system_.unknowns()[j];
     if (system_.block_size(j) == 1) continue;  // signs decide

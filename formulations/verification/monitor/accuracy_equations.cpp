@@ -13,7 +13,7 @@ AccuracyMonitor::State::State(const State& before, std::unique_ptr<const Model> 
       options(before.options),
       has_others(true),
       limits(before.limits),
-      assessor(model, options.levels, options.asked),
+      assessor(model, options.levels, options.asked, norm()),
       asked(before.asked),
       measured(model, assessor.system(), assessor.levels(), asked),
       scales(before.scales),
