@@ -14,7 +14,7 @@ namespace desmo::promise {
 namespace {
 
 /// Condition number above which other equations may determine rates to more digits.
-constexpr double poor = 1e3;
+constexpr double poor = 1e2;
 
 ReferenceInstant rounded(double time, const GlobalSolver<Quadruple>& solver) {
   ReferenceInstant r{time, {}, {}, {}};
