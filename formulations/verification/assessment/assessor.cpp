@@ -122,7 +122,7 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
   double own = 1, worst = 0;
   if (system_.size() > 0) {
     IrreducibleBlocks blocks{system_};
-    worst = of_change_(blocks, weights_, change_).value / spread;
+    worst = of_change_(blocks, weights_, system_.block_row_sums()).value;
     if (worst > near_singular) return Limit::singular_position;
     own = of_change_(system_, weights_, change_).value;
   }
