@@ -55,13 +55,14 @@ void list_rows(const Model& m, GroupSystem& s) {
     for (int r = 0; r < rows(m.constraints[c]); ++r) s.rows.emplace_back(c, r);
 }
 
-Lineariser::Lineariser(const Model& model)
+Lineariser::Lineariser(const Model& model, Lengths which)
     : m_(model), scale_(model.state_size(), 1.0), column_(model.state_size(), -1) {
   const CharacteristicLengths lengths(m_);
   for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e) {
     if (!is_length(m_.entities[e].kind)) continue;
-    std::fill_n(scale_.begin() + m_.state_index(e), m_.entities[e].size,
-                std::ldexp(1, std::ilogb(lengths.of(e))));
+    std::fill_n(
+        scale_.begin() + m_.state_index(e), m_.entities[e].size,
+        std::ldexp(1, std::ilogb(which == Lengths::longest ? lengths.of(e) : lengths.shortest(e))));
   }
 }
 
@@ -113,17 +114,13 @@ void Lineariser::move(std::vector<double>& state, const GroupSystem& s,
     state[s.columns[j]] += scale_[s.columns[j]] * step[j];
 }
 
-bool RowSpace::add(Eigen::VectorXd row) {
+bool RowSpace::add(Eigen::VectorXd row, double uncertain) {
   if (rank_ == basis_.cols()) return false;
-  constexpr double determined = 1 - 1e-9, noise = 1e-7;
-  const double length = by_rest_ ? (share_.array() < determined).select(row, 0).norm() : 1;
   for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding left
     row -= basis_.leftCols(rank_) * (basis_.leftCols(rank_).transpose() * row);
   const double remaining = row.norm();
-  if (!(length > noise) || !(remaining > dependent_below * length)) return false;
-  row /= remaining;
-  share_ += row.cwiseAbs2();
-  basis_.col(rank_++) = row;
+  if (!(remaining > std::max(dependent_below, uncertainty_margin * uncertain))) return false;
+  basis_.col(rank_++) = row / remaining;
   return true;
 }
 

@@ -71,11 +71,11 @@ bool make_scalar(Constraint& constraint) {
 }  // namespace
 
 RowSelector::RowSelector(Candidates& candidates, const JudgedPositions& positions,
-                         Lineariser& lineariser)
+                         Linearisers& linearisers)
     : m_(candidates.model),
       origins_(candidates.origins),
       positions_(positions),
-      lineariser_(lineariser),
+      linearisers_(linearisers),
       moves_(m_.state_size()) {
   for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
     std::fill_n(moves_.begin() + m_.state_index(e), m_.entities[e].size, !m_.is_at_rest(e));
@@ -103,15 +103,21 @@ void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
 SelectedRows RowSelector::select(const GroupSystem& s) {
   SelectedRows selected;
   for (std::size_t p = 0; p < positions_.size(); ++p)
-    selected.jacobians[p] = lineariser_.at(positions_[p], s).jacobian;
+    selected.jacobians[p] = linearisers_.usual.at(positions_[p], s).jacobian;
   const std::vector<int> order = preference(s);
   int best_rank = -1;
-  const auto take = [&](int p, const std::vector<bool>& among, bool by_rest = false) {
+  const auto take_rows = [&](const Eigen::MatrixXd& jacobian, const std::vector<bool>& among,
+                             const VectorXd& uncertain) {
     std::vector<bool> taken(s.rows.size(), false);
-    RowSpace space(s.unknowns, by_rest);
+    RowSpace space(s.unknowns);
     for (const int i : order)
-      if (among[i]) taken[i] = space.add(selected.jacobians[p].row(i).head(s.unknowns).transpose());
+      if (among[i])
+        taken[i] = space.add(jacobian.row(i).head(s.unknowns).transpose(), uncertain[i]);
     return std::pair(space.rank(), std::move(taken));
+  };
+  const VectorXd certain = VectorXd::Zero(static_cast<Eigen::Index>(s.rows.size()));
+  const auto take = [&](int p, const std::vector<bool>& among) {
+    return take_rows(selected.jacobians[p], among, certain);
   };
   const std::vector<bool> all(s.rows.size(), true);
   for (const int p : {1, 2, 0}) {
@@ -122,9 +128,13 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
     if (best_rank == s.unknowns) break;
   }
   // A small body on a large one may look free by the lengths of the large one.
-  if (best_rank < s.unknowns)
-    if (auto [rank, taken] = take(0, all, true); rank == s.unknowns)
+  if (best_rank < s.unknowns) {
+    const Linearisation small = linearisers_.of_small.at(positions_[0], s);
+    if (auto [rank, taken] = take_rows(small.jacobian, all, small.rounding); rank == s.unknowns)
       selected.taken = std::move(taken);
+    else if (small.rounding.size() > 0)
+      selected.uncertain = small.rounding.maxCoeff();
+  }
   if (std::ranges::find(selected.taken, false) == selected.taken.end()) return selected;
   // Of rows that would do, those that do in the nominal position, too: a motion may rest there.
   if (auto [rank, taken] = take(0, all);
@@ -164,18 +174,22 @@ bool RowSelector::shorten_definitions(const GroupSystem& s, const std::vector<bo
 }
 
 JudgedPositions assemble_positions(const Model& m, const std::vector<GroupSystem>& systems,
-                                   Lineariser& lineariser) {
+                                   Linearisers& linearisers) {
   JudgedPositions positions;
   std::vector<double>& nominal = positions[0];
   nominal = m.estimate;
   nominal.insert(nominal.end(), m.fixed_values.begin(), m.fixed_values.end());
-  for (const GroupSystem& s : systems)
-    if (!assemble(nominal, s, lineariser))
-      refuse_assembly(m, s, lineariser.at(nominal, s).relative_phi());
+  for (const GroupSystem& s : systems) {
+    const std::vector<double> estimate = nominal;
+    if (assemble(nominal, s, linearisers.usual)) continue;
+    nominal = estimate;
+    if (!assemble(nominal, s, linearisers.of_small))
+      refuse_assembly(m, s, linearisers.of_small.at(nominal, s).relative_phi());
+  }
   for (std::size_t p = 1; p < positions.size(); ++p) {
     positions[p] = nominal;
     for (double amount = 0.02; amount > 0.002; amount /= 2)
-      if (auto state = perturb(nominal, amount, static_cast<int>(p), systems, lineariser)) {
+      if (auto state = perturb(nominal, amount, static_cast<int>(p), systems, linearisers.usual)) {
         positions[p] = std::move(*state);
         break;
       }
