@@ -17,8 +17,8 @@ namespace {
 /// How much of what comes before an equation may be uncertain: its share of a derivative below
 /// which this may be zero.
 constexpr double certain = 1e-8;
-/// A distance below this, relative to the bodies around it, is no measure of its changes.
-constexpr double all_but_zero = 1e-7;
+/// Shortest of a point's lengths that counts, relative to the longest: others are all but zero.
+constexpr double min_share = 1e-10;
 /// Rounding of each number that an equation reads, relative to it.
 constexpr double ulps = 0x1p-52;
 
@@ -60,20 +60,13 @@ void list_rows(const Model& m, GroupSystem& s) {
 Lineariser::Lineariser(const Model& model, Lengths which)
     : m_(model), scale_(model.state_size(), 1.0), column_(model.state_size(), -1) {
   const CharacteristicLengths lengths(m_);
-  const auto put = [&](EntityId e, double length) {
+  for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e) {
+    if (!is_length(m_.entities[e].kind)) continue;
+    double length = lengths.of(e);
+    if (which == Lengths::shortest) length = std::max(lengths.shortest(e), min_share * length);
     std::fill_n(scale_.begin() + m_.state_index(e), m_.entities[e].size,
                 std::ldexp(1, std::ilogb(length)));
-  };
-  for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
-    if (is_length(m_.entities[e].kind))
-      put(e, which == Lengths::longest ? lengths.of(e) : lengths.shortest(e));
-  if (which == Lengths::shortest) return;
-  // A distance that the nominal position makes all but zero grows by what it is measured between.
-  for (const Constraint& c : m_.constraints)
-    for (const EntityId e : c.operands)
-      if (m_.entities[e].kind == EntityKind::distance &&
-          lengths.of(e) < all_but_zero * lengths.of(c))
-        put(e, lengths.of(c));
+  }
 }
 
 Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem& s) {

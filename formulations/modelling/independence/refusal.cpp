@@ -75,11 +75,11 @@ std::string described(const Contradiction& c, const Model& m, const GroupSystem&
          " at best";
 }
 
-/// "rounding far from the origin is 2e-06 of the lengths of its bodies"
+/// "rounding of its positions is 2e-06 of the shortest of its lengths"
 std::string unclear(double uncertain) {
   char share[16];
   std::snprintf(share, sizeof share, "%.0e", uncertain);
-  return std::string("rounding far from the origin is ") + share + " of the lengths of its bodies";
+  return std::string("rounding of its positions is ") + share + " of the shortest of its lengths";
 }
 
 }  // namespace
@@ -111,9 +111,10 @@ void require_determined(const Model& m, const GroupSystem& s, const SelectedRows
                                 described(*contradiction, m, s));
   if (count == s.unknowns) return;
   if (uncertainty_margin * selected.uncertain > dependent_below)
-    throw std::invalid_argument(where(m, s) + unclear(selected.uncertain) +
-                                ", so that it cannot be told whether '" + loosest(m, s, selected) +
-                                "' is determined; choose an origin nearer to these bodies");
+    throw std::invalid_argument(
+        where(m, s) + unclear(selected.uncertain) + ", so that it cannot be told whether '" +
+        loosest(m, s, selected) +
+        "' is determined; place it nearer to the origin, or let its lengths differ less");
   if (freedoms > s.drivers())
     throw std::invalid_argument(
         where(m, s) + "under-constrained: " + counted(freedoms - s.drivers(), "freedom") +
