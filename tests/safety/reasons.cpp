@@ -131,11 +131,10 @@ TEST(Reasons, AreNoDeficitWhereLengthsDiffer) {
 
 /// Speeds of which rounding leaves no digit are no singular position.
 TEST(Reasons, NameRoundedDriversWhereNoPositionIsLeft) {
+  const Model m = locking_four_bar(Polynomial{{0.5, 1e99}});
   Discard observer;
-  const MonitoredSummary s =
-      run_monitored(*make_formulation(find_variant("global_automatic_klu"),
-                                      locking_four_bar(Polynomial{{0.5, 1e99}})),
-                    {0, 0.1, 3}, {}, observer);
+  const MonitoredSummary s = run_monitored(
+      *make_formulation(find_variant("global_automatic_klu"), m), {0, 0.1, 3}, {}, observer);
   EXPECT_EQ(s.outcome(), Outcome::failed);
   EXPECT_EQ(s.limit, Limit::drivers);
 }
