@@ -40,10 +40,13 @@ CharacteristicLengths::CharacteristicLengths(const Model& m)
     : CharacteristicLengths(m, m.estimate) {}
 
 CharacteristicLengths::CharacteristicLengths(const Model& m, std::span<const double> q)
-    : m_(m), about_(m.entities.size()), of_group_(m.groups.size()) {
+    : m_(m), about_(m.entities.size()), of_group_(m.groups.size()), shortest_(m.entities.size()) {
   for (const Constraint& c : m.constraints) {
     const double length = extent(m, q, c);
-    for (const EntityId e : c.operands) about_[e] = std::max(about_[e], length);
+    for (const EntityId e : c.operands) {
+      about_[e] = std::max(about_[e], length);
+      if (length > 0) shortest_[e] = shortest_[e] > 0 ? std::min(shortest_[e], length) : length;
+    }
     of_group_[c.group] = std::max(of_group_[c.group], length);
     of_all_ = std::max(of_all_, length);
   }
@@ -57,6 +60,10 @@ double CharacteristicLengths::or_wider(double length, GroupId group) const {
 
 double CharacteristicLengths::of(EntityId e) const {
   return or_wider(about_[e], m_.entities[e].group);
+}
+
+double CharacteristicLengths::shortest(EntityId e) const {
+  return or_wider(shortest_[e], m_.entities[e].group);
 }
 
 std::vector<double> CharacteristicLengths::of_coordinates() const {

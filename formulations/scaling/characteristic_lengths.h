@@ -22,6 +22,9 @@ class CharacteristicLengths {
   /// largest length of the group, else of the mechanism, else 1.
   double of(EntityId entity) const;
 
+  /// Returns the shortest of these distances that is not zero; falls back likewise.
+  double shortest(EntityId entity) const;
+
   /// Returns the length of each coordinate's point or distance; 1 for vectors and angles.
   std::vector<double> of_coordinates() const;
 
@@ -33,6 +36,7 @@ class CharacteristicLengths {
 
   const Model& m_;
   std::vector<double> about_, of_group_;  // by entity, by group; 0: no length
+  std::vector<double> shortest_;          // by entity
   double of_all_ = 0;
 };
 

@@ -56,6 +56,16 @@ TEST(Refused, MissingDriver) {
                   "'theta'", "'psi'"});
 }
 
+/// In the plane a rod between two pins cannot spin about their line.
+TEST(Refused, MissingDriverWithoutASpin) {
+  try {
+    static_cast<void>(model_mechanism(four_bar_sketch().release(), {}));
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()).find("spin"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Refused, BothDriversOnOneChainWhileAnotherIsFree) {
   Sketch d = four_bar_sketch();
   const int O = d.ground_point("O", {9, 0, 0}), E = d.point("E", {10, 0, 0});

@@ -49,19 +49,24 @@ TEST(Turns, WithinReachAreNotFlagged) {
   EXPECT_EQ(s.outcome(), Outcome::converged) << describe(s, m);
 }
 
-/// Of rows nothing is known between them but what they say: a polynomial through both.
-TEST(Turns, BetweenRowsAreFlagged) {
+/// Of rows nothing is known between them but what they say: a polynomial through both. Later rows
+/// are flagged, too, like a run as a whole: they go on from there.
+TEST(Turns, BetweenRowsAreFlaggedFromThenOn) {
   const Model m = turning_four_bar(1e-10);
   const auto f = make_formulation(find_variant("global_automatic_klu"), m);
   LiveRun live(*f);
-  bool flagged = false;
-  for (int t = 0; t <= 5; ++t) {
-    const MotionSample<double> z = sample(m.drivers[0].motion, double(t));
+  const auto step = [&](double t) {
+    const MotionSample<double> z = sample(m.drivers[0].motion, t);
     const std::vector<double> position{z.position}, velocity{z.velocity}, second{z.acceleration};
-    const LiveSummary s = live.step({double(t), position, velocity, second});
-    if (t == 5) flagged = s.outcome() != Outcome::converged;
+    return live.step({t, position, velocity, second});
+  };
+  for (int t = 0; t <= 8; ++t) {
+    const LiveSummary s = step(t);
+    EXPECT_EQ(s.outcome() == Outcome::converged, t < 5) << t;
+    EXPECT_EQ(s.crossing.has_value(), s.outcome() == Outcome::degraded && t == 5) << t;
   }
-  EXPECT_TRUE(flagged);
+  live.restart();
+  EXPECT_EQ(step(0).outcome(), Outcome::converged);
 }
 
 }  // namespace

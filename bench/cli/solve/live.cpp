@@ -29,8 +29,12 @@ MonitoredSummary as_motion(const LiveSummary& s) {
   motion.condition = s.assessment.condition;
   motion.bound = s.assessment.bound;
   if (s.degraded) motion.first_degraded = Degradation{0, s.time, s.assessment};
-  motion.crossing = s.crossing;
+  motion.crossing = s.first_crossing;
   motion.violated = s.violated;
+  const Limit limit = s.assessment.limit;
+  if (s.outcome() == Outcome::failed && limit != Limit::singular_position &&
+      limit != Limit::rounding)
+    motion.limit = limit;
   return motion;
 }
 

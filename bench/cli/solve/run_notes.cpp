@@ -43,6 +43,18 @@ const char* limit_text(Limit limit) {
   return "rounding, which is more than the tolerance allows: ";
 }
 
+/// Returns what rounding leaves no digit of, and what to do.
+std::string rounding_text(Limit limit) {
+  return limit == Limit::drivers
+             ? "rounding of the drivers' values, so large, leaves too few digits; choose a slower "
+               "motion, or earlier times"
+         : limit == Limit::origin
+             ? "rounding of the coordinates, so far from the origin, leaves too few digits; place "
+               "the mechanism nearer to it"
+             : "rounding, with lengths of so different sizes, leaves too few digits; let them "
+               "differ less";
+}
+
 std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m) {
   if (!d || d->constraint < 0) return "";
   const bool has_unit = d->is_length && m.length_unit != "1";
@@ -180,7 +192,9 @@ std::string note_on_flags(const MonitoredSummary& s, Level level, const Model& m
     note += "accuracy: degraded: " + count(s.degraded, "instant") + " of " +
             std::to_string(s.instants) + ", the first at " +
             degradation_text(*s.first_degraded, level, m) + '\n';
-  if (s.crossing) note += "accuracy: degraded: " + crossing_text(*s.crossing, m) + '\n';
+  if (s.crossing)
+    note += "accuracy: degraded: " + crossing_text(*s.crossing, m) +
+            (s.limit ? ", or rounding makes it look so" : "") + '\n';
   return note;
 }
 
@@ -210,6 +224,9 @@ std::string overflow_text(const std::string& column, double time) {
 }
 
 std::string failure_text(const MonitoredSummary& s, const Model& m) {
+  if (s.limit)
+    return group_text(s.group, m) + moment(s.time) +
+           ": no position can be told: " + rounding_text(*s.limit);
   if (s.violated >= 0) return branch_text(s.violated, s.time, m);
   struct Reason {
     const char *what, *remedy;

@@ -39,6 +39,7 @@ std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& d, const RigidBodie
 }
 
 std::string undetermined_spin(const Mechanism& d, const RigidBodies& rigid, int body) {
+  if (d.dimension == 2) return {};
   std::vector<int> centres;
   for (const Mechanism::Joint& j : d.joints) {
     if (!concerns(rigid, j, body)) continue;

@@ -52,7 +52,7 @@ Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid);
 /// prevents the spin gives the body a vector across the line.)
 std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& mechanism, const RigidBodies& rigid);
 
-/// Returns the axis about which an under-constrained rigid body can spin, if its only joints are
+/// Returns the axis about which an under-constrained spatial body can spin, if its only joints are
 /// spherical and have two centres; otherwise an empty string.
 std::string undetermined_spin(const Mechanism& mechanism, const RigidBodies& rigid, int body);
 

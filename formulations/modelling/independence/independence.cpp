@@ -119,15 +119,15 @@ void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
 std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus) {
   Model& m = candidates.model;
   std::vector<GroupSystem> systems = group_systems(m);
-  Lineariser lineariser(m);
-  const JudgedPositions positions = assemble_positions(m, systems, lineariser);
-  RowSelector selector(candidates, positions, lineariser);
+  Linearisers linearisers(m);
+  const JudgedPositions positions = assemble_positions(m, systems, linearisers);
+  RowSelector selector(candidates, positions, linearisers);
   std::vector<LeftOut> left_out;
   for (GroupSystem& s : systems) {
     SelectedRows selected = selector.select(s);
     std::optional<Contradiction> contradiction;
     if (surplus[s.group] > 0 && s.drivers() > 0)
-      contradiction = find_contradiction(m, s, positions[1], lineariser);
+      contradiction = find_contradiction(m, s, positions[1], linearisers.usual);
     // Of whole definitions: parts of them contradict nothing.
     require_determined(m, s, selected, contradiction);
     selector.shorten(s, selected);

@@ -17,6 +17,8 @@ namespace {
 /// How much of what comes before an equation may be uncertain: its share of a derivative below
 /// which this may be zero.
 constexpr double certain = 1e-8;
+/// Shortest of a point's lengths that counts, relative to the longest: others are all but zero.
+constexpr double min_share = 1e-10;
 /// Rounding of each number that an equation reads, relative to it.
 constexpr double ulps = 0x1p-52;
 
@@ -55,13 +57,15 @@ void list_rows(const Model& m, GroupSystem& s) {
     for (int r = 0; r < rows(m.constraints[c]); ++r) s.rows.emplace_back(c, r);
 }
 
-Lineariser::Lineariser(const Model& model)
+Lineariser::Lineariser(const Model& model, Lengths which)
     : m_(model), scale_(model.state_size(), 1.0), column_(model.state_size(), -1) {
   const CharacteristicLengths lengths(m_);
   for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e) {
     if (!is_length(m_.entities[e].kind)) continue;
+    double length = lengths.of(e);
+    if (which == Lengths::shortest) length = std::max(lengths.shortest(e), min_share * length);
     std::fill_n(scale_.begin() + m_.state_index(e), m_.entities[e].size,
-                std::ldexp(1, std::ilogb(lengths.of(e))));
+                std::ldexp(1, std::ilogb(length)));
   }
 }
 
@@ -113,17 +117,13 @@ void Lineariser::move(std::vector<double>& state, const GroupSystem& s,
     state[s.columns[j]] += scale_[s.columns[j]] * step[j];
 }
 
-bool RowSpace::add(Eigen::VectorXd row) {
+bool RowSpace::add(Eigen::VectorXd row, double uncertain) {
   if (rank_ == basis_.cols()) return false;
-  constexpr double determined = 1 - 1e-9, noise = 1e-7;
-  const double length = by_rest_ ? (share_.array() < determined).select(row, 0).norm() : 1;
   for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding left
     row -= basis_.leftCols(rank_) * (basis_.leftCols(rank_).transpose() * row);
   const double remaining = row.norm();
-  if (!(length > noise) || !(remaining > dependent_below * length)) return false;
-  row /= remaining;
-  share_ += row.cwiseAbs2();
-  basis_.col(rank_++) = row;
+  if (!(remaining > std::max(dependent_below, uncertainty_margin * uncertain))) return false;
+  basis_.col(rank_++) = row / remaining;
   return true;
 }
 

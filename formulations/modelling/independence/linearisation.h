@@ -46,8 +46,13 @@ struct Linearisation {
 /// A lineariser of the group systems of a model.
 class Lineariser {
  public:
+  /// Lengths by which points and distances are measured: of the bodies around them
+  /// (CharacteristicLengths), the longest or the shortest. By the shortest a small body that large
+  /// ones carry is not lost.
+  enum class Lengths { longest, shortest };
+
   /// Finds the natural magnitudes. The model must outlive the object; its constraints may change.
-  explicit Lineariser(const Model& model);
+  explicit Lineariser(const Model& model, Lengths lengths = Lengths::longest);
 
   Linearisation at(const std::vector<double>& state, const GroupSystem& system);
 
@@ -64,22 +69,21 @@ class Lineariser {
 /// A row of length 1 depends on others when its component orthogonal to them is not longer than
 /// this.
 inline constexpr double dependent_below = 1e-6;
+/// The same of a row whose derivatives are uncertain, times that.
+inline constexpr double uncertainty_margin = 10;
 
 /// The span of independent rows, added one by one.
 class RowSpace {
  public:
-  /// by_rest: a row is judged by its length along the columns that the rows before leave open.
-  explicit RowSpace(int columns, bool by_rest = false)
-      : basis_(columns, columns), share_(Eigen::VectorXd::Zero(columns)), by_rest_(by_rest) {}
+  explicit RowSpace(int columns) : basis_(columns, columns) {}
 
   /// Adds a row of length ≤ 1 if it is independent of the rows before. Returns whether it was.
-  bool add(Eigen::VectorXd row);
+  /// uncertain: by how much its derivatives may be off, relative to the largest.
+  bool add(Eigen::VectorXd row, double uncertain = 0);
   int rank() const { return rank_; }
 
  private:
   Eigen::MatrixXd basis_;
-  Eigen::VectorXd share_;  // of each column's unit vector within the span
-  bool by_rest_;
   int rank_ = 0;
 };
 

@@ -75,23 +75,11 @@ std::string described(const Contradiction& c, const Model& m, const GroupSystem&
          " at best";
 }
 
-/// "; its lengths differ by a factor of 2e+07, …" where they do so much that rounding may be to
-/// blame, else nothing.
-std::string size_hint(const Model& m, const GroupSystem& s) {
-  constexpr double far_apart = 1e6;
-  const CharacteristicLengths lengths(m);
-  double shortest = INFINITY, longest = 0;
-  for (int c = s.first_constraint; c < s.end_constraint; ++c)
-    for (const EntityId e : m.constraints[c].operands) {
-      if (!is_length(m.entities[e].kind)) continue;
-      shortest = std::min(shortest, lengths.of(e));
-      longest = std::max(longest, lengths.of(e));
-    }
-  if (!(longest > far_apart * shortest)) return {};
-  char factor[16];
-  std::snprintf(factor, sizeof factor, "%.0e", longest / shortest);
-  return std::string("; lengths in it differ by a factor of ") + factor +
-         ", of which rounding may leave too few digits";
+/// "rounding of its positions is 2e-06 of the shortest of its lengths"
+std::string unclear(double uncertain) {
+  char share[16];
+  std::snprintf(share, sizeof share, "%.0e", uncertain);
+  return std::string("rounding of its positions is ") + share + " of the shortest of its lengths";
 }
 
 }  // namespace
@@ -99,10 +87,10 @@ std::string size_hint(const Model& m, const GroupSystem& s) {
 void refuse_assembly(const Model& m, const GroupSystem& s, const VectorXd& phi) {
   Eigen::Index worst = 0;
   if (phi.allFinite()) phi.cwiseAbs().maxCoeff(&worst);
-  throw std::invalid_argument(
-      where(m, s) + "cannot be assembled near its nominal position; constraint '" +
-      m.constraints[s.rows[worst].first].name +
-      "' is satisfied worst; check the dimensions of these bodies" + size_hint(m, s));
+  throw std::invalid_argument(where(m, s) +
+                              "cannot be assembled near its nominal position; constraint '" +
+                              m.constraints[s.rows[worst].first].name +
+                              "' is satisfied worst; check the dimensions of these bodies");
 }
 
 void require_determined(const Model& m, const GroupSystem& s, const SelectedRows& selected,
@@ -122,11 +110,16 @@ void require_determined(const Model& m, const GroupSystem& s, const SelectedRows
                                 "inconsistent: constraints contradict each other as it moves: " +
                                 described(*contradiction, m, s));
   if (count == s.unknowns) return;
+  if (uncertainty_margin * selected.uncertain > dependent_below)
+    throw std::invalid_argument(
+        where(m, s) + unclear(selected.uncertain) + ", so that it cannot be told whether '" +
+        loosest(m, s, selected) +
+        "' is determined; place it nearer to the origin, or let its lengths differ less");
   if (freedoms > s.drivers())
     throw std::invalid_argument(
         where(m, s) + "under-constrained: " + counted(freedoms - s.drivers(), "freedom") +
         " not determined by any joint or driver ('" + loosest(m, s, selected) +
-        "' can still move); add a driver or a joint" + size_hint(m, s));
+        "' can still move); add a driver or a joint");
   const std::string drivers =
       s.drivers() > 0 ? "its drivers (" + driver_names(m, s) + ") do" : "what comes before it does";
   throw std::invalid_argument(where(m, s) + drivers + " not determine it: '" +

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "formulations/modelling/independence/refusal.h"
+#include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/scaling/scales.h"
 #include "formulations/structure/incidence.h"
 
 namespace desmo {
@@ -37,10 +39,24 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
   return largest < vanishes;
 }
 
+/// Assembles a group by the longest lengths. Where these lose small bodies on large ones, assembles
+/// it by the shortest.
+bool assemble(std::vector<double>& state, const GroupSystem& s, Linearisers& linearisers) {
+  constexpr double hardly_off = 1e-7;  // which no rank depends on
+  const std::vector<double> estimate = state;
+  if (!assemble(state, s, linearisers.usual))
+    state = estimate;
+  else if (s.rows.empty() ||
+           linearisers.of_small.at(state, s).relative_phi().maxCoeff() <= hardly_off)
+    return true;
+  return assemble(state, s, linearisers.of_small);
+}
+
 /// Moves every group a little along its freedoms and assembles it anew.
 std::optional<std::vector<double>> perturb(std::vector<double> state, double amount, int seed,
                                            const std::vector<GroupSystem>& systems,
-                                           Lineariser& lineariser) {
+                                           Linearisers& linearisers) {
+  Lineariser& lineariser = linearisers.usual;
   std::mt19937 random(seed);
   for (const GroupSystem& s : systems) {
     const Eigen::MatrixXd jacobian = lineariser.at(state, s).jacobian;
@@ -48,9 +64,32 @@ std::optional<std::vector<double>> perturb(std::vector<double> state, double amo
     for (double& x : step) x = amount * (random() / 2147483648.0 - 1);
     if (jacobian.size() > 0) step -= smallest_correction(jacobian, jacobian * step);
     lineariser.move(state, s, step);
-    if (!assemble(state, s, lineariser)) return std::nullopt;
+    if (!assemble(state, s, linearisers)) return std::nullopt;
   }
   return state;
+}
+
+/// Returns by how much rounding of positions may change the derivatives of rows, relative to them:
+/// rounding over the lengths of small bodies. Those of linear equations are constant.
+VectorXd uncertainty(const Model& m, const std::vector<double>& state, const GroupSystem& s) {
+  constexpr double unit = 0x1p-52;
+  const CharacteristicLengths lengths(m);
+  VectorXd result = VectorXd::Zero(static_cast<Eigen::Index>(s.rows.size()));
+  for (std::size_t r = 0; r < s.rows.size(); ++r) {
+    const Constraint& c = m.constraints[s.rows[r].first];
+    bool linear = false;
+    visit_kind(c.kind, [&](auto kind) { linear = kind.linear; });
+    if (linear) continue;
+    double shortest = INFINITY, farthest = 0;
+    for (const EntityId e : c.operands) {
+      if (!is_length(m.entities[e].kind)) continue;
+      shortest = std::min(shortest, lengths.of(e));
+      for (int i = 0; i < m.entities[e].size; ++i)
+        farthest = std::max(farthest, std::abs(state[m.state_index(e) + i]));
+    }
+    result[static_cast<Eigen::Index>(r)] = unit * farthest / shortest;
+  }
+  return result;
 }
 
 /// Whether the constraint is a definition of several equations, replaced by the one that says the
@@ -71,11 +110,11 @@ bool make_scalar(Constraint& constraint) {
 }  // namespace
 
 RowSelector::RowSelector(Candidates& candidates, const JudgedPositions& positions,
-                         Lineariser& lineariser)
+                         Linearisers& linearisers)
     : m_(candidates.model),
       origins_(candidates.origins),
       positions_(positions),
-      lineariser_(lineariser),
+      linearisers_(linearisers),
       moves_(m_.state_size()) {
   for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
     std::fill_n(moves_.begin() + m_.state_index(e), m_.entities[e].size, !m_.is_at_rest(e));
@@ -103,15 +142,21 @@ void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
 SelectedRows RowSelector::select(const GroupSystem& s) {
   SelectedRows selected;
   for (std::size_t p = 0; p < positions_.size(); ++p)
-    selected.jacobians[p] = lineariser_.at(positions_[p], s).jacobian;
+    selected.jacobians[p] = linearisers_.usual.at(positions_[p], s).jacobian;
   const std::vector<int> order = preference(s);
   int best_rank = -1;
-  const auto take = [&](int p, const std::vector<bool>& among, bool by_rest = false) {
+  const auto take_rows = [&](const Eigen::MatrixXd& jacobian, const std::vector<bool>& among,
+                             const VectorXd& uncertain) {
     std::vector<bool> taken(s.rows.size(), false);
-    RowSpace space(s.unknowns, by_rest);
+    RowSpace space(s.unknowns);
     for (const int i : order)
-      if (among[i]) taken[i] = space.add(selected.jacobians[p].row(i).head(s.unknowns).transpose());
+      if (among[i])
+        taken[i] = space.add(jacobian.row(i).head(s.unknowns).transpose(), uncertain[i]);
     return std::pair(space.rank(), std::move(taken));
+  };
+  const VectorXd certain = VectorXd::Zero(static_cast<Eigen::Index>(s.rows.size()));
+  const auto take = [&](int p, const std::vector<bool>& among) {
+    return take_rows(selected.jacobians[p], among, certain);
   };
   const std::vector<bool> all(s.rows.size(), true);
   for (const int p : {1, 2, 0}) {
@@ -122,9 +167,14 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
     if (best_rank == s.unknowns) break;
   }
   // A small body on a large one may look free by the lengths of the large one.
-  if (best_rank < s.unknowns)
-    if (auto [rank, taken] = take(0, all, true); rank == s.unknowns)
+  if (best_rank < s.unknowns) {
+    const Linearisation small = linearisers_.of_small.at(positions_[0], s);
+    const VectorXd uncertain = uncertainty(m_, positions_[0], s);
+    if (auto [rank, taken] = take_rows(small.jacobian, all, uncertain); rank == s.unknowns)
       selected.taken = std::move(taken);
+    else if (uncertain.size() > 0)
+      selected.uncertain = uncertain.maxCoeff();
+  }
   if (std::ranges::find(selected.taken, false) == selected.taken.end()) return selected;
   // Of rows that would do, those that do in the nominal position, too: a motion may rest there.
   if (auto [rank, taken] = take(0, all);
@@ -164,18 +214,19 @@ bool RowSelector::shorten_definitions(const GroupSystem& s, const std::vector<bo
 }
 
 JudgedPositions assemble_positions(const Model& m, const std::vector<GroupSystem>& systems,
-                                   Lineariser& lineariser) {
+                                   Linearisers& linearisers) {
   JudgedPositions positions;
   std::vector<double>& nominal = positions[0];
   nominal = m.estimate;
   nominal.insert(nominal.end(), m.fixed_values.begin(), m.fixed_values.end());
-  for (const GroupSystem& s : systems)
-    if (!assemble(nominal, s, lineariser))
-      refuse_assembly(m, s, lineariser.at(nominal, s).relative_phi());
+  for (const GroupSystem& s : systems) {
+    if (!assemble(nominal, s, linearisers))
+      refuse_assembly(m, s, linearisers.of_small.at(nominal, s).relative_phi());
+  }
   for (std::size_t p = 1; p < positions.size(); ++p) {
     positions[p] = nominal;
     for (double amount = 0.02; amount > 0.002; amount /= 2)
-      if (auto state = perturb(nominal, amount, static_cast<int>(p), systems, lineariser)) {
+      if (auto state = perturb(nominal, amount, static_cast<int>(p), systems, linearisers)) {
         positions[p] = std::move(*state);
         break;
       }

@@ -14,15 +14,26 @@ namespace desmo {
 /// perturbed ones.
 using JudgedPositions = std::array<std::vector<double>, 3>;
 
+/// The linearisers of a model: by the longest lengths and, where these hide small bodies on large
+/// ones, by the shortest.
+struct Linearisers {
+  explicit Linearisers(const Model& model)
+      : usual(model), of_small(model, Lineariser::Lengths::shortest) {}
+  Lineariser usual, of_small;
+};
+
 /// Assembles these positions. Each group may move its unknowns and its drivers. A perturbed
 /// position that cannot be assembled is replaced by the nominal one. Throws std::invalid_argument,
 /// naming group, bodies and constraint, when the nominal position cannot be assembled.
 JudgedPositions assemble_positions(const Model& model, const std::vector<GroupSystem>& systems,
-                                   Lineariser& lineariser);
+                                   Linearisers& linearisers);
 
 /// The independent equations of a group.
 struct SelectedRows {
   std::vector<bool> taken;  ///< whether each row of the system is selected
+  /// Largest uncertainty of a row's derivatives by rounding of positions, where too few rows are
+  /// selected: relative, in the shortest lengths.
+  double uncertain = 0;
   /// Scaled Jacobians of all rows (rows × columns), at each judged position.
   std::array<Eigen::MatrixXd, std::tuple_size_v<JudgedPositions>> jacobians;
 };
@@ -31,7 +42,7 @@ struct SelectedRows {
 class RowSelector {
  public:
   /// Stores references: all arguments must outlive the selector.
-  RowSelector(Candidates& candidates, const JudgedPositions& positions, Lineariser& lineariser);
+  RowSelector(Candidates& candidates, const JudgedPositions& positions, Linearisers& linearisers);
 
   SelectedRows select(const GroupSystem& system);
 
@@ -47,7 +58,7 @@ class RowSelector {
   Model& m_;
   const std::vector<Origin>& origins_;  // source of each constraint
   const JudgedPositions& positions_;
-  Lineariser& lineariser_;
+  Linearisers& linearisers_;
   std::vector<bool> moves_;  // whether each component of the state moves
 };
 

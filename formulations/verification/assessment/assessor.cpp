@@ -112,6 +112,7 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
   constexpr double late = 0x1p-47;       // rounding of drivers, relative to their scale
   constexpr double far = 100;            // times the size
   constexpr double share = 0.1;          // of a bound, that tells where it comes from
+  constexpr double no_digit = 1e-3;      // error that leaves nothing to bound
   double longest = 0, shortest = INFINITY;
   for (const int i : system_.unknowns())
     if (is_length(motion_.kind(i))) {
@@ -124,14 +125,15 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
   double own = 1, worst = 0;
   if (system_.size() > 0) {
     IrreducibleBlocks blocks{system_};
-    worst = of_change_(blocks, weights_, change_).value / spread;
+    worst = of_change_(blocks, weights_, system_.block_row_sums()).value;
     if (worst > near_singular) return Limit::singular_position;
     own = of_change_(system_, weights_, change_).value;
   }
   motion_.take(instant);
   for (const Level level : all_levels) {
     const double rounding = motion_.of_drivers(level, scales);
-    if (rounding > late && a.bound[level] > 0 && a.condition * rounding > share * a.bound[level])
+    const double to_explain = std::min(no_digit, share * a.bound[level]);
+    if (rounding > late && to_explain > 0 && a.condition * rounding > to_explain)
       return Limit::drivers;
   }
   for (const Entity& e : model_.entities)

@@ -239,7 +239,8 @@ double NominalContinuation::condition() {
 double NominalContinuation::own_condition() {
   const Eigen::ArrayXd ones = Eigen::ArrayXd::Ones(system_.size());
   IrreducibleBlocks blocks{system_};
-  return system_.size() > 0 ? InverseNorm(system_.size())(blocks, ones, ones).value : 1;
+  if (system_.size() == 0) return 1;
+  return InverseNorm(system_.size())(blocks, ones, system_.block_row_sums()).value;
 }
 
 /// Returns whether the position solved last is near its prediction, compared with the distances of

@@ -23,7 +23,8 @@ ScaledSystem::ScaledSystem(const Model& m, Norm norm)
       by_drivers_(equations_.rows()),
       sensitivities_(equations_.rows()),
       unknown_shares_(equations_.rows()),
-      row_shares_(equations_.rows()) {
+      row_shares_(equations_.rows()),
+      block_row_sums_(equations_.rows()) {
   unsigned bits = 0;  // signs without a pattern, so that drivers hardly ever cancel
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
@@ -145,6 +146,16 @@ const ScaledSystem::Array& ScaledSystem::sensitivities() {
   sensitivities_ = by_drivers_;
   if (factors_) factors_->solve(sensitivities_.data());
   return sensitivities_;
+}
+
+const ScaledSystem::Array& ScaledSystem::block_row_sums() {
+  block_row_sums_.setZero();
+  for (int j = 0; j < size(); ++j)
+    for (int k = pattern_.column_start[j]; k < pattern_.column_start[j + 1]; ++k)
+      if (const int row = pattern_.row[k];
+          block_[factors_->block_columns()[place_of_row_[row]]] == block_[j])
+        block_row_sums_[row] += std::abs(values_[k]);
+  return block_row_sums_;
 }
 
 /// The signs of each block's pivots times the parity of the row exchanges within it.

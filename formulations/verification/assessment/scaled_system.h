@@ -62,6 +62,9 @@ class ScaledSystem {
   /// W⁻¹.
   const Array& unknown_shares() const { return unknown_shares_; }
   const Array& row_shares() const { return row_shares_; }
+  /// Returns the sums of A's rows over the columns of their own irreducible blocks: what comes
+  /// before a block may be much larger. Valid until the next call.
+  const Array& block_row_sums();
   /// Overwrite X (unknowns × right_sides, column by column) with A⁻¹ X and A⁻ᵀ X.
   void solve(double* x, int right_sides = 1);
   void solve_transposed(double* x, int right_sides = 1);
@@ -94,7 +97,7 @@ class ScaledSystem {
   std::vector<int> slots_;  // position in values_ of each WholeSystem entry; -1: not an unknown
   std::vector<double> values_;
   std::vector<double> state_;  // that of the factors; empty: there are none
-  Array row_sums_, by_drivers_, sensitivities_, unknown_shares_, row_shares_;
+  Array row_sums_, by_drivers_, sensitivities_, unknown_shares_, row_shares_, block_row_sums_;
   std::unique_ptr<KluFactors> factors_;  // null when there are no unknowns
   std::vector<signed char> orientation_;
   std::vector<int> block_, block_size_;  // for each unknown

@@ -193,7 +193,9 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
   if ((summary.crossing = j.crossing)) {
     summary.crossing->after += row.time;
     summary.crossing->before += row.time;
+    if (!first_crossing_) first_crossing_ = summary.crossing;
   }
+  summary.first_crossing = first_crossing_;
   std::ranges::copy(found.q, good_.position.begin());
   if (!good_.velocity.empty()) std::ranges::copy(found.qd, good_.velocity.begin());
   std::ranges::copy(found.qdd, good_.acceleration.begin());
@@ -254,6 +256,7 @@ const Scales& LiveRun::scales() const { return monitors_->accuracy->scales(); }
 void LiveRun::restart() {
   has_position_ = false;
   time_ = 0;
+  first_crossing_.reset();
   steps_of(formulation_).return_to({}, 0);
   const auto reuses = [](const DefinedPart& part) {
     return part.solver->pivots().may_spoil_rates();

@@ -42,13 +42,16 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   bool corrected = false;           ///< the values are better than the formulation's
   bool degraded = false;            ///< conditioning keeps the bounds above their limits
   std::optional<SingularityCrossing> crossing{};  ///< since the last good position
+  /// First crossing since the first row or restart(): from it on every row may be on another
+  /// branch.
+  std::optional<SingularityCrossing> first_crossing{};
   /// Constraint that the solved position violates, since it lies on another branch; the row failed.
   int violated = no_position;
 
   Outcome outcome() const {
-    return status != Status::solved ? Outcome::failed
-           : degraded || crossing   ? Outcome::degraded
-                                    : Outcome::converged;
+    return status != Status::solved     ? Outcome::failed
+           : degraded || first_crossing ? Outcome::degraded
+                                        : Outcome::converged;
   }
 };
 
@@ -78,6 +81,7 @@ std::string describe(const LiveSummary& summary, const Model& model);
 /// - NaN, infinity or a wrong size: failed, with a `fault`; nothing was tried
 /// - a time that repeats or goes back: failed, with a `fault`; set_time() allows it
 /// - values that jump: solved, by sub-steps; with a `crossing` where the branch was left
+/// - values after a crossing: solved, and degraded, since the branch is in doubt until restart()
 /// - values out of reach: failed, not_converged or singular
 ///
 /// After a failure the values are those of the last good row, and the next row starts there. From
@@ -135,6 +139,7 @@ class LiveRun {
   PerLevel<std::vector<double>> good_;  // q, q̇ and q̈ of the last good row
   std::vector<double> tried_;           // z of the row tried last
   double time_ = 0;                     // s, of the last good row
+  std::optional<SingularityCrossing> first_crossing_;
   bool has_position_ = false;
 };
 

@@ -148,7 +148,12 @@ class Run final : Observer {
     summary_.group = m.assessment.group;
     summary_.constraint = no_position;
     summary_.residual = m.instant.residual;
+    blame_rounding(m.assessment);
     return Flow::stop;
+  }
+
+  void blame_rounding(const Assessment& a) {
+    if (a.limit != Limit::singular_position && a.limit != Limit::rounding) summary_.limit = a.limit;
   }
 
   Flow hand_on(MonitoredInstant&& m) {
@@ -160,7 +165,10 @@ class Run final : Observer {
         summary_.violated = branch_.violated(m.instant);
       }
     const Instant& instant = m.instant;
-    if (summary_.violated >= 0) accuracy_->withdraw(instant);
+    if (summary_.violated >= 0) {
+      accuracy_->withdraw(instant);
+      if (m.degraded) blame_rounding(m.assessment);
+    }
     if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
     if (is_continued_ && summary_.instants == 0 && !summary_.crossing)
       summary_.crossing = {instant.time, instant.time, m.assessment.group,
@@ -203,6 +211,7 @@ class Run final : Observer {
     summary_.group = summary_.constraint = no_position;
     summary_.residual = max_residual_;
     summary_.assembly_error.reset();
+    summary_.limit.reset();
     accuracy_->resume();
     return again;
   }

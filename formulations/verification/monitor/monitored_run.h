@@ -39,6 +39,8 @@ struct [[nodiscard]] MonitoredSummary : BasicSummary {
   /// equations was left out as dependent, or its angle turned by half a turn. The instant was not
   /// delivered.
   int violated = no_position;
+  /// Cause of a failure as singular or on another branch, where rounding is to blame.
+  std::optional<Limit> limit{};
   double condition = 0;      ///< largest condition number (see Assessment)
   PerLevel<double> bound{};  ///< error bounds, relative to `scales`
   Scales scales{};           ///< scales of the motion
