@@ -8,6 +8,13 @@
 
 namespace desmo::cli {
 
+namespace {
+
+/// A radius of this part of a scale proves no digit.
+constexpr double no_digit = 0.5;
+
+}  // namespace
+
 Proof::Proof(const Model& m, const TimeGrid& grid, std::span<const Level> levels)
     : m_(m), certifier_(m, levels), scales_(m, grid) {}
 
@@ -15,19 +22,31 @@ void Proof::add(const Instant& instant) {
   scales_.take(instant);
   const Certificate c = certifier_.certify(instant);
   ++instants_;
-  if (!c.proven) {
-    if (group_ < 0) first_ = instant.time, group_ = c.group;
+  PerLevel<double> length{}, rotation{};
+  GroupId group = c.group;
+  bool proven = c.proven;
+  for (const Level level : all_levels)
+    for (const Entity& e : m_.entities) {
+      if (e.fixed || !c.proven) continue;
+      double squares = 0;
+      for (const double r : c.radius[level].subspan(e.first, e.size)) squares += r * r;
+      if (!std::isfinite(squares)) continue;  // of a level that is not solved
+      const double radius = std::sqrt(squares);
+      double& largest = (is_length(e.kind) ? length : rotation)[level];
+      largest = std::max(largest, radius);
+      if (radius <= no_digit * scales_.current().of(e.kind, level)) continue;
+      if (proven) group = e.group;
+      proven = false;
+    }
+  if (!proven) {
+    if (group_ < 0) first_ = instant.time, group_ = group;
     return;
   }
   ++proven_;
-  for (const Level level : all_levels)
-    for (const Entity& e : m_.entities) {
-      if (e.fixed) continue;
-      double squares = 0;
-      for (const double r : c.radius[level].subspan(e.first, e.size)) squares += r * r;
-      double& largest = (is_length(e.kind) ? length_ : rotation_)[level];
-      if (std::isfinite(squares)) largest = std::max(largest, std::sqrt(squares));
-    }
+  for (const Level level : all_levels) {
+    length_[level] = std::max(length_[level], length[level]);
+    rotation_[level] = std::max(rotation_[level], rotation[level]);
+  }
 }
 
 std::string Proof::note(Level level) const {

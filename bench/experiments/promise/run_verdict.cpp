@@ -134,7 +134,7 @@ int index_of(const TimeGrid& grid, double time) {
 
 RunVerdict verdict_on_failure(const DrawnScene& scene, const MonitoredSummary& s) {
   const int at = static_cast<int>(s.instants);
-  const bool is_false = is_regular(scene, at - 1, at);
+  const bool is_false = is_regular(scene, at - 1, at) && !is_doubtful(s, s.time);
   RunVerdict verdict{is_false ? PromiseVerdict::false_failure : PromiseVerdict::flagged};
   verdict.what = s.violated >= 0                     ? "another branch"
                  : s.status == Status::singular      ? "singular"

@@ -123,7 +123,6 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     assessor(j.instant, scales.with(j.instant));  // its factors again
   }
   last = given;
-  since = 0;
   const bool tries = has(Monitor::bounds) && has(Monitor::repair) && !j.instant.interpolated &&
                      exceeds(given.bound, limits.worth_correcting(given.condition));
   const bool is_better = tries && improve(j);

@@ -10,8 +10,9 @@ namespace desmo {
 
 namespace {
 
-/// Instants from one look at the scales to the next: they grow slowly, and small ones are safe.
-constexpr int look_every = 64;
+/// Instants from one look at the scales to the next, at most, and as a share of those before:
+/// scales grow slowly, and small ones are safe.
+constexpr long max_unseen = 64, unseen_share = 8;
 
 }  // namespace
 
@@ -79,7 +80,10 @@ MonitoredInstant AccuracyMonitor::State::examine(const Instant& given) {
     j.crossing = {continuity.recent()[0].time, instant.time, last.group,
                   SingularityCrossing::Kind::jumped};
   if (j.assessment.singular || is_poor(j)) return j;  // which is not delivered
-  if (++since % look_every == 0 && !is_assessed) look_at_scales(j.instant);
+  if (++examined >= next_look && !is_assessed) {
+    look_at_scales(j.instant);
+    next_look = examined + std::clamp(examined / unseen_share, 1L, max_unseen);
+  }
   deliver(j, is_assessed);
   return j;
 }

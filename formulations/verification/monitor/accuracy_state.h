@@ -114,10 +114,10 @@ struct AccuracyMonitor::State {
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false, is_doubted = false;
-  bool no_better = false;        // equations than those kept, where these are poor
-  bool is_declared = false;      // the first instant: the nominal position leads there,
-  std::vector<double> declared;  // to these positions
-  int since = 0;                 // instants since the last assessment
+  bool no_better = false;            // equations than those kept, where these are poor
+  bool is_declared = false;          // the first instant: the nominal position leads there,
+  std::vector<double> declared;      // to these positions
+  long examined = 0, next_look = 0;  // instants; the one at which scales are looked at next
   double condition = 0;
   PerLevel<double> worst{}, worst_before{};  // the largest bounds; without the last instant's
   Degradations degradations;

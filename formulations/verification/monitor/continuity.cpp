@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <experimental/simd>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -21,6 +22,8 @@ constexpr double turned = 1;
 constexpr double closely_turned = 0.25;
 /// Of a step: what does not look continuous over so little is not.
 constexpr double shortest = 0x1p-40;
+/// What rounding leaves of a difference of times, relative to them: no step is so short.
+constexpr double rounding_of_times = 4 * std::numeric_limits<double>::epsilon();
 /// Last correction, in magnitudes, of a position that counts as solved.
 constexpr double settled = 1e-7;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
@@ -253,7 +256,9 @@ std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant&
                                                const Means& means) {
   const auto& [assessor, scales, weights, signs] = means;
   passed_.reset();
-  const double whole = instant.time - start.time, least = shortest * std::abs(whole);
+  const double whole = instant.time - start.time;
+  const double latest = std::max(std::abs(start.time), std::abs(instant.time));
+  const double least = std::max(shortest * std::abs(whole), rounding_of_times * latest);
   std::span<const double> turns = turns_.times();  // that are ahead
   reached_ = start;
   double step = whole / 2;
