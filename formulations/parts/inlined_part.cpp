@@ -7,8 +7,8 @@ namespace desmo {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Of the tolerance, what counts as rounding.
-constexpr double rounding_share = 0.03;
+/// Of the tolerance, what one more correction is not made for. The monitors state what it leaves.
+constexpr double left_share = 0.1;
 
 }  // namespace
 
@@ -29,8 +29,7 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
 }
 
 void InlinedPart::correct_once_more(bool asked) {
-  if (!at_rounding_)
-    corrected_above2_ = asked ? rounding_share * rounding_share * stop2_ : infinity;
+  if (!at_rounding_) corrected_above2_ = asked ? left_share * left_share * stop2_ : infinity;
 }
 
 /// Apart, for the registers that it needs would have to be saved in every step.

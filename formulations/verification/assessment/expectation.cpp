@@ -35,7 +35,7 @@ void Expectation::rescale(const Scales& from, const Scales& to) {
 }
 
 Assessment Expectation::without_margin(const Signals& signals) const {
-  const auto& [growth, drivers, residual] = signals;
+  const auto& [growth, rates, drivers, residual] = signals;
   Assessment a = last_;
   a.condition *= growth;
   a.rounding *= growth;
@@ -43,9 +43,9 @@ Assessment Expectation::without_margin(const Signals& signals) const {
   a.bound.position = a.rounding + a.per_residual * residual;
   const double share =
       last_.bound.position > 0 ? std::max(1.0, a.bound.position / last_.bound.position) : growth;
-  const double square = growth * growth;
-  a.bound.velocity *= share * square * drivers.velocity;
-  a.bound.acceleration *= share * square * square * drivers.acceleration;
+  const double both = growth * rates;
+  a.bound.velocity *= share * both * drivers.velocity;
+  a.bound.acceleration *= share * both * both * drivers.acceleration;
   return a;
 }
 

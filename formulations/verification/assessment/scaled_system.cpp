@@ -18,6 +18,7 @@ ScaledSystem::ScaledSystem(const Model& m)
       driver_change_(m.state_size()),
       row_sums_(equations_.rows()),
       by_drivers_(equations_.rows()),
+      sensitivities_(equations_.rows()),
       unknown_shares_(equations_.rows()),
       row_shares_(equations_.rows()),
       block_row_sums_(equations_.rows()) {
@@ -30,6 +31,7 @@ ScaledSystem::ScaledSystem(const Model& m)
   for (const Constraint& c : m.constraints)
     row_groups_.insert(row_groups_.end(), kept_rows(c), c.group);
   lay_out();
+  state_.reserve(m.state_size());
   for (int j = 0; j < size(); ++j)
     unknown_shares_[j] = magnitude_[unknowns()[j]] / of_whole_[unknowns()[j]];
   if (size() == 0) return;
@@ -101,6 +103,8 @@ void ScaledSystem::lay_out() {
 }
 
 bool ScaledSystem::factor(std::span<const double> state) {
+  if (std::ranges::equal(state, state_)) return true;
+  state_.clear();
   row_sums_.setZero();
   row_shares_.setZero();
   by_drivers_.setZero();
@@ -120,6 +124,7 @@ bool ScaledSystem::factor(std::span<const double> state) {
   for (std::size_t k = 0; k < values_.size(); ++k) values_[k] /= row_sums_[pattern_.row[k]];
   if (factors_ && !factors_->factor(values_.data())) return false;
   orient();
+  state_.assign(state.begin(), state.end());
   return true;
 }
 
@@ -129,8 +134,9 @@ GroupId ScaledSystem::singular_group() const {
 }
 
 const ScaledSystem::Array& ScaledSystem::sensitivities() {
-  if (factors_) factors_->solve(by_drivers_.data());
-  return by_drivers_;
+  sensitivities_ = by_drivers_;
+  if (factors_) factors_->solve(sensitivities_.data());
+  return sensitivities_;
 }
 
 const ScaledSystem::Array& ScaledSystem::block_row_sums() {

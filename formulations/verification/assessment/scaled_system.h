@@ -37,8 +37,8 @@ class ScaledSystem {
   int block(int unknown) const { return block_[unknown]; }
   int block_size(int unknown) const { return block_size_[unknown]; }
 
-  /// Factorises A at a state (q followed by the fixed components). Returns false when A is singular
-  /// in double precision.
+  /// Factorises A at a state (q followed by the fixed components), unless it did so last. Returns
+  /// false when A is singular in double precision.
   bool factor(std::span<const double> state);
   /// Returns the group in which the last factor() failed.
   GroupId singular_group() const;
@@ -63,8 +63,7 @@ class ScaledSystem {
   void solve_blocks(double* x, int right_sides = 1);
   void solve_blocks_transposed(double* x, int right_sides = 1);
   /// Returns the change of each unknown, in its magnitude and up to sign, when every driver moves
-  /// by plus or minus its own magnitude. Solves in place: may be called once after each
-  /// factor().
+  /// by plus or minus its own magnitude. Valid until the next call.
   const Array& sensitivities();
   /// Returns the sign of det A of each irreducible block, up to a constant sign of the block. A
   /// continuous motion changes it only by passing det A = 0.
@@ -85,7 +84,8 @@ class ScaledSystem {
   Pattern pattern_;
   std::vector<int> slots_;  // position in values_ of each WholeSystem entry; -1: not an unknown
   std::vector<double> values_;
-  Array row_sums_, by_drivers_, unknown_shares_, row_shares_, block_row_sums_;
+  std::vector<double> state_;  // that of the factors; empty: there are none
+  Array row_sums_, by_drivers_, sensitivities_, unknown_shares_, row_shares_, block_row_sums_;
   std::unique_ptr<KluFactors> factors_;  // null when there are no unknowns
   std::vector<signed char> orientation_;
   std::vector<int> block_, block_size_;  // for each unknown

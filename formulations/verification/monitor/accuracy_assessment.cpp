@@ -36,13 +36,15 @@ Expectation::Signals AccuracyMonitor::State::signals_of(const Instant& instant,
   Expectation::Signals signals;
   if (has(Monitor::residual)) signals.residual = instant.residual;
   if (has(Monitor::sensitivity)) {
-    signals.growth = sensitivity.growth(instant, step ? std::optional(step->rate) : std::nullopt);
+    signals.rates = sensitivity.growth(instant, step ? std::optional(step->rate) : std::nullopt);
     signals.drivers = sensitivity.driver_growth();
   }
+  signals.growth = signals.rates;
   if (!has(Monitor::condition)) return signals;
   conditioning.go_on(instant, ways(instant, step));
   if (conditioning.is_due()) conditioning.look(instant, assessor.system());
   signals.growth = std::max(signals.growth, conditioning.growth());
+  if (!has(Monitor::sensitivity)) signals.rates = signals.growth;  // not known
   return signals;
 }
 

@@ -11,7 +11,7 @@ namespace desmo {
 namespace {
 
 /// Instants from one look at the scales to the next: they grow slowly, and small ones are safe.
-constexpr int look_every = 32;
+constexpr int look_every = 64;
 
 }  // namespace
 
