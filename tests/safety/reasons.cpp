@@ -16,23 +16,10 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
+#include "tests/safety/limited_motions.h"
 
 namespace desmo {
 namespace {
-
-/// Keeps a coordinate.
-class Series final : public Observer {
- public:
-  explicit Series(int coordinate) : coordinate_(coordinate) {}
-  Flow observe(const Instant& i) noexcept override {
-    values.push_back(i.q[coordinate_]);
-    return Flow::go_on;
-  }
-  std::vector<double> values;
-
- private:
-  int coordinate_;
-};
 
 TEST(Reasons, AreNoDeficitWhereAPositionExists) {
   const Model m = locking_four_bar(Polynomial{{dead_point}});
@@ -84,44 +71,22 @@ TEST(Reasons, AreNoJumpWhereStepsAreLongAndAccelerationsAreNotSolved) {
     }
 }
 
-/// Of a motion at late times its drivers are to blame, at a condition number of ten.
-TEST(Reasons, NameRoundedDriversAtLateTimes) {
-  Model m = four_bar_model(1);
-  Discard observer;
-  const MonitoredSummary s =
-      run_monitored(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
-                    {0x1p26, 0.125, 9}, {}, observer, {});
-  ASSERT_TRUE(s.first_degraded);
-  EXPECT_EQ(s.first_degraded->assessment.limit, Limit::drivers);
-}
-
-/// Links of a millimetre on a crank of ten kilometres, at a distance of 1e-3 from a pivot.
-TEST(Reasons, NameSizesThatDiffer) {
-  constexpr double large = 1e4, small = 1e-3;
-  const Scene scene =
-      extremes::case_of("sizes",
-                        extremes::one_dyad(large, small / large, large + small / 2, small, small),
-                        small / large / 10, {0, 0.1, 11})
-          .scene;
-  const Model m = make_model(scene);
-  for (const char* id : {"global_automatic_klu", "group_automatic_eigen"}) {
-    Discard observer;
-    const MonitoredSummary s =
-        run_monitored(*make_formulation(find_variant(id), m, {}), scene.grid, {}, observer, {});
-    ASSERT_TRUE(s.first_degraded) << id;
-    EXPECT_EQ(s.first_degraded->assessment.limit, Limit::sizes) << id;
-  }
+TEST(Reasons, NameWhatLimitsAMotion) {
+  for (const LimitedMotion& m : limited_motions())
+    for (const char* id : {"global_automatic_klu", "group_automatic_eigen",
+                           "group_symbolic_inlined", "block_symbolic_explicit"}) {
+      Discard observer;
+      const MonitoredSummary s =
+          run_monitored(*make_formulation(find_variant(id), m.model), m.grid, {}, observer);
+      ASSERT_TRUE(s.first_degraded) << m.name << ", " << id;
+      EXPECT_EQ(s.first_degraded->assessment.limit, m.limit) << m.name << ", " << id;
+    }
 }
 
 /// Links of a millimetre on a crank of a thousand kilometres: rounding of points so far away is not
 /// taken for a mechanism that cannot be assembled.
 TEST(Reasons, AreNoDeficitWhereLengthsDiffer) {
-  constexpr double large = 1e6, small = 1e-3;
-  const Scene scene =
-      extremes::case_of("sizes",
-                        extremes::one_dyad(large, small / large, large + small / 2, small, small),
-                        small / large / 10, {0, 0.1, 11})
-          .scene;
+  const Scene scene = small_dyad(1e6);
   const Model m = make_model(scene);
   Discard observer;
   const MonitoredSummary s = run_monitored(
@@ -137,16 +102,6 @@ TEST(Reasons, NameRoundedDriversWhereNoPositionIsLeft) {
       *make_formulation(find_variant("global_automatic_klu"), m), {0, 0.1, 3}, {}, observer);
   EXPECT_EQ(s.outcome(), Outcome::failed);
   EXPECT_EQ(s.limit, Limit::drivers);
-}
-
-TEST(Reasons, NameASingularPositionNearADeadPoint) {
-  const Model m = locking_four_bar(Polynomial{{dead_point - 1e-11, 1}});
-  Discard observer;
-  const MonitoredSummary s =
-      run_monitored(*make_formulation(find_variant("group_symbolic_inlined"), m, {}), {0, 1, 1}, {},
-                    observer, {});
-  ASSERT_TRUE(s.first_degraded);
-  EXPECT_EQ(s.first_degraded->assessment.limit, Limit::singular_position);
 }
 
 /// Outcome and bounds are one: what is stated beyond the limits is degraded, and only that.

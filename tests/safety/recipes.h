@@ -72,6 +72,22 @@ inline Model oscillating_block() {
                                 "block.scene.json", ""));
 }
 
+/// Links of a millimetre on a crank [m], at a tenth of a millimetre per second.
+inline Scene small_dyad(double crank) {
+  constexpr double small = 1e-3;
+  return extremes::case_of(
+             "small dyad",
+             extremes::one_dyad(crank, small / crank, crank + small / 2, small, small),
+             small / crank / 10, {0, 0.1, 11})
+      .scene;
+}
+
+/// A four-bar of 60 mm on an arm.
+inline Scene four_bar_on_arm(std::string_view case_name) {
+  const std::vector<ExtremeCase> cases = extremes::scales(Extent::brief);
+  return std::ranges::find(cases, case_name, &ExtremeCase::name)->scene;
+}
+
 /// A parallelogram with cranks of 1 whose base is 2.
 inline Scene parallelogram(const Motion& crank, const TimeGrid& grid) {
   DyadChain chain{.crank = 1, .start = sample(crank, grid.start).position, .dyads = {}};
@@ -101,6 +117,22 @@ class RockerError final : public Observer {
 
  private:
   int crank_, rocker_;
+};
+
+/// Keeps by how much the last instant differs from the first.
+class Difference final : public Observer {
+ public:
+  Flow observe(const Instant& i) noexcept override {
+    if (i.index == 0) first_.assign(i.q.begin(), i.q.end());
+    difference = 0;
+    for (std::size_t k = 0; k < first_.size(); ++k)
+      difference = std::max(difference, std::abs(i.q[k] - first_[k]));
+    return Flow::go_on;
+  }
+  double difference = INFINITY;
+
+ private:
+  std::vector<double> first_;
 };
 
 /// A parallelogram turns through its change points with rates that are as ever.

@@ -18,6 +18,7 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
+#include "tests/safety/limited_motions.h"
 #include "tests/safety/recipes.h"
 #include "tests/safety/scott_russell.h"
 
@@ -118,22 +119,6 @@ bool all_right(const std::vector<Followed>& motions, unsigned without) {
   return std::ranges::all_of(motions, [&](const Followed& f) { return f.is_right(without); });
 }
 
-/// Keeps by how much the last instant differs from the first.
-class Difference final : public Observer {
- public:
-  Flow observe(const Instant& i) noexcept override {
-    if (i.index == 0) first_.assign(i.q.begin(), i.q.end());
-    difference = 0;
-    for (std::size_t k = 0; k < first_.size(); ++k)
-      difference = std::max(difference, std::abs(i.q[k] - first_[k]));
-    return Flow::go_on;
-  }
-  double difference = INFINITY;
-
- private:
-  std::vector<double> first_;
-};
-
 /// Motions to a dead point, but for 1e-8 rad and 1e-10, and back to where they began.
 bool returns_are_right(unsigned without) {
   const auto returns = [&](const Model& m, const TimeGrid& grid, const char* id) {
@@ -178,9 +163,23 @@ bool folded_linkage_is_right(unsigned without) {
   return false;
 }
 
+/// What limits a motion is named, whatever solves it.
+bool causes_are_named(unsigned without) {
+  static const std::vector<LimitedMotion> motions = limited_motions();
+  return std::ranges::all_of(motions, [&](const LimitedMotion& m) {
+    return std::ranges::all_of(
+        Ids{"global_automatic_klu", "block_symbolic_explicit"}, [&](const char* id) {
+          Discard observer;
+          const auto s = run(m.model, m.grid, id, Level::acceleration, observer, without);
+          return s.first_degraded && s.first_degraded->assessment.limit == m.limit;
+        });
+  });
+}
+
 /// The rows of the table of recipes, each with what makes it right.
 std::vector<std::function<bool(unsigned)>> recipes() {
-  const double radian = 0.5 / std::numbers::pi;  // s
+  using std::numbers::pi;
+  const double radian = 0.5 / pi;  // s
   static const std::vector<Followed> strides{
       {make_model(driven_slider(1e-4)), {0, 0.01, 101}, {"global_automatic_klu/stride:2"}},
       {make_model(library_scene("andrews")), {0, radian, 65}, {"global_automatic_klu/stride:16"}}};
@@ -188,9 +187,16 @@ std::vector<std::function<bool(unsigned)>> recipes() {
       {oscillating_block(), {0, 1e-5, 201}, {"global_automatic_klu", "block_automatic_klu"}},
       {locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 0.5}}),
        {0, 0.01, 101},
+       {"global_automatic_klu", "group_symbolic_inlined"}},
+      {locking_four_bar(HarmonicSum{0.5, {{0.5, 2 * pi, -pi / 8}}}),  // from rest
+       {5. / 16, 1. / 128, 129},
        {"global_automatic_klu", "group_symbolic_inlined"}}};
-  static const Followed jumps{
-      make_model(library_scene("whitworth")), {0, 1. / 6, 19}, {"group_automatic_klu"}};
+  static const std::vector<Followed> bodies{
+      {make_model(library_scene("whitworth")), {0, 1. / 6, 19}, {"group_automatic_klu"}},
+      {make_model(small_dyad(100)), small_dyad(100).grid, {"global_automatic_klu"}},
+      {make_model(four_bar_on_arm("60 mm on an arm of 20 m, fast")),
+       {0, 0.05, 61},
+       {"group_symbolic_inlined"}}};
   const auto of = [](const std::vector<Followed>& motions) {
     return [&motions](unsigned without) { return all_right(motions, without); };
   };
@@ -199,8 +205,8 @@ std::vector<std::function<bool(unsigned)>> recipes() {
           of(strides),
           of(bounds),
           [](unsigned without) {
-            return jumps.is_right(without) && returns_are_right(without) &&
-                   folded_linkage_is_right(without);
+            return all_right(bodies, without) && returns_are_right(without) &&
+                   folded_linkage_is_right(without) && causes_are_named(without);
           },
           &starts_are_right,
           &turns_are_flagged};

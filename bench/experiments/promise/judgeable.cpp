@@ -13,9 +13,6 @@ namespace desmo::promise {
 
 namespace {
 
-/// Condition number above which other equations may determine rates to more digits.
-constexpr double poor = 1e3;
-
 ReferenceInstant rounded(double time, const GlobalSolver<Quadruple>& solver) {
   ReferenceInstant r{time, {}, {}, {}};
   const auto split = [](const std::vector<Quadruple>& values, std::vector<double>& high,
@@ -31,9 +28,10 @@ ReferenceInstant rounded(double time, const GlobalSolver<Quadruple>& solver) {
   return r;
 }
 
-/// Returns no q where the equations kept are as good as others.
+/// Returns no q where the equations kept are as good as others. Those of a mechanism far from the
+/// origin contradict each other wherever it is.
 ReferenceInstant with_other_equations(const Model& given, const TrueInstant& t) {
-  const auto model = t.condition > poor ? with_chosen_equations(given, t.instant.q) : nullptr;
+  const auto model = with_chosen_equations(given, t.instant.q);
   if (!model) return {t.instant.time, {}, {}, {}};
   GlobalSolver<Quadruple> solver(*model);
   std::vector<Jet<Quadruple>> state = solver.state();

@@ -23,8 +23,8 @@ struct VerdictLimits {
   static constexpr double nearer_between = 100;
 };
 
-/// Solves instants of an overconstrained mechanism again, with other equations where those kept are
-/// poor. Both answers are right: rounding of the mechanism's numbers decides between them. An
+/// Solves instants of an overconstrained mechanism again, with other equations where these are
+/// better. Both answers are right: rounding of the mechanism's numbers decides between them. An
 /// instant has no answer where an equation left out does not hold.
 void add_other_answers(DrawnScene& scene);
 

@@ -29,12 +29,13 @@ std::vector<Level> given_or_highest(const Model& m, std::span<const Level> given
 
 }  // namespace
 
-Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<const Level> asked)
+Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<const Level> asked,
+                   Norm norm)
     : model_(m),
       levels_(given_or_highest(m, levels)),
       asked_(asked.empty() ? levels_ : std::vector<Level>(asked.begin(), asked.end())),
       row_levels_(levels_of_rows(m, levels_)),
-      system_(m),
+      system_(m, norm),
       motion_(m, levels_),
       of_system_(system_.size()),
       of_change_(of_system_),
@@ -55,7 +56,8 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<cons
       phi_(system_.size()),
       phi_motion_(system_.size()) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
-  for (const int i : system_.unknowns()) group_.push_back(motion_.group(i));
+  for (const int i : system_.unknowns())
+    group_.push_back(norm == Norm::of_blocks ? motion_.group(i) : 0);
   const Magnitudes magnitudes(m);
   Eigen::Index row = 0;
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
@@ -225,7 +227,7 @@ double Assessor::of_group(int unknown) const {
   constexpr double large = 100;
   const int i = system_.unknowns()[unknown];
   const double error = max_[group_[unknown]];
-  if (!is_length(motion_.kind(i))) return error;
+  if (!is_length(motion_.kind(i)) || system_.norm() == Norm::of_whole) return error;
   return std::min(error, large * max_length_[group_[unknown]] / system_.magnitude(i));
 }
 

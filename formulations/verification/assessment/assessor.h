@@ -34,7 +34,7 @@ class Assessor {
   /// instant. asked: the level up to which it is an output; empty: as far as solved. The model must
   /// outlive the assessor.
   explicit Assessor(const Model& model, std::span<const Level> levels = {},
-                    std::span<const Level> asked = {});
+                    std::span<const Level> asked = {}, Norm norm = Norm::of_blocks);
   Assessor(const Assessor&) = delete;
   Assessor& operator=(const Assessor&) = delete;
 

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "formulations/scaling/characteristic_lengths.h"
 #include "formulations/verification/assessment/inverse_norm.h"
 
 namespace desmo {
@@ -33,6 +32,9 @@ constexpr double max_condition = 1e6;
 /// First and shortest step, of the whole way; steps tried at most.
 constexpr double first_step = 1, min_step = 0x1p-44;
 constexpr int max_tries = 5000;
+constexpr double turn = 2 * std::numbers::pi;
+/// Way of a driven angle up to which its whole turns are gone, too [rad].
+constexpr double few_turns = 4 * turn;
 
 }  // namespace
 
@@ -104,7 +106,7 @@ bool NominalContinuation::begin() {
   signs_.assign(signs.begin(), signs.end());
   if (signs_ != declared) return false;
   std::optional<double> nearest_of_many;
-  const std::vector<double> lengths = CharacteristicLengths(model_, nominal_.q).of_coordinates();
+  const std::vector<double> lengths = system_.magnitudes_at(nominal_.q);
   for (int j = 0; j < system_.size(); ++j) {
     const int i = system_.unknowns()[j];
     if (system_.block_size(j) == 1) continue;  // signs decide
@@ -131,17 +133,21 @@ bool NominalContinuation::begin_at(std::span<const double> q) {
 
 bool NominalContinuation::go_to(const Instant& instant) {
   std::vector<double> near_way, whole;
+  double longest = 0;  // of angles
   for (const Driver& d : model_.drivers) {
     const Entity& driven = model_.entities[d.coordinate];
     whole.push_back(instant.q[driven.first] - nominal_.q[driven.first]);
-    near_way.push_back(driven.kind == EntityKind::angle
-                           ? std::remainder(whole.back(), 2 * std::numbers::pi)
-                           : whole.back());
+    near_way.push_back(whole.back());
+    if (driven.kind != EntityKind::angle) continue;
+    near_way.back() = std::remainder(whole.back(), turn);
+    longest = std::max(longest, std::abs(whole.back()));
   }
-  turns_ = near_way != whole;
-  const bool has_guess = !turns_ && !is_followed_closely_;
+  const bool has_turns = near_way != whole;
+  const bool has_guess = !has_turns && !is_followed_closely_;
   const std::span<const double> guess = has_guess ? instant.q : std::span<const double>();
-  if (!go(near_way, guess) && (!turns_ || !go(whole, {}))) return false;
+  const bool reaches = longest <= few_turns && go(whole, guess);
+  turns_ = has_turns && !reaches;
+  if (!reaches && !(has_turns && go(near_way, {}))) return false;
   for (const Driver& d : model_.drivers) {
     const int i = model_.entities[d.coordinate].first;
     reached_.q[i] = instant.q[i];
@@ -215,7 +221,7 @@ double NominalContinuation::farthest(std::span<const double> q) const {
     if (e.fixed) continue;
     for (int i = e.first; i < e.first + e.size; ++i) {
       double off = q[i] - reached_.q[i];
-      if (turns_ && e.kind == EntityKind::angle) off = std::remainder(off, 2 * std::numbers::pi);
+      if (turns_ && e.kind == EntityKind::angle) off = std::remainder(off, turn);
       if (!std::isfinite(off)) return INFINITY;
       most = std::max(most, std::abs(off) / magnitude_[i]);
     }

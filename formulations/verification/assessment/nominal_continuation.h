@@ -26,8 +26,9 @@ class NominalContinuation {
   /// followed closely: predictions are off by a tenth of the distance to a singular position at
   /// most, so that no step passes one. Returns whether the positions are regular.
   bool begin_at(std::span<const double> q);
-  /// Moves the drivers from the nominal position to where they are at an instant: straight, without
-  /// whole turns of angles; where that is blocked, with them. Returns whether steps lead there.
+  /// Moves the drivers from the nominal position straight to where they are at an instant; without
+  /// the whole turns of angles where these are many, or block the way. Returns whether steps lead
+  /// there.
   bool go_to(const Instant& instant);
   /// Returns whether these positions (coordinates) are the ones reached, give or take the whole
   /// turns that were left out.

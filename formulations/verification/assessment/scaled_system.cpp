@@ -11,9 +11,12 @@
 
 namespace desmo {
 
-ScaledSystem::ScaledSystem(const Model& m)
-    : equations_(m),
-      magnitude_(CharacteristicLengths(m).of_coordinates()),
+ScaledSystem::ScaledSystem(const Model& m, Norm norm)
+    : model_(m),
+      norm_(norm),
+      equations_(m),
+      magnitude_(norm == Norm::of_blocks ? CharacteristicLengths(m).of_coordinates()
+                                         : natural_magnitudes(m)),
       of_whole_(natural_magnitudes(m)),
       driver_change_(m.state_size()),
       row_sums_(equations_.rows()),
@@ -54,13 +57,19 @@ ScaledSystem::~ScaledSystem() = default;
 
 void ScaledSystem::solve(double* x, int right_sides) { factors_->solve_all(x, right_sides); }
 void ScaledSystem::solve_blocks(double* x, int right_sides) {
+  if (norm_ == Norm::of_whole) return solve(x, right_sides);
   factors_->solve_blocks(x, right_sides);
 }
 void ScaledSystem::solve_transposed(double* x, int right_sides) {
   factors_->solve_transposed(x, right_sides);
 }
 void ScaledSystem::solve_blocks_transposed(double* x, int right_sides) {
+  if (norm_ == Norm::of_whole) return solve_transposed(x, right_sides);
   factors_->solve_blocks_transposed(x, right_sides);
+}
+
+std::vector<double> ScaledSystem::magnitudes_at(std::span<const double> q) const {
+  return norm_ == Norm::of_blocks ? CharacteristicLengths(model_, q).of_coordinates() : of_whole_;
 }
 
 GroupId ScaledSystem::group_of_block(int block) const {

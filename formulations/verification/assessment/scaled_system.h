@@ -12,6 +12,12 @@ namespace desmo {
 
 class KluFactors;
 
+/// Norm in which unknowns are compared.
+enum class Norm {
+  of_blocks,  ///< each irreducible block for itself, in the lengths about its points
+  of_whole,   ///< one for all bodies, in the size of the mechanism
+};
+
 /// Scaled linear system of a whole model, with factors: A = R⁻¹ Φ_φ S. The diagonal S holds the
 /// magnitudes of the unknowns (CharacteristicLengths), the diagonal R the row sums of |Φ_φ S|; so
 /// ‖A‖∞ = 1. The constructor analyses the pattern; afterwards only KLU allocates.
@@ -20,15 +26,19 @@ class ScaledSystem {
   using Array = Eigen::ArrayXd;
 
   /// The model must outlive this object.
-  explicit ScaledSystem(const Model& model);
+  explicit ScaledSystem(const Model& model, Norm norm = Norm::of_blocks);
   ~ScaledSystem();
 
+  Norm norm() const { return norm_; }
   const WholeSystem& equations() const { return equations_; }
   int size() const { return pattern_.n; }
   const std::vector<int>& unknowns() const { return pattern_.unknowns; }
   GroupId group_of_row(int row) const { return row_groups_[row]; }
   double magnitude(int coordinate) const { return magnitude_[coordinate]; }
   std::span<const double> magnitudes() const { return magnitude_; }
+  /// Returns the magnitude of each coordinate as it would be with the lengths of positions q
+  /// (coordinates), where the nominal ones may be far off.
+  std::vector<double> magnitudes_at(std::span<const double> q) const;
   /// Returns the column of A of a component of the state; -1: it is not an unknown.
   int column(int component) const { return equations_.column(component); }
   bool is_unknown(int component) const { return column(component) >= 0; }
@@ -59,7 +69,7 @@ class ScaledSystem {
   void solve(double* x, int right_sides = 1);
   void solve_transposed(double* x, int right_sides = 1);
   /// Overwrite X (unknowns × right_sides) with D⁻¹ X and D⁻ᵀ X, D being the irreducible blocks of A
-  /// without what couples them.
+  /// without what couples them. In a norm of the whole, D is A.
   void solve_blocks(double* x, int right_sides = 1);
   void solve_blocks_transposed(double* x, int right_sides = 1);
   /// Returns the change of each unknown, in its magnitude and up to sign, when every driver moves
@@ -76,6 +86,8 @@ class ScaledSystem {
   void lay_out();
   void orient();
 
+  const Model& model_;
+  const Norm norm_;
   WholeSystem equations_;
   std::vector<double> magnitude_;      // magnitude of each coordinate
   std::vector<double> of_whole_;       // magnitude of each coordinate in verification/condition.h

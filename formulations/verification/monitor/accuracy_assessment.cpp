@@ -140,7 +140,8 @@ void AccuracyMonitor::State::assess(MonitoredInstant& j, const Expectation::Sign
     expectation.learn(given, signals);
   if (is_better) expectation.learn(wide, {});
   if (degraded && last.condition < INFINITY)
-    last.limit = assessor.limit(j.instant, scales.current(), last);
+    last.limit = has(Monitor::cause) ? assessor.limit(j.instant, scales.current(), last)
+                                     : Limit::singular_position;
   if (!has(Monitor::bounds)) last.singular = false;
   j.degraded = degraded;
   j.assessment = last;
@@ -224,9 +225,10 @@ void AccuracyMonitor::State::look_at_scales(const Instant& instant) {
 }
 
 void AccuracyMonitor::State::follow_scales(const Scales& before) {
+  expectation.rescale(before, scales.current());
+  if (!has(Monitor::scales)) return;  // what was stated of an instant is relative to it
   rescale(worst, before, scales.current());
   rescale(worst_before, before, scales.current());
-  expectation.rescale(before, scales.current());
   degradations.rescale(before, scales.current());
 }
 

@@ -13,7 +13,7 @@ AccuracyMonitor::State::State(const State& before, std::unique_ptr<const Model> 
       options(before.options),
       has_others(true),
       limits(before.limits),
-      assessor(model, options.levels, options.asked),
+      assessor(model, options.levels, options.asked, norm()),
       asked(before.asked),
       measured(model, assessor.system(), assessor.levels(), asked),
       scales(before.scales),
@@ -94,7 +94,13 @@ std::unique_ptr<AccuracyMonitor::State> AccuracyMonitor::State::with_equations_g
     const Instant& like) const {
   if (!chosen || !continuity.is_known()) return {};
   auto other = std::make_unique<State>(*this, nullptr);
-  if (!other->begin_at_last(like) || exceeds(other->last.bound, limits.degraded)) return {};
+  if (!other->begin_at_last(like)) return {};
+  if (exceeds(other->last.bound, limits.degraded)) {
+    // Where rounding makes the equations contradict each other, its position is not theirs.
+    const Instant own = other->assessor.corrected(view_of(other->continuity.recent()[0], like));
+    other->last = other->assessor(own, scales.current());
+    if (other->last.singular || exceeds(other->last.bound, limits.degraded)) return {};
+  }
   return other;
 }
 

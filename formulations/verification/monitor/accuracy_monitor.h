@@ -39,6 +39,10 @@ enum class Monitor : unsigned {
   passage = 1 << 13,       ///< singular positions at which the motion is smooth are passed
   continuation = 1 << 14,  ///< a start on another branch is reached from the nominal position
   redundancy = 1 << 15,    ///< others of a group's equations are chosen where those kept are poor
+  // Measures by which all of it is judged.
+  scales = 1 << 16,   ///< errors are relative to the whole motion, not to each instant
+  lengths = 1 << 17,  ///< each block is judged by itself, in its own lengths (Norm)
+  cause = 1 << 18,    ///< what limits an instant is found; else a singular position is blamed
 };
 
 struct MonitorName {
@@ -62,6 +66,9 @@ inline constexpr std::array monitor_names{
     MonitorName{Monitor::passage, "passage"},
     MonitorName{Monitor::continuation, "continuation"},
     MonitorName{Monitor::redundancy, "redundancy"},
+    MonitorName{Monitor::scales, "scales"},
+    MonitorName{Monitor::lengths, "lengths"},
+    MonitorName{Monitor::cause, "cause"},
 };
 
 /// Runs like run_monitored(), without some monitors and rules. without: their bits.

@@ -37,6 +37,7 @@ struct AccuracyMonitor::State {
   State(const State& before, std::unique_ptr<const Model> other);
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
+  Norm norm() const { return has(Monitor::lengths) ? Norm::of_blocks : Norm::of_whole; }
   Continuity::Means means() { return {assessor, scales.current(), weights, signs}; }
 
   MonitoredInstant examine(const Instant& instant);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formulations/scaling/characteristic_lengths.h"
-
 namespace desmo {
 
 namespace {
@@ -70,7 +68,7 @@ void BranchSigns::accept() {
 /// are where they have been assembled: an estimate that is far off stretches them.
 bool BranchSigns::is_near_estimate(const Instant& instant, double condition,
                                    double sensitivity) const {
-  const std::vector<double> magnitude = CharacteristicLengths(model_, instant.q).of_coordinates();
+  const std::vector<double> magnitude = system_.magnitudes_at(instant.q);
   const auto moved = [&](int i) {
     return std::abs(instant.q[i] - model_.estimate[i]) / magnitude[i];
   };

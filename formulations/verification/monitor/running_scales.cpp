@@ -34,14 +34,14 @@ std::vector<double> looks_ahead(const TimeGrid& grid) {
 }
 
 RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
-                             const std::optional<Scales>& given)
-    : are_given_(given) {
+                             const std::optional<Scales>& given, bool of_motion)
+    : are_given_(given), are_of_motion_(of_motion) {
   for (const Entity& e : m.entities)
     if (!e.fixed) moving_.push_back({e.first, e.size, is_length(e.kind)});
   const double size = nominal_size(m);
   Largest length, rotation;
   for (const Driver& d : m.drivers)
-    for (const double t : looks_ahead(grid)) {
+    for (const double t : of_motion ? looks_ahead(grid) : std::vector<double>()) {
       const MotionSample<double> z = sample(d.motion, t);
       (is_length(m.entities[d.coordinate].kind) ? length : rotation)
           .take(z.velocity, z.acceleration);
@@ -54,6 +54,10 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
 }
 
 bool RunningScales::take(const Instant& instant) {
+  if (!are_of_motion_ && !are_given_) {
+    scales_ = with(instant);
+    return true;
+  }
   if (instant.time != last_time_) before_ = seen_;
   last_time_ = instant.time;
   const bool grows = grow(seen_, instant);
@@ -69,7 +73,7 @@ void RunningScales::take_back(double time) {
 
 Scales RunningScales::with(const Instant& instant) const {
   Scales seen = seen_;
-  return grow(seen, instant) ? completed(seen) : scales_;
+  return grow(seen, instant) || !are_of_motion_ ? completed(seen) : scales_;
 }
 
 bool RunningScales::grow(Scales& seen, const Instant& instant) const {

@@ -18,8 +18,10 @@ std::vector<double> looks_ahead(const TimeGrid& grid);
 /// grow with the instants so far.
 class RunningScales {
  public:
-  /// given: scales that are known, and do not change.
-  RunningScales(const Model& model, const TimeGrid& grid, const std::optional<Scales>& given = {});
+  /// given: scales that are known, and do not change. of_motion: false gives the scales of the
+  /// instant included last alone.
+  RunningScales(const Model& model, const TimeGrid& grid, const std::optional<Scales>& given = {},
+                bool of_motion = true);
 
   /// Includes an instant. Returns whether a scale has grown.
   bool take(const Instant& instant);
@@ -30,7 +32,7 @@ class RunningScales {
   Scales with(const Instant& instant) const;
 
  private:
-  bool are_given_;
+  bool are_given_, are_of_motion_;
   bool grow(Scales& seen, const Instant& instant) const;
   static Scales completed(Scales seen);
 
