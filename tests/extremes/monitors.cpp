@@ -48,6 +48,7 @@ constexpr Found all[] = {
     {Monitor::orientation, 9, "^four-bar, K = 1, 50 % off$", "^global_automatic_klu$"},
     {Monitor::continuity, 5, "^Andrews", "^group_symbolic_explicit$"},
     {Monitor::repair, 3, "^dead point$", "^global_automatic_klu$"},
+    {Monitor::lengths, 7, "20 m, fast$", "^group_automatic_lapack$"},
 };
 
 std::string monitor_name(const testing::TestParamInfo<Found>& info) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "formulations/variants.h"
 #include "formulations/verification/assessment/assessor.h"
 #include "formulations/verification/monitor/condition_monitor.h"
 #include "formulations/verification/monitor/monitored_run.h"

@@ -2,18 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "cases/extremes/rows.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/monitor/monitored_run.h"
-#include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
 #include "tests/safety/limited_motions.h"
@@ -119,27 +116,6 @@ TEST(Reasons, StateBoundsThatAgreeWithTheOutcome) {
       EXPECT_EQ(s.degraded > 0, exceeds(s.bound, Limits(1e-12).degraded)) << id << ", t^" << power;
       EXPECT_EQ(s.degraded > 0, s.first_degraded.has_value()) << id << ", t^" << power;
     }
-  }
-}
-
-/// An assembly in one go ends elsewhere or nowhere.
-TEST(Starts, FarFromTheNominalPositionAreContinuedFromIt) {
-  struct Start {
-    const char *name, *id;
-    double time;
-  };
-  for (const auto& [name, id, time] : {Start{"jansen_leg", "block_automatic_lapack", 0.5},
-                                       Start{"jansen_leg", "block_symbolic_explicit", 0.5},
-                                       Start{"andrews", "global_automatic_klu", 0.3}}) {
-    const Scene scene = library_scene(name);
-    const Model m = make_model(scene);
-    const auto formulation = make_formulation(find_variant(id), m);
-    EXPECT_FALSE(formulation->assemble(time).ok()) << name;
-    Discard observer;
-    const MonitoredSummary s =
-        run_monitored(*formulation, {time, scene.grid.step, 20}, {}, observer);
-    EXPECT_EQ(s.outcome(), Outcome::converged) << name << ", " << id;
-    EXPECT_EQ(s.instants, 20) << name << ", " << id;
   }
 }
 

@@ -149,6 +149,7 @@ const ScaledSystem::Array& ScaledSystem::sensitivities() {
 }
 
 const ScaledSystem::Array& ScaledSystem::block_row_sums() {
+  if (norm_ == Norm::of_whole) return block_row_sums_.setOnes();
   block_row_sums_.setZero();
   for (int j = 0; j < size(); ++j)
     for (int k = pattern_.column_start[j]; k < pattern_.column_start[j + 1]; ++k)
