@@ -29,6 +29,19 @@ constexpr double settled = 1e-7;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
 constexpr double at_rest = 1e-6;
 
+/// Returns whether the position corrected last counts as solved: its last correction is small, or
+/// is what rounding far from the origin leaves of small bodies.
+bool has_settled(Assessor& assessor, const Instant& instant) {
+  constexpr double unit = 0x1p-52, times = 4, max_settled = 1e-4;
+  const double off = assessor.last_correction();
+  if (off <= settled) return true;
+  if (!(off <= max_settled)) return false;
+  double rounding = 0;
+  for (const int i : assessor.system().unknowns())
+    rounding = std::max(rounding, unit * std::abs(instant.q[i]) / assessor.system().magnitude(i));
+  return off <= times * rounding;
+}
+
 /// The coordinate that is off most.
 constexpr auto worst = [](const auto& off) {
   Eigen::Index coordinate = 0;
@@ -245,7 +258,7 @@ std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
 /// result = the instant corrected by Newton's method, if that settles.
 void Continuity::correct(const Instant& instant, Assessor& assessor, Node& result) {
   Instant solved = assessor.corrected(driven(instant));
-  if (!(assessor.last_correction() <= settled)) solved = instant;
+  if (!has_settled(assessor, solved)) solved = instant;
   result.time = instant.time;
   std::ranges::copy(solved.q, result.state.q.begin());
   std::ranges::copy(solved.qd, result.state.qd.begin());
@@ -277,7 +290,7 @@ std::optional<Continuity::Jump> Continuity::go(const Node& start, const Instant&
     if (!is_given) predict(to_end ? target : reached_.time + step, instant, assessor);
     const Instant next = is_given ? instant : view_of(next_, instant);
     const Instant from = view_of(reached_, instant);
-    const bool is_solved = is_given || assessor.last_correction() <= settled;
+    const bool is_solved = is_given || has_settled(assessor, next);
     if (is_solved && leads_on(from, next, weights)) {
       if (to_end && !to_turn) return {};
       if (to_end) {
