@@ -68,6 +68,37 @@ TEST(Reasons, AreNoJumpWhereStepsAreLongAndAccelerationsAreNotSolved) {
     }
 }
 
+/// Ten minutes on, times are known to 1e-13 s: what is left of a step then is no step.
+TEST(Reasons, AreNoJumpAtLateTimes) {
+  const Scene scene = parse_scene(R"({
+    "format": "desmo-scene", "version": 2,
+    "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "short_rod", "dimension": 2,
+      "points": {"A": [0, 0], "B": [-0.9893951337727704, -0.14524899058775473], "S": [0.05051002090876988, 0]},
+      "vectors": {"u": [1, 0]},
+      "ground": {"points": ["A"], "vectors": ["u"]},
+      "bodies": {"crank": {"points": ["A", "B"], "length": 1},
+                 "rod": {"points": ["B", "S"], "length": 1.05},
+                 "slider": {"points": ["S"], "vectors": ["u"]}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
+                 {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]},
+                 {"type": "revolute", "bodies": ["rod", "slider"], "points": ["S"]},
+                 {"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["u"], "points": ["A", "S"]}],
+      "coordinates": {"theta": {"angle": ["A", "B"]}, "s": {"distance": ["A", "S"], "along": "u"}},
+      "drivers": ["theta"]},
+    "motion": {"theta": {"type": "harmonic", "mean": 0, "terms": [{"amplitude": 3.15, "frequency": 2.2}]}},
+    "time": {"start": 514, "end": 515, "step": 0.016666666666666666}})",
+                                  "short_rod.scene.json", "");
+  const Model m = make_model(scene);
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"})
+    for (const Level level : all_levels) {
+      Discard observer;
+      const MonitoredSummary s =
+          run_monitored(*make_formulation(find_variant(id), m), scene.grid, {level}, observer);
+      EXPECT_EQ(s.outcome(), Outcome::converged) << id << ", " << static_cast<int>(level);
+    }
+}
+
 TEST(Reasons, NameWhatLimitsAMotion) {
   for (const LimitedMotion& m : limited_motions())
     for (const char* id : {"global_automatic_klu", "group_automatic_eigen",

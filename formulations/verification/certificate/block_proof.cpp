@@ -89,10 +89,11 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
     for (int i = 0; i < n; ++i) {
       // First, X is so large that one evaluation will do, and so small that it costs no digits: X²
       // is far below a unit. Then it is larger than what the last test returned (epsilon inflation;
-      // Rump).
+      // Rump), also where that is zero: rates are compared with it.
       const LaneNumbers last = attempt < 2 ? LaneNumbers(0) : 2 * contracted_[i];
-      const LaneNumbers trial =
-          attempt == 0 && !linear ? b.magnitudes[i] * 0x1p-36 : (e.sum[i] + last) * 1.1;
+      const LaneNumbers trial = attempt == 0 && !linear
+                                    ? b.magnitudes[i] * 0x1p-36
+                                    : fma(b.magnitudes[i], 0x1p-50, (e.sum[i] + last) * 1.1);
       trial_[i] = select(proven, trial_[i], trial);
       state_.position[b.locals[i]].radius = trial_[i];
     }
