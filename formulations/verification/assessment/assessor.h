@@ -31,8 +31,9 @@ namespace desmo {
 class Assessor {
  public:
   /// levels: the level up to which each coordinate is solved (Plan::levels); empty: as far as the
-  /// instant. asked: the level up to which it is an output; empty: as far as solved. The model must
-  /// outlive the assessor.
+  /// instant. asked: the level up to which it is an output; empty: as far as solved. norm: in which
+  /// unknowns are compared; tests leave out that of the blocks. The model must outlive the
+  /// assessor.
   explicit Assessor(const Model& model, std::span<const Level> levels = {},
                     std::span<const Level> asked = {}, Norm norm = Norm::of_blocks);
   Assessor(const Assessor&) = delete;
