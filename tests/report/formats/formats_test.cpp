@@ -47,6 +47,21 @@ TEST(Markdown, Escapes) {
   EXPECT_NE(text.find("| --- | ---: |"), std::string::npos) << text;
 }
 
+// A page cannot wrap what has no space, so long ids break before each setting; shorter ones stay
+// whole.
+TEST(Markdown, BreaksLongIds) {
+  Document document = awkward();
+  Table& table = document.sections[0].tables[0];
+  const std::string forty = "abcdefghi/abcdefghi/abcdefghi/abcdefghi/";
+  table.rows[0][0].shown = "a b " + forty;
+  table.rows[1][0].shown = forty + "c";
+  const std::string text = to_markdown(document);
+  EXPECT_NE(text.find("| a b " + forty + " |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| abcdefghi<br>/abcdefghi<br>/abcdefghi<br>/abcdefghi<br>/c |"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Formats, MeasureRowsInCharacters) {
   EXPECT_EQ(characters("±µ—a"), 4u);
   EXPECT_EQ(row_width(awkward().sections[0].tables[0]), 21u + 11u);

@@ -41,7 +41,7 @@ std::vector<std::string> split(const std::string& text, const std::string& separ
 }
 
 std::string from_markdown(const std::string& text) {
-  Replacements escapes{{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}};
+  Replacements escapes{{"<br>", ""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}};
   for (const char c : std::string("\\`*_|[]~$#")) escapes.push_back({{'\\', c}, {c}});
   return plain(replaced(trimmed(text), escapes));
 }
