@@ -26,12 +26,36 @@ void apply(Configuration& configuration, std::string_view suffix) {
   configuration.others.emplace_back(suffix);
 }
 
+/// Tells whether a suffix has a key and a value, or is a word that is no key.
+bool is_complete(std::string_view suffix) {
+  const std::size_t colon = suffix.find(':');
+  if (colon == suffix.npos)
+    return !suffix.empty() && std::ranges::none_of(settings, [&](const auto& setting) {
+      return setting.first == suffix;
+    });
+  return colon > 0 && colon + 1 < suffix.size();
+}
+
 }  // namespace
+
+bool Configuration::has_papers_algorithm() const {
+  const Configuration paper;
+  return factorisation == paper.factorisation && scalar == paper.scalar && others.empty();
+}
 
 bool Configuration::has_papers_settings() const {
   const Configuration paper;
-  return guess == paper.guess && jacobian == paper.jacobian &&
-         factorisation == paper.factorisation && scalar == paper.scalar && others.empty();
+  return guess == paper.guess && jacobian == paper.jacobian && has_papers_algorithm();
+}
+
+bool Configuration::is_papers() const {
+  Configuration paper;
+  paper.formulation = formulation;
+  return *this == paper;
+}
+
+bool Configuration::iterates_like(const Configuration& other) const {
+  return guess == other.guess && iterations == other.iterations && tolerance == other.tolerance;
 }
 
 bool Configuration::solves_every_instant() const {
@@ -47,8 +71,7 @@ std::optional<Configuration> parse_configuration(std::string_view id) {
   while (slash < id.size()) {
     const std::size_t end = std::min(id.find('/', slash + 1), id.size());
     const std::string_view suffix = id.substr(slash + 1, end - slash - 1);
-    const std::size_t colon = suffix.find(':');
-    if (colon == 0 || colon >= suffix.size() - 1 || !keys.insert(suffix.substr(0, colon)).second)
+    if (!is_complete(suffix) || !keys.insert(suffix.substr(0, suffix.find(':'))).second)
       return std::nullopt;
     apply(configuration, suffix);
     slash = end;

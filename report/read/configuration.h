@@ -13,16 +13,25 @@ struct Configuration {
   std::string formulation;  ///< <partition>_<equations>_<algebra>
   std::string guess = "previous", jacobian = "newton", factorisation = "shared", scalar = "double";
   std::string iterations, tolerance;  ///< end of a step; both empty: the usual tolerance
-  std::vector<std::string> others;    ///< any other suffixes, "key:value"
+  std::vector<std::string> others;    ///< any other suffixes, "lanes:8", "monitored"
 
+  /// Returns whether nothing differs from the paper but settings of the iteration: guess, Jacobian,
+  /// and where a step stops. A run that is monitored, several instants at once, or an option of the
+  /// linear solver is something else.
+  bool has_papers_algorithm() const;
   /// Returns whether all but where a step stops is as in the paper.
   bool has_papers_settings() const;
+  /// Returns whether everything is as in the paper.
+  bool is_papers() const;
+  /// Returns whether steps start from the same guess and stop at the same place.
+  bool iterates_like(const Configuration& other) const;
   /// Returns whether no instant is interpolated between solved ones.
   bool solves_every_instant() const;
   bool operator==(const Configuration&) const = default;
 };
 
-/// Returns nothing when a suffix is no "/key:value" or its key is given twice.
+/// Returns nothing when a suffix is neither "/key:value" nor a mark, "/monitored", or is given
+/// twice. The keys of the settings above make no marks.
 std::optional<Configuration> parse_configuration(std::string_view id);
 
 }  // namespace desmo::report

@@ -67,13 +67,15 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
 
 std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
                                     std::int64_t coordinates,
-                                    const std::function<bool(std::string_view id)>& holds) {
+                                    const std::function<bool(const Configuration&)>& holds) {
   std::optional<CandidateKey> found;
   double least = 0;
   for (const auto& [key, candidate] : record.candidates) {
-    if (key.case_name != case_name || key.coordinates != coordinates || !holds(key.id) ||
+    if (key.case_name != case_name || key.coordinates != coordinates ||
         is_beside_peers(record, key.id))
       continue;
+    const auto configuration = parse_configuration(key.id);
+    if (!configuration || !holds(*configuration)) continue;
     const Measured time = measured(candidate);
     if (!time.seconds || (found && time.seconds->value >= least)) continue;
     found = key;
@@ -82,11 +84,17 @@ std::optional<CandidateKey> fastest(const Record& record, const std::string& cas
   return found;
 }
 
+std::optional<CandidateKey> papers_reference(const Record& record, const std::string& case_name,
+                                             std::int64_t coordinates) {
+  return fastest(record, case_name, coordinates,
+                 [](const Configuration& c) { return is_reference(c) && c.is_papers(); });
+}
+
 std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key) {
-  return fastest(record, key.case_name, key.coordinates, [&](std::string_view id) {
-    return is_reference(id) && setting(id, "guess") == setting(key.id, "guess") &&
-           setting(id, "tolerance") == setting(key.id, "tolerance");
-  });
+  const auto like = parse_configuration(key.id);
+  if (!like) return std::nullopt;
+  return fastest(record, key.case_name, key.coordinates,
+                 [&](const Configuration& c) { return is_reference(c) && c.iterates_like(*like); });
 }
 
 std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name) {

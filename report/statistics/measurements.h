@@ -61,12 +61,16 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
                           std::size_t variant, std::span<const std::int64_t> sizes);
 
 /// Finds the fastest candidate of a case and size that something holds of; what stands next to
-/// peers has no part in it.
+/// peers has no part in it, nor has an id that is no configuration.
 std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
                                     std::int64_t coordinates,
-                                    const std::function<bool(std::string_view id)>& holds);
+                                    const std::function<bool(const Configuration&)>& holds);
 
-/// Finds the fastest reference (is_reference) with the guess and the tolerance of a candidate.
+/// Finds the fastest reference (is_reference) that has the paper's settings.
+std::optional<CandidateKey> papers_reference(const Record& record, const std::string& case_name,
+                                             std::int64_t coordinates);
+
+/// Finds the fastest reference with the guess and the tolerance of a candidate.
 std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key);
 
 /// Sizes recorded for a case, in whatever state, ascending.

@@ -22,10 +22,10 @@ CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::s
   return {std::string(variant.case_name), coordinates, replaced(variant.id, "<sparse>", family)};
 }
 
-bool is_reference(std::string_view id) {
-  const std::string_view begin = "global_automatic_";
-  return id.starts_with(begin) &&
-         std::ranges::count(sparse_families, without_settings(id).substr(begin.size())) > 0;
+bool is_reference(const Configuration& configuration) {
+  const std::string_view begin = "global_automatic_", id = configuration.formulation;
+  return configuration.has_papers_algorithm() && id.starts_with(begin) &&
+         std::ranges::count(sparse_families, id.substr(begin.size())) > 0;
 }
 
 std::string partition_of(std::string_view id) { return std::string(id.substr(0, id.find('_'))); }
@@ -51,10 +51,12 @@ std::string without_setting(std::string id, const std::string& name) {
   return id.erase(begin, end - begin);
 }
 
+bool is_beside(const Peer& peer, std::string_view id) {
+  return has_settings(id) && id.substr(id.find('/')) == "/guess:" + peer.guess;
+}
+
 bool is_beside_peers(const Record& record, std::string_view id) {
-  return std::ranges::any_of(record.peers, [&](const Peer& peer) {
-    return has_settings(id) && id.substr(id.find('/')) == "/guess:" + peer.guess;
-  });
+  return std::ranges::any_of(record.peers, [&](const Peer& peer) { return is_beside(peer, id); });
 }
 
 }  // namespace desmo::report

@@ -49,8 +49,9 @@ inline bool has_settings(std::string_view id) { return id.find('/') != std::stri
 /// Returns the id of the formulation, without settings.
 inline std::string_view without_settings(std::string_view id) { return id.substr(0, id.find('/')); }
 
-/// Returns whether a formulation is global_automatic_<sparse>, whatever its settings.
-bool is_reference(std::string_view id);
+/// Returns whether a formulation may be a reference: global_automatic_<sparse> with the paper's
+/// algorithm, whatever the settings of its iteration.
+bool is_reference(const Configuration& configuration);
 
 /// Returns the partition of an id of a formulation: "global".
 std::string partition_of(std::string_view id);
@@ -65,7 +66,8 @@ std::string_view setting(std::string_view id, std::string_view name);
 /// The id without a setting.
 std::string without_setting(std::string id, const std::string& name);
 
-/// Tells whether a formulation stands next to peers, with no other setting than their guess.
+/// Tells whether a formulation stands next to a peer, with no other setting than its guess.
+bool is_beside(const Peer& peer, std::string_view id);
 bool is_beside_peers(const Record& record, std::string_view id);
 
 /// TS-TPA_MA27 and klu: TS-TPA_klu.

@@ -55,10 +55,7 @@ Table every_formulation(const Record& record, const std::string& case_name,
                                                    {"repetitions", repetitions(record)}});
   define_time(table, record);
   const std::vector<CandidateKey> keys = ordered_keys(record, case_name, coordinates);
-  // KLU's block triangular form is no setting of the paper's: on some mechanisms it costs time.
-  const auto reference = fastest(record, case_name, coordinates, [](std::string_view id) {
-    return is_reference(id) && !has_settings(without_setting(std::string(id), "btf"));
-  });
+  const auto reference = papers_reference(record, case_name, coordinates);
   for (const CandidateKey& key : keys) {
     const MeasuredCandidate& candidate = record.candidates.at(key);
     const Measured time = measured(candidate);

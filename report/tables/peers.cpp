@@ -24,7 +24,7 @@ Ours ours_with(const Record& record, const Peer& peer) {
   };
   for (const auto& [key, candidate] : record.candidates) {
     if (key.case_name != peer.case_name || key.coordinates != peer.coordinates ||
-        !key.id.ends_with("/guess:" + peer.guess))
+        !is_beside(peer, key.id))
       continue;
     ours.all.push_back(key);
     take(ours.fastest, key);

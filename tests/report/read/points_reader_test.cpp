@@ -109,6 +109,23 @@ TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {
   EXPECT_TRUE(parse_configuration("a_b_c/iterations:2")->has_papers_settings());
   EXPECT_TRUE(parse_configuration("a_b_c/lanes:8")->solves_every_instant());
   EXPECT_FALSE(parse_configuration("a_b_c/lanes:8/stride:4")->solves_every_instant());
+  EXPECT_EQ(parse_configuration("a_b_c/monitored")->others, std::vector<std::string>{"monitored"});
+  EXPECT_FALSE(parse_configuration("a_b_c/monitored/monitored"));
+}
+
+TEST(Configuration, KnowsTheIterationFromTheAlgorithm) {
+  for (const char* iteration : {"", "/guess:adams8/jacobian:step/tolerance:1e-10", "/iterations:2"})
+    EXPECT_TRUE(parse_configuration("a_b_c" + std::string(iteration))->has_papers_algorithm());
+  for (const char* algorithm :
+       {"/monitored", "/btf:off", "/lanes:8", "/scalar:mixed", "/factorisation:per_level"})
+    EXPECT_FALSE(parse_configuration("a_b_c" + std::string(algorithm))->has_papers_algorithm());
+  EXPECT_TRUE(parse_configuration("a_b_c")->is_papers());
+  EXPECT_FALSE(parse_configuration("a_b_c/tolerance:1e-6")->is_papers());
+  const Configuration like = *parse_configuration("a_b_c/guess:adams8/tolerance:1e-6");
+  EXPECT_TRUE(
+      parse_configuration("d_e_f/tolerance:1e-6/guess:adams8/monitored")->iterates_like(like));
+  for (const char* other : {"/guess:adams8", "/tolerance:1e-6", "/guess:linear/tolerance:1e-6"})
+    EXPECT_FALSE(parse_configuration("a_b_c" + std::string(other))->iterates_like(like));
 }
 
 }  // namespace
