@@ -5,8 +5,10 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace desmo::scripts_test {
 namespace {
@@ -22,8 +24,11 @@ struct Ended {
   std::string text;  ///< standard output and standard error
 };
 
-Ended run(const std::string& script, const std::string& arguments) {
-  const std::string command = DESMO_SOURCE_DIR "/" + script + " " + arguments + " 2>&1";
+/// environment: settings of variables, for the shell.
+Ended run(const std::string& script, const std::string& arguments,
+          const std::string& environment = "") {
+  const std::string command =
+      environment + DESMO_SOURCE_DIR "/" + script + " " + arguments + " 2>&1";
   FILE* const pipe = popen(command.c_str(), "r");
   Ended ended;
   for (int c; (c = std::fgetc(pipe)) != EOF;) ended.text += static_cast<char>(c);
@@ -70,6 +75,67 @@ TEST(Scripts, NameTheArgumentThatTheyDoNotKnow) {
   EXPECT_EQ(run("bench/check", "--history HEAD --slow head:a/1/b:3").code, 64);
   EXPECT_EQ(run("bench/check", "HEAD --history").code, 64);
   EXPECT_EQ(run("report/figures/render", "--packages .").code, 64);
+}
+
+/// A folder of programs that stand before the system's: nothing is installed, the user is root, and
+/// apt-get notes its arguments and answers by `answer`, a piece of shell.
+class OtherSystem {
+ public:
+  explicit OtherSystem(const std::string& answer) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    add("dpkg-query", "exit 1");
+    add("id", "echo 0");
+    add("apt-get", "echo \"$@\" >>" + calls() + "; n=$(wc -l <" + calls() + "); " + answer);
+  }
+  ~OtherSystem() { fs::remove_all(folder_); }
+
+  Ended setup(const std::string& sets) const {
+    return run("bench/setup", sets, "PATH=" + folder_.string() + ":\"$PATH\" ");
+  }
+  std::vector<std::string> called() const {
+    std::ifstream in(calls());
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+  }
+
+ private:
+  void add(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << "#!/bin/sh\n" << text << '\n';
+    fs::permissions(folder_ / name, fs::perms::owner_all);
+  }
+  std::string calls() const { return (folder_ / "calls").string(); }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST(Setup, WaitsForAnotherAptGet) {
+  // As apt-get 2.6 says it of each of its locks: the lists', that of what it downloads, and dpkg's.
+  const OtherSystem system(R"sh(case $n in
+    1) echo "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 7 (apt-get)" >&2
+       echo "E: Unable to lock directory /var/lib/apt/lists/" >&2; exit 100 ;;
+    3) echo "E: Could not get lock /var/cache/apt/archives/lock." >&2; exit 100 ;;
+    esac)sh");
+  const Ended ended = system.setup("counts");
+  EXPECT_EQ(ended.code, 0) << ended.text;
+  EXPECT_NE(ended.text.find("Waiting for another apt-get"), std::string::npos) << ended.text;
+  const std::vector<std::string> called = system.called();
+  ASSERT_EQ(called.size(), 4u);
+  for (const int update : {0, 1}) EXPECT_TRUE(called[update].ends_with(" update"));
+  for (const int install : {2, 3}) {
+    EXPECT_TRUE(called[install].ends_with(" valgrind")) << called[install];
+    EXPECT_NE(called[install].find("DPkg::Lock::Timeout="), std::string::npos);
+  }
+}
+
+TEST(Setup, EndsWhereAptGetFails) {
+  const OtherSystem system("echo 'E: Unable to fetch some archives' >&2; exit 100");
+  const Ended ended = system.setup("counts");
+  EXPECT_EQ(ended.code, 69);
+  EXPECT_NE(ended.text.find("Unable to fetch"), std::string::npos) << ended.text;
+  EXPECT_EQ(system.called().size(), 1u);
 }
 
 }  // namespace
