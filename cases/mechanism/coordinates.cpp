@@ -10,6 +10,13 @@ namespace {
 
 using Part = MechanismError::Part;
 
+/// Directions are at a right angle when the cosine of their angle is at most this.
+constexpr double right_angle = 1e-6;
+
+double dot(const Mechanism::Vec& a, const Mechanism::Vec& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 bool is_same_line(const Mechanism::Direction& a, const Mechanism::Direction& b) {
   if (!a.is_given() || a.is_line() != b.is_line()) return false;
   if (!a.is_line()) return a.vector == b.vector;
@@ -89,7 +96,7 @@ class CoordinateCheck {
   }
 
   void check_angle() const {
-    check_direction(c_.of);
+    const Mechanism::Vec w = check_direction(c_.of);
     check_apart(c_.from);
     check_apart(c_.towards);
     if (d_.dimension == 2) {
@@ -103,8 +110,18 @@ class CoordinateCheck {
     if (c_.from.is_line() || c_.towards.is_line())
       complain("the directions where it is 0 and π/2 must be vectors in space; declare vectors");
     const Mechanism::Vec u = check_direction(c_.from), v = check_direction(c_.towards);
-    if (std::abs(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) > 1e-6)
+    if (std::abs(dot(u, v)) > right_angle)
       complain("the directions where it is 0 and π/2 are not at a right angle; choose another");
+    if (std::hypot(dot(w, u), dot(w, v)) <= right_angle)
+      complain(text(c_.of) + " is perpendicular to the plane of " + text(c_.from) + " and " +
+               text(c_.towards) +
+               ", where its projection vanishes and has no angle; choose another direction");
+  }
+
+  std::string text(const Mechanism::Direction& of) const {
+    if (!of.is_line()) return in_quotes(d_.vectors[of.vector].name);
+    return "the line from " + in_quotes(d_.points[of.from].name) + " to " +
+           in_quotes(d_.points[of.to].name);
   }
 
   const Mechanism& d_;

@@ -69,7 +69,8 @@ struct Mechanism {
   };
 
   enum class CoordinateType {
-    angle,      ///< of direction `of` from `from`; in space in the plane of `from` and `towards`
+    angle,      ///< of direction `of` from `from`; in space of its projection onto the plane of
+                ///< `from` and `towards`
     distance,   ///< between two points, positive
     along,      ///< signed, from one point to another along a parallel vector
     component,  ///< of a point along an axis of the ground's frame
@@ -113,7 +114,7 @@ struct Mechanism {
 /// - joints connect all bodies that carry the same entity there
 /// - an `along` vector has its points on a body that carries it
 /// - coordinates refer to different entities, carried by bodies; an angle in space has `from` and
-///   `towards` at a right angle
+///   `towards` at a right angle, and a direction that is not perpendicular to both
 /// - no line used as a direction has zero length, nor do all points of a body without vectors
 ///   coincide
 /// - a given length is positive and its body has exactly two points

@@ -175,6 +175,8 @@ TEST(MechanismFile, WhatIsWrongInSpaceIsNamedToo) {
       {", \"towards\": \"v\"", "", "/coordinates/theta: the key 'towards' is missing; add it"},
       {"\"angle\": [\"A\", \"B\"]", "\"angle\": \"v\"",
        "/coordinates/theta: coordinate 'theta': is an angle between a direction and itself"},
+      {"\"angle\": [\"A\", \"B\"]", "\"angle\": \"u\"",
+       "/coordinates/theta: coordinate 'theta': 'u' is perpendicular to the plane of 'w' and 'v'"},
       {"\"axis\": \"z\"", "\"axis\": \"q\"", "/coordinates/z/axis: unknown axis 'q'; "},
       {"\"vectors\": [\"u\", \"v\", \"w\"]", "\"vectors\": [\"u\", \"v\"]",
        "/coordinates/theta: coordinate 'theta': the vector 'w' is carried by no body; "},
