@@ -38,4 +38,11 @@ std::span<const double> Formulation::qdd() const {
   return coordinates(model_, core_of(*this).state().qdd);
 }
 
+double Formulation::value(const std::string& name, Level level) const {
+  const std::span<const double> values = level == Level::position   ? q()
+                                         : level == Level::velocity ? qd()
+                                                                    : qdd();
+  return model_.value(name, values, level);
+}
+
 }  // namespace desmo

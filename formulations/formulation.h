@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "formulations/base/observer.h"
 #include "formulations/base/settings.h"
@@ -16,7 +17,8 @@ namespace desmo {
 ///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
 ///   if (!formulation->assemble(0).ok()) return;
 ///   for (int i = 1; i <= 100; ++i)
-///     if (formulation->step(0.01 * i).ok()) use(formulation->q(), formulation->qd());
+///     if (formulation->step(0.01 * i).ok())
+///       use(formulation->value("C.x"), formulation->value("C.x", Level::velocity));
 ///
 /// run_monitored() and LiveRun also say how accurate the answers are.
 ///
@@ -80,6 +82,10 @@ class Formulation {
   std::span<const double> q() const;
   std::span<const double> qd() const;
   std::span<const double> qdd() const;
+
+  /// Returns a value of the instant solved last by its name, such as "C.x" or "theta", as
+  /// Model::value() does, or its rate. In a loop, look up Model::coordinate() before it.
+  double value(const std::string& name, Level level = Level::position) const;
 
  private:
   // The rest of the library sees more of a formulation; its header is not installed.

@@ -6,11 +6,14 @@
 #include <stdexcept>
 #include <unordered_set>
 
+#include "cases/mechanism/names.h"
 #include "formulations/constraints/constraints.h"
 
 namespace desmo {
 
 namespace {
+
+constexpr std::string_view axes = "xyz";
 
 void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
@@ -30,6 +33,41 @@ EntityId Model::find(const std::string& entity_name) const {
   const auto it = by_name_.find(entity_name);
   require(it != by_name_.end(), name + ": there is no entity '" + entity_name + "'");
   return it->second;
+}
+
+Model::Component Model::find_component(const std::string& component_name) const {
+  const auto entity = [&](const std::string& entity_name) -> const Entity* {
+    const auto it = by_name_.find(entity_name);
+    return it == by_name_.end() ? nullptr : &entities[it->second];
+  };
+  if (const Entity* e = entity(component_name); e && e->size == 1) return {*e, 0};
+  if (const auto size = component_name.size(); size > 2 && component_name[size - 2] == '.')
+    if (const Entity* e = entity(component_name.substr(0, size - 2)); e && e->size > 1)
+      if (const auto i = axes.find(component_name.back()); i < static_cast<std::size_t>(e->size))
+        return {*e, static_cast<int>(i)};
+  std::vector<std::string> names;
+  for (EntityId e = 0; e < static_cast<EntityId>(entities.size()); ++e)
+    for (int i = 0; i < entities[e].size; ++i)
+      names.push_back(coordinate_name(*this, e, entities[e].first + i));
+  throw std::invalid_argument(
+      name + ": there is no coordinate '" + component_name + "'; " +
+      suggestion(component_name, std::vector<std::string_view>(names.begin(), names.end())));
+}
+
+int Model::coordinate(const std::string& component_name) const {
+  const auto [entity, i] = find_component(component_name);
+  require(!entity.fixed, name + ": '" + component_name + "' is fixed and no coordinate");
+  return entity.first + i;
+}
+
+double Model::value(const std::string& component_name, std::span<const double> values,
+                    Level level) const {
+  require(std::ssize(values) == coordinates(), name + ": there are " +
+                                                   std::to_string(values.size()) + " values for " +
+                                                   std::to_string(coordinates()) + " coordinates");
+  const auto [entity, i] = find_component(component_name);
+  if (!entity.fixed) return values[entity.first + i];
+  return level == Level::position ? fixed_values[entity.first + i] : 0;
 }
 
 GroupId Model::add_group(std::string group_name, std::vector<std::string> bodies) {
@@ -79,6 +117,11 @@ void Model::add(Constraint constraint) {
   });
   require(all_finite(constraint.constants), where + ": a dimension is not finite");
   constraints.push_back(std::move(constraint));
+}
+
+std::string coordinate_name(const Model& m, EntityId entity, int coordinate) {
+  const Entity& e = m.entities[entity];
+  return e.size == 1 ? e.name : e.name + "." + axes[coordinate - e.first];
 }
 
 std::vector<EntityId> entity_of_coordinate(const Model& m) {

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "cases/mechanism/level.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo {
@@ -94,6 +95,20 @@ struct Model {
   /// there is none.
   EntityId find(const std::string& entity_name) const;
 
+  /// Returns the position in q, q̇ and q̈ of a coordinate by its name (coordinate_name()): "C.x", a
+  /// component of a point or vector C, or "theta", an angle or a distance. Look it up once, before
+  /// a loop. Throws std::invalid_argument, with names that exist, when there is none or it is
+  /// fixed.
+  int coordinate(const std::string& name) const;
+
+  /// Returns the value of that name at a level, where `values` are q, q̇ or q̈. A fixed entity has
+  /// its constants, and rates 0. Throws std::invalid_argument when there is no such name or
+  /// `values` are not coordinates() numbers.
+  ///
+  ///   model.value("C.x", instant.q), model.value("C.x", instant.qd, Level::velocity)
+  double value(const std::string& name, std::span<const double> values,
+               Level level = Level::position) const;
+
   GroupId add_group(std::string group_name, std::vector<std::string> bodies);
 
   /// Adds an entity whose components are coordinates. They have an initial estimate, and a group
@@ -112,8 +127,19 @@ struct Model {
  private:
   EntityId add_entity(Entity entity);
 
+  /// A component of an entity: the i-th of its values.
+  struct Component {
+    const Entity& entity;
+    int i;
+  };
+  Component find_component(const std::string& component_name) const;
+
   std::unordered_map<std::string, EntityId> by_name_;  // first entity of each name
 };
+
+/// Returns the name of a coordinate of an entity: "C.x" of a point or vector C, or the entity's
+/// own.
+std::string coordinate_name(const Model& model, EntityId entity, int coordinate);
 
 /// Returns the entity of each coordinate.
 std::vector<EntityId> entity_of_coordinate(const Model& model);

@@ -42,7 +42,7 @@ ModellingResult model_mechanism(const Mechanism& mechanism, const std::vector<Mo
 /// Returns the model alone of a scene's whole mechanism, independent of what the scene requests.
 ///
 ///   const Model model = make_model(library_scene("slider_crank"));
-///   const int x = model.entities[model.find("C")].first;  // of C in q
+///   const int x = model.coordinate("C.x");  // position of that coordinate in q
 Model make_model(const Scene& scene);
 
 }  // namespace desmo

@@ -75,14 +75,12 @@ TEST(FourBar, GroupsAreTheCrankAndThenTheDyads) {
 
 TEST(FourBar, StartsFromTheDesignsEstimate) {
   const Model m = four_bar_model(2);
-  const auto at = [&](const char* name, int i = 0) {
-    return m.estimate[m.entities[m.find(name)].first + i];
-  };
+  const auto at = [&](const char* name) { return m.value(name, m.estimate); };
   EXPECT_DOUBLE_EQ(at("crank/theta"), std::acos(0.5));
-  EXPECT_DOUBLE_EQ(at("dyad2/C"), 9);
-  EXPECT_DOUBLE_EQ(at("dyad2/C", 1), 5);
+  EXPECT_DOUBLE_EQ(at("dyad2/C.x"), 9);
+  EXPECT_DOUBLE_EQ(at("dyad2/C.y"), 5);
   EXPECT_DOUBLE_EQ(at("dyad2/psi"), 2);
-  EXPECT_DOUBLE_EQ(m.fixed_values[m.entities[m.find("dyad2/D")].first], 12);
+  EXPECT_DOUBLE_EQ(at("dyad2/D.x"), 12);
 }
 
 TEST(TruckSuspension, GroupsUnknownsAndEntitiesAreThePapers) {

@@ -35,7 +35,7 @@ int main() {
     degraded += answer.outcome() == desmo::Outcome::degraded;
     failed += answer.outcome() == desmo::Outcome::failed;
   }
-  std::printf("%d rows degraded, %d failed; q[0] = %.6f at t = %.3f s\n", degraded, failed,
-              run.q()[0], run.time());
+  std::printf("%d rows degraded, %d failed; the left wheel at %.6f m at t = %.3f s\n", degraded,
+              failed, model.value("axle1/zL", run.q()), run.time());
   return degraded == 0 && failed == 1 && run.time() == 2 ? 0 : 1;
 }

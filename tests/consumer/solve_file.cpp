@@ -43,7 +43,7 @@ int solve(const char* scene_file, const char* motion_file) {
 
   std::FILE* const file = std::fopen(motion_file, "w");
   if (!file) return 1;
-  Table table(file, model.entities[model.find("C")].first);
+  Table table(file, model.coordinate("C.x"));
   const desmo::MonitoredSummary summary =
       desmo::run_monitored(*formulation, scene.grid, {}, table, {});
   std::fclose(file);

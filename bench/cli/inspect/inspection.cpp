@@ -75,11 +75,6 @@ Inspection inspect(const Input& input) {
   return result;
 }
 
-std::string coordinate_name(const Model& m, EntityId owner, int coordinate) {
-  const Entity& e = m.entities[owner];
-  return e.size == 1 ? e.name : e.name + "." + "xyz"[coordinate - e.first];
-}
-
 std::vector<std::string> entity_names(const Model& m, const std::vector<EntityId>& entities) {
   std::vector<std::string> names;
   for (const EntityId e : entities) names.push_back(m.entities[e].name);

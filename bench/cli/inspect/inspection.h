@@ -32,9 +32,6 @@ struct Inspection {
 /// Models an input and collects its structure. Throws InputError.
 Inspection inspect(const Input& input);
 
-/// Returns the name of a coordinate: "theta", "C.x".
-std::string coordinate_name(const Model& model, EntityId owner, int coordinate);
-
 /// Return the names of entities, and of the model's drivers.
 std::vector<std::string> entity_names(const Model& model, const std::vector<EntityId>& entities);
 std::vector<std::string> driver_names(const Model& model);

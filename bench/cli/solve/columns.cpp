@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bench/cli/inspect/inspection.h"
-
 namespace desmo::cli {
 namespace {
 

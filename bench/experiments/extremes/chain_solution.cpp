@@ -32,13 +32,13 @@ void split(const std::vector<Quadruple>& wide, std::vector<double>& high,
 ChainSolution::ChainSolution(const DyadChain& chain, const Model& m)
     : chain_(chain), m_(m), size_(nominal_size(m)), now_{0, {}, {}, {}} {
   const auto coordinate = [&](const std::string& name) {
-    return m.entities[m.find(chain.prefix + name)].first;
+    return m.coordinate(chain.prefix + name);
   };
   crank_angle_ = coordinate("crank/theta");
-  crank_joint_ = coordinate("crank/B");
+  crank_joint_ = coordinate("crank/B.x");
   for (std::size_t k = 1; k <= chain.dyads.size(); ++k) {
     const std::string dyad = "dyad" + std::to_string(k);
-    places_.push_back({coordinate(dyad + "/C"), coordinate(dyad + "/psi"), 0, 0});
+    places_.push_back({coordinate(dyad + "/C.x"), coordinate(dyad + "/psi"), 0, 0});
   }
   for (std::vector<Quadruple>* values : {&now_.q, &now_.qd, &now_.qdd})
     values->resize(m.coordinates());
