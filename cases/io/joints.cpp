@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "cases/io/readers.h"
 #include "cases/mechanism/joint_forms.h"
@@ -27,42 +25,12 @@ Mechanism::Joint read_joint(const JsonValue& value, const Names& names) {
   return joint;
 }
 
-// type/first body/second body, numbered from the second of these on.
-class DefaultNames {
- public:
-  explicit DefaultNames(const std::vector<Mechanism::Joint>& joints) {
-    for (const Mechanism::Joint& joint : joints) taken_.insert(joint.name);
-  }
-
-  std::string next(const std::string& stem) {
-    int& count = counts_[stem];
-    std::string name;
-    do {
-      name = ++count == 1 ? stem : stem + "/" + std::to_string(count);
-    } while (!taken_.insert(name).second);
-    return name;
-  }
-
- private:
-  std::set<std::string> taken_;
-  std::map<std::string, int> counts_;
-};
-
 }  // namespace
 
-std::vector<Mechanism::Joint> read_joints(const JsonValue& root,
-                                          const std::vector<Mechanism::Body>& bodies,
-                                          const Names& names) {
+std::vector<Mechanism::Joint> read_joints(const JsonValue& root, const Names& names) {
   std::vector<Mechanism::Joint> joints;
-  const JsonValue list = root["joints"];
-  const std::vector<JsonValue> values = list.elements();
-  for (const JsonValue& value : values) joints.push_back(read_joint(value, names));
-  DefaultNames defaults(joints);
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    if (joints[i].name.empty())
-      joints[i].name =
-          defaults.next(std::string(values[i]["type"].text()) + "/" +
-                        bodies[joints[i].bodies[0]].name + "/" + bodies[joints[i].bodies[1]].name);
+  for (const JsonValue& value : root["joints"].elements())
+    joints.push_back(read_joint(value, names));
   return joints;
 }
 

@@ -95,7 +95,8 @@ ReadMechanism mechanism_from(const JsonValue& root) {
   d.points = read_points(root, d.dimension, units.length, names);
   d.vectors = read_vectors(root, d.dimension, d.points, names);
   d.bodies = read_bodies(root, units.length, names);
-  d.joints = read_joints(root, d.bodies, names);
+  d.joints = read_joints(root, names);
+  name_joints(d);
   d.coordinates = read_coordinates(root, d.dimension, units, names);
   try {
     validate(d);

@@ -60,10 +60,8 @@ std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension
                                             const std::vector<Mechanism::Point>& points,
                                             Names& names);
 
-/// Reads joints. bodies: supply the names of joints without one.
-std::vector<Mechanism::Joint> read_joints(const JsonValue& root,
-                                          const std::vector<Mechanism::Body>& bodies,
-                                          const Names& names);
+/// Reads joints; names of those without one are empty.
+std::vector<Mechanism::Joint> read_joints(const JsonValue& root, const Names& names);
 
 /// Reads relative coordinates and which of them are driven.
 std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int dimension,

@@ -62,14 +62,11 @@ class MechanismBuilder {
     own_points.insert(own_points.end(), points.begin(), points.end());
     own_vectors.insert(own_vectors.end(), vectors.begin(), vectors.end());
   }
-  /// Adds a joint between bodies a and b with the points and vectors that JointType names.
+  /// Adds a joint between bodies a and b with the points and vectors that JointType names. Without
+  /// a name release() gives it the one that it would have in a file.
   void joint(Mechanism::JointType type, int a, int b, std::vector<int> points,
-             std::vector<int> vectors = {}) {
-    d_.joints.push_back({d_.bodies[a].name + "-" + d_.bodies[b].name,
-                         type,
-                         {a, b},
-                         std::move(points),
-                         std::move(vectors)});
+             std::vector<int> vectors = {}, std::string name = {}) {
+    d_.joints.push_back({std::move(name), type, {a, b}, std::move(points), std::move(vectors)});
   }
   /// Adds a relative coordinate, to be completed through the reference, which the next call voids.
   Mechanism::Coordinate& coordinate(std::string name, Mechanism::CoordinateType type) {
@@ -80,7 +77,10 @@ class MechanismBuilder {
   }
 
   /// Returns the mechanism; the builder is then empty.
-  Mechanism release() { return std::move(d_); }
+  Mechanism release() {
+    name_joints(d_);
+    return std::move(d_);
+  }
 
   /// Sets Mechanism::length_unit: "m" (the default) or "1".
   void set_length_unit(std::string unit) { d_.length_unit = std::move(unit); }

@@ -54,7 +54,7 @@ struct Mechanism {
   };
 
   struct Joint {
-    std::string name;  ///< unique; for messages
+    std::string name;  ///< unique; for messages; see name_joints()
     JointType type;
     std::array<int, 2> bodies;
     std::vector<int> points, vectors;  ///< those of the first body before those of the second
@@ -101,6 +101,10 @@ struct Mechanism {
   std::vector<Joint> joints;
   std::vector<Coordinate> coordinates;
 };
+
+/// Names each joint that has no name: type/first body/second body, such as `revolute/crank/rod`;
+/// the second of these `revolute/crank/rod/2`. Files and MechanismBuilder do.
+void name_joints(Mechanism& mechanism);
 
 /// Checks a mechanism. Throws MechanismError, a std::invalid_argument, naming the offender and the
 /// remedy, unless:
