@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -33,15 +32,6 @@ Scene make_scene(const Case& c, int coordinates) {
                                 std::to_string(c.base_coordinates) + " + " +
                                 std::to_string(c.coordinates_per_unit) + " k, k = 1, 2, …");
   return c.with_units(units);
-}
-
-TimeGrid time_grid(double seconds, double step) {
-  const double intervals = std::round(seconds / step);
-  if (!(seconds > 0) || !(step > 0) || !std::isfinite(seconds) || !(intervals >= 1) ||
-      !(intervals <= 1e9 - 1))
-    throw std::invalid_argument(
-        "time grid: duration and step must be positive, with 2 to 1e9 instants");
-  return {0, step, static_cast<int>(intervals) + 1};
 }
 
 }  // namespace desmo

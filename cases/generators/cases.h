@@ -40,8 +40,4 @@ const Case& find_case(std::string_view name);
 /// the sizes that exist, when no whole number of units has it.
 Scene make_scene(const Case& definition, int coordinates);
 
-/// Makes a grid from 0 to `seconds`, both included, with that step [s]. Throws
-/// std::invalid_argument unless both are positive and finite and the grid has 2 to 10⁹ instants.
-TimeGrid time_grid(double seconds, double step);
-
 }  // namespace desmo

@@ -138,4 +138,8 @@ struct TimeGrid {
   }
 };
 
+/// Makes a grid from 0 to `seconds`, both included, with that step [s]. Throws
+/// std::invalid_argument unless both are positive and finite and the grid has 2 to 10⁹ instants.
+TimeGrid time_grid(double seconds, double step);
+
 }  // namespace desmo
