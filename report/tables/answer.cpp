@@ -4,6 +4,7 @@
 
 #include "report/statistics/paper.h"
 #include "report/tables/entries.h"
+#include "report/tables/record_words.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"
 #include "report/text/texts.h"
@@ -86,7 +87,7 @@ std::optional<Best> best_generated(const Record& record, std::string_view side_b
 }
 
 Table best_formulations(const Record& record) {
-  Table table = headed_table("best", {{"coordinates", size_compared(record)}});
+  Table table = headed_table("best", timed_words(record, {{"coordinates", size_compared(record)}}));
   const std::optional<CandidateKey> paper = papers_reference(record), best = best_reference(record);
   add_row(table, record, "global, paper's settings", paper);
   add_row(table, record, "generated elimination, paper's settings", generated_like(record, {}, ""));
@@ -103,7 +104,6 @@ Table best_formulations(const Record& record) {
 namespace {
 
 constexpr std::size_t papers_best = 6;  // TS-TPS_LAP, in `variants`
-constexpr std::size_t min_repetitions = 3;
 
 std::string two_digits(double value) { return write(value, significant_digits(value, 2)); }
 
@@ -178,7 +178,7 @@ std::size_t least_repetitions(const Record& record) {
 Section answer(const Record& record) {
   Section section = headed_section("answer");
   section.tables = {figure_of_speed_ups(record), best_formulations(record)};
-  if (least_repetitions(record) >= min_repetitions) {
+  if (least_repetitions(record) >= min_for_interval) {
     const std::string_view name = variants[papers_best].paper_name;
     section.paragraphs = {
         sentence("answer.paper", {{"variant", name},
@@ -187,8 +187,7 @@ Section answer(const Record& record) {
         sentence(shows_the_finding(record) ? "answer.finding" : "answer.finding_not_shown"),
         what_gains(record)};
   } else {
-    section.paragraphs = {sentence("answer.too_few"), sentence("answer.finding_filed")};
-    for (Table& table : section.tables) table.title += " (first look)";
+    section.paragraphs = {sentence("answer.first_look"), sentence("answer.finding_filed")};
   }
   if (const std::size_t count = failures(record).size(); count > 0)
     section.paragraphs.push_back(sentence("answer.failed", {{"count", count}}));

@@ -18,8 +18,6 @@ std::optional<double> number(const std::string& digits) {
   return value;
 }
 
-std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" : "two runs"; }
-
 }  // namespace
 
 void add_note(Entry& entry, const std::string& note) {
@@ -31,17 +29,18 @@ Entry seconds_entry(const Measured& measured, Spread spread) {
   if (!measured.seconds) return note_entry(measured.mark);
   const SampleSummary& s = *measured.seconds;
   const DigitStyle style = significant_digits(s.value, 4);
-  const std::string value = write(s.value, style), count = std::to_string(s.count);
+  const std::string count = std::to_string(s.count);
   const bool is_range = spread == Spread::range;
-  if (s.count < (is_range ? 2 : min_for_interval)) {
-    const std::string note = runs(s.count);
-    return {value + " (" + note + ")",
-            is_range ? std::vector<std::string>{value, "", "", count}
-                     : std::vector<std::string>{value, "", count},
-            note};
+  if (!s.has_interval()) {
+    const std::string order = write_order(s.value);
+    return {order,
+            is_range ? std::vector<std::string>{order, "", "", count}
+                     : std::vector<std::string>{order, "", count},
+            {}};
   }
-  const std::string half = write(s.half_range(), style), median = write(s.median, style),
-                    least = write(s.least, style), largest = write(s.largest, style);
+  const std::string value = write(s.value, style), half = write(s.half_range(), style),
+                    median = write(s.median, style), least = write(s.least, style),
+                    largest = write(s.largest, style);
   if (is_range)
     return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
   if (spread == Spread::half_range) return {value + " ±" + half, {value, half, count}, {}};
@@ -61,8 +60,10 @@ Entry reference_entry() { return {"1.00 reference", {"1.00"}, "reference"}; }
 
 Entry instant_entry(const Record& record, const Measured& measured, int significant) {
   if (!measured.seconds) return note_entry(missing_mark);
-  return number_entry(1e6 * measured.seconds->value / static_cast<double>(record.settings.instants),
-                      significant);
+  const double microseconds =
+      1e6 * measured.seconds->value / static_cast<double>(record.settings.instants);
+  if (!measured.seconds->has_interval()) return digits_entry(write_order(microseconds));
+  return number_entry(microseconds, significant);
 }
 
 void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate) {
@@ -72,18 +73,21 @@ void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate) {
     row.push_back(number_entry(checked ? std::optional((*checked).*level) : std::nullopt, 2));
 }
 
+std::string ratio_text(const SpeedUp& ratio) {
+  return ratio.spread ? write(ratio.value, ratio_digits(ratio.value)) : write_order(ratio.value);
+}
+
 Entry ratio_entry(const SpeedUp& ratio, bool with_percent) {
   const DigitStyle style = ratio_digits(ratio.value);
-  const std::string value = write(ratio.value, style), low = write(ratio.low, style),
+  const std::string value = ratio_text(ratio), low = write(ratio.low, style),
                     high = write(ratio.high, style), percent = write_fixed(ratio.percent, 1);
   Entry entry{value, {value, "", ""}, {}};
   if (ratio.spread) entry = {value + " [" + low + ", " + high + "]", {value, low, high}, {}};
   if (with_percent) {
-    const bool slower = ratio.percent < 0;  // the ratio says it
-    entry.digits.push_back(slower ? "" : percent);
-    if (!slower) entry.shown += " (" + percent + " %)";
+    const bool shown = ratio.spread && ratio.percent >= 0;  // of what is slower the ratio says it
+    entry.digits.push_back(shown ? percent : "");
+    if (shown) entry.shown += " (" + percent + " %)";
   }
-  if (!ratio.spread) add_note(entry, runs(ratio.repetitions));
   if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
   return entry;
 }
@@ -118,9 +122,12 @@ Entry compared(Entry published, const Entry& ours) {
 
 Entry step_time_entry(const std::vector<double>& samples) {
   const StepTime time = step_time(samples);
+  if (samples.size() < 2) {
+    const std::string order = write_order(time.seconds * 1e6);
+    return {order, {order, ""}, {}};
+  }
   const DigitStyle style = significant_digits(time.seconds * 1e6, 4);
   const std::string least = write(time.seconds * 1e6, style);
-  if (samples.size() < 2) return {least + " (one run)", {least, ""}, "one run"};
   const std::string again = write(time.again * 1e6, style);
   return {least + " – " + again, {least, again}, {}};
 }

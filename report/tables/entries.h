@@ -33,9 +33,12 @@ Entry reference_entry();
 /// that is another time.
 enum class Spread { half_range, range, median };
 
+/// Writes a ratio, without interval: 1.24; of fewer than three repetitions one digit.
+std::string ratio_text(const SpeedUp& ratio);
+
 /// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; "0.1122 (0.1102 – 0.1185)",
 /// {seconds, least, largest, repetitions}; "0.1122 (median 0.1185)", {seconds, median,
-/// repetitions}; "0.4210 (two runs)" where they are too few; or the mark.
+/// repetitions}; "0.4" of fewer than three repetitions, an order of magnitude; or the mark.
 Entry seconds_entry(const Measured& measured, Spread spread = Spread::half_range);
 
 /// Microseconds of an instant, of a whole analysis of the record's motion.
@@ -45,8 +48,8 @@ Entry instant_entry(const Record& record, const Measured& measured, int signific
 void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate);
 
 /// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, with inconclusive_mark where the interval is
-/// too wide; or the mark. with_percent: "1.24 [1.21, 1.27] (19.4 %)", and a quantity more; without
-/// the percentage for what is slower.
+/// too wide; "1" of fewer than three repetitions; or the mark. with_percent: "1.24 [1.21, 1.27]
+/// (19.4 %)", and a quantity more; without the percentage for what is slower.
 Entry ratio_entry(const SpeedUp& ratio, bool with_percent = false);
 Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent = false);
 

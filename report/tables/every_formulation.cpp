@@ -40,7 +40,7 @@ Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& refer
   if (key == *reference) return reference_entry();
   const MeasuredSpeedUp ratio = measured_speed_up(record, *reference, key);
   if (!ratio.speed_up) return note_entry(ratio.mark);
-  Entry entry = digits_entry(write(ratio.speed_up->value, ratio_digits(ratio.speed_up->value)));
+  Entry entry = digits_entry(ratio_text(*ratio.speed_up));
   if (ratio.speed_up->inconclusive()) add_note(entry, inconclusive_mark);
   return entry;
 }
@@ -49,11 +49,9 @@ Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& refer
 
 Table every_formulation(const Record& record, const std::string& case_name,
                         std::int64_t coordinates) {
-  Table table = headed_table("formulations_case", {{"case", case_name},
-                                                   {"coordinates", coordinates},
-                                                   {"time", time_word(record)},
-                                                   {"repetitions", repetitions(record)}});
-  define_time(table, record);
+  Table table =
+      headed_table("formulations_case",
+                   timed_words(record, {{"case", case_name}, {"coordinates", coordinates}}));
   const std::vector<CandidateKey> keys = ordered_keys(record, case_name, coordinates);
   const auto reference = papers_reference(record, case_name, coordinates);
   for (const CandidateKey& key : keys) {
@@ -112,7 +110,7 @@ Section threads(const Record& record) {
   std::map<std::string, std::map<Place, CandidateKey>> cases;
   for (const auto& [key, timing] : all) cases[key.case_name][place_of(key)] = key;
   for (const auto& [name, places] : cases) {
-    Table table = headed_table("threads", {{"case", name}});
+    Table table = headed_table("threads", timed_words(record, {{"case", name}}));
     for (const auto& [place, key] : places) {
       const auto& [coordinates, delivered, analysis, threads] = place;
       const Timing& timing = all.at(key);

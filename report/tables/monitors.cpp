@@ -17,6 +17,9 @@ struct Price {
   std::optional<double> step, share, start;  // µs, % of the bare step, ms
 };
 
+/// Tells whether a time has too few repetitions for the small difference of two.
+bool is_of_few(const Measured& time) { return time.seconds && !time.seconds->has_interval(); }
+
 /// Takes the first of the timing windows, in which the monitors are made and begin, for the start.
 Price price_of(const Record& record, const Measured& bare, const Measured& monitored) {
   if (!bare.seconds || !monitored.seconds) return {};
@@ -35,12 +38,13 @@ Price price_of(const Record& record, const Measured& bare, const Measured& monit
 Section monitors(const Record& record) {
   Section section = headed_section("monitors_section");
   const std::int64_t windows = record.settings.windows.value_or(1);
-  Table table = headed_table("monitors", {{"windows", windows}, {"time", time_word(record)}});
+  Table table = headed_table("monitors", timed_words(record, {{"windows", windows}}));
   for (const auto& [key, candidate] : record.candidates) {
     if (!key.id.ends_with(monitored_suffix)) continue;
     CandidateKey without = key;
     without.id.resize(key.id.size() - monitored_suffix.size());
     const Measured bare = measured(record, without), monitored = measured(candidate);
+    if (is_of_few(bare) || is_of_few(monitored)) continue;
     const Price price = price_of(record, bare, monitored);
     table.rows.push_back({key.case_name, std::to_string(key.coordinates), without.id,
                           instant_entry(record, bare), instant_entry(record, monitored),

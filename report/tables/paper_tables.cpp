@@ -52,17 +52,15 @@ Entry published_speed_up_entry(const std::string& row, const Variant& variant, b
 
 Table cpu_times(const Record& record, std::string_view family) {
   const Sources source = sources(record);
+  const char* const solver = family == papers_own ? "table1.ma27_too" : "table1.ma27_in_place";
   Table table = headed_table(
-      "table1",
-      {{"family", family},
-       {"duration", write_shortest(record.settings.duration_seconds)},
-       {"paper_motion",
-        source.warning.empty() ? "" : sentence("table1.other_motion", {{"paper", source.paper}})},
-       {"time", time_and_median(record)},
-       {"repetitions", repetitions(record)},
-       {"paper_solver", sentence(family == papers_own ? "table1.ma27_too" : "table1.ma27_in_place",
-                                 {{"family", family}})}});
-  define_time(table, record);
+      "table1", timed_words(record, {{"family", family},
+                                     {"duration", write_shortest(record.settings.duration_seconds)},
+                                     {"paper_motion", source.warning.empty()
+                                                          ? ""
+                                                          : sentence("table1.other_motion",
+                                                                     {{"paper", source.paper}})},
+                                     {"paper_solver", sentence(solver, {{"family", family}})}}));
   if (!source.warning.empty()) table.notes.push_back(source.warning);
   for (const Variant& variant : variants)
     table.columns.push_back({family_name(variant, family), {"seconds", "median", "repetitions"}});
@@ -83,8 +81,8 @@ Table cpu_times(const Record& record, std::string_view family) {
 
 Table speed_ups(const Record& record, std::string_view family) {
   Table table = headed_table(
-      "table2", {{"family", family}, {"reference", family_name(variants[truck_global], family)}});
-  define_time(table, record);
+      "table2", timed_words(record, {{"family", family},
+                                     {"reference", family_name(variants[truck_global], family)}}));
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(source.ratio_warning);
   std::vector<Variant> shown;
@@ -135,11 +133,9 @@ std::string legend(const Variant& variant) {
 }
 
 TextValues values_of(const Record& record) {
-  return {{"cpu", record.machine.cpu},
-          {"date", record.date.substr(0, 10)},
-          {"repetitions", repetitions(record)},
-          {"time", time_and_median(record)},
-          {"duration", write_shortest(record.settings.duration_seconds)}};
+  return timed_words(record, {{"cpu", record.machine.cpu},
+                              {"date", record.date.substr(0, 10)},
+                              {"duration", write_shortest(record.settings.duration_seconds)}});
 }
 
 /// Adds a row for each size; `entry_of` gives a variant's time at a size.

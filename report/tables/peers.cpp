@@ -74,8 +74,7 @@ Section peers(const Record& record) {
   }
   for (const auto& [name, method] : methods) section.paragraphs.push_back(method);
   for (const auto& [name, places] : cases) {
-    Table table = headed_table("peers_case", {{"case", name}, {"time", time_word(record)}});
-    define_time(table, record);
+    Table table = headed_table("peers_case", timed_words(record, {{"case", name}}));
     for (const auto& [place, peers] : places) {
       const Ours ours = ours_with(record, *peers.front());
       for (const Peer* peer : peers)

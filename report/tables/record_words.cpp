@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "report/statistics/measurements.h"
 #include "report/statistics/paper.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"
@@ -22,19 +23,33 @@ std::string commit_of(const Record& record) {
   return record.commit + (record.dirty ? " " + sentence("common.uncommitted") : "");
 }
 
-std::string time_word(const Record& record) {
-  return sentence(record.settings.windows ? "common.undisturbed" : "common.median");
+namespace {
+
+/// The fewest and the most repetitions of what was timed in the paper's experiment; 0: nothing was.
+struct Repetitions {
+  std::size_t least = 0, most = 0;
+};
+
+Repetitions repetitions_of(const Record& record) {
+  Repetitions found;
+  for (const Clock clock : {Clock::cpu, Clock::wall})
+    for (const auto& [key, timing] : timings(record, clock)) {
+      if (!timing.time.seconds) continue;
+      const std::size_t count = timing.time.seconds->count;
+      found = {found.most == 0 ? count : std::min(found.least, count), std::max(found.most, count)};
+    }
+  return found;
 }
 
-std::string time_and_median(const Record& record) {
-  return sentence(record.settings.windows ? "common.undisturbed_and_median" : "common.median");
+bool is_first_look(const Repetitions& found) {
+  return found.most > 0 && found.most < min_for_interval;
 }
 
-void define_time(Table& table, const Record& record) {
-  if (record.settings.windows)
-    table.notes.push_back(
-        sentence(has_samples_of_windows(record) ? "common.time_of_samples" : "common.time_of_least",
-                 {{"windows", *record.settings.windows}}));
+std::string definition_of_time(const Record& record, bool with_interval) {
+  if (!record.settings.windows) return {};
+  const std::string kind = has_samples_of_windows(record) ? "samples" : "least";
+  return sentence("common.time_of_" + kind, {{"windows", *record.settings.windows}}) +
+         (with_interval ? sentence("common.interval_of_" + kind) : "");
 }
 
 std::string repetitions(const Record& record) {
@@ -47,6 +62,28 @@ std::string repetitions(const Record& record) {
                     {{"least", *counts.begin()}, {"most", *counts.rbegin()}});
   return sentence(*counts.begin() == 1 ? "common.one_repetition" : "common.repetitions",
                   {{"count", *counts.begin()}});
+}
+
+}  // namespace
+
+bool is_first_look(const Record& record) { return is_first_look(repetitions_of(record)); }
+
+TextValues timed_words(const Record& record, const TextValues& more) {
+  const Repetitions found = repetitions_of(record);
+  const bool windows = record.settings.windows.has_value(), intervals = !is_first_look(found);
+  TextValues words{{"time", sentence(windows ? "common.undisturbed" : "common.median")},
+                   {"time_and_median", sentence(!windows    ? "common.median"
+                                                : intervals ? "common.undisturbed_and_median"
+                                                            : "common.undisturbed")},
+                   {"definition", definition_of_time(record, intervals)},
+                   {"repetitions", repetitions(record)},
+                   {"one_digit", intervals && found.most > 0 && found.least < min_for_interval
+                                     ? "; " + sentence("common.one_digit")
+                                     : ""}};
+  for (const char* word : {"interval", "half_range", "range", "in_or_out", "inconclusive"})
+    words.emplace_back(word, intervals ? sentence("intervals." + std::string(word)) : "");
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
 Sources sources(const Record& record) {
@@ -83,7 +120,9 @@ Section limitations(const Record& record) {
   const bool ma27 = std::ranges::count(recorded_families(record), papers_own) > 0;
   say(!ma27, "without_ma27");
   say(ma27, "with_ma27");
-  for (const char* always : {"truck", "machines", "intervals", "errors"}) say(true, always);
+  for (const char* always : {"truck", "machines"}) say(true, always);
+  say(!is_first_look(record), "intervals");
+  say(true, "errors");
   say(is_unsteady(record.machine), "unsteady");
   say(record.dirty, "dirty");
   if (const Sources source = sources(record); has_paper(record) && !source.warning.empty())

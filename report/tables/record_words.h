@@ -4,7 +4,7 @@
 #include <string>
 
 #include "report/read/record.h"
-#include "report/text/document.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 
@@ -14,17 +14,17 @@ bool has_samples_of_windows(const Record& record);
 /// Returns the commit, and whether there were changes that it does not have.
 std::string commit_of(const Record& record);
 
-/// Returns "undisturbed time" where the record has timing windows, "median" where it has none.
-std::string time_word(const Record& record);
+/// Tells whether nothing of the paper's experiment was measured often enough for an interval.
+bool is_first_look(const Record& record);
 
-/// Returns the same, with the median where that is another time: "undisturbed time (and median)".
-std::string time_and_median(const Record& record);
-
-/// Adds what an undisturbed time is to the notes of a table.
-void define_time(Table& table, const Record& record);
-
-/// "5 repetitions", "3 to 5 repetitions": of all candidates that were measured.
-std::string repetitions(const Record& record);
+/// Returns what texts about the times of the paper's experiment say, followed by `more`:
+/// - time: "undisturbed time" where the record has timing windows, "median" where it has none
+/// - time_and_median: the same, "(and median)" where that is another time
+/// - definition: what an undisturbed time is; may be empty
+/// - repetitions: "5 repetitions", "3 to 5 repetitions", of all candidates that were measured
+/// - the words of the block "intervals", which are empty in a first look
+/// - one_digit: how times without an interval are shown, where there are some besides others
+TextValues timed_words(const Record& record, const TextValues& more = {});
 
 /// Words that tell our values from the paper's: "ours" and "paper" when both are times of the same
 /// motion, "ours, 2 s" and "paper, 30 s" when they are not.

@@ -44,10 +44,9 @@ Section requests(const Record& record) {
   for (const MeasuredRequest& request : record.requests)
     places[{request.key.case_name, request.key.coordinates}].push_back(&request);
   for (const auto& [place, asked] : places) {
-    Table table = headed_table(
-        "requests_case",
-        {{"case", place.first}, {"coordinates", place.second}, {"time", time_word(record)}});
-    define_time(table, record);
+    Table table =
+        headed_table("requests_case",
+                     timed_words(record, {{"case", place.first}, {"coordinates", place.second}}));
     std::set<std::string> ids;
     for (const MeasuredRequest* request : asked)
       if (ids.insert(request->key.id).second)

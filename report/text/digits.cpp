@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
 
 namespace desmo::report {
 namespace {
@@ -27,6 +28,12 @@ DigitStyle significant_digits(double value, int significant) {
 
 DigitStyle ratio_digits(double value) {
   return value >= 0.1 && value < 100 ? DigitStyle{false, 2} : significant_digits(value, 3);
+}
+
+std::string write_order(double value) {
+  const double rounded =
+      std::strtod(characters(value, std::chars_format::scientific, 0).c_str(), nullptr);
+  return write(rounded, significant_digits(rounded, 1));
 }
 
 std::string write_shortest(double value) {

@@ -18,6 +18,9 @@ DigitStyle significant_digits(double value, int significant);
 /// Speed-ups: two decimals between 0.1 and 100, three significant digits elsewhere.
 DigitStyle ratio_digits(double value);
 
+/// Returns a value's order of magnitude, one significant digit: 30, 0.8, 0.004.
+std::string write_order(double value);
+
 /// Locale-independent decimal digits, valid as a JSON number; never "-0". The value is finite.
 std::string write(double value, DigitStyle style);
 

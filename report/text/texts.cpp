@@ -78,7 +78,9 @@ Table headed_table(std::string_view block, const TextValues& values) {
   for (const auto& [word, text] : block_named(block)) {
     if (word == "name") table.name = filled(text, values);
     if (word == "title") table.title = filled(text, values);
-    if (word == "note") table.notes.push_back(filled(text, values));
+    if (word == "note")
+      if (std::string note = filled(text, values); !note.empty())
+        table.notes.push_back(std::move(note));
     if (word == "caption") table.caption = filled(text, values);
     if (word == "column") table.columns.push_back(parse_column(filled(text, values)));
     if (word == "detail") table.detail = true;

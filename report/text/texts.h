@@ -28,7 +28,7 @@ using TextValues = std::vector<TextValue>;
 /// Returns the sentence "block.word" with its placeholders filled.
 std::string sentence(std::string_view name, const TextValues& values = {});
 
-/// Returns a table without rows: name, title, notes and columns of a block.
+/// Returns a table without rows: name, title, notes (but for empty ones) and columns of a block.
 Table headed_table(std::string_view block, const TextValues& values = {});
 
 /// Returns a section without tables: title and paragraphs of a block.

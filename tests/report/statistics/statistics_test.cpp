@@ -150,6 +150,16 @@ TEST(Statistics, NoSlopeOfTwoSizes) {
   EXPECT_FALSE(fit_slope(std::vector{1.0, 2.0}, std::vector{1.0, 2.0}));
 }
 
+TEST(Digits, OrderOfMagnitude) {
+  EXPECT_EQ(write_order(31.1), "30");
+  EXPECT_EQ(write_order(0.795), "0.8");
+  EXPECT_EQ(write_order(0.96), "1");
+  EXPECT_EQ(write_order(96), "100");
+  EXPECT_EQ(write_order(5.89), "6");
+  EXPECT_EQ(write_order(0), "0");
+  EXPECT_EQ(write_order(3.14e-13), "3e-13");
+}
+
 TEST(Digits, Significant) {
   EXPECT_EQ(write_significant(7.1, 4), "7.100");
   EXPECT_EQ(write_significant(0.607, 4), "0.6070");
