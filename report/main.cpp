@@ -34,19 +34,37 @@ struct TablesCommand {
   bool all = false;
 };
 
+/// Returns the message about a table that a report does not have: those with the longest common
+/// beginning of two letters or more, and all.
+std::string no_table(const std::string& name, const std::vector<std::string>& known) {
+  constexpr std::size_t min_common = 2;
+  const auto common = [&](const std::string& other) {
+    return static_cast<std::size_t>(std::ranges::mismatch(name, other).in1 - name.begin());
+  };
+  std::string nearest, all;
+  std::size_t longest = min_common;
+  for (const std::string& other : known) longest = std::max(longest, common(other));
+  for (const std::string& other : known) {
+    all += (all.empty() ? "" : ", ") + other;
+    if (common(other) == longest) nearest += (nearest.empty() ? "" : ", ") + other;
+  }
+  return "no table " + name + " in this report" +
+         (nearest.empty() ? "" : "; the nearest: " + nearest) + "; there are: " + all;
+}
+
 /// Keeps only the tables of these names, without the sections' paragraphs.
 Document with_tables(Document document, const std::vector<std::string>& names) {
-  std::vector<std::string> missing = names;
+  std::vector<std::string> missing = names, known;
   for (Section& section : document.sections) {
     section.paragraphs.clear();
     std::erase_if(section.tables, [&](const Table& table) {
+      known.push_back(table.name);
       std::erase(missing, table.name);
       return std::ranges::find(names, table.name) == names.end();
     });
     for (Table& table : section.tables) table.detail = false;
   }
-  if (!missing.empty())
-    throw std::invalid_argument("no table " + missing.front() + " in this report");
+  if (!missing.empty()) throw std::invalid_argument(no_table(missing.front(), known));
   std::erase_if(document.sections, [](const Section& section) { return section.tables.empty(); });
   return document;
 }
@@ -98,7 +116,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
   const auto add_format = [](CLI::App* command, auto& formats) {
-    command->add_option("--format", formats, "terminal, csv, markdown or html")
+    command->add_option("--format", formats, "terminal, csv, json, markdown or html")
         ->check(CLI::IsMember(format_names()));
   };
   TablesCommand command;

@@ -6,59 +6,6 @@
 namespace desmo::report {
 namespace {
 
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
-std::string line(const std::vector<std::string>& fields) {
-  std::string text;
-  for (std::size_t i = 0; i < fields.size(); ++i) text += (i == 0 ? "" : ",") + field(fields[i]);
-  return text + "\n";
-}
-
-}  // namespace
-
-std::string to_csv(const Table& table) {
-  std::vector<std::string> names;
-  bool numbers = false;
-  for (const Column& column : table.columns) {
-    if (column.quantities.empty()) names.push_back(column.name);
-    for (const std::string& quantity : column.quantities)
-      names.push_back(column.name + " " + quantity);
-    numbers = numbers || !column.quantities.empty();
-  }
-  if (numbers) names.push_back("notes");
-  std::string text = line(names);
-
-  for (const auto& row : table.rows) {
-    std::vector<std::string> fields;
-    std::string notes;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const Column& column = table.columns[i];
-      const Entry& entry = row[i];
-      if (column.quantities.empty()) {
-        fields.push_back(entry.shown);
-        continue;
-      }
-      std::vector<std::string> digits = entry.digits;
-      digits.resize(column.quantities.size());
-      if (!entry.has_number())
-        digits.front() = entry.note;
-      else if (!entry.note.empty())
-        notes += (notes.empty() ? "" : "; ") + column.name + ": " + entry.note;
-      fields.insert(fields.end(), digits.begin(), digits.end());
-    }
-    if (numbers) fields.push_back(notes);
-    text += line(fields);
-  }
-  return text;
-}
-
-namespace {
-
 std::string markdown_text(const std::string& text) {
   std::map<char, std::string> escapes{{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}};
   for (const char c : std::string_view("\\`*_|[]~$#")) escapes[c] = {'\\', c};
@@ -108,7 +55,7 @@ std::string to_markdown(const Document& document) {
 }
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"terminal", "csv", "markdown", "html"};
+  static const std::vector<std::string> names{"terminal", "csv", "json", "markdown", "html"};
   return names;
 }
 
@@ -141,6 +88,7 @@ std::size_t row_width(const Table& table) {
 
 std::vector<NewFile> render(const Document& document, const std::string& format) {
   if (format == "terminal") return {{"tables.txt", to_terminal(document)}};
+  if (format == "json") return {{"tables.json", to_json(document)}};
   if (format == "markdown") return {{"tables.md", to_markdown(document)}};
   if (format == "html") return {{"report.html", to_html(document)}};
   if (format != "csv") throw std::invalid_argument("no such format: " + format);
@@ -150,13 +98,30 @@ std::vector<NewFile> render(const Document& document, const std::string& format)
   return files;
 }
 
+namespace {
+
+/// Puts the name of each table into a column in front, where there are several.
+Document with_names_in_rows(Document document) {
+  std::size_t tables = 0;
+  for (const Section& section : document.sections) tables += section.tables.size();
+  if (tables < 2) return document;
+  for (Section& section : document.sections)
+    for (Table& table : section.tables) {
+      table.columns.insert(table.columns.begin(), {"table", {}});
+      for (auto& row : table.rows) row.insert(row.begin(), table.name);
+    }
+  return document;
+}
+
+}  // namespace
+
 std::string printed(const Document& document, const std::vector<std::string>& formats) {
   std::string text;
-  for (const std::string& format : formats)
-    for (const NewFile& file : render(document, format)) {
-      if (format == "csv") text += (text.empty() ? "# " : "\n# ") + file.file_name + "\n";
-      text += file.content;
-    }
+  for (const std::string& format : formats) {
+    const bool is_csv = format == "csv";
+    for (const NewFile& file : render(is_csv ? with_names_in_rows(document) : document, format))
+      text += (is_csv && !text.empty() ? "\n" : "") + file.content;
+  }
   return text;
 }
 

@@ -19,10 +19,18 @@ std::string to_terminal(const Document& document);
 /// for one experiment.
 std::string front_to_terminal(const Document& document);
 
-/// RFC 4180 with "\n". A column with quantities becomes one field per quantity, named
+/// RFC 4180 with "\n"; the first line is the heading. A column with quantities becomes one field
+/// per quantity, named
 /// "<column> <quantity>"; where there is no number the first of them holds the note (FAILED, —).
-/// Reservations about numbers are in the last field, "notes".
+/// Reservations about numbers are in the last field, "notes". A text that a spreadsheet would take
+/// for a formula begins with an apostrophe.
 std::string to_csv(const Table& table);
+
+/// The whole report as one object: "title" and "sections", each with "chapter", "title",
+/// "paragraphs" and "tables", each with "name", "title", "notes" and "rows". A row is an object by
+/// column: a text or a number, or for a column with quantities an object of these, null where there
+/// is none, with a "note" in place of a number (FAILED, —) or about it.
+std::string to_json(const Document& document);
 
 /// GitHub's dialect.
 std::string to_markdown(const Document& document);
@@ -49,14 +57,14 @@ std::size_t characters(const std::string& text);
 /// Characters of a row in which every entry is its column's longest: how wide a table gets.
 std::size_t row_width(const Table& table);
 
-/// "terminal", "csv", "markdown", "html".
+/// "terminal", "csv", "json", "markdown", "html".
 const std::vector<std::string>& format_names();
 
 /// The files of one format: one, or for csv one per table. The format is one of format_names().
 std::vector<NewFile> render(const Document& document, const std::string& format);
 
-/// Returns a document in some formats, one after the other; a table of csv below a line with its
-/// file's name.
+/// Returns a document in some formats, one after the other. Several tables of csv have a blank line
+/// between them and their names in a first column, "table".
 std::string printed(const Document& document, const std::vector<std::string>& formats);
 
 }  // namespace desmo::report

@@ -46,10 +46,10 @@ Section monitors(const Record& record) {
     const Measured bare = measured(record, without), monitored = measured(candidate);
     if (is_of_few(bare) || is_of_few(monitored)) continue;
     const Price price = price_of(record, bare, monitored);
-    table.rows.push_back({key.case_name, std::to_string(key.coordinates), without.id,
-                          instant_entry(record, bare), instant_entry(record, monitored),
-                          number_entry(price.step, 2), number_entry(price.share, 2),
-                          number_entry(price.start, 2), remark(candidate)});
+    table.rows.push_back({key.case_name, key.coordinates, without.id, instant_entry(record, bare),
+                          instant_entry(record, monitored), number_entry(price.step, 2),
+                          number_entry(price.share, 2), number_entry(price.start, 2),
+                          remark(candidate)});
   }
   if (!table.rows.empty()) section.tables.push_back(std::move(table));
   return section;

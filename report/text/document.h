@@ -19,9 +19,10 @@ inline constexpr const char* outside_mark = "out";
 /// reader of the Markdown and a program reading the JSON see the same numbers.
 struct Entry {
   // A text alone, as rows are mostly written.
-  Entry(std::string text) : shown(std::move(text)) {}            // NOLINT
-  Entry(const char* text) : shown(text) {}                       // NOLINT
-  Entry(std::int64_t number) : shown(std::to_string(number)) {}  // NOLINT
+  Entry(std::string text) : shown(std::move(text)) {}  // NOLINT
+  Entry(const char* text) : shown(text) {}             // NOLINT
+  // A whole number in a column of texts: a size.
+  Entry(std::int64_t number) : shown(std::to_string(number)), digits{shown} {}  // NOLINT
   Entry(std::string text, std::vector<std::string> numbers, std::string reservation)
       : shown(std::move(text)), digits(std::move(numbers)), note(std::move(reservation)) {}
 

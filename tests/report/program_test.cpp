@@ -33,8 +33,34 @@ TEST_F(Program, PrintsAllTablesOrOne) {
   EXPECT_NE(out_.find("**One thread over"), std::string::npos);
   EXPECT_EQ(out_.find("**Table 2"), std::string::npos);
   EXPECT_EQ(tables("complete.json", "--table chair"), 64);
-  EXPECT_NE(err_.find("no table chair in this report"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "no table chair in this report; there are: figure6, best, ");
+  EXPECT_CONTAINS(err_, ", provenance\n");
   EXPECT_EQ(out_, "");
+  EXPECT_EQ(tables("complete.json", "--table table1"), 64);
+  EXPECT_CONTAINS(err_,
+                  "no table table1 in this report; the nearest: table1_cholmod, table1_umfpack, "
+                  "table1_klu; there are: figure6, best, ");
+  EXPECT_EQ(tables("complete.json", "--table pr0venance"), 64);
+  EXPECT_CONTAINS(err_, "; the nearest: provenance; ");
+}
+
+TEST_F(Program, PrintsForProgramsNothingButWhatTheyRead) {
+  const fs::path folder = folder_ / "out";
+  ASSERT_EQ(tables("complete.json", "--out " + folder.string()), 0);
+  const auto files = files_in(folder);
+  EXPECT_EQ(tables("complete.json", "--table best --format csv"), 0);
+  EXPECT_EQ(out_, files.at("best.csv"));
+  EXPECT_TRUE(out_.starts_with("what,id,")) << out_;
+  EXPECT_EQ(tables("complete.json", "--table best --table provenance --format csv"), 0);
+  EXPECT_TRUE(out_.starts_with("table,what,id,")) << out_;
+  EXPECT_CONTAINS(out_, "\n\ntable,what,value\nprovenance,");
+  EXPECT_EQ(tables("complete.json", "--format json"), 0);
+  EXPECT_EQ(out_, files.at("tables.json"));
+  EXPECT_EQ(tables("complete.json", "--table table1_klu --format json"), 0);
+  const Json table = Json::parse(out_)["sections"][0]["tables"][0];
+  EXPECT_EQ(table["name"], "table1_klu");
+  EXPECT_EQ(table["rows"][0]["coordinates"], "114");
+  EXPECT_TRUE(table["rows"][0]["TS-G_klu"]["seconds"].is_number()) << table;
 }
 
 TEST_F(Program, TellsItsVersion) {
@@ -125,9 +151,12 @@ TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
   ASSERT_LT(section, end);
   EXPECT_EQ(page.substr(section, end - section).find(" seconds</th>"), std::string::npos);
   // All else is as without them, the first screen before all.
-  for (const char* name : {"report.html", "tables.txt", "tables.md"}) with.erase(name);
+  for (const char* name : {"report.html", "tables.txt", "tables.md", "tables.json"})
+    with.erase(name);
   for (const auto& [name, content] : without)
-    if (with.count(name)) EXPECT_EQ(with.at(name), content) << name;
+    if (with.count(name)) {
+      EXPECT_EQ(with.at(name), content) << name;
+    }
   const std::string first_screen = without.at("report.html");
   EXPECT_TRUE(page.starts_with(first_screen.substr(0, first_screen.find("<h2>About"))));
 }

@@ -38,6 +38,73 @@ TEST(Csv, QuotesAndMarks) {
             "v,7.100,,time: old\n");
 }
 
+// What a record says is no formula; numbers stay what they are.
+TEST(Csv, HasNoFormulas) {
+  for (const std::string begin : {"=", "+", "-", "@", "\t", "\r"}) {
+    const std::string text = begin + "HYPERLINK(1)";
+    const Table table{.name = "t",
+                      .title = "",
+                      .notes = {},
+                      .columns = {{"id", {}}, {"time", {"seconds"}}},
+                      .rows = {{text, note_entry(text)}, {"-1e3", {"-2 " + text, {"-2"}, text}}}};
+    const std::string field = "'" + text, quoted = begin == "\r" ? "\"" + field + "\"" : field;
+    EXPECT_EQ(to_csv(table), "id,time seconds,notes\n" + quoted + "," + quoted + ",\n-1e3,-2," +
+                                 (begin == "\r" ? "\"time: " + text + "\"" : "time: " + text) +
+                                 "\n");
+  }
+}
+
+TEST(Csv, OfARecordHasNoFormulas) {
+  Json json = complete_record();
+  json["record"]["machine"]["cpu"] = "=HYPERLINK(\"http://a\")";
+  json["record"]["build"]["flags"] = "-O3";
+  const std::string text = to_csv(table_named(make_report(record_from(json)), "provenance"));
+  EXPECT_NE(text.find("machine cpu,\"'=HYPERLINK(\"\"http://a\"\")\"\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("build flags,'-O3\n"), std::string::npos) << text;
+}
+
+TEST(JsonFormat, HasNumbersAndNotes) {
+  const Json json = Json::parse(to_json(awkward()));
+  EXPECT_EQ(json["title"], "T");
+  EXPECT_EQ(json["sections"][0]["paragraphs"], Json({"p_q"}));
+  const Json& table = json["sections"][0]["tables"][0];
+  EXPECT_EQ(table["name"], "awkward");
+  EXPECT_EQ(table["notes"], Json({"a | b"}));
+  const Json& rows = table["rows"];
+  EXPECT_EQ(rows[0]["id"], "x_y|<z>, \"q\" --quick");
+  EXPECT_EQ(rows[0]["time"], (Json{{"seconds", -1.5}, {"spread", 0.1}}));
+  EXPECT_EQ(rows[1]["time"], (Json{{"seconds", nullptr}, {"spread", nullptr}, {"note", "FAILED"}}));
+  EXPECT_EQ(rows[2]["time"], (Json{{"seconds", 7.1}, {"spread", nullptr}, {"note", "old"}}));
+}
+
+TEST(JsonFormat, HasTheNumbersOfTheTables) {
+  const Document document = make_report(record_from(complete_record()));
+  const Json json = Json::parse(to_json(document));
+  std::size_t numbers = 0;
+  for (std::size_t s = 0; s < document.sections.size(); ++s)
+    for (std::size_t t = 0; t < document.sections[s].tables.size(); ++t) {
+      const Table& table = document.sections[s].tables[t];
+      const Json& rows = json["sections"][s]["tables"][t]["rows"];
+      ASSERT_EQ(rows.size(), table.rows.size());
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t k = 0; k < table.columns.size(); ++k) {
+          const Column& column = table.columns[k];
+          const Json& value = rows[i][column.name];
+          const Entry& entry = table.rows[i][k];
+          if (column.quantities.empty()) {
+            EXPECT_EQ(value.is_string() ? value.get<std::string>() : value.dump(), entry.shown);
+          }
+          for (std::size_t q = 0; q < column.quantities.size(); ++q, ++numbers) {
+            const std::string digits = q < entry.digits.size() ? entry.digits[q] : "";
+            const Json& number = value[column.quantities[q]];
+            EXPECT_EQ(number, digits.empty() ? Json() : Json(std::stod(digits))) << table.name;
+          }
+        }
+    }
+  EXPECT_GT(numbers, 100u);
+}
+
 TEST(Markdown, Escapes) {
   const std::string text = to_markdown(awkward());
   EXPECT_NE(text.find("| x\\_y\\|&lt;z&gt;, \"q\" --quick | -1.50 ±0.10 |"), std::string::npos)

@@ -134,6 +134,10 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
     else
       rows.back().back() += c;
   }
+  for (auto& row : rows)  // an apostrophe keeps spreadsheets from reading a formula
+    for (std::string& field : row)
+      if (field.size() > 1 && field[0] == '\'' && std::string("=+-@").find(field[1]) != field.npos)
+        field.erase(0, 1);
   return rows;
 }
 

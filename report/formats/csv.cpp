@@ -1,0 +1,73 @@
+// CSV, for spreadsheets and programs: nothing in it but a heading and the rows of one table.
+#include <charconv>
+
+#include "report/formats/formats.h"
+
+namespace desmo::report {
+namespace {
+
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+bool is_number(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end;
+}
+
+/// Returns a text that no spreadsheet takes for a formula: an apostrophe before what would be one.
+std::string text_field(const std::string& text) {
+  const bool begins_one = text.find_first_of("=+-@\t\r") == 0;
+  return begins_one && !is_number(text) ? "'" + text : text;
+}
+
+std::string line(const std::vector<std::string>& fields) {
+  std::string text;
+  for (std::size_t i = 0; i < fields.size(); ++i) text += (i == 0 ? "" : ",") + field(fields[i]);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string to_csv(const Table& table) {
+  std::vector<std::string> names;
+  bool numbers = false;
+  for (const Column& column : table.columns) {
+    if (column.quantities.empty()) names.push_back(column.name);
+    for (const std::string& quantity : column.quantities)
+      names.push_back(column.name + " " + quantity);
+    numbers = numbers || !column.quantities.empty();
+  }
+  if (numbers) names.push_back("notes");
+  std::string text = line(names);
+
+  for (const auto& row : table.rows) {
+    std::vector<std::string> fields;
+    std::string notes;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Column& column = table.columns[i];
+      const Entry& entry = row[i];
+      if (column.quantities.empty()) {
+        fields.push_back(text_field(entry.shown));
+        continue;
+      }
+      std::vector<std::string> digits = entry.digits;
+      digits.resize(column.quantities.size());
+      if (!entry.has_number())
+        digits.front() = text_field(entry.note);
+      else if (!entry.note.empty())
+        notes += (notes.empty() ? "" : "; ") + column.name + ": " + entry.note;
+      fields.insert(fields.end(), digits.begin(), digits.end());
+    }
+    if (numbers) fields.push_back(text_field(notes));
+    text += line(fields);
+  }
+  return text;
+}
+
+}  // namespace desmo::report
