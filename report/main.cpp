@@ -71,6 +71,8 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
 
 ExitCode tables(const TablesCommand& command) {
   const Record record = read_record(command.record);
+  if (const std::string note = note_on_version(record.version); !note.empty())
+    std::cerr << "desmo_report: note: " << command.record << ": " << note << "\n";
   std::list<Record> others;
   std::vector<const Record*> beside;
   for (const std::string& file : command.beside)

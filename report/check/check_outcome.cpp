@@ -202,6 +202,8 @@ Document verdict_document(const CheckRecord& check, const CheckOutcome& outcome)
   if (!outcome.work.candidates.empty())
     section.tables.push_back(work_table(outcome.work, *check.work));
   section.paragraphs.push_back(provenance_line(check));
+  if (std::string note = note_on_version(check.head.version); !note.empty())
+    section.paragraphs.push_back(std::move(note));
   return {sentence("verdict.document"), {std::move(section)}};
 }
 

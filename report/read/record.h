@@ -1,4 +1,4 @@
-// The record of a run, as results/record.schema.json (2.0.0) defines it: plain data.
+// The record of a run, as results/record.schema.json defines it: plain data.
 #pragma once
 
 #include <array>

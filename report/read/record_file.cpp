@@ -3,9 +3,11 @@
 #include <zlib.h>
 
 #include <array>
-#include <cstdlib>
+#include <charconv>
+#include <optional>
 
 #include "cases/io/text_file.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -44,22 +46,52 @@ std::string read_record_text(const std::filesystem::path& file) {
   }
 }
 
-// One version is read; an older one is measured anew, a newer one needs a newer program.
+namespace {
+
+/// MAJOR.MINOR.PATCH; compares in this order.
+using Version = std::array<int, 3>;
+
+std::optional<Version> parse_version(std::string_view text) {
+  Version version{};
+  const char *at = text.data(), *const end = at + text.size();
+  for (std::size_t i = 0; i < version.size(); ++i) {
+    if (i > 0 && (at == end || *at++ != '.')) return std::nullopt;
+    const auto [stop, error] = std::from_chars(at, end, version[i]);
+    if (error != std::errc{} || version[i] < 0) return std::nullopt;
+    at = stop;
+  }
+  return at == end ? std::optional(version) : std::nullopt;
+}
+
+const Version known_version = *parse_version(schema_version);
+
+}  // namespace
+
+// Before 2.0.0 the key of the version was another.
 void check_schema(const RecordValue& root, const std::string& name) {
   const std::string schema = root["schema"].text();
   if (schema != name) root["schema"].complain("\"" + schema + "\" is not \"" + name + "\"");
   const bool old = !root.find("schema_version") && root.find("version");
-  const RecordValue version = root[old ? "version" : "schema_version"];
-  const std::string text = version.text();
-  if (text == schema_version) return;
-  const bool newer = std::atoi(text.c_str()) >= std::atoi(schema_version);
+  const RecordValue node = root[old ? "version" : "schema_version"];
+  const std::string text = node.text();
+  const std::optional<Version> version = parse_version(text);
+  if (!version) node.complain("\"" + text + "\" is not a version, as " + schema_version);
+  const int major = version->front(), known = known_version.front();
+  if (major == known) return;
   try {
-    version.complain("schema version " + text + ", and only " + schema_version + " is read; " +
-                     (newer ? "a newer desmo_report may read it"
-                            : "measure it anew (bench/run, bench/check --renew-baseline)"));
+    node.complain("schema version " + text + ", and this program reads " + std::to_string(known) +
+                  ".x; " +
+                  (major > known ? "update desmo and build it again"
+                                 : "measure it anew (bench/run, bench/check --renew-baseline), or "
+                                   "read it with desmo_report of the commit that it names"));
   } catch (const InputError& error) {
     throw UnsupportedVersion(error.what());
   }
+}
+
+std::string note_on_version(const std::string& version) {
+  if (parse_version(version) <= known_version) return {};
+  return sentence("version.newer", {{"version", version}, {"known", schema_version}});
 }
 
 }  // namespace desmo::report

@@ -10,7 +10,9 @@
 
 namespace desmo::report {
 
-inline constexpr const char* schema_version = "2.0.0";  ///< the one that is read
+/// The schema version that is known in full. Others of its major version are read, too; VERSIONS.md
+/// says what they promise.
+inline constexpr const char* schema_version = "2.0.0";
 
 // Results files that cannot be read throw InputError, whose message names file and place.
 
@@ -20,7 +22,7 @@ class MixedRecord : public InputError {
   using InputError::InputError;
 };
 
-/// A record of another schema version.
+/// A record of another major schema version.
 class UnsupportedVersion : public InputError {
  public:
   using InputError::InputError;
@@ -47,8 +49,12 @@ auto read_document(std::string_view text, const std::string& file, const Read& r
   }
 }
 
-/// Throws InputError when a document is not of this schema, and UnsupportedVersion, with how to
-/// make it anew, when it is not of schema_version.
+/// Throws InputError when a document is not of this schema or its version is none (2.0.0), and
+/// UnsupportedVersion, with what to do, when it has another major version than schema_version.
 void check_schema(const RecordValue& root, const std::string& name);
+
+/// Returns a note when a version that check_schema() accepts is newer than schema_version; empty
+/// when it is not.
+std::string note_on_version(const std::string& version);
 
 }  // namespace desmo::report

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "report/read/record_file.h"
 #include "report/statistics/measurements.h"
 #include "report/statistics/paper.h"
 #include "report/tables/tables.h"
@@ -125,6 +126,8 @@ Section limitations(const Record& record) {
   say(true, "errors");
   say(is_unsteady(record.machine), "unsteady");
   say(record.dirty, "dirty");
+  if (std::string note = note_on_version(record.version); !note.empty())
+    section.paragraphs.push_back(std::move(note));
   if (const Sources source = sources(record); has_paper(record) && !source.warning.empty())
     section.paragraphs.push_back(source.warning);
   return section;

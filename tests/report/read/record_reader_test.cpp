@@ -6,8 +6,10 @@
 #include <numeric>
 #include <vector>
 
+#include "report/formats/formats.h"
 #include "report/read/record.h"
 #include "report/read/record_file.h"
+#include "report/report.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::record_reader_test {
@@ -40,11 +42,10 @@ TEST(RecordReader, RefusesEveryPrefix) {
     EXPECT_NE(complaint(text.substr(0, length)), "accepted") << length;
 }
 
-TEST(RecordReader, ReadsOneVersionAndSaysHowToMakeAnOlderRecordAnew) {
-  EXPECT_EQ(
-      complaint(read_text(data_file("unknown_version.json"))),
-      "/schema_version: schema version 3.0.0, and only 2.0.0 is read; a newer desmo_report may "
-      "read it");
+TEST(RecordReader, ReadsOneMajorVersionAndSaysWhatToDoWithOthers) {
+  EXPECT_EQ(complaint(read_text(data_file("unknown_version.json"))),
+            "/schema_version: schema version 3.0.0, and this program reads 2.x; update desmo and "
+            "build it again");
   Json json = complete_record();
   json["schema"] = "google-benchmark";
   EXPECT_CONTAINS(complaint(json), "/schema: \"google-benchmark\" is not \"desmo-results\"");
@@ -55,9 +56,38 @@ TEST(RecordReader, ReadsOneVersionAndSaysHowToMakeAnOlderRecordAnew) {
   EXPECT_CONTAINS(complaint(json), "the key 'schema_version' is missing");
   const Json old{{"schema", "desmo-results"}, {"version", "1.10.0"}, {"cells", Json::array()}};
   EXPECT_EQ(complaint(old),
-            "/version: schema version 1.10.0, and only 2.0.0 is read; measure it anew (bench/run, "
-            "bench/check --renew-baseline)");
+            "/version: schema version 1.10.0, and this program reads 2.x; measure it anew "
+            "(bench/run, bench/check --renew-baseline), or read it with desmo_report of the commit "
+            "that it names");
   EXPECT_THROW(record_from(old), UnsupportedVersion);
+  for (const char* text : {"", "2", "2.0", "2.0.0.0", "2.0.0-beta", "2..0", "2.0.", " 2.0.0",
+                           "2.-1.0", "99999999999.0.0", "two"}) {
+    json = complete_record();
+    json["schema_version"] = text;
+    EXPECT_CONTAINS(complaint(json),
+                    "/schema_version: \"" + std::string(text) + "\" is not a version, as 2.0.0");
+  }
+}
+
+// What a newer minor version adds is ignored, and its numbers are the same.
+TEST(RecordReader, ReadsANewerMinorVersionWithANote) {
+  Json json = complete_record();
+  EXPECT_EQ(note_on_version(record_from(json).version), "");
+  const auto of_best = [](const Json& from) {
+    return to_csv(table_named(make_report(record_from(from)), "best"));
+  };
+  const std::string expected = of_best(json);
+  for (const char* version : {"2.0.1", "2.7.0", "2.10.3"}) {
+    json["schema_version"] = version;
+    json["paper"]["cells"][0]["added"] = {{"key", 1}};
+    json["another experiment"] = Json::array();
+    EXPECT_EQ(of_best(json), expected);
+    const Record record = record_from(json);
+    const std::string note =
+        "schema version " + std::string(version) + ", this program knows 2.0.0";
+    EXPECT_CONTAINS(note_on_version(record.version), note);
+    EXPECT_CONTAINS(to_markdown(make_report(record)), note);
+  }
 }
 
 TEST(RecordReader, IgnoresKeysThatItDoesNotKnow) {
