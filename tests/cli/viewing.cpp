@@ -7,6 +7,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
 #include "cases/library/library.h"
 #include "tests/cli/program.h"
 
@@ -43,7 +45,7 @@ TEST_F(View, IsOnePageThatLoadsNothing) {
   for (const char* loads : {"<link", "<img", "<iframe", "<script src", "@import"})
     EXPECT_EQ(page.find(loads), std::string::npos) << loads;
   EXPECT_GT(page.find("url("), page.find("</style>"));
-  EXPECT_EQ(page.find("WebGLRenderer"), std::string::npos) << "a planar page needs no WebGL";
+  EXPECT_EQ(page.find("WebGLRenderer"), std::string::npos) << "a page needs no WebGL";
   ASSERT_EQ(desmo("view slider_crank -o out/page.html"), 0) << err_;
   EXPECT_EQ(out_, "");
   EXPECT_EQ(text_of(out("page.html")), page) << "the same bytes every time";
@@ -110,6 +112,16 @@ TEST_F(View, ShowsTheEstimateWhereNothingCanBeAssembled) {
   EXPECT_EQ(data["flags"][0]["kind"], "failed");
 }
 
+TEST_F(View, LeavesOutPointsThatNoBodyCarries) {
+  std::string scene = slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})");
+  scene.replace(scene.find("\"points\": {") + 11, 0, "\"Z\": [7, 7], ");
+  write("scene.json", scene);
+  ASSERT_EQ(desmo("view scene.json"), 0) << err_;
+  const Json data = Json::parse(data_of(out_, "data"));
+  EXPECT_EQ(data["points"].size(), 3u);
+  for (const Json& point : data["points"]) EXPECT_NE(point["name"], "Z");
+}
+
 TEST_F(View, ThinsOutWhatIsTooLongAndSaysSo) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 100, "step": 0.005})"));
   ASSERT_EQ(desmo("view scene.json"), 0) << err_;
@@ -129,6 +141,27 @@ TEST_F(View, LeavesNothingHalfWritten) {
   EXPECT_EQ(desmo("view four_bar:20000 -o out/page.html"), 65);
   EXPECT_TRUE(says("a page cannot show a mechanism of 60003 coordinates")) << err_;
   EXPECT_TRUE(fs::is_empty(out("")));
+}
+
+/// Returns the scene of a chain of four-bars that turns.
+std::string chain(int four_bars, const std::string& time) {
+  return R"({"format": "desmo-scene", "version": 2, "motion": {"crank/theta":
+    {"type": "polynomial", "coefficients": [1, 1]}}, "time": )" +
+         time + R"(, "mechanism": )" + write_mechanism(desmo::four_bar(four_bars).mechanism) + "}";
+}
+
+/// A page has room for some 20 instants of the short chain, and for 8 of the long one, which would
+/// be solved for days.
+TEST_F(View, RefusesWhatIsTooLargeBeforeItIsSolved) {
+  write("long.json", chain(560, R"({"end": 1, "step": 1e-8})"));
+  EXPECT_EQ(desmo("view long.json -o out/page.html"), 65);
+  EXPECT_TRUE(says("a page cannot show a mechanism of 1683 coordinates")) << err_;
+  EXPECT_TRUE(fs::is_empty(out("")));
+  write("short.json", chain(400, R"({"end": 0.1, "step": 0.001})"));
+  ASSERT_EQ(desmo("view short.json -o out/page.html"), 0) << err_;
+  const std::string page = text_of(out("page.html"));
+  EXPECT_LE(page.size(), max_page);
+  EXPECT_GE(Json::parse(data_of(page, "data"))["shown"], 16);
 }
 
 // ---- in a browser ----
@@ -224,7 +257,7 @@ class ViewInBrowser : public View {
 
   /// The numbers of some instants as `desmo solve` writes them, by names of columns.
   std::map<int, std::map<std::string, double>> solved(const std::string& scene,
-                                                      const Json& instants) {
+                                                      const Json& instants, const Json& time) {
     EXPECT_EQ(desmo("solve " + scene + " --past-failures --quiet -o out/motion.csv"), 0) << err_;
     std::ifstream in(out("motion.csv"));
     std::string line, name;
@@ -232,14 +265,14 @@ class ViewInBrowser : public View {
     std::vector<std::string> names;
     for (std::istringstream heading(line); std::getline(heading, name, ',');)
       names.push_back(name.substr(0, name.find(" [")));
-    std::vector<std::string> rows;
-    while (std::getline(in, line)) rows.push_back(std::move(line));
+    std::map<long, std::string> rows;  // by index: rows leave out instants that were not solved
+    while (std::getline(in, line))
+      rows[std::lround((std::stod(line) - time["start"].get<double>()) /
+                       time["interval"].get<double>())] = line;
     std::map<int, std::map<std::string, double>> result;
-    for (const Json& instant : instants) {  // rows leave out instants that were not solved
+    for (const Json& instant : instants) {
       const int k = static_cast<int>(&instant - &instants[0]);
-      const auto row =
-          static_cast<std::size_t>(std::lround(k * static_cast<double>(rows.size() - 1) / 9));
-      const std::vector<double> numbers = Cli::numbers(rows[row]);
+      const std::vector<double> numbers = Cli::numbers(rows.at(instant["index"].get<long>()));
       for (std::size_t i = 0; i < numbers.size(); ++i) result[k][names[i]] = numbers[i];
     }
     return result;
@@ -270,13 +303,38 @@ class ViewInBrowser : public View {
     EXPECT_GT(compared, 0);
   }
 
+  void expect_word(const Json& seen, const std::string& word) {
+    EXPECT_EQ(std::ranges::count(seen["words"], Json(word)), 1) << word << seen["words"];
+  }
+
+  /// A picture that needs nothing else, and every instant of the page.
+  void expect_saved(const Json& saved, const Json& data) {
+    const std::string name = data["mechanism"]["name"], svg = saved["picture"]["text"],
+                      csv = saved["data"]["text"];
+    EXPECT_EQ(saved["picture"]["name"], name + ".svg");
+    EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "));
+    EXPECT_TRUE(svg.ends_with("</svg>\n"));
+    EXPECT_EQ(svg.find("var("), std::string::npos);
+    EXPECT_NE(svg.find(">" + data["points"][0]["name"].get<std::string>() + "</text>"),
+              std::string::npos);
+    EXPECT_EQ(saved["data"]["name"], name + ".csv");
+    EXPECT_TRUE(csv.starts_with("t [s],")) << csv.substr(0, 100);
+    EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + data["shown"].get<int>());
+  }
+
   void expect_well(const std::string& scene, const Json& seen, const Json& data) {
     SCOPED_TRACE(scene);
     EXPECT_EQ(seen["requests"], Json::array());
     EXPECT_EQ(seen["errors"], Json::array());
-    EXPECT_GE(seen["variety"], 10);  // shapes, or colours of a WebGL picture
+    EXPECT_GE(seen["variety"], 10);
+    EXPECT_EQ(seen["folded"], 2) << "condition and bounds";
     EXPECT_EQ(seen["legend"], std::ranges::count(data["groups"], Json(false),
                                                  [](const Json& g) { return g["constant"]; }));
+    EXPECT_EQ(seen["bodies"].size(), data["mechanism"]["bodies"].size());
+    EXPECT_GT(seen["arrows"], 0);
+    for (const Json& point : data["points"]) expect_word(seen, point["name"]);
+    expect_word(seen, "x");
+    expect_saved(seen["saved"], data);
     EXPECT_EQ(seen["label_when_playing"], "Pause");
     EXPECT_EQ(seen["time_after_one"], 0);
     EXPECT_EQ(seen["inside"], 1);
@@ -286,9 +344,9 @@ class ViewInBrowser : public View {
     EXPECT_EQ(seen["flags"]["listed"].size(), data["flags"].size());
     const Json& numbers = seen["numbers"];
     ASSERT_EQ(numbers.size(), 10u);
-    const auto right = solved(scene, numbers);
+    const auto right = solved(scene, numbers, data["time"]);
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      expect_positions(numbers[k], right.at(static_cast<int>(k)), data["size"]);
+      expect_positions(numbers[k], right.at(static_cast<int>(k)), seen["size"]);
       expect_values(numbers[k], right.at(static_cast<int>(k)));
     }
     std::printf("%s: %s ms of script a frame in the median of %s, at most %s\n", scene.c_str(),
@@ -307,11 +365,12 @@ class ViewInBrowser : public View {
       expect_well(scenes[i], seen[i], Json::parse(data_of(page, "data")));
       const Json& flags = seen[i]["flags"];
       if (scenes[i] != "locks.json") continue;
-      for (const char* shown : {"notice", "hovered"}) {
-        const std::string text = flags[shown];
-        EXPECT_NE(text.find("group 'SG-II' (rod, slider)"), std::string::npos) << shown << text;
-        EXPECT_NE(text.find("is off by"), std::string::npos) << shown << text;
-      }
+      const std::string notice = flags["notice"];
+      EXPECT_NE(notice.find("group 'SG-II' (rod, slider)"), std::string::npos) << notice;
+      EXPECT_NE(notice.find("is off by"), std::string::npos) << notice;
+      EXPECT_EQ(flags["hovered"], "failed") << "the cause is told once";
+      for (const Json& flag : flags["listed"])
+        EXPECT_EQ(flag.get<std::string>().find("SG-II"), std::string::npos) << flag;
     }
   }
 };
@@ -355,7 +414,7 @@ std::string four_bar(int side) {
 }
 
 /// By the law of cosines: the diagonal from the crank's pin to the rocker's pivot is in both
-/// triangles. An obtuse angle counts as its supplement.
+/// triangles. The angle passes a quarter turn without a kink.
 TEST_F(ViewInBrowser, TransmissionAnglesAreThoseOfTheLawOfCosines) {
   if (!has_browser()) GTEST_SKIP() << out_;
   write("open.json", four_bar(1));
@@ -363,13 +422,15 @@ TEST_F(ViewInBrowser, TransmissionAnglesAreThoseOfTheLawOfCosines) {
   const Json seen = opened({"open.json", "crossed.json"});
   for (const Json& page : seen) {
     ASSERT_EQ(page["numbers"].size(), 10u);
+    bool acute = false, obtuse = false;
     for (const Json& instant : page["numbers"]) {
       const double theta = 1 + 2 * std::numbers::pi * 0.01 * instant["index"].get<double>(),
                    diagonal_squared = 29 - 20 * std::cos(theta),
-                   cosine = (16 + 3.5 * 3.5 - diagonal_squared) / (2 * 4 * 3.5),
-                   right = std::acos(std::abs(cosine)) * 180 / std::numbers::pi;
-      EXPECT_NEAR(instant["values"].at("crank → rocker").get<double>(), right, 1e-5) << theta;
+                   right = std::acos((16 + 3.5 * 3.5 - diagonal_squared) / (2 * 4 * 3.5));
+      EXPECT_NEAR(instant["values"].at("crank → rocker").get<double>(), right, 2e-7) << theta;
+      (right < std::numbers::pi / 2 ? acute : obtuse) = true;
     }
+    EXPECT_TRUE(acute && obtuse);
   }
   // The same angles on both branches, but not the same positions.
   EXPECT_NE(seen[0]["numbers"][3]["positions"]["C"], seen[1]["numbers"][3]["positions"]["C"]);

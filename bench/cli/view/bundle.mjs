@@ -1,4 +1,4 @@
-// Makes the pages that `desmo view` fills, as a source of the program:
+// Makes the page that `desmo view` fills, as a source of the program:
 //   node bundle.mjs SOURCES PACKAGES OUTPUT.cpp
 // SOURCES: this folder; PACKAGES: where `npm ci` has put node_modules. The same input gives the same
 // bytes. Licences of what is bundled stand in the page.
@@ -29,9 +29,9 @@ function licences(inputs) {
   return [...by_text].map(([text, owners]) => `${owners.join(', ')}\n${text}`).join('\n\n');
 }
 
-async function page(entry) {
+async function page() {
   const result = await build({
-    entryPoints: [join(sources, entry)], bundle: true, minify: true, format: 'iife', write: false, metafile: true,
+    entryPoints: [join(sources, 'main.js')], bundle: true, minify: true, format: 'iife', write: false, metafile: true,
     nodePaths: [join(packages, 'node_modules')], absWorkingDir: packages, legalComments: 'none', charset: 'utf8',
     logLevel: 'error',
   });
@@ -56,13 +56,13 @@ function escaped(byte) {
   return '\\' + byte.toString(8).padStart(3, '0');
 }
 
-const pages = {planar: await page('planar.js'), spatial: await page('spatial.js')};
 writeFileSync(output, `#include "bench/cli/view/page_template.h"
 
 namespace desmo::cli {
 namespace {
-${Object.entries(pages).map(([name, text]) => `constexpr char ${name}[] =\n${literal(text)};\n`).join('')}
+constexpr char page[] =
+${literal(await page())};
 }  // namespace
-const PageTemplate page_template{{planar, sizeof planar - 1}, {spatial, sizeof spatial - 1}};
+const std::string_view page_template{page, sizeof page - 1};
 }  // namespace desmo::cli
 `);

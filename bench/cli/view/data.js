@@ -1,64 +1,64 @@
-// The data of the page: what C++ wrote as JSON, and columns of numbers as packing.h packs them.
+// The data of the page: what C++ wrote as JSON, and columns of numbers as floats in base64.
 import {add_transmission, interpret} from './mechanism.js';
 
-async function bytesOf(text) {
-  const packed = Uint8Array.from(atob(text.trim()), letter => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-// Returns a function that reads the next whole number: second differences modulo 2³², the sign in
-// the lowest bit, seven bits to a byte.
-function reader(bytes) {
-  let at = 0;
-  return () => {
-    let rest = 0;
-    for (let shift = 0;; shift += 7) {
-      const byte = bytes[at++];
-      rest |= (byte & 127) << shift;
-      if (byte < 128) return (rest >>> 1) ^ -(rest & 1);
-    }
-  };
-}
-
-const bits = new DataView(new ArrayBuffer(4));
-
-// Returns the float whose bits, in the order of floats, are a whole number.
-function float(ordered) {
-  bits.setInt32(0, ordered < 0 ? -ordered | 0x80000000 : ordered);
-  return bits.getFloat32(0);
-}
-
-function column(next, length, {step, origin}) {
-  const values = new Float64Array(length);
-  let value = 0, difference = 0;
-  for (let i = 0; i < length; ++i) {
-    difference = (difference + next()) | 0;
-    value = (value + difference) | 0;
-    values[i] = step ? origin + step * value : float(value);
-  }
-  return values;
-}
-
-// Returns what there is to show: the JSON, with `values` of each column, `index` and `times` of the
-// instants, and the mechanism.
-export async function read() {
+// Returns what there is to show: the JSON, with `values` of each column, the `times` of the instants
+// and the positions in the list before which instants are missing (`holes`).
+export function read() {
   const data = JSON.parse(document.getElementById('data').textContent);
-  const next = reader(await bytesOf(document.getElementById('numbers').textContent));
-  for (const one of data.columns) one.values = column(next, data.shown, one);
-  data.index = data.columns[0].values;
+  const bytes = Uint8Array.from(atob(document.getElementById('numbers').textContent), c => c.charCodeAt(0));
+  const numbers = new DataView(bytes.buffer);
+  data.columns.forEach((column, c) => {
+    column.values = Float64Array.from(
+        {length: data.shown}, (_, i) => column.origin + numbers.getFloat32(4 * (c * data.shown + i), true));
+  });
   data.times = data.index.map(i => data.time.start + i * data.time.interval);
+  data.begin = data.times[0];
+  const gap = 1.5 * data.time.stride;
+  data.holes = new Set(data.index.flatMap((i, k) => k > 0 && i - data.index[k - 1] > gap ? [k] : []));
+  data.estimate = data.time.solved === 0;
+  data.failed = data.flags.filter(f => f.kind === 'failed');
   interpret(data);
-  add_transmission(data, at);
+  measure(data);
+  add_transmission(data);
+  for (const column of data.columns) column.heading = `${column.name} [${column.unit}]`;
+  const moving = data.groups.filter(group => !group.constant);
+  data.groups.forEach(group => {
+    group.colour = group.constant ? 'var(--soft)' : `var(--g${moving.indexOf(group) % 8})`;
+  });
+  data.colour = {
+    group: b => data.groups[data.bodies[b].group]?.colour ?? 'var(--soft)',
+    body: b => b === 0 ? 'var(--soft)' : `var(--g${(b - 1) % 8})`,
+  };
   return data;
 }
 
-// Returns the components of a point or vector at an instant; level: position, velocity or
-// acceleration.
-export function at(data, entity, i, level = 'position') {
-  if (entity.fixed) return level === 'position' ? entity.fixed : entity.fixed.map(() => 0);
-  const first = entity[level];
-  const result = [];
-  for (let axis = 0; axis < data.dimension; ++axis) result.push(data.columns[first + axis].values[i]);
-  return result;
+// Finds the box of all positions and its diagonal, the size of the mechanism; and the longest rates.
+function measure(data) {
+  data.low = [Infinity, Infinity, Infinity];
+  data.high = [-Infinity, -Infinity, -Infinity];
+  data.longest = {velocity: 0, acceleration: 0};
+  for (const point of data.points)
+    for (let i = 0; i < data.shown; ++i) {
+      at(data, point, i).forEach((x, axis) => {
+        data.low[axis] = Math.min(data.low[axis], x);
+        data.high[axis] = Math.max(data.high[axis], x);
+      });
+      for (const kind in data.longest) data.longest[kind] = Math.max(data.longest[kind], length(at(data, point, i, kind)));
+    }
+  data.size = length(minus(data.high, data.low)) || 1;
+  for (const kind in data.longest) data.longest[kind] ||= 1;
 }
+
+// Returns a point, or its velocity or acceleration at an instant, in space.
+export function at(data, point, i, level = 'position') {
+  const fixed = level === 'position' ? point.fixed : point.fixed && [0, 0, 0];
+  return [0, 1, 2].map(axis => axis >= data.dimension ? 0
+      : fixed ? fixed[axis] : data.columns[point[level] + axis].values[i]);
+}
+
+export const plus = (a, factor, b) => a.map((x, axis) => x + factor * b[axis]);
+export const minus = (a, b) => plus(a, -1, b);
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const length = a => Math.hypot(...a);
+export const scaled = (a, factor) => a.map(x => factor * x);
+export const unit = a => scaled(a, 1 / (length(a) || 1));

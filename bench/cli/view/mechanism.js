@@ -1,4 +1,5 @@
 // The mechanism of the page, from its file (cases/files.md): names become places in lists.
+import {at, dot, minus} from './data.js';
 
 const places = list => new Map(list.map(({name}, k) => [name, k]));
 
@@ -29,10 +30,14 @@ export function interpret(data) {
   data.bodies = bodies.map(([name, {points = []}], b) => (
       {name, points: points.map(p => point.get(p)), group: groups[b]}));
   const body = places(data.bodies);
+  data.points.forEach((one, p) => {
+    one.bodies = data.bodies.flatMap(({points}, b) => points.includes(p) ? [b] : []);
+  });
   data.joints = file.joints.map(({name, type, bodies, points = [], vectors = []}) => ({
     name: name ?? bodies.join('–'), type, bodies: bodies.map(b => body.get(b)),
     points: points.map(p => point.get(p)), vectors: vectors.map(v => vector.get(v)),
   }));
+  data.points.forEach((one, p) => { one.joints = data.joints.filter(joint => joint.points.includes(p)); });
   data.drivers = file.drivers.map((name, k) => {
     const c = file.coordinates[name];
     return {
@@ -43,7 +48,8 @@ export function interpret(data) {
     };
   });
   data.measures = Object.values(file.coordinates).filter(c => c.distance)
-      .map(c => c.distance.map(p => point.get(p)));
+      .map(c => c.distance.map(p => point.get(p)))
+      .filter(ends => !data.bodies.some(({points}, b) => b > 0 && ends.every(p => points.includes(p))));
   data.dimension = file.dimension;
   data.mechanism = file.name;
 }
@@ -80,15 +86,16 @@ function four_bar_loops(data) {
 }
 
 // Adds a column for the transmission angle of each planar loop of four revolute joints, and of no
-// other loop: between coupler and follower, at most 90°.
-export function add_transmission(data, at) {
+// other loop: between coupler and follower, 0 to half a turn. A quarter transmits best.
+export function add_transmission(data) {
+  const {name: unit, radian} = data.angle_unit;
   data.transmission = four_bar_loops(data).map(({input, follower, b, c, d}) => {
     const values = Float64Array.from(data.times, (_, i) => {
-      const [[bx, by], [cx, cy], [dx, dy]] = [b, c, d].map(p => at(data, data.points[p], i));
-      const [ux, uy, vx, vy] = [bx - cx, by - cy, dx - cx, dy - cy];
-      return Math.atan2(Math.abs(ux * vy - uy * vx), Math.abs(ux * vx + uy * vy)) * 180 / Math.PI;
+      const [from, pin, to] = [b, c, d].map(p => at(data, data.points[p], i));
+      const u = minus(from, pin), v = minus(to, pin);
+      return Math.atan2(Math.abs(u[0] * v[1] - u[1] * v[0]), dot(u, v)) * radian;
     });
     const name = `${data.bodies[input].name} → ${data.bodies[follower].name}`;
-    return data.columns.push({name, unit: '°', level: 0, values}) - 1;
+    return data.columns.push({name, unit, level: 0, values}) - 1;
   });
 }

@@ -20,13 +20,19 @@ struct ShownMotion {
 /// Data as page.html takes them.
 struct PageData {
   std::string json;     ///< everything but the columns of numbers, which it names by their places
-  std::string numbers;  ///< PackedColumns::text()
+  std::string numbers;  ///< base64 of the columns, one after the other, as floats of 32 bits
 };
 
-/// Writes every `every`th of the recorded instants, and the last ones before gaps and the end.
-/// Positions are as exact as 1e-5 of the mechanism's size, rates as 1/4000 of the largest; what is
-/// plotted is in single precision. The scene's request is plotted, or else relative coordinates and
-/// points, as many as fit.
+/// Bytes that a number takes in a page: four, in base64.
+inline constexpr double text_per_number = 16. / 3;
+
+/// Returns how many numbers an instant has for what is drawn: no less than 1, and no more than
+/// this.
+std::size_t drawn_numbers(const Mechanism& mechanism);
+
+/// Writes every `every`th of the recorded instants, and the last ones before gaps and the end. All
+/// numbers are in the scene's units and have seven digits; so have their differences. The scene's
+/// request is plotted, or else relative coordinates and points, as many as fit.
 PageData page_data(const ShownMotion& motion, int every);
 
 }  // namespace desmo::cli

@@ -5,12 +5,10 @@
 
 namespace desmo::cli {
 
-/// Two HTML pages, of plane and of spatial mechanisms. PageData take the place of "@DATA@" and then
-/// "@NUMBERS@" in the text. bundle.mjs makes the pages from page.html while the program is built;
-/// they are empty when Node.js or a package was missing then.
-struct PageTemplate {
-  std::string_view planar, spatial;
-};
-extern const PageTemplate page_template;
+/// An HTML page, in which the palette takes the place of "@PALETTE@", PageData those of "@DATA@"
+/// and
+/// "@NUMBERS@". bundle.mjs makes it from page.html while the program is built; it is empty when
+/// Node.js or a package was missing then.
+extern const std::string_view page_template;
 
 }  // namespace desmo::cli

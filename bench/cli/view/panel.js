@@ -74,7 +74,7 @@ function specification(data, columns, {x, x_title, y_title, log, over_time, widt
     data: [
       {name: 'table', values: table},
       {name: 'flags', values: data.flags.map(f => ({
-        ...f, text: `${f.kind}: ${f.text}`, fill: shades[f.kind][0], opacity: shades[f.kind][1],
+        ...f, text: f.kind, fill: shades[f.kind][0], opacity: shades[f.kind][1],
         narrow: f.to - f.from < narrow,
       }))},
     ],

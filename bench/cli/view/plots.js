@@ -19,37 +19,39 @@ function selection(label, columns, data, chosen, changed) {
 }
 
 const level_names = ['position', 'velocity', 'acceleration'];
-const most_chosen = 4;  // of what is plotted to begin with
+const most_chosen = 4, most_requested = 8;  // of what is plotted to begin with
 
 export class Plots {
   constructor(data, player, hint) {
     Object.assign(this, {data, player, hint, panels: []});
-    this.place = document.getElementById('panels');
+    this.places = ['panels', 'accuracy'].map(id => document.getElementById(id));
     this.#chooseFirst();
     this.#addChoices();
     player.onShow((instant, time) => {
       for (const panel of this.panels) panel.show(instant, time);
     });
-    let width = this.place.clientWidth;
-    new ResizeObserver(() => {
-      if (Math.abs(this.place.clientWidth - width) < 2) return;
-      width = this.place.clientWidth;
-      for (const panel of this.panels) panel.draw();
-    }).observe(this.place);
+    for (const place of this.places) {  // a folded one has no width
+      let width = place.clientWidth;
+      new ResizeObserver(() => {
+        if (place.clientWidth === 0 || Math.abs(place.clientWidth - width) < 2) return;
+        width = place.clientWidth;
+        for (const panel of this.panels) if (place.contains(panel.figure)) panel.draw();
+      }).observe(place);
+    }
   }
 
   // Columns of positions, each with those of its rates after it.
   #chooseFirst() {
     const {data} = this;
     this.plain = data.plotted.filter(c => data.columns[c].level === 0);
-    this.driven = data.drivers.map(d => d.column);
+    this.driven = data.driven;
     const free = this.plain.filter(c => !this.driven.includes(c));
     const unit = c => data.columns[c].unit;
     const relative = free.filter(c => !/\.[xyz]$/.test(data.columns[c].name));
     const first = [relative, free, this.plain].find(list => list.length > 0) ?? [];
-    this.chosen = new Set(data.requested ? first.slice(0, 6)
+    this.chosen = new Set(data.requested ? this.plain.slice(0, most_requested)
         : first.filter(c => unit(c) === unit(first[0])).slice(0, most_chosen));
-    this.levels = new Set([0]);
+    this.levels = new Set(data.requested ? data.plotted.map(c => data.columns[c].level) : [0]);
     const moves = c => new Set(data.columns[c].values).size > 1;
     this.axes = {x: this.driven.find(moves) ?? this.driven[0], y: first[0]};
   }
@@ -105,7 +107,7 @@ export class Plots {
         this.axes[name] = c;
         this.draw();
       };
-      const name = c => `${data.columns[c].name} [${data.columns[c].unit}]`;
+      const name = c => data.columns[c].heading;
       list.push([[this.axes.y], {
         x: data.columns[this.axes.x].values, title: 'output against driver', x_title: name(this.axes.x),
         y_title: `[${data.columns[this.axes.y].unit}]`, over_time: false,
@@ -115,11 +117,12 @@ export class Plots {
     }
     if (data.transmission.length > 0)
       list.push([data.transmission.slice(0, 8), {
-        x, x_title, over_time, zero: true, y_title: '[°]',
+        x, x_title, over_time, zero: true, y_title: `[${data.columns[data.transmission[0]].unit}]`,
         title: `transmission angle, coupler to follower${data.transmission.length > 8 ? ` (8 of ${data.transmission.length} loops)` : ''}`,
       }]);
-    list.push([[data.condition], {x, x_title, over_time, log: true, title: '', y_title: 'condition'}]);
-    list.push([data.bounds, {x, x_title, over_time, log: true, title: '', y_title: 'relative'}]);
+    const accuracy = true;
+    list.push([[data.condition], {x, x_title, over_time, accuracy, log: true, title: '', y_title: 'condition'}]);
+    list.push([data.bounds, {x, x_title, over_time, accuracy, log: true, title: '', y_title: 'relative'}]);
     return list;
   }
 
@@ -127,8 +130,11 @@ export class Plots {
     for (const panel of this.panels) panel.view?.finalize();
     this.panels = this.#described().map(
         ([columns, options]) => new Panel(this.data, columns, options, this.player, this.hint));
-    this.place.classList.toggle('many', this.panels.length > 6);
-    this.place.replaceChildren(...this.panels.map(panel => panel.figure));
+    this.places.forEach((place, accuracy) => {
+      const shown = this.panels.filter(panel => !!panel.options.accuracy === !!accuracy);
+      place.classList.toggle('many', shown.length > 6);
+      place.replaceChildren(...shown.map(panel => panel.figure));
+    });
     for (const panel of this.panels) await panel.draw();
   }
 

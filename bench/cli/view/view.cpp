@@ -19,28 +19,27 @@ namespace desmo::cli {
 namespace {
 
 constexpr const char* formulation_id = "block_symbolic_inlined";
-constexpr std::size_t max_page = 2'000'000;                           // bytes
-constexpr std::size_t max_instants = 8192, max_numbers = 40'000'000;  // kept in memory
-constexpr int max_coordinates = 10'000;                               // drawn in every frame
+constexpr std::size_t max_page = 2'000'000;  // bytes
+constexpr std::size_t max_instants = 8192;   // kept in memory
+constexpr std::size_t min_instants = 16;     // or all; fewer show no motion
+constexpr double text_per_column = 180;      // bytes of a page beside its numbers
 
 struct ViewOptions {
   std::string scene, output;
   bool quiet = false;
 };
 
-std::string_view template_of(const Mechanism& mechanism) {
-  const std::string_view page =
-      mechanism.dimension == 2 ? page_template.planar : page_template.spatial;
-  if (page.empty())
+void require_page() {
+  if (page_template.empty())
     throw CommandError(
         unavailable,
         "this program was built without the scripts of the page; build it where Node.js 18 "
         "or later and npm are installed and packages can be fetched");
-  return page;
 }
 
-/// Puts data in the places that the template has for them.
-std::string fill(std::string_view page, const PageData& data) {
+/// Puts data in the places that the page has for them.
+std::string fill(const PageData& data) {
+  std::string_view page = page_template;
   std::string result;
   for (const auto& [mark, text] :
        {std::pair<std::string_view, const std::string*>{"@DATA@", &data.json},
@@ -57,40 +56,47 @@ std::string fill(std::string_view page, const PageData& data) {
                    std::to_string(model.coordinates()) + " coordinates; view a smaller one");
 }
 
+/// Returns how many instants of a mechanism a page has room for. Throws when they are too few.
+std::size_t room_for_instants(const Input& input, const Model& model) {
+  const auto columns = static_cast<double>(drawn_numbers(input.scene.mechanism));
+  const double bytes = static_cast<double>(max_page - page_template.size()) / columns;
+  const double room = (bytes - text_per_column) / text_per_number;
+  if (room < std::min<double>(min_instants, input.scene.grid.instants))
+    refuse_size(input.source, model);
+  return static_cast<std::size_t>(room);
+}
+
 /// Returns a page that is small enough: of every instant, or else of fewer.
-std::string page_of(std::string_view page, const ShownMotion& motion, const std::string& source) {
+std::string page_of(const ShownMotion& motion, const std::string& source) {
   for (int every = 1;; every *= 2) {
-    std::string result = fill(page, page_data(motion, every));
+    std::string result = fill(page_data(motion, every));
     if (result.size() <= max_page) return result;
-    if (motion.recording.instants().size() / static_cast<std::size_t>(every) < 16)
+    if (motion.recording.instants().size() / static_cast<std::size_t>(every) < min_instants)
       refuse_size(source, motion.model);
   }
 }
 
 void view(const ViewOptions& options) {
+  require_page();
   const Input input = load_scene(options.scene);
-  const std::string_view page = template_of(input.scene.mechanism);
   OutputFile output(options.output, remove_when_interrupted);
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
     throw CommandError(usage_error, "a page is nothing for a terminal; give --output FILE.html");
   const Model model = model_mechanism(input).model;
-  if (model.coordinates() > max_coordinates) refuse_size(input.source, model);
+  const std::size_t room = room_for_instants(input, model);
   const TimeGrid& grid = input.scene.grid;
   const auto formulation =
       make_formulation(find_variant(formulation_id), model, {.tolerance = input.scene.tolerance});
   std::optional<bench::Progress> progress;
   if (!options.quiet) progress.emplace("instants", grid.instants, true);
-  MotionRecorder recording(
-      model, grid,
-      std::min(max_instants, max_numbers / (3 * static_cast<std::size_t>(model.coordinates()) + 1)),
-      progress ? &*progress : nullptr);
+  MotionRecorder recording(model, grid, std::min(max_instants, room),
+                           progress ? &*progress : nullptr);
   const MonitoredSummary summary = recording.run(*formulation);
   progress.reset();
   if (recording.overflowed())
     throw CommandError(not_solved,
                        input.source + ": a number is not finite; choose another motion");
-  output.write(
-      page_of(page, {input.scene, model, recording, summary, formulation_id}, input.source));
+  output.write(page_of({input.scene, model, recording, summary, formulation_id}, input.source));
   output.finish();
   const auto& flags = recording.flags();
   const auto failed = std::ranges::find(flags, Flag::Kind::failed, &Flag::kind);

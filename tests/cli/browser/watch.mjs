@@ -1,13 +1,14 @@
 // Opens pages of desmo view in Chromium as a reader would and prints what happened, as JSON:
 //   node watch.mjs CHROMIUM PAGE...
 // Whether that is right is for the test to say.
+import {readFile} from 'node:fs/promises';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 
 const [executablePath, ...files] = process.argv.slice(2);
 const flags = [
-  '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic',
-  '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync',
 ];
 const patience = 240000;  // ms; a busy machine must not decide
 const widths = [1400, 800, 400];
@@ -23,6 +24,7 @@ async function open(page, address) {
 
 // Ten instants over the motion: positions in the picture, values in the plots at all levels.
 async function numbers(page) {
+  await page.locator('#choice summary').click();
   for (const box of await page.locator('#levels input').all()) await box.check();
   await page.waitForFunction(() => document.querySelectorAll('#panels .drawing').length ===
       document.querySelectorAll('#panels .drawing svg').length);
@@ -34,15 +36,26 @@ async function numbers(page) {
   }));
 }
 
-// How many shapes or colours the picture has.
-function variety() {
-  const canvas = document.querySelector('#stage canvas');
-  if (!canvas) return document.querySelectorAll('#stage :is(line, path, circle, rect, polygon)').length;
-  const copy = document.createElement('canvas');
-  Object.assign(copy, {width: 200, height: 150});
-  const c = copy.getContext('2d');
-  c.drawImage(canvas, 0, 0, 200, 150);
-  return new Set(new Uint32Array(c.getImageData(0, 0, 200, 150).data.buffer)).size;
+// How many shapes the picture has.
+const variety = page => page.locator('#stage :is(line, path, circle, rect, polygon)').count();
+
+// What the picture says in words; colours by body; names.
+async function words(page, result) {
+  await page.locator('#colours').selectOption('body');
+  result.bodies = await page.locator('#legend li').allTextContents();
+  await page.locator('#colours').selectOption('group');
+  await page.locator('#names').setChecked(true);
+  result.words = await page.locator('#stage text').allTextContents();
+}
+
+// What the reader can save: the texts of the picture and of the numbers.
+async function saved(page) {
+  const result = {};
+  for (const what of ['picture', 'data']) {
+    const [file] = await Promise.all([page.waitForEvent('download'), page.locator(`#save_${what}`).click()]);
+    result[what] = {name: file.suggestedFilename(), text: await readFile(await file.path(), 'utf8')};
+  }
+  return result;
 }
 
 // The space bar plays; arrow keys go by an instant; a trace, arrows and names are shown.
@@ -70,6 +83,7 @@ async function play(page, result) {
   await page.locator('#hint').waitFor({state: 'visible'});
   result.hint = await page.locator('#hint').textContent();
   await page.mouse.move(2, 2);
+  result.arrows = await page.locator('#stage :is(.velocity, .acceleration)').count();
 }
 
 // What shaded intervals say, and the words for them.
@@ -99,10 +113,14 @@ async function look(browser, file) {
   result.flags = await flags_of(page);
   const paper = (await page.pdf({preferCSSPageSize: true})).toString('latin1');
   result.sheets = (paper.match(/\/Type\s*\/Page\b/g) ?? []).length;
-  result.variety = await page.evaluate(variety);
+  result.variety = await variety(page);
+  result.folded = await page.locator('#accurate:not([open]) figure').count();
+  result.size = await page.evaluate(() => desmo.size);
   result.legend = await page.locator('#legend li').count();
   result.numbers = await numbers(page);
   await play(page, result);
+  await words(page, result);
+  result.saved = await saved(page);
   result.overflow = {};
   for (const width of widths) {
     await page.setViewportSize({width, height: 900});

@@ -1,0 +1,26 @@
+// What the reader can take along: the picture as SVG, and the numbers as CSV.
+
+function save(name, type, text) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([text], {type}));
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+const cell = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+
+// Returns all instants of the page: the time, and every column, as the page has them.
+function csv(data) {
+  const columns = data.columns.filter(({name}) => name);
+  const rows = data.times.map((t, i) => [t, ...columns.map(c => c.values[i])]
+      .map(x => Number.isFinite(x) ? String(Number(x.toPrecision(8))) : '').join());
+  return [['t [s]', ...columns.map(c => c.heading)].map(cell).join(), ...rows].join('\n') + '\n';
+}
+
+export function connectSaving(data, picture) {
+  const connect = (id, ending, type, text) => document.getElementById(id).addEventListener(
+      'click', () => save(`${data.mechanism}.${ending}`, type, text()));
+  connect('save_picture', 'svg', 'image/svg+xml', () => picture.file());
+  connect('save_data', 'csv', 'text/csv', () => csv(data));
+}
