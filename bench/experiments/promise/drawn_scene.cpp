@@ -31,7 +31,7 @@ constexpr std::array distances{0.0,  1e-16, 1e-15, 1e-14, 1e-12, 1e-10,
 struct Profile {
   std::string name;
   enum { polynomial, harmonic, table } kind = polynomial;
-  std::vector<double> values;  ///< coefficients; mean, amplitude, frequency, phase; at times
+  std::vector<double> values = {};  ///< coefficients; mean, amplitude, frequency, phase; at times
   std::vector<double> times = {};
   const char* ends = "natural";
   TimeGrid grid = {};

@@ -14,9 +14,9 @@ namespace desmo::promise {
 struct DrawnScene {
   int number;
   std::string family;
-  std::string aim;   ///< "random", or "pass 1e-08": kind and distance to a singular position
-  std::string text;  ///< scene file
-  Scene scene = {};  ///< read from the text
+  std::string aim;        ///< "random", or "pass 1e-08": kind and distance to a singular position
+  std::string text = {};  ///< scene file
+  Scene scene = {};       ///< read from the text
   Model model = {};
   std::vector<TrueInstant> truth = {};  ///< (instants)
   /// (instants) Answers of other equations of an overconstrained mechanism; no q: there are none.

@@ -57,7 +57,7 @@ struct RunVerdict {
   /// Names what is broken: "promise" (100 to 100³ times the tolerance), "bound" (that was stated),
   /// "no answer" (a singular position, or out of reach). On the first instants of a run that
   /// failed ", then failed" follows. For flags: which.
-  std::string what;
+  std::string what = {};
   Level level = Level::position;
   double error = 0, allowed = 0;  ///< of the worst number
   double time = 0;                ///< [s]

@@ -20,15 +20,15 @@ std::vector<std::string> canonical_ids();
 /// Result of a scene: a line of the progress file.
 struct SceneResult {
   int number = -1;
-  std::string family, aim;
-  std::string verdicts;  ///< a letter for each canonical id (verdict_letters)
+  std::string family = {}, aim = {};
+  std::string verdicts = {};  ///< a letter for each canonical id (verdict_letters)
   /// The worst wrong number, and the first flag without a cause, with their ids.
   struct Finding {
     std::string id;
     RunVerdict details;
   };
-  std::optional<Finding> wrong, flag;
-  std::string failure;  ///< why no scene could be drawn
+  std::optional<Finding> wrong = {}, flag = {};
+  std::string failure = {};  ///< why no scene could be drawn
 };
 
 /// Draws a scene and judges it in every id.
