@@ -4,6 +4,9 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 namespace desmo::extremes_program_test {
@@ -28,6 +31,19 @@ class ExtremesProgram : public testing::Test {
 TEST_F(ExtremesProgram, RecordsWhatTheReportReads) {
   EXPECT_EQ(extremes("--row 10 --row 13 --filter '^group_.*_eigen$'"), 0);
   EXPECT_EQ(run(DESMO_REPORT " tables " + record_), 0);
+}
+
+TEST_F(ExtremesProgram, TriesOneFormulationOfEachKindInAQuickRun) {
+  ASSERT_EQ(extremes("--row 12"), 0);
+  std::ifstream in(record_);
+  const nlohmann::json record = nlohmann::json::parse(in);
+  std::set<std::string> ids;
+  for (const auto& result : record["extremes"]["results"]) {
+    const std::string id = result["id"];
+    ids.insert(id.substr(0, id.find('/')));  // without the tolerance of the case
+  }
+  EXPECT_EQ(ids, (std::set<std::string>{"global_automatic_klu", "group_symbolic_inlined",
+                                        "block_symbolic_inlined", "group_symbolic_explicit"}));
 }
 
 TEST_F(ExtremesProgram, EndsWithOneWhereAnythingIsWrongWithoutAFlag) {

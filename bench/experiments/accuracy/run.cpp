@@ -24,7 +24,7 @@ using bench::level_names;
 using Json = nlohmann::ordered_json;
 
 constexpr int compared_instants = 21;
-constexpr int usual_repetitions = 5;
+constexpr int usual_repetitions = 5, quick_repetitions = 2;
 constexpr double sample_seconds = 0.01;
 constexpr double long_motion_seconds = 0.3;  // a motion that takes longer has two samples only
 
@@ -106,7 +106,9 @@ void measure_all(const bench::CommonOptions& options, const bench::CommandLine& 
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
   bench::RecordWriter recording = begin_record(options, line);
-  const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
+  const int repetitions = options.repetitions > 0 ? options.repetitions
+                          : options.quick         ? quick_repetitions
+                                                  : usual_repetitions;
   std::size_t trials = 0;
   for (const AccuracySeries& series : all) trials += series.configurations.size();
   bench::Progress progress("comparisons and samples",
@@ -129,10 +131,11 @@ void measure_all(const bench::CommonOptions& options, const bench::CommandLine& 
 int run(const bench::CommandLine& line) {
   bench::CommonOptions options;
   CLI::App parser("desmo_bench accuracy: time against error of formulations and their settings.");
-  bench::add_common(parser, options,
-                    {.quick = "the smallest sizes only, with the reduced grid",
-                     .filtered = "<case>/<coordinates>/<id>",
-                     .repetitions = std::to_string(usual_repetitions)});
+  bench::add_common(
+      parser, options,
+      {.quick = "the smallest sizes, eleven formulations, the reduced grid, 2 samples",
+       .filtered = "<case>/<coordinates>/<id>",
+       .repetitions = std::to_string(usual_repetitions)});
   if (!bench::read(parser, line.arguments)) return 0;
   measure_all(options, line);
   return 0;

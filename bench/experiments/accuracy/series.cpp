@@ -109,7 +109,12 @@ std::vector<AccuracySeries> all_series() {
 
 std::vector<AccuracySeries> quick_series() {
   std::vector<AccuracySeries> all;
-  for (const Case& c : cases()) add_size(all, c, c.sizes.front(), false);
+  for (const Case& c : cases()) {
+    AccuracySeries series{&c, c.sizes.front(), usual_step, instants_of(usual_step), {}};
+    Adder add(series);
+    for (const std::string_view id : tuned) add(find_variant(id), reduced_settings());
+    all.push_back(std::move(series));
+  }
   return all;
 }
 

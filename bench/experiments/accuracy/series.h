@@ -24,7 +24,7 @@ struct AccuracySeries {
 ///   paper's Table 2 with each tolerance and guess, and with each time step.
 std::vector<AccuracySeries> all_series();
 
-/// Returns the same at the smallest size only, and without the full grid.
+/// Returns the formulations of the full grid at the smallest size, with the reduced one.
 std::vector<AccuracySeries> quick_series();
 
 /// Returns the series without the configurations in whose <case>/<coordinates>/<id> the expression

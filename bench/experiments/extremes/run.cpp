@@ -4,13 +4,17 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
+#include "bench/kit/monitored_run.h"
+#include "bench/kit/process/progress.h"
 #include "cases/generators/cases.h"
 #include "formulations/verification/monitor/accuracy_monitor.h"
 
@@ -70,26 +74,40 @@ std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
   return rows;
 }
 
+/// Returns the formulations that are tried: in a quick run, unless they are chosen, those whose
+/// monitored runs are timed, too, one of each kind.
+std::regex chosen_formulations(const Options& options) {
+  if (!options.quick || !options.filter.empty()) return std::regex(options.filter);
+  std::string ids;
+  for (const std::string_view id : bench::monitored_ids)
+    ids += (ids.empty() ? "^(" : "|") + std::string(id);
+  return std::regex(ids + ")$");
+}
+
 /// Returns whether no formulation gave wrong numbers without a flag.
 bool measure(const Options& options, const bench::CommandLine& line) {
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
   Selection selection{.extent = options.quick ? Extent::brief : Extent::full,
-                      .formulations = std::regex(options.filter),
+                      .formulations = chosen_formulations(options),
                       .cases = std::regex(options.cases),
                       .without = options.without};
   bench::RecordWriter recording = begin_record(options, line);
   Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   std::size_t defects = 0;
+  std::string summaries;
+  std::optional<bench::Progress> progress;
+  progress.emplace("rows", static_cast<double>(rows.size()));
+  selection.done = [&](double share) { progress->done(share); };
   for (const Extreme* row : rows) {
-    selection.say = [&](const std::string& name) {
-      std::cerr << "row " << row->number << ": " << name << '\n';
-    };
     const std::vector<Result> results = row_results(*row, selection);
+    if (results.empty()) progress->done();
     lists["rows"].push_back(row_json(*row));
     for (const Result& result : results) lists["results"].push_back(result_json(result));
-    std::cout << summary(*row, results) << std::flush;
+    summaries += summary(*row, results);
     defects += count(results, ExtremeVerdict::defect);
   }
+  progress.reset();
+  std::cout << summaries << std::flush;
   if (lists["results"].empty()) throw std::invalid_argument("nothing matches --filter and --case");
   recording.write(time_grid(30, 0.01), lists);
   return defects == 0;
@@ -100,10 +118,11 @@ bool measure(const Options& options, const bench::CommandLine& line) {
 int run(const bench::CommandLine& line) {
   Options options;
   CLI::App parser("desmo_bench extremes: every formulation in the table of extremes");
-  bench::add_common(parser, options,
-                    {.quick = "what takes seconds, not minutes",
-                     .filtered = "the formulation's id",
-                     .repetitions = {}});
+  bench::add_common(
+      parser, options,
+      {.quick = "four formulations, unless --filter names others, and cases that take seconds",
+       .filtered = "the formulation's id",
+       .repetitions = {}});
   parser.add_option("--row", options.rows, "Only these rows of the table")->type_name("N");
   parser
       .add_option("--case", options.cases,

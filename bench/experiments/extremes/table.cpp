@@ -60,8 +60,8 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
   std::vector<Result> results;
   const std::vector<const Variant*> chosen = matching(selection.formulations);
   std::map<const Variant*, CaseRun> first;
-  for (ExtremeCase& c : selected(row.cases(selection.extent), selection.cases)) {
-    if (selection.say) selection.say(c.name);
+  std::vector<ExtremeCase> cases = selected(row.cases(selection.extent), selection.cases);
+  for (ExtremeCase& c : cases) {
     const KnownCase known = make_known_case(c);
     c.scene.mechanism = {};  // a million dyads take gigabytes, and the known case has its model
     std::map<const Variant*, CaseRun> anew;
@@ -79,6 +79,7 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
                          verify(known, a, yardsticks)});
       if (before == first.end()) first.emplace(v, std::move(a));
     }
+    if (selection.done) selection.done(1.0 / static_cast<double>(cases.size()));
   }
   return results;
 }

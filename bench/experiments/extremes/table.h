@@ -26,7 +26,8 @@ struct Selection {
   std::regex formulations{""}, cases{""};
   /// Monitor bits (AccuracyMonitorOptions) that are left out; Result::case_name then lists them.
   unsigned without = 0;
-  std::function<void(const std::string&)> say = {};  ///< called with what comes next; may be empty
+  /// Called after each case with its share of the row; may be empty.
+  std::function<void(double)> done = {};
 };
 
 /// Returns the results of a row in the formulations selected. A case with which others are compared
