@@ -1,5 +1,5 @@
-// desmo_bench [EXPERIMENT] [OPTION...]: measures what an experiment measures; without a name the
-// paper's.
+// desmo_bench [EXPERIMENT] [OPTION...]: measures what an experiment measures; with options and no
+// name the paper's.
 
 #include <algorithm>
 #include <exception>
@@ -13,6 +13,8 @@
 #include "bench/experiments/experiments.h"
 #include "bench/kit/memory.h"
 #include "bench/kit/record/environment.h"
+#include "cases/io/input_error.h"
+#include "cases/io/text_file.h"
 #include "formulations/algebra/blas.h"
 
 namespace {
@@ -35,8 +37,15 @@ constexpr Experiment all_experiments[] = {
     {"promise", "Random and aimed scenes: is every number right, or flagged?", desmo::promise::run},
 };
 
-/// not_completed: something cannot be measured or written.
-enum ExitCode { success = 0, usage_error = 64, not_completed = 74 };
+/// bad_input, unreadable_input: of a scene file. not_completed: something cannot be measured or
+/// written.
+enum ExitCode {
+  success = 0,
+  usage_error = 64,
+  bad_input = 65,
+  unreadable_input = 66,
+  not_completed = 74
+};
 
 /// Returns the experiment that the first argument names. Throws std::invalid_argument for a name
 /// that no experiment has.
@@ -59,7 +68,7 @@ void print_experiments() {
     std::cout << "  " << name << e.help << '\n';
   }
   std::cout << "\ndesmo_bench EXPERIMENT --help lists an experiment's options; --version says which"
-               "\nversion this is. Without an experiment it is the paper's.\n\n";
+               "\nversion this is. With options and no experiment it is the paper's.\n\n";
 }
 
 int run(int argc, char** argv) {
@@ -69,7 +78,8 @@ int run(int argc, char** argv) {
     return success;
   }
   const bool has_name = argc > 1 && !first.starts_with('-');
-  if (first == "--help" || first == "-h") print_experiments();
+  if (argc < 2 || first == "--help" || first == "-h") print_experiments();
+  if (argc < 2) return success;
   const Experiment& experiment = has_name ? named(first) : all_experiments[0];
   keep_freed_memory();
   desmo::set_blas_threads(1);  // the clock is the thread's own
@@ -92,6 +102,10 @@ int main(int argc, char** argv) {
     return failed(std::string("not a regular expression: ") + error.what(), usage_error);
   } catch (const std::invalid_argument& error) {
     return failed(error.what(), usage_error);
+  } catch (const desmo::InputError& error) {
+    return failed(error.what(), bad_input);
+  } catch (const desmo::UnreadableFile& error) {
+    return failed(error.what(), unreadable_input);
   } catch (const std::exception& error) {
     return failed(error.what(), not_completed);
   }

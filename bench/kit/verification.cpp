@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/scaling/scales.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
@@ -19,10 +20,11 @@ constexpr int instants_compared = 51;
 constexpr double highest_floor = 1e-20;
 
 void compare(double& largest, ResultDigest& results, std::span<const double> found,
-             std::span<const double> reference, double unit) {
+             std::span<const double> reference, std::span<const double> scales, double unit) {
   for (std::size_t i = 0; i < reference.size(); ++i) {
-    widen(largest, found[i], reference[i]);
-    results.add(found[i], reference[i], unit);
+    const double scale = scales.empty() ? 1 : scales[i];
+    widen(largest, found[i] / scale, reference[i] / scale);
+    results.add(found[i], reference[i], unit * scale);
   }
 }
 
@@ -55,21 +57,38 @@ Flow ComparingObserver::observe(const Instant& i) noexcept {
   return Delivery::observe(i);
 }
 
-VerifyingObserver::VerifyingObserver(std::span<const ReferenceInstant> reference)
+VerifyingObserver::VerifyingObserver(std::span<const ReferenceInstant> reference,
+                                     PerLevel<std::vector<double>> scales)
     : ComparingObserver(reference.empty() ? 0 : reference.front().q.size(), Level::acceleration,
-                        reference) {}
+                        reference),
+      scales_(std::move(scales)) {}
 
 Comparison VerifyingObserver::compare() const {
   Differences errors;
   ResultDigest results;
   for_each([&](const ReferenceInstant& r, const State& solved) {
     ++errors.instants;
-    bench::compare(errors.position, results, solved.q, r.q, allowed_difference.position);
-    bench::compare(errors.velocity, results, solved.qd, r.qd, allowed_difference.velocity);
-    bench::compare(errors.acceleration, results, solved.qdd, r.qdd,
+    bench::compare(errors.position, results, solved.q, r.q, scales_.position,
+                   allowed_difference.position);
+    bench::compare(errors.velocity, results, solved.qd, r.qd, scales_.velocity,
+                   allowed_difference.velocity);
+    bench::compare(errors.acceleration, results, solved.qdd, r.qdd, scales_.acceleration,
                    allowed_difference.acceleration);
   });
   return {errors, results.hex()};
+}
+
+PerLevel<std::vector<double>> coordinate_scales(const Model& m,
+                                                std::span<const ReferenceInstant> reference) {
+  const Scales scales = make_scales(m, reference);
+  PerLevel<std::vector<double>> all;
+  for (const Level level : all_levels) {
+    all[level].assign(m.coordinates(), 1);
+    for (const Entity& e : m.entities)
+      if (const double scale = scales.of(e.kind, level); !e.fixed && scale > 0)
+        std::fill_n(all[level].begin() + e.first, e.size, scale);
+  }
+  return all;
 }
 
 std::string verification_failure(const Differences& e, std::size_t expected_instants,

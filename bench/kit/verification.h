@@ -69,9 +69,19 @@ class ComparingObserver : public Delivery {
 /// Compares a whole mechanism with a reference.
 class VerifyingObserver final : public ComparingObserver {
  public:
-  explicit VerifyingObserver(std::span<const ReferenceInstant> reference);
+  /// scales: of each coordinate at each level, by which differences are divided; empty: by nothing.
+  explicit VerifyingObserver(std::span<const ReferenceInstant> reference,
+                             PerLevel<std::vector<double>> scales = {});
   Comparison compare() const override;
+
+ private:
+  const PerLevel<std::vector<double>> scales_;
 };
+
+/// Returns the scales of coordinates in a motion that the reference samples (Scales); 1 where
+/// nothing moves.
+PerLevel<std::vector<double>> coordinate_scales(const Model& model,
+                                                std::span<const ReferenceInstant> reference);
 
 /// Returns the verification failure, in words. Empty when all errors are at most `times` the
 /// allowed differences, at as many instants as expected.

@@ -33,10 +33,15 @@ TEST(BenchOptions, TakeTheirOwnAndLeaveTheRest) {
 TEST(BenchOptions, StandForFlagsOfGoogleBenchmarkThatTheUserMayGiveHimself) {
   std::vector<std::string> rest;
   const Options quick = parse({"--benchmark_repetitions=7", "--quick", "--filter", "klu"}, &rest);
-  EXPECT_EQ(quick.duration, 1.5);
+  const TimeGrid own{2, 0.01, 3001}, brief{2, 0.01, 101};
+  const auto end = [](const TimeGrid& grid) { return grid.time(grid.instants - 1); };
+  EXPECT_EQ(end(chosen_grid(own, quick)), 3.5);
+  EXPECT_EQ(end(chosen_grid(brief, quick)), 3);
+  EXPECT_EQ(end(chosen_grid(own, {})), 32);
   EXPECT_EQ(rest, (std::vector<std::string>{"--benchmark_filter=klu", "--benchmark_repetitions=2",
                                             "--benchmark_repetitions=7"}));
-  EXPECT_EQ(parse({"--quick", "--duration=3", "--repetitions", "4"}, &rest).duration, 3);
+  EXPECT_EQ(end(chosen_grid(own, parse({"--quick", "--duration=3", "--repetitions", "4"}, &rest))),
+            5);
   EXPECT_EQ(rest, std::vector<std::string>{"--benchmark_repetitions=4"});
 }
 

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "cases/generators/cases.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/scaling/scales.h"
 
 namespace desmo::bench::verification_test {
 namespace {
@@ -77,6 +79,41 @@ TEST_F(Verification, ComparesInstantsInAnyOrder) {
 TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
   observe(0, 0, {1, 2});
   EXPECT_NE(verification_failure(observer.compare().errors, 2), "");
+}
+
+/// Of a mechanism of 2 km, differences count for what they are of its size, speed and acceleration.
+TEST_F(Verification, ComparesRelativelyToScales) {
+  const PerLevel<std::vector<double>> scales{{2000, 1}, {1, 1}, {1, 1}};
+  const auto failure = [&](double first, double second) {
+    VerifyingObserver scaled(reference, scales);
+    for (const int i : {0, 1}) {
+      Instant instant{i, static_cast<double>(i), {}, {}, {}};
+      scaled.lend({&i, 1}, {&instant.output, 1});
+      show(instant, {1 + first, 2 + second});
+      scaled.observe(instant);
+    }
+    return verification_failure(scaled.compare().errors, 2);
+  };
+  EXPECT_EQ(failure(2000 * 0.9e-9, 0.9e-9), "");
+  EXPECT_NE(failure(2000 * 2e-9, 0), "");
+  EXPECT_NE(failure(0, 2e-9), "");
+}
+
+TEST(Scales, AreThoseOfEachCoordinate) {
+  const Model m = make_model(library_scene("slider_crank"));
+  std::vector<double> rates(m.coordinates(), 3), still(m.coordinates(), 0);
+  const auto moving = coordinate_scales(m, std::vector<ReferenceInstant>{{0, rates, rates, rates}});
+  const auto at_rest =
+      coordinate_scales(m, std::vector<ReferenceInstant>{{0, rates, still, still}});
+  const double size = nominal_size(m);
+  EXPECT_NE(size, 1);
+  for (const Entity& e : m.entities) {
+    if (e.fixed) continue;
+    EXPECT_EQ(moving.position[e.first], is_length(e.kind) ? size : 1);
+    EXPECT_NEAR(moving.velocity[e.first], 3 * std::sqrt(2), 1e-12);  // of a point, of a vector
+    for (const Level rate : {Level::velocity, Level::acceleration})
+      EXPECT_EQ(at_rest[rate][e.first], 1);
+  }
 }
 
 /// Every fourth of 201 instants is solved; every fourth of the ordinary times is among these.

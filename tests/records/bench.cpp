@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 namespace desmo::bench::bench_program_test {
@@ -85,6 +86,45 @@ TEST(Bench, HasEveryExperimentByItsName) {
   EXPECT_NE(said("size --bodies").find("not expected: --bodies"), std::string::npos);
   EXPECT_NE(said("accuracy four_bar/114").find("not expected: four_bar/114"), std::string::npos);
   EXPECT_NE(said("accuracy --quick").find("--record FILE is missing"), std::string::npos);
+}
+
+TEST(Bench, PrintsItsHelpWithoutArguments) {
+  EXPECT_EQ(run_bench(""), 0);
+  EXPECT_NE(said("").find("\n  paper "), std::string::npos);
+}
+
+/// Lines that are no progress of the program.
+long lines_of(const std::string& text) {
+  std::istringstream in(text);
+  long lines = 0;
+  for (std::string line; std::getline(in, line);) lines += !line.starts_with("benchmarks: ");
+  return lines;
+}
+
+TEST(Bench, ShowsEveryBenchmarkOnlyWhereAsked) {
+  // The residual of one of them is always 0, and has no spread; one is not run.
+  const std::string some =
+      "--duration=0.02 --repetitions=2 "
+      "'--filter=four_bar/225/(group_symbolic_(klu|explicit)|global_automatic_lapack)$'";
+  const std::string with_record = said(some + " --record=/dev/null");
+  EXPECT_EQ(lines_of(with_record), 0) << with_record;
+  EXPECT_TRUE(with_record.starts_with("benchmarks: 100 % in ")) << with_record;
+
+  for (const std::string& with_table : {said(some + " --record=/dev/null --table"), said(some)}) {
+    for (const char* shown : {"\nfour_bar/225/group_symbolic_klu_median ", "iterations/step",
+                              "four_bar/225/global_automatic_lapack: a dense global solve"})
+      EXPECT_NE(with_table.find(shown), std::string::npos) << shown << '\n' << with_table;
+    for (const char* noise : {"nan", "DEBUG"})
+      EXPECT_EQ(with_table.find(noise), std::string::npos) << with_table;
+  }
+  const std::string warning = "desmo_bench: without --record nothing of this will be kept\n";
+  EXPECT_TRUE(said(some).starts_with(warning));
+  EXPECT_EQ(with_record.find("will be kept"), std::string::npos);
+  EXPECT_EQ(said("--benchmark_list_tests").find("will be kept"), std::string::npos);
+
+  const std::string failing = said("--step=2 --record=/dev/null" + too_few);
+  EXPECT_EQ(lines_of(failing), 1) << failing;
+  EXPECT_NE(failing.find("four_bar/114/group_symbolic_klu/iterations:1: "), std::string::npos);
 }
 
 TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {

@@ -19,9 +19,6 @@ namespace {
 constexpr int profiled_coordinates = 558;  // the largest of the paper's tables
 constexpr int profiled_instants = 51;
 
-/// KLU without the irreducible blocks that it finds itself: the difference is what they gain.
-constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
-
 /// Tells whether it is a counterpart of FBL-G or FBL-TP, or the latter in blocks: no others are run
 /// at extra sizes.
 bool runs_at_extra_sizes(const Variant& v) {
@@ -30,7 +27,8 @@ bool runs_at_extra_sizes(const Variant& v) {
          !is_dense_global(v);
 }
 
-/// Returns why a formulation is not run with so many coordinates; empty when it is.
+}  // namespace
+
 std::string too_costly(const Variant& v, int n, const Options& options) {
   const auto up_to = [](int limit) {
     return ": run up to " + std::to_string(limit) + " coordinates only";
@@ -41,8 +39,6 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
     return std::string(slow_reason(v)) + up_to(options.slow_limit);
   return {};
 }
-
-}  // namespace
 
 CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Options& options,
                              const Settings& s, Clock by, std::string_view id_suffix)
@@ -112,18 +108,16 @@ std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& 
     for (const int n : c.extra_sizes)
       for (const Variant& v : variants())
         if (runs_at_extra_sizes(v)) make(n, v);
-    const auto add = [&](int n, std::string_view id) {
-      const auto [variant, settings] = parse_id(id);
-      make(n, *variant, settings);
-      if (settings.threads > 1) make(n, *variant, on_one_thread(settings), Clock::wall);
-    };
-    for (const std::string_view id : extended_ids) add(c.sizes.back(), id);
-    add(c.sizes.back(), reference_of_one_block);
-    for (const std::string_view id : bench::monitored_ids)
-      candidates.push_back(
-          std::make_unique<MonitoredCandidate>(c, c.sizes.back(), find_variant(id), options));
+    for (const TimedConfiguration& t : beyond_the_table())
+      if (t.is_monitored)
+        candidates.push_back(
+            std::make_unique<MonitoredCandidate>(c, c.sizes.back(), *t.variant, options));
+      else
+        make(c.sizes.back(), *t.variant, t.settings, t.clock);
     for (const std::string& id : options.formulations)
-      for (const int n : c.sizes) add(n, id);
+      for (const int n : c.sizes)
+        for (const TimedConfiguration& t : with_counterpart(id))
+          make(n, *t.variant, t.settings, t.clock);
   }
   return candidates;
 }

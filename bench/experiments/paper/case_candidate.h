@@ -13,6 +13,9 @@
 
 namespace desmo::paper {
 
+/// Returns why a formulation is not run with so many coordinates; empty when it is.
+std::string too_costly(const Variant& variant, int coordinates, const Options& options);
+
 /// A case at one size with one formulation.
 class CaseCandidate : public FormulationCandidate {
  public:

@@ -2,10 +2,18 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
+#include "bench/kit/time/clock.h"
 #include "formulations/id.h"
 
 namespace desmo::paper {
+
+/// A formulation with settings, and how it is run and timed.
+struct TimedConfiguration : Configuration {
+  bench::Clock clock = bench::Clock::cpu;
+  bool is_monitored = false;  ///< runs under all monitors
+};
 
 /// Ids beyond the paper's, measured at the largest of its sizes: the reference with its own best
 /// settings, and generated code with the same guess. The latter solves one part after the other,
@@ -28,6 +36,17 @@ inline Settings on_one_thread(Settings settings) {
   settings.threads = 1;
   return settings;
 }
+
+/// KLU without the irreducible blocks that it finds itself: the difference is what they gain.
+inline constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
+
+/// Returns the configuration of an id; where it has several threads, also what it is compared with.
+/// Throws what parse_id throws.
+std::vector<TimedConfiguration> with_counterpart(std::string_view id);
+
+/// Returns what is measured of one size beyond the table of variants: the extended ids, KLU as one
+/// block, and runs under monitors.
+std::vector<TimedConfiguration> beyond_the_table();
 
 /// The request that they are timed with, too.
 inline constexpr std::string_view extended_request = "outputs";

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -20,26 +21,41 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Returns a run as the console is to show it: the time given to Google Benchmark by hand is CPU
-/// time, and what it finds itself is that of a thread that waits.
+/// time, and what it finds itself is that of a thread that waits. The spread of a number that is
+/// always 0 is none.
 benchmark::BenchmarkReporter::Run shown_as_cpu_time(benchmark::BenchmarkReporter::Run run) {
   run.run_name.time_type.clear();
   run.run_name.repetitions.clear();
   run.cpu_accumulated_time = run.real_accumulated_time;
+  for (auto& [name, counter] : run.counters)
+    if (std::isnan(counter.value)) counter.value = 0;
   return run;
 }
 
-/// A reporter that keeps the raw samples of all candidates and shows a summary on the console.
+/// Returns what Google Benchmark says of the machine, without its warning that the library itself
+/// was built for debugging, as Debian's is: its code runs between analyses, not within them.
+std::string described(const benchmark::BenchmarkReporter::Context& context) {
+  std::ostringstream all;
+  benchmark::BenchmarkReporter::PrintBasicContext(&all, context);
+  std::istringstream lines(all.str());
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("Library was built as DEBUG") == std::string::npos) kept += line + '\n';
+  return kept;
+}
+
+/// A reporter that keeps the raw samples of all candidates, and shows a table of them where that is
+/// wanted.
 class CollectingReporter final : public benchmark::ConsoleReporter {
  public:
-  /// first: the machine has not been described yet.
-  CollectingReporter(const std::vector<Candidate*>& all, bool first, Progress& progress)
-      : ConsoleReporter(OO_Tabular), first_(first), progress_(progress) {
+  CollectingReporter(const std::vector<Candidate*>& all, const Console& console, Progress& progress)
+      : ConsoleReporter(OO_Tabular), console_(console), progress_(progress) {
     for (Candidate* candidate : all) candidates_[candidate->name()] = candidate;
   }
 
   bool ReportContext(const Context& context) override {
-    if (first_) return ConsoleReporter::ReportContext(context);
     name_field_width_ = context.name_field_width;
+    if (console_.has_table && console_.is_first) GetErrorStream() << described(context);
     return true;
   }
 
@@ -56,12 +72,13 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
         shown.push_back(shown_as_cpu_time(run));
       if (run.error_occurred) break;  // the other repetitions say the same
     }
+    if (!console_.has_table) return;
     progress_.clear();
     ConsoleReporter::ReportRuns(shown);
   }
 
  private:
-  const bool first_;
+  const Console& console_;
   Progress& progress_;
   std::map<std::string, Candidate*> candidates_;
 };
@@ -97,9 +114,13 @@ Json lists_of(const std::vector<Candidate*>& candidates) {
   return lists;
 }
 
-Json measure(const std::vector<Candidate*>& all, std::optional<int> asked_repetitions, bool first,
-             Progress& progress) {
+Json measure(const std::vector<Candidate*>& all, const Console& console, Progress& progress) {
+  const auto complain = [&](const Candidate& candidate) {
+    progress.clear();
+    std::cerr << candidate.name() << ": " << candidate.message() << '\n';
+  };
   ReferenceCache references;
+  std::vector<const Candidate*> verified;
   for (Candidate* candidate : all) {
     const auto verify = [&] { candidate->verify(references); };
     // The threads that it makes end with the one that it is on: those of a repetition have no
@@ -107,21 +128,22 @@ Json measure(const std::vector<Candidate*>& all, std::optional<int> asked_repeti
     candidate->threads() > 1 ? on_fresh_heap(verify) : verify();
     candidate->profile();
     progress.done(candidate->is_verified() ? 1 : work_of_candidate);
-    if (!candidate->is_verified()) {
-      progress.clear();
-      std::cerr << candidate->name() << ": " << candidate->message() << '\n';
-    }
+    if (candidate->is_failed() || (candidate->is_not_run() && console.has_table))
+      complain(*candidate);
+    if (candidate->is_verified()) verified.push_back(candidate);
     if (candidate->is_not_run()) continue;
-    const int repetitions = asked_repetitions.value_or(worth_repeating(*candidate));
+    const int repetitions = console.repetitions.value_or(worth_repeating(*candidate));
     auto* const registered =
         benchmark::RegisterBenchmark(candidate->name().c_str(), &run_timed, std::ref(*candidate),
                                      repetitions, std::ref(progress));
     registered->Unit(benchmark::kMillisecond)->UseManualTime();
-    if (!asked_repetitions) registered->Repetitions(repetitions);
+    if (!console.repetitions) registered->Repetitions(repetitions);
   }
-  CollectingReporter reporter(all, first, progress);
+  CollectingReporter reporter(all, console, progress);
   if (!std::ranges::all_of(all, &Candidate::is_not_run))
     benchmark::RunSpecifiedBenchmarks(&reporter, ".");  // those chosen, whatever the filter
+  for (const Candidate* candidate : verified)
+    if (candidate->is_failed()) complain(*candidate);
   return {{"failed", std::ranges::any_of(all, &Candidate::is_failed)}, {"lists", lists_of(all)}};
 }
 

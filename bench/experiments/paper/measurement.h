@@ -13,13 +13,18 @@ namespace desmo::paper {
 /// its repetitions.
 inline constexpr double work_of_candidate = 2;
 
+/// What Google Benchmark is told, and what it shows.
+struct Console {
+  /// Of every candidate; nothing: as many as its time is worth.
+  std::optional<int> repetitions;
+  bool has_table = true;  ///< a row for each benchmark, and why others are not run
+  bool is_first = true;   ///< nothing was printed yet
+};
+
 /// Verifies and profiles all candidates, and lets Google Benchmark time the verified ones, in its
 /// own order. Its flags have been read. Says on standard error what is wrong. Returns {"failed":
 /// whether any candidate failed, "lists": what a record says (lists_of)}.
-/// - asked_repetitions: of every candidate; nothing: as many as its time is worth
-/// - first: nothing was printed on the console yet
-nlohmann::ordered_json measure(const std::vector<bench::Candidate*>& all,
-                               std::optional<int> asked_repetitions, bool first,
+nlohmann::ordered_json measure(const std::vector<bench::Candidate*>& all, const Console& console,
                                bench::Progress& progress);
 
 /// Returns what a results record (results/record.schema.json) says of candidates, as an object of

@@ -1,15 +1,21 @@
 #include "bench/experiments/paper/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "cases/generators/cases.h"
 
 namespace desmo::paper {
 
+namespace {
+
+constexpr double quick_duration = 1.5;  // s
+constexpr int quick_repetitions = 2;
+
+}  // namespace
+
 Options take_options(std::vector<std::string>& arguments) {
-  constexpr double quick_duration = 1.5;  // s
-  constexpr int quick_repetitions = 2;
   Options o;
   CLI::App parser(
       "desmo_bench paper: verifies, then times, every case, size and formulation.\n"
@@ -42,15 +48,24 @@ Options take_options(std::vector<std::string>& arguments) {
                   "global_automatic_klu/guess:hermite5; more than once where wanted")
       ->type_name("ID")
       ->allow_extra_args(false);
+  parser
+      .add_option("--scene", o.scenes,
+                  "Measure the whole mechanism of this scene file, in place of the cases; more "
+                  "than once where wanted")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  parser.add_flag("--table", o.table, "Show every benchmark, as without --record");
   bench::read(parser, arguments);
   arguments = parser.remaining();
   if (o.help)
     std::cout
         << parser.help()
         << "\nExit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no\n"
-           "benchmark matches; 74 the record could not be written. Flags of Google Benchmark:"
+           "benchmark matches; 65 a scene says something wrong, 66 cannot be read; 74 the record "
+           "could not be written. Where a file of Google\n"
+           "Benchmark names a library built for debugging, its own is meant, which has no part in\n"
+           "these times. Flags of Google Benchmark:"
            "\n\n";
-  if (o.quick && o.duration == 0) o.duration = quick_duration;
   const int repetitions = o.repetitions > 0 ? o.repetitions : o.quick ? quick_repetitions : 0;
   // First, so that flags of Google Benchmark that the user gives win.
   if (repetitions > 0)
@@ -60,8 +75,16 @@ Options take_options(std::vector<std::string>& arguments) {
 }
 
 TimeGrid chosen_grid(const TimeGrid& own, const Options& o) {
-  const double duration = own.time(own.instants - 1) - own.start;
-  return time_grid(o.duration > 0 ? o.duration : duration, o.step > 0 ? o.step : own.step);
+  double duration = own.time(own.instants - 1) - own.start;
+  const bool is_shortened = o.quick && duration > quick_duration;
+  if (!is_shortened && o.duration == 0 && o.step == 0) return own;
+  if (o.duration > 0)
+    duration = o.duration;
+  else if (is_shortened)
+    duration = quick_duration;
+  TimeGrid grid = time_grid(duration, o.step > 0 ? o.step : own.step);
+  grid.start = own.start;
+  return grid;
 }
 
 }  // namespace desmo::paper

@@ -18,6 +18,8 @@ struct Options : bench::CommonOptions {
   int slow_limit = 114;                   ///< most coordinates for slow libraries (slow_reason)
   double peer_limit = 60;                 ///< s of CPU time a peer may take for the motion
   std::vector<std::string> formulations;  ///< ids with settings, to be run as well as the table's
+  std::vector<std::string> scenes;        ///< files to be measured in place of the cases
+  bool table = false;                     ///< show every benchmark, though there is a record
   bool help = false;
 };
 
@@ -26,7 +28,8 @@ struct Options : bench::CommonOptions {
 /// naming the option, for a missing or unusable value.
 Options take_options(std::vector<std::string>& arguments);
 
-/// Returns the instants that are analysed: a scene's own, but for what the options say.
+/// Returns the instants that are analysed: a scene's own, but for what the options say. A quick run
+/// takes the beginning of the motion.
 TimeGrid chosen_grid(const TimeGrid& own, const Options& options);
 
 }  // namespace desmo::paper

@@ -22,6 +22,7 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/peer_candidate.h"
 #include "bench/experiments/paper/request.h"
+#include "bench/experiments/paper/scene_candidate.h"
 #include "bench/kit/options.h"
 #include "bench/kit/process/own_process.h"
 #include "formulations/variants.h"
@@ -62,7 +63,7 @@ void require_one_grid(const std::vector<std::unique_ptr<Candidate>>& all) {
   for (const auto& candidate : all)
     if (candidate->grid().step != first.step || candidate->grid().instants != first.instants)
       throw std::invalid_argument(
-          "the cases differ in step or duration: give --step and --duration");
+          "the motions differ in step or duration: give --step and --duration");
 }
 
 /// Candidates that are compared with each other: all of one case and size.
@@ -114,6 +115,10 @@ std::vector<std::unique_ptr<Candidate>> all_candidates(const Options& options) {
     for (auto& candidate : candidates)
       if (names.insert(candidate->name()).second) all.push_back(std::move(candidate));
   };
+  if (!options.scenes.empty()) {
+    add(make_scene_candidates(options));
+    return all;
+  }
   add(make_case_candidates(options));
   add(make_request_candidates(options));
   add(make_candidates_for_peers(options));
@@ -124,14 +129,13 @@ std::vector<std::unique_ptr<Candidate>> all_candidates(const Options& options) {
 /// Measures one series after the other, each in a process of its own. Returns what measure()
 /// returns of all of them.
 Json measure_all(const std::vector<ComparedCandidates>& all, std::size_t candidates,
-                 std::optional<int> asked_repetitions) {
+                 Console console) {
   Json result = {{"failed", false}, {"lists", Json::object()}};
   Progress progress("benchmarks", work_of_candidate * static_cast<double>(candidates));
   for (const ComparedCandidates& series : all) {
-    const bool first = &series == &all.front();
-    const Json measured = in_own_process(series.name, [&] {
-      return measure(series.candidates, asked_repetitions, first, progress);
-    });
+    const Json measured =
+        in_own_process(series.name, [&] { return measure(series.candidates, console, progress); });
+    console.is_first = false;
     progress.done(work_of_candidate * static_cast<double>(series.candidates.size()));
     if (measured["failed"]) result["failed"] = true;
     for (const auto& [name, list] : measured["lists"].items()) {
@@ -159,7 +163,8 @@ int run(const bench::CommandLine& line) {
                                        "--benchmark_min_time=1e-6"});
   if (options.help) arguments.push_back("--help");
   // Before Google Benchmark takes its flags away.
-  const std::optional<int> asked_repetitions = repetitions_of(arguments);
+  const Console console{.repetitions = repetitions_of(arguments),
+                        .has_table = options.table || options.record.empty()};
   const bool listing = std::ranges::any_of(arguments, is_listing),
              together = has_output_file(arguments);
   if (!initialise(arguments)) return bench::usage_error;
@@ -174,8 +179,11 @@ int run(const bench::CommandLine& line) {
     return 0;
   }
   std::optional<RecordWriter> recording;
-  if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
-  const Json measured = measure_all(series_of(chosen, together), chosen.size(), asked_repetitions);
+  if (!options.record.empty())
+    recording.emplace(options.record, line.text, line.experiment);
+  else
+    std::cerr << "desmo_bench: without --record nothing of this will be kept\n";
+  const Json measured = measure_all(series_of(chosen, together), chosen.size(), console);
   benchmark::Shutdown();
   if (recording)
     recording->write(chosen.front()->grid(), measured["lists"],

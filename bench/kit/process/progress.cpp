@@ -26,7 +26,9 @@ void Progress::done(double work) {
   done_ = std::min(all_, done_ + work);
   const double now = elapsed();
   if (now - shown_ < (terminal_ ? 0.2 : 10) || (only_there_ && !terminal_)) return;
+  if (!terminal_ && done_ - shown_done_ < all_ / 10) return;
   shown_ = now;
+  shown_done_ = done_;
   std::fprintf(stderr, "%s%s: %.0f %%, %.0f s left%s", terminal_ ? "\r" : "", what_.c_str(),
                100 * done_ / all_, std::ceil(now * (all_ - done_) / done_),
                terminal_ ? "\x1b[K" : "\n");

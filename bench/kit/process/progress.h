@@ -7,7 +7,8 @@
 namespace desmo::bench {
 
 /// A progress line on standard error, with the expected remaining time: rewritten on a terminal;
-/// elsewhere a new one every ten seconds. The last says how long it took. Any thread may report.
+/// elsewhere a new one after every tenth of the work that took ten seconds. The last says how long
+/// it took. Any thread may report.
 class Progress {
  public:
   /// what: for people, "rounds of 12 candidates". work: all there is to do, in any unit.
@@ -31,7 +32,7 @@ class Progress {
   double done_ = 0;
   const bool terminal_, only_there_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double shown_ = 0;  // s after the beginning
+  double shown_ = 0, shown_done_ = 0;  // s after the beginning, and the work then done
 };
 
 }  // namespace desmo::bench

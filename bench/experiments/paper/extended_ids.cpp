@@ -1,0 +1,27 @@
+#include "bench/experiments/paper/extended_ids.h"
+
+#include <utility>
+
+#include "bench/kit/monitored_run.h"
+
+namespace desmo::paper {
+
+std::vector<TimedConfiguration> with_counterpart(std::string_view id) {
+  const Configuration c = parse_id(id);
+  std::vector<TimedConfiguration> all{{c}};
+  if (c.settings.threads > 1)
+    all.push_back({{c.variant, on_one_thread(c.settings)}, bench::Clock::wall});
+  return all;
+}
+
+std::vector<TimedConfiguration> beyond_the_table() {
+  std::vector<TimedConfiguration> all;
+  for (const std::string_view id : extended_ids)
+    for (TimedConfiguration& c : with_counterpart(id)) all.push_back(std::move(c));
+  all.push_back({parse_id(reference_of_one_block)});
+  for (const std::string_view id : bench::monitored_ids)
+    all.push_back({{&find_variant(id), {}}, bench::Clock::cpu, true});
+  return all;
+}
+
+}  // namespace desmo::paper

@@ -1,0 +1,144 @@
+// desmo_bench --scene: a scene of the user's own in the tables and the record.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace desmo::bench::own_scene_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct Ended {
+  int code;
+  std::string text;  ///< standard output and standard error
+};
+
+Ended run(const std::string& command) {
+  FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+  Ended ended;
+  for (int c; (c = std::fgetc(pipe)) != EOF;) ended.text += static_cast<char>(c);
+  const int status = pclose(pipe);
+  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return ended;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class OwnScene : public testing::Test {
+ protected:
+  OwnScene() { fs::create_directories(folder_ / "cache"); }
+  ~OwnScene() override { fs::remove_all(folder_); }
+
+  /// environment: settings of variables, for the shell.
+  Ended measure(const fs::path& scene, const std::string& flags,
+                const std::string& environment = "") const {
+    return run("XDG_CACHE_HOME=" + (folder_ / "cache").string() + " " + environment +
+               " " DESMO_BENCH " --repetitions=2 --record=" + record() + " --scene '" +
+               scene.string() + "' " + flags);
+  }
+  /// Returns what the record says of a formulation; null where it says nothing.
+  Json cell(const std::string& id) const {
+    const Json record_of_run = Json::parse(text_of(record()));
+    for (const Json& cell : record_of_run["paper"]["cells"])
+      if (cell["id"] == id) return cell;
+    return {};
+  }
+  /// Writes a text to a file of that name, and returns its path.
+  fs::path file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  std::string record() const { return (folder_ / "record.json").string(); }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const fs::path slider_crank_ = DESMO_SOURCE_DIR "/tests/consumer/slider_crank.scene.json";
+};
+
+// It has a type of groups that the program was not built with.
+TEST_F(OwnScene, IsVerifiedAndTimedInEveryFormulation) {
+  const Ended ended =
+      measure(slider_crank_, "'--filter=_(klu|inlined|explicit)(/monitored)?$|lanes:4'");
+  ASSERT_EQ(ended.code, 0) << ended.text;
+  for (const char* id :
+       {"global_automatic_klu", "global_symbolic_klu", "group_symbolic_klu",
+        "group_symbolic_inlined", "block_symbolic_explicit", "group_symbolic_explicit/monitored",
+        "group_symbolic_explicit/guess:adams8/lanes:4/tolerance:1e-10"}) {
+    const Json found = cell(id);
+    ASSERT_FALSE(found.is_null()) << id;
+    EXPECT_EQ(found["case"], "slider_crank");
+    EXPECT_EQ(found["status"], "ok") << id << ": " << found.value("message", "");
+    EXPECT_LE(found["verification"]["acceleration"], 1e-7) << id;
+    EXPECT_EQ(found["time"]["seconds"].size(), 2u) << id;
+  }
+  const Ended report = run(DESMO_REPORT " tables --all " + record());
+  EXPECT_EQ(report.code, 0) << report.text;
+  for (const char* shown : {"slider_crank", "group_symbolic_inlined"})
+    EXPECT_NE(report.text.find(shown), std::string::npos) << shown << report.text;
+}
+
+TEST_F(OwnScene, IsNotRunWhereThereIsNoCodeForIt) {
+  const Ended ended =
+      measure(slider_crank_, "'--filter=group_.*_(eigen|inlined)$'", "CXX=/nonexistent/compiler");
+  EXPECT_EQ(ended.code, 0) << ended.text;
+  EXPECT_EQ(cell("group_automatic_eigen")["status"], "ok");
+  for (const char* id : {"group_symbolic_eigen", "group_symbolic_inlined"}) {
+    EXPECT_EQ(cell(id)["status"], "not_run") << id;
+    EXPECT_NE(cell(id).value("message", "").find("CXX=/nonexistent/compiler"), std::string::npos)
+        << cell(id);
+  }
+}
+
+TEST_F(OwnScene, HasNoTimeWhereItIsWrong) {
+  const std::string id = "group_automatic_eigen/iterations:1";
+  const Ended ended =
+      measure(slider_crank_, "--step=0.1 --formulation=" + id + " '--filter=" + id + "$'");
+  EXPECT_EQ(ended.code, 1) << ended.text;
+  EXPECT_EQ(cell(id)["status"], "failed");
+  EXPECT_NE(ended.text.find("differs from the reference"), std::string::npos) << ended.text;
+}
+
+TEST_F(OwnScene, SaysWhatIsWrongWithItsFile) {
+  Json scene = Json::parse(text_of(slider_crank_));
+  const Json mechanism = scene["mechanism"];
+  scene["motion"] = {{"phi", 1}};
+  const auto says = [&](const fs::path& name, int code, const std::string& what) {
+    const Ended ended = measure(name, "");
+    EXPECT_EQ(ended.code, code) << ended.text;
+    EXPECT_NE(ended.text.find("desmo_bench: " + name.string() + ": " + what), std::string::npos)
+        << ended.text;
+    EXPECT_FALSE(fs::exists(record()));
+  };
+  says(folder_ / "nowhere.json", 66, "there is no such file");
+  says(folder_, 66, "is a directory");
+  says(file("cut.json", "{\"format\""), 65, "");
+  says(file("motion.json", scene.dump()), 65, "/motion");
+  says(file("mechanism.json", mechanism.dump()), 65, "/format");
+
+  const fs::path named = file("four_bar.scene.json", text_of(slider_crank_));
+  EXPECT_EQ(measure(named, "").code, 64);
+  EXPECT_EQ(measure(slider_crank_, "--scene " + slider_crank_.string()).code, 64);
+}
+
+// Elsewhere names would end in file names and patterns.
+TEST_F(OwnScene, HasANameWithoutBlanks) {
+  const Ended listed = measure(file("my first.crank.json", text_of(slider_crank_)),
+                               "--benchmark_list_tests --filter group_automatic_klu");
+  EXPECT_EQ(listed.code, 0);
+  EXPECT_TRUE(listed.text.starts_with("my_first_crank/")) << listed.text;
+}
+
+}  // namespace
+}  // namespace desmo::bench::own_scene_test
