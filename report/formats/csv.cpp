@@ -1,7 +1,6 @@
 // CSV, for spreadsheets and programs: nothing in it but a heading and the rows of one table.
-#include <charconv>
-
 #include "report/formats/formats.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
@@ -13,17 +12,10 @@ std::string field(const std::string& text) {
   return result + "\"";
 }
 
-bool is_number(const std::string& text) {
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && stop == end;
-}
-
 /// Returns a text that no spreadsheet takes for a formula: an apostrophe before what would be one.
 std::string text_field(const std::string& text) {
   const bool begins_one = text.find_first_of("=+-@\t\r") == 0;
-  return begins_one && !is_number(text) ? "'" + text : text;
+  return begins_one && !read_number(text) ? "'" + text : text;
 }
 
 std::string line(const std::vector<std::string>& fields) {

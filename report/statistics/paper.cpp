@@ -1,21 +1,11 @@
 #include "report/statistics/paper.h"
 
-#include <charconv>
 #include <sstream>
 
+#include "report/text/digits.h"
 #include "report/text/embedded.h"
 
 namespace desmo::report {
-namespace {
-
-std::optional<double> number_of(const std::string& digits) {
-  double value = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [at, error] = std::from_chars(digits.data(), end, value);
-  return error == std::errc{} && at == end ? std::optional(value) : std::nullopt;
-}
-
-}  // namespace
 
 PublishedTable::PublishedTable(std::string_view csv) {
   std::istringstream lines{std::string(csv)};
@@ -37,13 +27,13 @@ std::string PublishedTable::text(std::string_view row, std::string_view column) 
 std::vector<std::int64_t> PublishedTable::sizes() const {
   std::vector<std::int64_t> result;
   for (const auto& line : lines_)
-    if (const auto size = number_of(line.front()))
+    if (const auto size = read_number(line.front()))
       result.push_back(static_cast<std::int64_t>(*size));
   return result;
 }
 
 std::optional<double> PublishedTable::number(std::string_view row, std::string_view column) const {
-  return number_of(text(row, column));
+  return read_number(text(row, column));
 }
 
 const PublishedTable& published_cpu_seconds() {

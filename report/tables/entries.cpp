@@ -1,6 +1,6 @@
 #include "report/tables/entries.h"
 
-#include <charconv>
+#include <algorithm>
 
 #include "report/statistics/paper.h"
 #include "report/statistics/variants.h"
@@ -8,17 +8,6 @@
 #include "report/text/texts.h"
 
 namespace desmo::report {
-namespace {
-
-// Printed digits; nothing when there are none.
-std::optional<double> number(const std::string& digits) {
-  double value = 0;
-  const char* end = digits.data() + digits.size();
-  if (std::from_chars(digits.data(), end, value).ec != std::errc()) return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 void add_note(Entry& entry, const std::string& note) {
   entry.shown += (entry.note.empty() ? " " : ", ") + note;
@@ -112,8 +101,8 @@ Entry mean_speed_up_entry(const Record& record, std::string_view family, std::si
 Entry compared(Entry published, const Entry& ours) {
   const bool incomplete = ours.note.find("incomplete") != std::string::npos;
   if (!published.has_number() || incomplete || ours.digits.size() < 3) return published;
-  const std::optional<double> value = number(published.digits[0]), low = number(ours.digits[1]),
-                              high = number(ours.digits[2]);
+  const std::optional<double> value = read_number(published.digits[0]),
+                              low = read_number(ours.digits[1]), high = read_number(ours.digits[2]);
   if (!value || !low || !high) return published;
   published.note = *low <= *value && *value <= *high ? inside_mark : outside_mark;
   published.shown += " " + published.note;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdlib>
 
 namespace desmo::report {
 namespace {
@@ -30,9 +29,15 @@ DigitStyle ratio_digits(double value) {
   return value >= 0.1 && value < 100 ? DigitStyle{false, 2} : significant_digits(value, 3);
 }
 
+std::optional<double> read_number(std::string_view text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+}
+
 std::string write_order(double value) {
-  const double rounded =
-      std::strtod(characters(value, std::chars_format::scientific, 0).c_str(), nullptr);
+  const double rounded = *read_number(characters(value, std::chars_format::scientific, 0));
   return write(rounded, significant_digits(rounded, 1));
 }
 

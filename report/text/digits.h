@@ -1,7 +1,9 @@
 // Rounding to what is shown, once: every format prints these characters.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace desmo::report {
 
@@ -26,6 +28,9 @@ std::string write(double value, DigitStyle style);
 
 /// Returns the fewest digits that tell the value from every other: for settings, 0.01 and 1e-10.
 std::string write_shortest(double value);
+
+/// Returns the number that a text is, all of it; nothing when it is none.
+std::optional<double> read_number(std::string_view text);
 
 inline std::string write_fixed(double value, int decimals) {
   return write(value, {false, decimals});
