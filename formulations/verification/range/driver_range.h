@@ -60,6 +60,10 @@ struct DriverRange {
 /// noticed.
 /// - q: the position, solved or, at a dead point, nearly so (coordinates)
 /// - driver: position in Model::drivers
+///
+///   const RangeEnd up = find_range(model, formulation->q(), 0).up;
+///   if (up.stop == RangeStop::dead_point) std::printf("locks at %g rad\n", up.value);
+///
 /// Throws std::invalid_argument for a q of another size and a driver that the model does not have.
 /// Throws std::runtime_error where there is no position near q.
 ///
