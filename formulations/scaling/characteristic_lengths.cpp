@@ -9,8 +9,10 @@ namespace desmo {
 
 namespace {
 
-/// The largest distance between points of a constraint, or of its distance operands.
-double extent(const Model& m, std::span<const double> q, const Constraint& c) {
+/// The largest distance between points of a constraint, or of its distance operands. A component of
+/// a point counts up to the size of the mechanism: beyond that it tells where the origin is.
+double extent(const Model& m, std::span<const double> q, const Constraint& c, double size) {
+  const double limit = joins_points(m, c) ? INFINITY : size;
   double largest = 0;
   const auto at_least = [&](double length) {
     if (length > largest && std::isfinite(length)) largest = length;
@@ -21,7 +23,7 @@ double extent(const Model& m, std::span<const double> q, const Constraint& c) {
   for (auto at = c.operands.begin(); at != c.operands.end(); ++at) {
     const EntityId a = *at;
     const double* x = position(a);
-    if (m.entities[a].kind == EntityKind::distance) at_least(std::abs(*x));
+    if (m.entities[a].kind == EntityKind::distance) at_least(std::min(std::abs(*x), limit));
     if (m.entities[a].kind != EntityKind::point) continue;
     for (const EntityId b : std::span(at + 1, c.operands.end())) {
       if (m.entities[b].kind != EntityKind::point) continue;
@@ -36,13 +38,19 @@ double extent(const Model& m, std::span<const double> q, const Constraint& c) {
 
 }  // namespace
 
+bool joins_points(const Model& m, const Constraint& c) {
+  return std::ranges::count(c.operands, EntityKind::point,
+                            [&](EntityId e) { return m.entities[e].kind; }) > 1;
+}
+
 CharacteristicLengths::CharacteristicLengths(const Model& m)
     : CharacteristicLengths(m, m.estimate) {}
 
 CharacteristicLengths::CharacteristicLengths(const Model& m, std::span<const double> q)
     : m_(m), about_(m.entities.size()), of_group_(m.groups.size()), shortest_(m.entities.size()) {
+  const double size = nominal_size(m);
   for (const Constraint& c : m.constraints) {
-    const double length = extent(m, q, c);
+    const double length = extent(m, q, c, size);
     for (const EntityId e : c.operands) {
       about_[e] = std::max(about_[e], length);
       if (length > 0) shortest_[e] = shortest_[e] > 0 ? std::min(shortest_[e], length) : length;

@@ -7,6 +7,10 @@
 
 namespace desmo {
 
+/// Returns whether a constraint joins two points or more. A distance coordinate is then one between
+/// points; otherwise it is a component of one point, which tells where the frame's origin is.
+bool joins_points(const Model& model, const Constraint& constraint);
+
 /// Characteristic lengths of points and distances, against which errors are measured. They come
 /// from the bodies around a point, not from the whole mechanism: a small part may be next to a
 /// large one.
@@ -18,8 +22,9 @@ class CharacteristicLengths {
   CharacteristicLengths(const Model& model, std::span<const double> q);
 
   /// Returns the length of a point or a distance: the largest distance between points that a
-  /// constraint joins to it, or the largest such distance coordinate. When it is zero, returns the
-  /// largest length of the group, else of the mechanism, else 1.
+  /// constraint joins to it, or the largest such distance coordinate. A component counts up to
+  /// nominal_size(). When it is zero, returns the largest length of the group, else of the
+  /// mechanism, else 1.
   double of(EntityId entity) const;
 
   /// Returns the shortest of these distances that is not zero; falls back likewise.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "formulations/scaling/characteristic_lengths.h"
+
 namespace desmo {
 
 namespace {
@@ -27,15 +29,23 @@ double nominal_size(const Model& m) {
   std::array<double, 3> low, high;
   low.fill(INFINITY);
   high.fill(-INFINITY);
-  double distance = 0;
+  const auto values = [&](const Entity& e) {
+    return (e.fixed ? m.fixed_values : m.estimate).data() + e.first;
+  };
   for (const Entity& e : m.entities) {
-    const double* x = (e.fixed ? m.fixed_values : m.estimate).data() + e.first;
-    if (e.kind == EntityKind::distance) distance = std::max(distance, std::abs(*x));
     if (e.kind != EntityKind::point) continue;
+    const double* x = values(e);
     for (int i = 0; i < e.size; ++i) {
       low[i] = std::min(low[i], x[i]);
       high[i] = std::max(high[i], x[i]);
     }
+  }
+  double distance = 0;
+  for (const Constraint& c : m.constraints) {
+    if (!joins_points(m, c)) continue;
+    for (const EntityId e : c.operands)
+      if (m.entities[e].kind == EntityKind::distance)
+        distance = std::max(distance, std::abs(*values(m.entities[e])));
   }
   std::array<double, 3> extent;
   for (int i = 0; i < 3; ++i) extent[i] = std::max(0.0, high[i] - low[i]);

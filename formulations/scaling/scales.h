@@ -14,8 +14,8 @@ namespace desmo {
 bool is_length(EntityKind kind);
 
 /// Returns the size of a mechanism in its unit of length: the diagonal of the axis-parallel box
-/// around all points in the nominal position. A larger nominal distance replaces it. Returns 1 when
-/// there are neither points nor distances.
+/// around all points in the nominal position. A larger nominal distance between points replaces it.
+/// Neither tells how far they are from the origin. Returns 1 where no points are apart.
 double nominal_size(const Model& model);
 
 /// Returns the magnitude of each coordinate's changes: the nominal size for points and distances, 1

@@ -9,6 +9,7 @@
 #include "cases/extremes/rows.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/scaling/scales.h"
 #include "formulations/variants.h"
 #include "tests/modelling/common.h"
 
@@ -71,6 +72,40 @@ TEST(CharacteristicLengths, AreThoseOfTheBodiesAbout) {
   for (const Constraint& c : m.constraints)
     EXPECT_NEAR(lengths.of(c), c.name.starts_with("a/") ? 6e-9 : 6e9, 1e-3 * lengths.of(c))
         << c.name;
+}
+
+/// A slider-crank that far from the origin, with components of its points and, if `estimate` is not
+/// 0, a stroke that starts there.
+Model slider_crank_at(double away, double estimate = 0) {
+  Sketch d("slider_crank", 2);
+  const int A = d.ground_point("A", {away, away, 0}), B = d.point("B", {away + 1, away, 0}),
+            C = d.point("C", {away + 4, away, 0}), x = d.ground_vector("x", {1, 0, 0});
+  const int crank = d.body("crank", {A, B}), rod = d.body("rod", {B, C}),
+            slider = d.body("slider", {C}, {x});
+  d.revolute(Sketch::ground, crank, A);
+  d.revolute(crank, rod, B);
+  d.revolute(rod, slider, C);
+  d.joint(JointType::prismatic, Sketch::ground, slider, {A, C}, {x});
+  d.angle("theta", line(A, B)).driven = true;
+  d.component("Bx", B, 0);
+  d.component("Cx", C, 0);
+  auto& stroke = d.along("s", A, C, x);
+  if (estimate != 0) stroke.estimate = estimate;
+  return model_mechanism(d.release(), turning).model;
+}
+
+TEST(Sizes, AreDistancesOfPointsAndNoneFromTheOrigin) {
+  for (const double away : {0.0, 1e3, 1e8}) {
+    const Model m = slider_crank_at(away);
+    EXPECT_EQ(nominal_size(m), 4) << away;
+    const CharacteristicLengths lengths(m);
+    for (const char* name : {"B", "C", "Bx", "Cx"}) {
+      EXPECT_GE(lengths.of(m.find(name)), 1) << name << " at " << away;
+      EXPECT_LE(lengths.of(m.find(name)), 4) << name << " at " << away;
+    }
+    for (const Constraint& c : m.constraints) EXPECT_LE(lengths.of(c), 4) << c.name;
+  }
+  EXPECT_EQ(nominal_size(slider_crank_at(1e3, 9)), 9);  // a distance larger than the drawing
 }
 
 /// At the end of a chain as long as 400,000 links, one link is nothing beside the whole.
