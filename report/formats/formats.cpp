@@ -13,15 +13,15 @@ std::string markdown_text(const std::string& text) {
 }
 
 constexpr std::size_t max_unbroken =
-    40;  // characters that a cell may have without a place to break
+    40;  // characters that an entry may have without a place to break
 
-/// Returns the text of a cell. Where it has a word that is too long, an id with many settings, a
+/// Returns the text of an entry. Where it has a word that is too long, an id with many settings, a
 /// line ends before each of them: no column may be wider than a page.
-std::string markdown_cell(const std::string& text) {
-  std::string cell = markdown_text(text);
+std::string markdown_entry(const std::string& text) {
+  std::string entry = markdown_text(text);
   std::size_t word = 0, longest = 0;
   for (const char c : text) longest = std::max(longest, word = c == ' ' ? 0 : word + 1);
-  return longest > max_unbroken ? escaped(cell, {{'/', "<br>/"}}) : cell;
+  return longest > max_unbroken ? escaped(entry, {{'/', "<br>/"}}) : entry;
 }
 
 std::string markdown_table(const Table& table) {
@@ -32,7 +32,7 @@ std::string markdown_table(const Table& table) {
   }
   for (const auto& row : table.rows) {
     rows += "|";
-    for (const Entry& entry : row) rows += " " + markdown_cell(entry.shown) + " |";
+    for (const Entry& entry : row) rows += " " + markdown_entry(entry.shown) + " |";
     rows += "\n";
   }
   std::string text =
