@@ -11,6 +11,9 @@ namespace {
 /// the tolerance costs less than an iteration.
 constexpr double core_share = 1.0 / 8;
 
+/// Numbers of equal steps in which torn unknowns are led to where a step ends.
+constexpr int leading_steps[] = {1, 4};
+
 /// Parts that share a kernel, solved in one call of it. One that the kernel refuses is tried by it
 /// once more when it is solved by itself.
 class ExplicitChain final : public PartChain {
@@ -64,6 +67,12 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
   std::ranges::copy(weights, w);
   kernel_.fold(c, f);
 
+  std::vector<bool> is_unknown(inputs_.size());
+  for (const int input : kernel_.unknowns) is_unknown[input] = true;
+  for (std::size_t i = 0; i < inputs_.size(); ++i)
+    if (!is_unknown[i]) known_.push_back(inputs_[i]);
+  at_end_.resize(known_.size());
+
   const IterationLimits limits(settings);
   const double core_stop = core_share * limits.stop;
   binding_ = {.in = inputs_.data(),
@@ -77,17 +86,49 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
                          .max_iterations = limits.max}};
 }
 
+[[gnu::always_inline]] inline ExplicitRunResult ExplicitPart::run(State& s, Level level) const {
+  ExplicitKernel::Solve* const solve = kernel_.solve[static_cast<std::size_t>(level)];
+  return solve(s.q.data(), s.qd.data(), s.qdd.data(), &binding_, 1);
+}
+
 PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level level) {
   if (!assembled_) return fall_back(s, last, level);
-  ExplicitKernel::Solve* const solve = kernel_.solve[static_cast<std::size_t>(level)];
-  const ExplicitRunResult r = solve(s.q.data(), s.qd.data(), s.qdd.data(), &binding_, 1);
+  const ExplicitRunResult r = run(s, level);
   if (r.accepted == 0) return solve_refused(s, last, level);
   return {Status::solved, r.iterations, r.residual2};
+}
+
+/// Leads the torn unknowns from the last position to where they start, in so many steps of what is
+/// known, by their rates: the change of what is known is taken for its velocity. Returns whether
+/// the code accepts all positions on the way.
+bool ExplicitPart::lead_torn(State& s, std::span<const double> last, int steps) {
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    const int k = known_[i];
+    at_end_[i] = {s.q[k], s.qd[k]};
+    s.qd[k] = s.q[k] - last[k];
+  }
+  for (const int input : kernel_.unknowns) s.q[inputs_[input]] = last[inputs_[input]];
+  bool accepted = true;
+  for (int step = 0; step < steps && accepted; ++step) {
+    for (const int k : known_) s.q[k] = last[k] + s.qd[k] * step / steps;
+    accepted = run(s, Level::velocity).accepted == 1;
+    for (const int input : kernel_.torn) s.q[inputs_[input]] += s.qd[inputs_[input]] / steps;
+  }
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    s.q[known_[i]] = at_end_[i].q;
+    s.qd[known_[i]] = at_end_[i].qd;
+  }
+  return accepted;
 }
 
 /// Apart, for the registers that it needs would have to be saved in every step.
 [[gnu::noinline]] PartResult ExplicitPart::solve_refused(State& s, std::span<const double> last,
                                                          Level level) {
+  if (!kernel_.torn.empty())
+    for (const int steps : leading_steps)
+      if (lead_torn(s, last, steps))
+        if (const ExplicitRunResult r = run(s, level); r.accepted == 1)
+          return {Status::solved, r.iterations, r.residual2};
   ++fallbacks_;
   std::ranges::copy(branches(), branch_before_);
   const PartResult result = fall_back(s, last, level);

@@ -14,8 +14,9 @@ namespace desmo {
 /// forget() is found from its estimate by `fallback`, iterating on the original equations; on which
 /// side of each square root it lies is the assembly branch, which later steps keep. A step that the
 /// code refuses, where a root or a divisor is too small or the original equations are not
-/// satisfied, is left to `fallback` as well, from the last position, and the branches are those of
-/// its solution.
+/// satisfied, is tried again with the torn unknowns led from the last position: the prediction may
+/// be where a square root has no value. What is refused then, too, is left to `fallback`, from the
+/// last position, and the branches are those of its solution.
 class ExplicitPart final : public Part {
  public:
   /// bound: inputs and dimensions of the part, also those of `kernel`. weights: 1/magnitude of
@@ -49,6 +50,8 @@ class ExplicitPart final : public Part {
 
  private:
   std::vector<int> in_state(std::span<const int> inputs) const;
+  ExplicitRunResult run(State& state, Level level) const;
+  bool lead_torn(State& state, std::span<const double> last, int steps);
   PartResult solve_refused(State& state, std::span<const double> last, Level level);
   PartResult fall_back(State& state, std::span<const double> last, Level level);
 
@@ -59,6 +62,11 @@ class ExplicitPart final : public Part {
   std::unique_ptr<Part> fallback_;
   double tolerance_;
   std::vector<int> inputs_;
+  std::vector<int> known_;  // positions in the state of inputs that are not unknowns
+  struct Known {
+    double q, qd;
+  };
+  std::vector<Known> at_end_;  // of the step, by known_, while torn unknowns are led there
   std::size_t constants_, equations_;
   std::vector<double> numbers_;  // what binding_ points to, side by side, and branches before
   double *branch_, *branch_before_;
