@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <random>
 #include <sstream>
 #include <string>
@@ -232,6 +233,79 @@ TEST(Elimination, SolvesRowsThatPointAnyWayByTheirAdjugate) {
       }
       EXPECT_FALSE(is_trusted(e, n)) << n;
     }
+}
+
+/// A link that turns: the pivot that serves the first samples vanishes at others, which a second
+/// order serves. At the last sample the matrix is singular, and no order does.
+TEST(Elimination, HasAFurtherOrderForSamplesThatTheFirstDoesNotServe) {
+  const std::vector<double> angles{0.3, 0.5, -0.4, 0.2, std::numbers::pi / 2, 1.55};
+  const std::size_t samples = angles.size() + 1;
+  Graph graph(static_cast<int>(samples));
+  const auto input = [&](auto value) {
+    std::vector<double> values;
+    for (const double angle : angles) values.push_back(value(angle));
+    values.push_back(0);
+    return Expr::node(graph.input("a", values));
+  };
+  const Expr cosine = input([](double a) { return std::cos(a); }),
+             sine = input([](double a) { return std::sin(a); });
+  const Expr x = input([](double a) { return 1 + a; }), y = input([](double a) { return 2 - a; });
+  const std::vector<std::map<int, Expr>> rows{{{0, cosine}, {1, sine}}, {{0, -sine}, {1, cosine}}};
+  const std::vector<Expr> b{cosine * x + sine * y, cosine * y - sine * x};
+
+  EXPECT_EQ(eliminations(rows, 1, 4).size(), 1u);
+  const std::vector<Elimination> orders = eliminations(rows, 3, 4);
+  ASSERT_EQ(orders.size(), 2u);
+  EXPECT_FALSE(is_trusted(orders[0], 4));
+  for (std::size_t s = 0; s < angles.size(); ++s) {
+    const auto trusted =
+        std::ranges::find_if(orders, [&](const Elimination& e) { return is_trusted(e, s); });
+    ASSERT_NE(trusted, orders.end()) << s;
+    const std::vector<Expr> solution = trusted->solve(b);
+    EXPECT_NEAR(solution[0].samples()[s], x.samples()[s], 1e-13) << s;
+    EXPECT_NEAR(solution[1].samples()[s], y.samples()[s], 1e-13) << s;
+  }
+  for (const Elimination& e : orders) EXPECT_FALSE(is_trusted(e, angles.size()));
+}
+
+/// A pivot may be a tenth of its column. Ten times more would ask for orders that nothing needs,
+/// ten times less for none where one vanishes soon.
+TEST(Elimination, HasNoFurtherOrderWherePivotsAreLargeEnough) {
+  for (const auto& [angle, orders] : {std::pair{0.9, 1u}, std::pair{1.52, 2u}}) {
+    Graph graph(2);
+    const Expr cosine = Expr::node(graph.input("a", {std::cos(0.2), std::cos(angle)})),
+               sine = Expr::node(graph.input("a", {std::sin(0.2), std::sin(angle)}));
+    EXPECT_EQ(eliminations({{{0, cosine}, {1, sine}}, {{0, -sine}, {1, cosine}}}, 3, 1).size(),
+              orders)
+        << angle;
+  }
+}
+
+/// Rounding errors grow with the multipliers, whose limit is some 1000 times the largest sample.
+/// Ten times less would refuse what is exact to 12 digits; ten times more would not refuse what is
+/// not.
+TEST(Elimination, IsTrustedAsFarAsItIsExact) {
+  struct At {
+    double pivot;
+    bool is_trusted;
+  };
+  for (const auto& [pivot, trusted] : {At{1, true}, At{1.0 / 150, true}, At{1.0 / 9000, false}}) {
+    double error = 0;
+    for (int k = 1; k <= 20; ++k) {
+      Graph graph(2);  // the first sample chooses
+      const auto input = [&](double at_first, double later) {
+        return Expr::node(graph.input("a", {at_first, later}));
+      };
+      const Expr a = input(1, pivot), p = input(0.1, std::sqrt(0.01 * k)), q = input(1, 0.7),
+                 r = input(0.2, std::cos(0.1 * k));
+      const Expr x = input(1, std::sin(k)), y = input(1, std::cos(3 * k));
+      const Elimination e({{{0, a}, {1, p}}, {{0, q}, {1, r}}}, {0}, Unsound::has_largest_worst);
+      const std::vector<Expr> solution = e.solve({a * x + p * y, q * x + r * y});
+      EXPECT_EQ(is_trusted(e, 1), trusted) << pivot << ", " << k;
+      error = std::max(error, std::abs(solution[0].samples()[1] - x.samples()[1]));
+    }
+    EXPECT_EQ(error < 1e-13, trusted) << error;
+  }
 }
 
 TEST(Elimination, RefusesAStructurallySingularMatrix) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -34,10 +35,13 @@ using Rows = std::vector<std::map<int, Expr>>;
 // what it lets through is bounded: KLU prefers its diagonal down to the same ratio.
 constexpr double min_constant = 1e-3, min_variable = 0.1;
 
+double min_ratio(Expr pivot) { return pivot.is_constant() ? min_constant : min_variable; }
+
 /// The ratio of an entry to the largest of its column, over the sample points.
 struct RelativeSize {
   double worst = 1;
   double share = 0;  ///< of the samples: where it is at least `min_constant`
+  int served = 0;    ///< samples where it is at least `min_variable`
 };
 
 struct PivotChoice {
@@ -47,22 +51,29 @@ struct PivotChoice {
   std::tuple<bool, int, double> rank;  // smaller is better
 };
 
-RelativeSize relative_size(const Rows& rows, int row, int column) {
-  const std::vector<double>& pivot = Graph::current().samples(rows[row].at(column).id());
+/// The ratio of an entry to the largest of its column at one sample point; 0: the column vanishes.
+double ratio_at(std::size_t sample, const Rows& rows, int row, int column) {
+  const auto size = [sample](Expr e) { return std::abs(e.samples()[sample]); };
+  const double pivot = size(rows[row].at(column));
+  double largest = pivot;
+  for (const auto& r : rows)
+    if (const auto it = r.find(column); it != r.end())
+      largest = std::max(largest, size(it->second));
+  return largest > 0 ? pivot / largest : 0.0;
+}
+
+RelativeSize relative_size(const Rows& rows, int row, int column, const SampleNumbers& at) {
   RelativeSize size;
-  for (std::size_t s = 0; s < pivot.size(); ++s) {
-    double largest = std::abs(pivot[s]);
-    for (const auto& r : rows)
-      if (const auto it = r.find(column); it != r.end())
-        largest = std::max(largest, std::abs(Graph::current().samples(it->second.id())[s]));
-    const double ratio = largest > 0 ? std::abs(pivot[s]) / largest : 0.0;
+  for (const std::size_t s : at) {
+    const double ratio = ratio_at(s, rows, row, column);
     size.worst = std::min(size.worst, ratio);
-    size.share += (ratio >= min_constant) / static_cast<double>(pivot.size());
+    size.served += ratio >= min_variable;
+    size.share += (ratio >= min_constant) / static_cast<double>(at.size());
   }
   return size;
 }
 
-PivotChoice choose_pivot(const Rows& rows) {
+PivotChoice choose_pivot(const Rows& rows, const SampleNumbers& at, Unsound unsound) {
   std::map<int, int> column_count;
   for (const auto& r : rows)
     for (const auto& entry : r) ++column_count[entry.first];
@@ -71,12 +82,11 @@ PivotChoice choose_pivot(const Rows& rows) {
   for (int i = 0; i < static_cast<int>(rows.size()); ++i)
     for (const auto& [j, value] : rows[i]) {
       const int fill = (static_cast<int>(rows[i].size()) - 1) * (column_count[j] - 1);
-      const RelativeSize size = relative_size(rows, i, j);
+      const RelativeSize size = relative_size(rows, i, j, at);
       const PivotChoice c{i, j, true, size, {!value.is_constant(), fill, -size.worst}};
-      if (size.worst >= (value.is_constant() ? min_constant : min_variable) &&
-          (best.row < 0 || c.rank < best.rank))
-        best = c;
-      const PivotChoice l{i, j, false, size, {false, 0, -size.worst}};
+      if (size.worst >= min_ratio(value) && (best.row < 0 || c.rank < best.rank)) best = c;
+      const int served = unsound == Unsound::serves_most ? size.served : 0;
+      const PivotChoice l{i, j, false, size, {false, -served, -size.worst}};
       if (largest.row < 0 || l.rank < largest.rank) largest = l;
     }
   return best.row >= 0 ? best : largest;
@@ -84,11 +94,11 @@ PivotChoice choose_pivot(const Rows& rows) {
 
 /// The largest |a| / |b| over the sample points, except where it is not finite: where the order of
 /// the pivots fails, the monitors shall refuse it.
-double max_ratio(Expr a, Expr b) {
+double max_ratio(Expr a, Expr b, const SampleNumbers& at) {
   const auto& x = Graph::current().samples(a.id());
   const auto& y = Graph::current().samples(b.id());
   double largest = 0;
-  for (std::size_t s = 0; s < x.size(); ++s)
+  for (const std::size_t s : at)
     if (const double ratio = std::abs(x[s] / y[s]); std::isfinite(ratio))
       largest = std::max(largest, ratio);
   return largest;
@@ -102,6 +112,7 @@ constexpr double min_share = 0.9;
 struct Mark {
   Rows rows;
   std::size_t steps, monitors;
+  std::vector<bool> is_poor;
 };
 
 std::vector<int> columns_of(const Rows& rows) {
@@ -120,23 +131,37 @@ double bound(double allowed, double largest) {
   return std::exp2(std::floor(std::log2(allowed * (1 + largest))));
 }
 
+SampleNumbers all_samples() {
+  SampleNumbers all(Graph::current().sample_count());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 }  // namespace
 
-Elimination::Elimination(Rows rows) {
+Elimination::Elimination(Rows rows)
+    : Elimination(std::move(rows), all_samples(), Unsound::has_largest_worst) {}
+
+Elimination::Elimination(Rows rows, SampleNumbers at, Unsound unsound) : at_(std::move(at)) {
   const std::size_t n = rows.size();
+  is_poor_.resize(Graph::current().sample_count());
   std::optional<Mark> mark;
   while (steps_.size() < n) {
-    const PivotChoice pivot = choose_pivot(rows);
+    const PivotChoice pivot = choose_pivot(rows, at_, unsound);
     if (pivot.row < 0) throw std::invalid_argument("the Jacobian is structurally singular");
     const std::size_t open = n - steps_.size();
     if (!pivot.is_sound && !mark && open >= Adjugate::least && open <= Adjugate::most)
-      mark = {rows, steps_.size(), monitors_.size()};
+      mark = {rows, steps_.size(), monitors_.size(), is_poor_};
     if (mark && pivot.size.share < min_share) {
       steps_.resize(mark->steps);
       monitors_.resize(mark->monitors);
+      is_poor_ = mark->is_poor;
       solve_last_by_adjugate(mark->rows);
       break;
     }
+    const double least = min_ratio(rows[pivot.row].at(pivot.column));
+    for (std::size_t s = 0; s < is_poor_.size(); ++s)
+      is_poor_[s] = is_poor_[s] || ratio_at(s, rows, pivot.row, pivot.column) < least;
     std::map<int, Expr> pivot_row = std::move(rows[pivot.row]);
     rows[pivot.row].clear();
     const Expr p = pivot_row.at(pivot.column);
@@ -159,12 +184,13 @@ Elimination::Elimination(Rows rows) {
       step.lower.emplace_back(i, multiplier);
       if (!multiplier.is_constant())
         monitor.magnified.push_back(
-            {multiplier, bound(magnification_allowed, max_ratio(multiplier, Expr(1)))});
+            {multiplier, bound(magnification_allowed, max_ratio(multiplier, Expr(1), at_))});
     }
     for (const Step& earlier : steps_)
       for (const auto& [j, value] : earlier.upper)
         if (j == pivot.column)
-          monitor.against.push_back({value, 1 / bound(cancellation_allowed, max_ratio(value, p))});
+          monitor.against.push_back(
+              {value, 1 / bound(cancellation_allowed, max_ratio(value, p, at_))});
     if (!p.is_constant()) monitors_.push_back(std::move(monitor));
     steps_.push_back(std::move(step));
   }
@@ -186,9 +212,14 @@ void Elimination::solve_last_by_adjugate(const Rows& rows) {
   }
   last_.emplace(Last{std::move(open), std::move(columns), Adjugate(matrix)});
 
+  const std::vector<double>&determinant = last_->inverse.determinant().samples(),
+        &magnitude = last_->inverse.magnitude().samples();
+  for (std::size_t s = 0; s < is_poor_.size(); ++s)
+    is_poor_[s] = is_poor_[s] || !(std::abs(determinant[s]) >= min_constant * magnitude[s]);
+
   const auto add_monitors = [&](Expr what, Expr against) {
     monitors_.push_back(
-        {what, {}, {{against, 1 / bound(cancellation_allowed, max_ratio(against, what))}}});
+        {what, {}, {{against, 1 / bound(cancellation_allowed, max_ratio(against, what, at_))}}});
   };
   add_monitors(last_->inverse.determinant(), last_->inverse.magnitude());
   // What is left of a column beside the entries that it was eliminated with.
@@ -200,6 +231,22 @@ void Elimination::solve_last_by_adjugate(const Rows& rows) {
         if (j == last_->columns[k]) before = before + abs(value);
     if (!before.is_zero()) add_monitors(size, before);
   }
+}
+
+std::vector<Elimination> eliminations(const std::vector<std::map<int, Expr>>& matrix,
+                                      std::size_t most, std::size_t first) {
+  SampleNumbers open = all_samples();
+  std::vector<Elimination> result;
+  SampleNumbers at(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(first));
+  while (!open.empty() && result.size() < most) {
+    Elimination next(matrix, std::move(at),
+                     result.empty() ? Unsound::has_largest_worst : Unsound::serves_most);
+    const bool serves = std::erase_if(open, [&](std::size_t s) { return !next.is_poor_at(s); }) > 0;
+    if (!serves && !result.empty()) break;
+    result.push_back(std::move(next));
+    at = open;
+  }
+  return result;
 }
 
 std::vector<Expr> Elimination::solve(std::vector<Expr> b) const {

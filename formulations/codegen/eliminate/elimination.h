@@ -43,18 +43,32 @@ struct PivotMonitor {
   std::vector<Bound> against;    ///< |pivot| > bound · |value|; value: earlier row's column entry
 };
 
+/// Numbers of sample points of the current graph.
+using SampleNumbers = std::vector<std::size_t>;
+
+/// Which pivot is taken where none is large enough at every sample point.
+enum class Unsound {
+  has_largest_worst,  ///< the one that is largest where it is worst
+  serves_most,  ///< the one that is large enough at most: at a singular position all are small
+};
+
 /// A sparse Gaussian elimination of Φ_φ (Jacobian by the part's unknowns), recorded once with a
 /// fixed pivot order.
 ///
 /// Constant pivots come first, then pivots of least fill (Markowitz). A pivot must be large enough,
-/// compared with the largest entry of its column, at every sample point. If the last two or three
-/// rows have no pivot that serves most samples, they are solved by their adjugate: parts of one
-/// type may be oriented differently.
+/// compared with the largest entry of its column, at every sample point asked for. If the last two
+/// or three rows have no pivot that serves most samples, they are solved by their adjugate: parts
+/// of one type may be oriented differently.
 class Elimination {
  public:
   /// Records the elimination. matrix[i]: row i, entries by column; absent entries are zero. Throws
   /// std::invalid_argument when the matrix is structurally singular.
   explicit Elimination(std::vector<std::map<int, Expr>> matrix);
+  /// Records it with pivots chosen at these sample points alone.
+  Elimination(std::vector<std::map<int, Expr>> matrix, SampleNumbers at, Unsound unsound);
+
+  /// Returns whether a pivot is too small at a sample point, compared with its column.
+  bool is_poor_at(std::size_t sample) const { return is_poor_[sample]; }
 
   /// Returns x with Φ_φ x = b.
   std::vector<Expr> solve(std::vector<Expr> b) const;
@@ -77,9 +91,20 @@ class Elimination {
   };
   void solve_last_by_adjugate(const std::vector<std::map<int, Expr>>& rows);
 
+  SampleNumbers at_;
+  std::vector<bool> is_poor_;  // by sample point
   std::vector<Step> steps_;
   std::optional<Last> last_;
   std::vector<PivotMonitor> monitors_;
 };
+
+/// Returns eliminations of one matrix: at each sample point one of them has no poor pivots, unless
+/// the point is near a singular position or the orders are too many.
+/// - most: number of eliminations, at most
+/// - first: number of sample points, the first ones, at which the first is chosen. Each later one
+/// is
+///   chosen at all points where those before it are poor.
+std::vector<Elimination> eliminations(const std::vector<std::map<int, Expr>>& matrix,
+                                      std::size_t most, std::size_t first);
 
 }  // namespace desmo::generate

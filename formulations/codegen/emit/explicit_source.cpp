@@ -161,17 +161,16 @@ std::vector<Expr> ExplicitPlan::expressions() const {
   return all;
 }
 
-void write_explicit_kernel(std::ostream& out, const std::string& name, const PartType& type,
-                           const std::vector<SamplePoint>& samples) {
-  const Graph graph(static_cast<int>(samples.size()));
-  const RecordedPart part = record(type, samples);
-  const ExplicitPlan plan(type, part);
-  out << "namespace " << name << " {\n\n";
+void write_explicit_kernel(std::ostream& out, const SampledType& t) {
+  const Graph graph(static_cast<int>(t.samples.size()));
+  const RecordedPart part = record(t.type, t.samples);
+  const ExplicitPlan plan(t.type, part);
+  out << "namespace " << t.name << " {\n\n";
   write_comment(out, plan);
   write_branches(out, plan);
   write_fold(out, write_solve(out, plan));
   write_lists(out, plan);
-  out << "}  // namespace " << name << "\n\n";
+  out << "}  // namespace " << t.name << "\n\n";
 }
 
 void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type) {

@@ -2,6 +2,8 @@
 
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "formulations/codegen/eliminate/elimination.h"
 #include "formulations/codegen/eliminate/monitors.h"
@@ -25,11 +27,18 @@ Expressions values_of(const std::vector<RecordedEntry>& entries) {
   return result;
 }
 
+/// More orders than these make code long, and none is right at a singular position.
+constexpr std::size_t max_orders = 3;
+
 /// Writes the functions of one kernel.
 class KernelWriter {
  public:
-  KernelWriter(std::ostream& out, const PartType& type, const RecordedPart& group)
-      : out_(out), type_(type), g_(group), elimination_(jacobian_rows()) {
+  KernelWriter(std::ostream& out, const PartType& type, const RecordedPart& group,
+               std::size_t orders, std::size_t first_samples)
+      : out_(out),
+        type_(type),
+        g_(group),
+        orders_(eliminations(jacobian_rows(), orders, first_samples)) {
     for (std::size_t i = 0; i < type_.inputs.size(); ++i) {
       const std::string place = "[in[" + std::to_string(i) + "]]";
       source_[g_.q[i].id()] = "q" + place;
@@ -69,8 +78,23 @@ class KernelWriter {
     close();
   }
 
-  void position() {
-    const Expressions step = elimination_.solve(g_.phi);
+  /// Writes the two functions that eliminate, for the last order first: each leaves to the next one
+  /// what it refuses.
+  void elimination() {
+    for (std::size_t order = orders_.size(); order-- > 0;) {
+      position(order);
+      rates(order);
+    }
+  }
+
+ private:
+  static std::string name_of(const char* function, std::size_t order) {
+    return order == 0 ? function : function + ("_in_order_" + std::to_string(order + 1));
+  }
+  bool is_last(std::size_t order) const { return order + 1 == orders_.size(); }
+
+  void position(std::size_t order) {
+    const Expressions step = orders_[order].solve(g_.phi);
     const std::vector<double> unsampled(Graph::current().samples(g_.phi.front().id()).size(), 1.0);
     Expr norm2 = 0;
     for (int r = 0; r < type_.rows(); ++r) {
@@ -80,9 +104,9 @@ class KernelWriter {
     }
     const Expressions all = concatenate({{norm2}, step});
 
-    open(
-        "InlinedResult position(double* q, const int* in, const double* c, const double* weight,\n"
-        "                       double tolerance2, int max_iterations)");
+    open("InlinedResult " + name_of("position", order) +
+         "(double* q, const int* in, const double* c, const double* weight,\n"
+         "                       double tolerance2, int max_iterations)");
     load(unknown_positions(), "double");
     load(all, "const double");
     out_ << "  InlinedResult result{0, 0};\n  for (;; ++result.iterations) {\n";
@@ -98,28 +122,36 @@ class KernelWriter {
     for (std::size_t j = 0; j < step.size(); ++j)
       out_ << "    q" << variable_name(type_, unknown(j)) << " -= delta" << j << ";\n";
     out_ << "  }\n";
+    if (!is_last(order))
+      out_ << "  if (!(result.residual2 < tolerance2) && tolerance2 > 0) {\n"
+           << "    InlinedResult other = " << name_of("position", order + 1)
+           << "(q, in, c, weight, tolerance2, max_iterations);\n"
+           << "    other.iterations += result.iterations;\n    return other;\n  }\n";
     for (std::size_t j = 0; j < step.size(); ++j)
       out_ << "  q[in[" << unknown(j) << "]] = q" << variable_name(type_, unknown(j)) << ";\n";
     out_ << "  return result;\n";
     close();
   }
 
-  void rates() {
+  void rates(std::size_t order) {
+    const Elimination& elimination = orders_[order];
     // Velocities of the unknowns become expressions of the known, and enter γ as such.
-    const Expressions velocity = elimination_.solve(known_product(g_.qd));
-    const Expressions watched = monitored(elimination_.monitors());
+    const Expressions velocity = elimination.solve(known_product(g_.qd));
+    const Expressions watched = monitored(elimination.monitors());
     Expressions acceleration_right = known_product(g_.qdd);
     for (int r = 0; r < type_.rows(); ++r)
       acceleration_right[r] = acceleration_right[r] - g_.gamma[r];
-    const Expressions acceleration = elimination_.solve(acceleration_right);
+    const Expressions acceleration = elimination.solve(acceleration_right);
 
-    open("bool rates(const double* q, double* qd, double* qdd, const int* in, const double* c)");
+    open("bool " + name_of("rates", order) +
+         "(const double* q, double* qd, double* qdd, const int* in, const double* c)");
     const Expressions first = concatenate({watched, velocity});
     load(first, "const double");
     Emitter emitter(out_, "  ", concatenate({watched, velocity, acceleration}));
     emitter.prepare(first);
-    out_ << "  if (!(" << all_of(conditions(emitter, elimination_.monitors()))
-         << ")) return false;\n";
+    out_ << "  if (!(" << all_of(conditions(emitter, elimination.monitors())) << ")) return "
+         << (is_last(order) ? "false" : name_of("rates", order + 1) + "(q, qd, qdd, in, c)")
+         << ";\n";
     for (std::size_t j = 0; j < velocity.size(); ++j) {
       const std::string name = "qd" + variable_name(type_, unknown(j));
       out_ << "  const double " << name << " = " << emitter.text(velocity[j]) << ";\n"
@@ -135,7 +167,6 @@ class KernelWriter {
     close();
   }
 
- private:
   int unknown(std::size_t column) const { return unknowns()[column]; }
 
   std::vector<int> unknowns() const {
@@ -195,18 +226,20 @@ class KernelWriter {
   std::ostream& out_;
   const PartType& type_;
   const RecordedPart& g_;
-  Elimination elimination_;
+  std::vector<Elimination> orders_;
   std::map<int, std::string> source_;  // where an input is read from
   std::set<int> loaded_;               // inputs declared in the function being written
 };
 
 }  // namespace
 
-void write_kernel(std::ostream& out, const std::string& name, const PartType& type,
-                  const std::vector<SamplePoint>& samples) {
-  Graph graph(static_cast<int>(samples.size()));
-  const RecordedPart group = record(type, samples);
-  KernelWriter writer(out, type, group);
+void write_kernel(std::ostream& out, const SampledType& t) {
+  const auto& [name, type, samples, pivot_samples, has_one_order] = t;
+  std::vector<SamplePoint> all = pivot_samples;
+  if (!has_one_order) all.insert(all.end(), samples.begin(), samples.end());
+  Graph graph(static_cast<int>(all.size()));
+  const RecordedPart group = record(type, all);
+  KernelWriter writer(out, type, group, has_one_order ? 1 : max_orders, pivot_samples.size());
   out << "namespace " << name << " {\n\n// " << type.fingerprint << "\n\n";
   writer.entries("constant_entries", group.constant);
   writer.entries("dependent_entries", group.dependent);
@@ -224,8 +257,7 @@ void write_kernel(std::ostream& out, const std::string& name, const PartType& ty
       "void quadratic(const double* q, const double* qd, const int* in, const double* c, "
       "double* gamma)",
       "gamma", group.gamma);
-  writer.position();
-  writer.rates();
+  writer.elimination();
   out << "}  // namespace " << name << "\n\n";
 }
 

@@ -9,18 +9,16 @@
 
 namespace desmo::generate {
 
-/// Writes the functions and entry lists of a type's kernel (see Kernel) as C++ in namespace `name`.
-/// The same type and samples give the same bytes.
-void write_kernel(std::ostream& out, const std::string& name, const PartType& type,
-                  const std::vector<SamplePoint>& samples);
+/// Writes the functions and entry lists of a type's kernel (see Kernel) as C++ in a namespace of
+/// its name. The same type and samples give the same bytes.
+void write_kernel(std::ostream& out, const SampledType& type);
 
 /// Writes the Kernel of a kernel already written, as a table row.
 void write_table_row(std::ostream& out, const std::string& name, const PartType& type);
 
-/// Writes the functions of a type's explicit kernel (see ExplicitKernel) as C++ in namespace
-/// `name`. The same type and samples give the same bytes.
-void write_explicit_kernel(std::ostream& out, const std::string& name, const PartType& type,
-                           const std::vector<SamplePoint>& samples);
+/// Writes the functions of a type's explicit kernel (see ExplicitKernel) as C++ in a namespace of
+/// its name. The same type and samples give the same bytes.
+void write_explicit_kernel(std::ostream& out, const SampledType& type);
 
 /// Writes the ExplicitKernel of a kernel already written, as a table row.
 void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type);

@@ -23,10 +23,10 @@ struct Section {
   std::ostringstream kernels, rows, lane_rows;
 
   /// Whether the kernel could be written.
-  bool add(const SampledType& t, const std::vector<SamplePoint>& samples, auto write) {
+  bool add(const SampledType& t, void (*write)(std::ostream&, const SampledType&)) {
     std::ostringstream kernel;
     try {
-      write(kernel, t.name, t.type, samples);
+      write(kernel, t);
     } catch (const std::exception& error) {
       kernels << "// No " << t.name << ": " << error.what() << "\n\n";
       return false;
@@ -49,9 +49,9 @@ std::string write_table(std::ostream& out, const char* row, const char* space, c
 std::string library_source(const std::vector<SampledType>& types, LibraryContents contents) {
   Section equations, orders;
   for (const SampledType& t : types) {
-    if (!equations.add(t, t.pivot_samples, write_kernel)) continue;
+    if (!equations.add(t, write_kernel)) continue;
     write_table_row(equations.rows, t.name, t.type);
-    if (!contents.explicit_order || !orders.add(t, t.samples, write_explicit_kernel)) continue;
+    if (!contents.explicit_order || !orders.add(t, write_explicit_kernel)) continue;
     write_explicit_table_row(orders.rows, t.name, t.type);
     if (contents.lanes > 1) write_lane_table_row(orders.lane_rows, t.name, t.type);
   }

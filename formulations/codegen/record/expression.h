@@ -55,6 +55,7 @@ class Graph {
 
   const Node& node(int id) const { return nodes_[id]; }
   int size() const { return static_cast<int>(nodes_.size()); }
+  std::size_t sample_count() const { return static_cast<std::size_t>(sample_count_); }
   const std::vector<double>& samples(int id) const { return samples_[id]; }
   /// Returns whether the expression is the constant `value`.
   bool is(int id, double value) const;

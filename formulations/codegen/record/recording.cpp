@@ -101,7 +101,7 @@ SampledType& add_part(const Model& m, const PartDefinition& part,
   }
   auto it = std::ranges::find(found, type.fingerprint,
                               [](const SampledType& t) { return t.type.fingerprint; });
-  if (it == found.end()) it = found.insert(it, {"", std::move(type), {}, {}});
+  if (it == found.end()) it = found.insert(it, {"", std::move(type), {}, {}, false});
   for (std::size_t i = 0; i < samples.size(); i += stride) it->pivot_samples.push_back(samples[i]);
   std::ranges::move(samples, std::back_inserter(it->samples));
   return *it;

@@ -50,9 +50,12 @@ inline constexpr int sample_count = 45;
 struct SampledType {
   std::string name;  ///< namespace of its generated code
   PartType type;
-  std::vector<SamplePoint> samples;        ///< sample points for explicit orders
-  std::vector<SamplePoint> pivot_samples;  ///< a subset for eliminations: choosing pivots takes
-                                           ///< longer, and pivots are monitored at run time
+  std::vector<SamplePoint> samples;  ///< sample points for explicit orders
+  /// A subset at which pivots are chosen first: that takes longer, and they are monitored at run
+  /// time. Where they are poor at other sample points, further orders follow.
+  std::vector<SamplePoint> pivot_samples;
+  /// The kernel has no further orders of pivots: what the first refuses is left to pivoting.
+  bool has_one_order = false;
 };
 
 /// Adds the type of a part to `found` unless it is there, and adds sample points to it. A new type
