@@ -35,10 +35,10 @@ const K* KernelTable::find(std::span<const K> KernelLibrary::*list,
     const auto it = std::ranges::find_if(kernels, is_wanted);
     return it == kernels.end() ? nullptr : &*it;
   };
-  for (const KernelLibrary& library : built_in_kernels())
-    if (const K* const kernel = find_in(library)) return kernel;
   for (const auto& library : added_)
     if (const K* const kernel = find_in(*library)) return kernel;
+  for (const KernelLibrary& library : built_in_kernels())
+    if (const K* const kernel = find_in(library)) return kernel;
   return nullptr;
 }
 

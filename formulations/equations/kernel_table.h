@@ -9,8 +9,8 @@
 
 namespace desmo {
 
-/// Generated code that parts can use: the kernels that desmo was built with and, for types that it
-/// lacks, added ones.
+/// Generated code that parts can use: added kernels, and those that desmo was built with. Added
+/// ones go first: they were made for the mechanism at hand.
 class KernelTable {
  public:
   /// Returns the table of the kernels that desmo was built with.

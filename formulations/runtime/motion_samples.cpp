@@ -35,12 +35,16 @@ class Sampler final : public Observer {
 
 }  // namespace
 
-std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& grid) {
-  TimeGrid coarse = grid;
+TimeGrid with_few_steps(TimeGrid grid) {
   if (grid.instants - 1 > max_steps) {
-    coarse.instants = max_steps + 1;
-    coarse.step = (grid.instants - 1) * grid.step / max_steps;
+    grid.step = (grid.instants - 1) * grid.step / max_steps;
+    grid.instants = max_steps + 1;
   }
+  return grid;
+}
+
+std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& grid) {
+  const TimeGrid coarse = with_few_steps(grid);
   Sampler sampler(m, coarse.instants);
   const auto f = make_formulation(find_variant("group_automatic_klu"), m, {.tolerance = tolerance});
   static_cast<void>(f->run(coarse, Request{Level::position}, sampler));  // as far as it goes

@@ -1,10 +1,12 @@
 #include "formulations/runtime/wanted_types.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "formulations/runtime/motion_samples.h"
 #include "formulations/runtime/unavailable.h"
+#include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/part_type.h"
 
 namespace desmo::load {
@@ -35,12 +37,41 @@ std::vector<PartDefinition> parts_without_code(const Variant& v, LibraryContents
   return result;
 }
 
+/// Keeps which parts of a formulation refused steps of a motion, as far as it could be solved.
+struct RefusalObserver final : Observer {
+  explicit RefusalObserver(const Formulation& f) : parts(parts_of(f)), refused(parts.size()) {}
+
+  Flow observe(const Instant&) noexcept override {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      refused[i] = parts[i].solver->counts().fallbacks > 0;
+    return Flow::go_on;
+  }
+
+  const std::vector<DefinedPart>& parts;
+  std::vector<bool> refused;
+};
+
+/// Returns the parts whose code refuses steps of the motion: it was made for other mechanisms, with
+/// pivots and closed forms that suit those.
+std::vector<PartDefinition> parts_refused(const Variant& v, const Model& m, const TimeGrid& grid,
+                                          const KernelTable& table) {
+  std::vector<PartDefinition> result;
+  if (!v.is_generated()) return result;
+  const auto f = make_formulation(v, m, {}, table);
+  RefusalObserver observer(*f);
+  static_cast<void>(f->run(with_few_steps(grid), Request{Level::velocity}, observer));
+  for (std::size_t i = 0; i < observer.refused.size(); ++i)
+    if (observer.refused[i]) result.push_back(parts_of(*f)[i].definition);
+  return result;
+}
+
 }  // namespace
 
 WantedTypes wanted_types(const Variant& v, LibraryContents contents, const Model& m,
                          const TimeGrid& grid, const KernelTable& table) {
   WantedTypes wanted;
   std::vector<PartDefinition> parts = parts_without_code(v, contents, m, table);
+  std::ranges::move(parts_refused(v, m, grid, table), std::back_inserter(parts));
   wanted.parts_too_large = static_cast<int>(std::erase_if(
       parts, [](const PartDefinition& part) { return part.unknowns.size() > max_unknowns; }));
   if (parts.empty()) return wanted;

@@ -19,9 +19,9 @@ struct WantedTypes {
   int parts_too_large = 0;                   ///< parts omitted because they are too large
 };
 
-/// Returns the part types of a formulation for which the table lacks code, with samples of the
-/// motion over `grid`. Throws Unavailable when the model cannot be assembled, and what
-/// make_partition throws.
+/// Returns the part types of a formulation for which the table lacks code, or has code that refuses
+/// steps of the motion over `grid`, with samples of that motion. Throws Unavailable when the model
+/// cannot be assembled, and what make_partition throws.
 WantedTypes wanted_types(const Variant& variant, generate::LibraryContents contents,
                          const Model& model, const TimeGrid& grid, const KernelTable& table);
 

@@ -1,0 +1,91 @@
+// Steps that generated code refuses: none where a mechanism is far from a singular position.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "formulations/stepping/formulation_core.h"
+#include "formulations/verification/condition.h"
+#include "tests/load/loading.h"
+
+namespace desmo::load::refusals_test {
+namespace {
+
+/// Keeps the answers, and the largest condition number.
+class Recorder final : public Observer {
+ public:
+  explicit Recorder(const Model& m) : condition_(m) {}
+
+  Flow observe(const Instant& i) noexcept override {
+    positions.insert(positions.end(), i.q.begin(), i.q.end());
+    velocities.insert(velocities.end(), i.qd.begin(), i.qd.end());
+    condition = std::max(condition, condition_(i.q));
+    return Flow::go_on;
+  }
+
+  std::vector<double> positions, velocities;
+  double condition = 0;
+
+ private:
+  ConditionNumber condition_;
+};
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]) / std::max(1.0, std::abs(b[i])));
+  return a.size() == b.size() ? largest : HUGE_VAL;
+}
+
+struct Refusals : Loading {
+  void take(const std::string& name) {
+    scene_ = parse_scene(text_of(DESMO_SOURCE_DIR "/tests/load/scenes/" + name + ".scene.json"),
+                         name, {});
+    model_ = make_model(scene_);
+  }
+
+  /// Solves the motion and returns the number of steps that generated code refused.
+  long run(const std::string& id, const KernelTable& table, Recorder& recorder) {
+    const Configuration c = parse_id(id);
+    const auto f = make_formulation(*c.variant, model_, c.settings, table);
+    const Summary s = f->run(scene_.grid, Request{Level::velocity}, recorder);
+    EXPECT_TRUE(s.ok()) << id << ": " << describe(s, model_);
+    return part_counts(*f).fallbacks;
+  }
+
+  /// Own code refuses no step, and its answers are right.
+  void expect_none(const std::string& id) {
+    KernelTable table;
+    EXPECT_EQ(load(table, id).problem, "") << id;
+    Recorder found(model_), expected(model_);
+    EXPECT_EQ(run(id, table, found), 0) << id;
+    EXPECT_LT(found.condition, 1e4) << id;
+    run("group_automatic_eigen", table, expected);
+    EXPECT_LT(largest_difference(found.positions, expected.positions), 1e-9) << id;
+    EXPECT_LT(largest_difference(found.velocities, expected.velocities), 1e-8) << id;
+  }
+};
+
+/// Every quarter of a turn a component of each cross vanishes, with the pivots that it is.
+TEST_F(Refusals, AreNoneWherePivotsVanishInTurn) {
+  take("double_cardan_wrong_phase");
+  for (const char* id : {"block_symbolic_inlined", "group_symbolic_inlined"}) expect_none(id);
+}
+
+/// The wheel's centre lies close to where a circle touches a line. From the last position the two
+/// do not meet where the driver has gone.
+TEST_F(Refusals, AreNoneWhereThePredictionHasNoClosedForm) {
+  take("corner_bellcrank");
+  expect_none("group_symbolic_explicit");
+}
+
+/// The program has kernels for these types, with pivots for other mechanisms.
+TEST_F(Refusals, OfCodeMadeForOtherMechanismsHaveOwnCodeMade) {
+  take("double_cardan_wrong_phase");
+  Recorder unused(model_);
+  EXPECT_GT(run("block_symbolic_inlined", KernelTable::built_in(), unused),
+            scene_.grid.instants / 2);
+}
+
+}  // namespace
+}  // namespace desmo::load::refusals_test
