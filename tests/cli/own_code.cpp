@@ -74,6 +74,20 @@ TEST_F(OwnCode, IsNotMadeUnlessItsFormulationIsNamed) {
   EXPECT_TRUE(says("note: code for ")) << err_;
 }
 
+/// The program's own code for such blocks has pivots that suit a truck's.
+TEST_F(OwnCode, IsMadeWhereOtherCodeRefusesStepsWhoseCostIsTold) {
+  write("own.json",
+        text_of(DESMO_SOURCE_DIR "/tests/load/scenes/double_cardan_wrong_phase.scene.json"));
+  ASSERT_EQ(desmo("solve own.json"), 0) << err_;
+  EXPECT_TRUE(
+      says("to a more general solver, some 10 times slower; the numbers are as exact (a "
+           "formulation that is named, with --formulation, has better code made)"))
+      << err_;
+  ASSERT_EQ(desmo("solve own.json --formulation block_symbolic_inlined"), 0) << err_;
+  EXPECT_TRUE(says("note: code for ")) << err_;
+  EXPECT_FALSE(says("general solver")) << err_;
+}
+
 TEST_F(OwnCode, IsDoneWithoutWhereThereIsNoCompiler) {
   ASSERT_EQ(desmo(explicit_order + std::string("--no-compile")), 0) << err_;
   const std::string expected = out_;

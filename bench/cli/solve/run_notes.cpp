@@ -157,15 +157,17 @@ std::string note_on_tolerance(const Formulation& f, double asked) {
       asked, f.tolerance());
 }
 
-std::string note_on_refusals(const Formulation& f) {
+std::string note_on_refusals(const Formulation& f, bool named) {
   const auto [refactorisations, steps, changes] = part_counts(f);
   long parts = 0;
   for (const DefinedPart& part : parts_of(f)) parts += part.solver->counts().fallbacks > 0;
   if (steps == 0) return "";
-  std::string note = "note: " + count(steps, "step") + " of " + count(parts, "part") +
-                     " too near a singular position for generated code; solved with pivoting";
+  std::string note = "note: generated code left " + count(steps, "step") + " of " +
+                     count(parts, "part") +
+                     " to a more general solver, some 10 times slower; the numbers are as exact";
   if (changes > 0)
-    note += ", " + std::to_string(changes) + " of them on another assembly branch than before";
+    note += "; " + std::to_string(changes) + " of them on another assembly branch than before";
+  if (!named) note += " (a formulation that is named, with --formulation, has better code made)";
   return note + "\n";
 }
 

@@ -16,8 +16,9 @@ std::string explain(const Plan& plan, const Model& whole);
 /// nothing. named: whether the user has chosen the formulation.
 std::string note_on_code(const Formulation& formulation, bool named);
 
-/// Returns a line on steps that generated code rejected, and their branches; else nothing.
-std::string note_on_refusals(const Formulation& formulation);
+/// Returns a line on steps that generated code refused, what that cost, and their branches; else
+/// nothing. named: whether the user has chosen the formulation.
+std::string note_on_refusals(const Formulation& formulation, bool named);
 
 /// Returns a line when the id asks for segments of the motion but it was solved step by step; else
 /// nothing.

@@ -146,7 +146,7 @@ std::string notes_on(const Task& task, const Formulation& formulation,
                      const MonitoredSummary& summary) {
   const Model& m = task.plan.model;
   return note_on_tolerance(formulation, task.chosen.settings.tolerance) +
-         note_on_refusals(formulation) + note_on_steps(formulation) +
+         note_on_refusals(formulation, task.named) + note_on_steps(formulation) +
          note_on_stride(summary, formulation) + note_on_gaps(summary, m) +
          note_on_accuracy(summary, task.plan.level(), m);
 }
