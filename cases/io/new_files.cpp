@@ -26,6 +26,17 @@ std::string name_beside(const std::string& target) {
       .string();
 }
 
+/// Returns the path that links lead to, whether or not it exists; "" where they lead in a circle.
+std::string followed(fs::path path) {
+  constexpr int max_links = 40;  // as many as Linux follows
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(path, error); ++links) {
+    if (links == max_links) return "";
+    path = path.parent_path() / fs::read_symlink(path, error);  // from the link's own folder
+  }
+  return path.string();
+}
+
 /// Lets a new name survive a loss of power. Not every file system can do that.
 void sync_folder(const std::string& target) {
   const fs::path folder = fs::path(target).parent_path();
@@ -54,7 +65,7 @@ OutputFile::OutputFile(const std::string& path, void (*begun)(const std::string&
 
 void OutputFile::open(void (*begun)(const std::string&)) {
   std::error_code ignored;
-  target_ = fs::is_symlink(path_, ignored) ? fs::weakly_canonical(path_, ignored).string() : path_;
+  target_ = followed(path_);
   if (target_.empty()) fail(ELOOP);
   if (fs::is_directory(target_, ignored) || target_.ends_with('/')) fail(EISDIR);
   struct stat status = {};

@@ -25,8 +25,9 @@ class OutputError : public std::runtime_error {
 /// nothing remains. Devices and pipes are written directly. All functions throw OutputError.
 class OutputFile {
  public:
-  /// Opens a path; "" and "-" are standard output. Follows links; an existing file keeps its
-  /// permissions. begun: is called with the name under which a file is written, before it exists.
+  /// Opens a path; "" and "-" are standard output. Follows links, also to a file that is yet to be;
+  /// an existing file keeps its permissions. begun: is called with the name under which a file is
+  /// written, before it exists.
   explicit OutputFile(const std::string& path, void (*begun)(const std::string& name) = nullptr);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;

@@ -84,6 +84,18 @@ TEST_F(Cli, WritesThroughLinksAndKeepsPermissions) {
   EXPECT_TRUE(text_of(out("real.csv")).starts_with("t [s],"));
   EXPECT_EQ(fs::status(out("real.csv")).permissions(),
             fs::perms::owner_read | fs::perms::owner_write);
+  // A link to a link to a file that is yet to be, in another folder.
+  fs::create_directory(out("there"));
+  fs::create_symlink("there/link.csv", out("dangling.csv"));
+  fs::create_symlink("new.csv", out("there/link.csv"));
+  ASSERT_EQ(desmo("solve slider_crank --quiet -o out/dangling.csv"), 0) << err_;
+  EXPECT_TRUE(fs::is_symlink(out("dangling.csv")) && fs::is_symlink(out("there/link.csv")));
+  EXPECT_TRUE(text_of(out("there/new.csv")).starts_with("t [s],"));
+  fs::create_symlink("circle.csv", out("circle.csv"));
+  EXPECT_EQ(desmo("solve slider_crank --quiet -o out/circle.csv"), 74);
+  fs::create_symlink("nowhere/new.csv", out("lost.csv"));
+  EXPECT_EQ(desmo("solve slider_crank --quiet -o out/lost.csv"), 74);
+  EXPECT_TRUE(fs::is_symlink(out("lost.csv")));
 }
 
 TEST_F(Cli, EndsQuietlyWhenNobodyReads) {
