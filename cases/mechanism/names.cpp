@@ -12,6 +12,7 @@ namespace {
 namespace utf = boost::locale::utf;
 
 constexpr int max_distance = 3;
+constexpr std::size_t min_contained = 3;  // characters of a part of a name
 constexpr std::size_t max_suggestions = 3;
 constexpr std::size_t max_listed = 8;
 
@@ -87,7 +88,10 @@ std::vector<std::string_view> nearest_names(std::string_view name,
   std::vector<std::pair<int, std::string_view>> near;
   for (const std::string_view candidate : known) {
     const int distance = edit_distance(name, candidate, limit);
-    if (distance <= limit) near.emplace_back(distance, candidate);
+    if (distance <= limit)
+      near.emplace_back(distance, candidate);
+    else if (name.size() >= min_contained && candidate.find(name) != candidate.npos)
+      near.emplace_back(max_distance + 1, candidate);
   }
   std::ranges::stable_sort(near, {}, &std::pair<int, std::string_view>::first);
   if (near.size() > max_suggestions) near.resize(max_suggestions);
