@@ -5,6 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 
@@ -28,6 +33,30 @@ inline void add_scene(CLI::App& command, std::string& scene) {
                   "Scene file, - for standard input, library mechanism (its scene), or scalable "
                   "case with its units, such as truck_suspension:5")
       ->required();
+}
+
+/// Adds an option whose value has one of these names; `value` must outlive the command.
+template <class Value>
+CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& value,
+                        std::vector<std::pair<std::string_view, Value>> choices,
+                        const std::string& description) {
+  std::string names;
+  for (const auto& [name, meaning] : choices)
+    names += (names.empty() ? "" : "|") + std::string(name);
+  return command
+      .add_option_function<std::string>(
+          option,
+          [option, &value, choices = std::move(choices)](const std::string& given) {
+            std::vector<std::string_view> known;
+            for (const auto& [name, meaning] : choices) {
+              if (name == given) return void(value = meaning);
+              known.push_back(name);
+            }
+            throw CLI::ValidationError(
+                option, in_quotes(given) + " is none of its values; " + suggestion(given, known));
+          },
+          description)
+      ->type_name(names);
 }
 
 AddCommand add_list, add_show, add_inspect, add_solve, add_view, add_range, add_tune;

@@ -13,12 +13,15 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/io/json_document.h"
+#include "cases/io/scene_file.h"
 #include "cases/io/text_file.h"
 #include "cases/library/library.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 namespace {
+
+constexpr const char* standard_input = "/dev/stdin";
 
 std::string read_standard_input(const std::string& source) {
   std::string text;
@@ -46,19 +49,28 @@ Scene at_rest(Mechanism mechanism) {
   return scene;
 }
 
-bool is_mechanism(const std::string& text, const std::string& source) {
-  const JsonDocument document(text, source);
-  const auto format = document.root().find("format");
-  return format && format->is_string() && format->text() == "desmo-mechanism";
+Input of_scene(Input input, SceneFile file) {
+  input.scene = std::move(file.scene);
+  input.units = std::move(file.units);
+  return input;
 }
 
-Input from_text(const std::string& text, const std::string& source, bool is_file,
+Input from_text(const std::string& text, const std::string& source, const std::string& file,
                 const std::filesystem::path& folder, bool mechanism_will_do) {
-  if (!is_mechanism(text, source)) return {source, is_file, parse_scene(text, source, folder)};
+  const JsonDocument document(text, source);
+  const auto text_of = [&](const char* key) {
+    const auto value = document.root().find(key);
+    return std::string(value && value->is_string() ? value->text() : "");
+  };
+  if (text_of("format") != "desmo-mechanism") {
+    const std::string mechanism = text_of("mechanism");
+    return of_scene({source, file, mechanism.empty() ? "" : (folder / mechanism).string(), {}, {}},
+                    parse_scene_file(text, source, folder));
+  }
   if (!mechanism_will_do)
     throw InputError(source + ": /format: a mechanism says nothing of motion and time; give a " +
                      "scene that names it (an example: desmo show slider_crank --scene)");
-  return {source, is_file, at_rest(parse_mechanism(text, source))};
+  return {source, file, "", {}, at_rest(parse_mechanism(text, source))};
 }
 
 Input from_file(const std::string& name, bool mechanism_will_do) {
@@ -69,7 +81,7 @@ Input from_file(const std::string& name, bool mechanism_will_do) {
   } catch (const UnreadableFile& error) {
     throw CommandError(unreadable_input, source + ": " + error.what());
   }
-  return from_text(text, source, true, std::filesystem::path(name).parent_path(),
+  return from_text(text, source, name, std::filesystem::path(name).parent_path(),
                    mechanism_will_do);
 }
 
@@ -98,14 +110,15 @@ std::optional<Scene> scalable_case(const std::string& argument) {
 Input load(const std::string& argument, bool mechanism_will_do) {
   if (argument == "-") {
     const std::string source = "standard input";
-    return from_text(read_standard_input(source), source, false, {}, mechanism_will_do);
+    return from_text(read_standard_input(source), source, standard_input, {}, mechanism_will_do);
   }
   if (argument.find_first_of("/.") != std::string::npos)
     return from_file(argument, mechanism_will_do);
   if (const LibraryMechanism* const found = find_library(argument))
-    return {argument, false, parse_scene(found->scene, "library/" + argument + ".scene.json", {})};
+    return of_scene({argument, "", "", {}, {}},
+                    parse_scene_file(found->scene, "library/" + argument + ".scene.json", {}));
   if (std::optional<Scene> scene = scalable_case(argument))
-    return {argument, false, std::move(*scene)};
+    return {argument, "", "", {.length = {scene->mechanism.length_unit}}, std::move(*scene)};
   std::error_code ignored;
   if (std::filesystem::exists(argument, ignored)) return from_file(argument, mechanism_will_do);
   std::vector<std::string_view> names = library_names();
@@ -117,9 +130,27 @@ Input load(const std::string& argument, bool mechanism_will_do) {
 
 }  // namespace
 
-Input load_scene(const std::string& argument) { return load(argument, false); }
+Input load_scene(const std::string& argument, UnitSystem system) {
+  Input input = load(argument, false);
+  if (system == UnitSystem::si) input.units = input.units.base();
+  return input;
+}
 
 Input load_mechanism(const std::string& argument) { return load(argument, true); }
+
+void protect_input(const std::string& output, const Input& input, const std::string& drivers) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::is_regular_file(output, ignored)) return;
+  const auto protect = [&](const std::string& file, const char* what) {
+    if (fs::equivalent(output, file, ignored))
+      throw CommandError(usage_error, "--output " + desmo::in_quotes(output) + ": this is " + what +
+                                          ", which is read; give another file");
+  };
+  protect(input.file, "the scene");
+  protect(input.mechanism_file, "the mechanism of the scene");
+  protect(drivers == "-" ? std::string(standard_input) : drivers, "the file of the drivers");
+}
 
 ModellingResult model_mechanism(const Input& input) {
   try {

@@ -3,14 +3,17 @@
 
 #include <string>
 
+#include "bench/cli/units.h"
 #include "cases/mechanism/scene.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::cli {
 
 struct Input {
-  std::string source;  ///< for messages
-  bool is_file;        ///< it was read from a file named `source`
+  std::string source;          ///< for messages
+  std::string file;            ///< path of what was read, /dev/stdin where that is "-"; empty: none
+  std::string mechanism_file;  ///< path of the mechanism that the scene names; empty: none
+  DisplayUnits units;  ///< in which its numbers are written and read; inside they are in SI units
   Scene scene;         ///< for a mechanism file: drivers at rest, no instants
 };
 
@@ -19,10 +22,17 @@ struct Input {
 /// - a scene file, if it contains "/" or "."; "-" is standard input
 /// - the name of a library mechanism, for its scene
 /// - a scalable case with its number of units, "truck_suspension:5"
-Input load_scene(const std::string& argument);
+///
+/// units: those that Input::units are to be.
+Input load_scene(const std::string& argument, UnitSystem units = UnitSystem::file);
 
 /// Loads like load_scene(), but accepts mechanism files too.
 Input load_mechanism(const std::string& argument);
+
+/// Throws Error (usage_error) where an output would replace a file that is read: the scene, its
+/// mechanism's, or that of the drivers' rows ("" for none). All are as given on the command line,
+/// standard input included.
+void protect_input(const std::string& output, const Input& input, const std::string& drivers = "");
 
 /// Makes the model of an input. Throws InputError, naming the source.
 ModellingResult model_mechanism(const Input& input);

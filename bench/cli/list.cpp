@@ -136,6 +136,10 @@ void add_list(CLI::App& program) {
   command->add_option("what", options->what, "Only these")
       ->check(CLI::IsMember({"mechanisms", "cases", "formulations"}));
   command->add_flag("--json", options->json, "As JSON");
+  command->footer(
+      "Examples:\n"
+      "  desmo list mechanisms\n"
+      "  desmo list formulations --json");
   command->callback([options] { list(*options); });
 }
 

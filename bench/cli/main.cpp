@@ -33,12 +33,45 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
           suggestion(argv[1], std::vector<std::string_view>(names.begin(), names.end())));
 }
 
+/// Throws for words that a command takes nothing of: the first option that does not exist, or the
+/// first word too many.
+[[noreturn]] void refuse_extras(CLI::App& program) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  const std::string name = chosen.empty() ? "desmo" : "desmo " + command.get_name();
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& s : option->get_snames()) options.push_back("-" + s);
+    for (const std::string& l : option->get_lnames()) options.push_back("--" + l);
+  }
+  const std::vector<std::string> extras = program.remaining(true);
+  const auto unknown = std::ranges::find_if(
+      extras, [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+  const std::string help = "; '" + name + " --help' shows what there is";
+  if (unknown == extras.end())
+    throw cli::CommandError(
+        cli::usage_error,
+        in_quotes(extras.front()) + ": " + name +
+            " takes nothing after what stands before it; leave it out" +
+            (command.get_option_no_throw("-o") ? ", or write -o before the name of an output"
+                                               : "") +
+            help);
+  const std::string option = unknown->substr(0, unknown->find('='));
+  const std::vector<std::string_view> near =
+      nearest_names(option, std::vector<std::string_view>(options.begin(), options.end()));
+  std::string text = name + " has no option " + in_quotes(option);
+  for (std::size_t i = 0; i < near.size(); ++i)
+    text += (i == 0 ? "; did you mean " : ", ") + in_quotes(near[i]);
+  throw cli::CommandError(cli::usage_error, text + (near.empty() ? "" : "?") + help);
+}
+
 void run(int argc, char** argv) {
   CLI::App program{"Kinematics of multibody systems by structural groups", "desmo"};
   program.set_version_flag("--version", "desmo " DESMO_VERSION);
   program.require_subcommand(1);
+  for (cli::AddCommand* const add : cli::commands) add(program);
   program.footer(
-      "Examples:\n"
+      "Examples (more with desmo COMMAND --help):\n"
       "  desmo show slider_crank > mine.json\n"
       "  desmo inspect mine.json\n"
       "  desmo solve slider_crank -o motion.csv\n"
@@ -46,7 +79,6 @@ void run(int argc, char** argv) {
       "Exit codes: 0 done, 1 the mechanism cannot be solved, 64 usage, 65 a file says something\n"
       "wrong, 66 a file cannot be read, 69 something optional is missing, 70 an internal error,\n"
       "74 output cannot be written, 129, 130, 143 interrupted, 141 standard output was closed");
-  for (cli::AddCommand* const add : cli::commands) add(program);
   require_known_command(program, argc, argv);
   try {
     program.parse(argc, argv);
@@ -54,6 +86,8 @@ void run(int argc, char** argv) {
     std::ostringstream text, unused;
     program.exit(wanted, text, unused);
     write_standard_output(text.str());
+  } catch (const CLI::ExtrasError&) {
+    refuse_extras(program);
   } catch (const CLI::ParseError& error) {
     throw cli::CommandError(cli::usage_error,
                             printable(error.what(), 300) + "; 'desmo --help' shows what there is");

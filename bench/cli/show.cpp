@@ -31,6 +31,10 @@ void add_show(CLI::App& program) {
   const auto options = std::make_shared<ShowOptions>();
   command->add_option("name", options->name, "Library mechanism (see desmo list)")->required();
   command->add_flag("--scene", options->scene, "Print its scene instead");
+  command->footer(
+      "Examples:\n"
+      "  desmo show slider_crank > mine.json\n"
+      "  desmo show slider_crank --scene > mine.scene.json");
   command->callback([options] { show(*options); });
 }
 

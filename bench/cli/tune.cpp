@@ -92,7 +92,7 @@ void tune(const TuneOptions& options) {
   if ((options.max_error > 0) == (options.budget > 0))
     throw CommandError(usage_error, "give either --max-error or --budget");
   const Input input = load_scene(options.scene);
-  if (options.write && !input.is_file)
+  if (options.write && (input.file.empty() || options.scene == "-"))
     throw CommandError(usage_error, "--write: " + input.source +
                                         " is not a scene file; save it first " +
                                         "('desmo show NAME --scene') and tune that");
@@ -149,13 +149,17 @@ void add_tune(CLI::App& program) {
           std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
       ->check(CLI::PositiveNumber);
-  std::map<std::string, Level> by_name;
-  for (const Level level : all_levels) by_name.emplace(bench::level_names[level], level);
-  command->add_option("--level", options->level, "Which error is meant; position by default")
-      ->transform(CLI::CheckedTransformer(by_name));
+  std::vector<std::pair<std::string_view, Level>> levels;
+  for (const Level level : all_levels) levels.emplace_back(bench::level_names[level], level);
+  add_choice(*command, "--level", options->level, levels,
+             "Which error is meant; position by default");
   command->add_flag("--write", options->write, "Store the choice in the scene file");
   add_options(*command, options->own_code);
   command->add_flag("--quiet", options->quiet, "No progress");
+  command->footer(
+      "Examples:\n"
+      "  desmo tune slider_crank --max-error 1e-9\n"
+      "  desmo tune mine.scene.json --budget 20us --level acceleration --write");
   command->callback([options] { tune(*options); });
 }
 

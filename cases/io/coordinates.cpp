@@ -11,7 +11,7 @@ using Type = Mechanism::CoordinateType;
 
 class CoordinateReader {
  public:
-  CoordinateReader(int dimension, const Units& units, const Names& names)
+  CoordinateReader(int dimension, const DisplayUnits& units, const Names& names)
       : dimension_(dimension), units_(units), names_(names) {}
 
   Coordinate read(const JsonValue& value) const {
@@ -26,7 +26,8 @@ class CoordinateReader {
     if (distance) read_distance(value, c);
     if (component) read_component(value, c);
     if (const auto estimate = value.find("estimate"))
-      c.estimate = estimate->number() * (c.type == Type::angle ? units_.angle : units_.length);
+      c.estimate =
+          estimate->number() * (c.type == Type::angle ? units_.angle.in_si : units_.length.in_si);
     return c;
   }
 
@@ -73,7 +74,7 @@ class CoordinateReader {
   }
 
   int dimension_;
-  const Units& units_;
+  const DisplayUnits& units_;
   const Names& names_;
 };
 
@@ -87,8 +88,8 @@ void read_drivers(const JsonValue& list, const Names& names, std::vector<Coordin
 
 }  // namespace
 
-std::vector<Coordinate> read_coordinates(const JsonValue& root, int dimension, const Units& units,
-                                         Names& names) {
+std::vector<Coordinate> read_coordinates(const JsonValue& root, int dimension,
+                                         const DisplayUnits& units, Names& names) {
   std::vector<Coordinate> coordinates;
   const CoordinateReader reader(dimension, units, names);
   if (const auto list = root.find("coordinates"))

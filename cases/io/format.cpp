@@ -9,21 +9,16 @@
 namespace desmo {
 namespace {
 
-struct Unit {
-  std::string_view name;
-  double in_si;
-};
+const std::array length_units{DisplayUnit{"m", 1}, DisplayUnit{"mm", 1e-3}, DisplayUnit{"cm", 1e-2},
+                              DisplayUnit{"in", 0.0254}, DisplayUnit{"1", 1}};
+const std::array angle_units{DisplayUnit{"rad", 1}, DisplayUnit{"deg", std::numbers::pi / 180}};
 
-constexpr std::array length_units{Unit{"m", 1}, Unit{"mm", 1e-3}, Unit{"cm", 1e-2},
-                                  Unit{"in", 0.0254}, Unit{"1", 1}};
-constexpr std::array angle_units{Unit{"rad", 1}, Unit{"deg", std::numbers::pi / 180}};
-
-const Unit& read_unit(const JsonValue& value, std::span<const Unit> units) {
+const DisplayUnit& read_unit(const JsonValue& value, std::span<const DisplayUnit> units) {
   const std::string_view name = value.text();
-  const auto found = std::ranges::find(units, name, &Unit::name);
+  const auto found = std::ranges::find(units, name, &DisplayUnit::name);
   if (found != units.end()) return *found;
   std::vector<std::string_view> names;
-  for (const Unit& unit : units) names.push_back(unit.name);
+  for (const DisplayUnit& unit : units) names.push_back(unit.name);
   value.complain("unknown unit " + in_quotes(name) + "; " + enumeration(names));
 }
 
@@ -53,21 +48,12 @@ std::string checked_name(const JsonValue& place, std::string_view name) {
   return std::string(name);
 }
 
-Units read_units(const JsonValue& root, Units units) {
+FileUnits read_units(const JsonValue& root, FileUnits units) {
   const auto given = root.find("units");
   if (!given) return units;
   given->allow({"length", "angle"});
-  if (const auto value = given->find("length")) {
-    const Unit& unit = read_unit(*value, length_units);
-    units.length = unit.in_si;
-    units.length_unit = unit.name == "1" ? "1" : "m";
-    units.length_name = unit.name;
-  }
-  if (const auto value = given->find("angle")) {
-    const Unit& unit = read_unit(*value, angle_units);
-    units.angle = unit.in_si;
-    units.angle_name = unit.name;
-  }
+  if (const auto value = given->find("length")) units.length = read_unit(*value, length_units);
+  if (const auto value = given->find("angle")) units.angle = read_unit(*value, angle_units);
   return units;
 }
 

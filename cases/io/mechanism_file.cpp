@@ -89,12 +89,12 @@ ReadMechanism mechanism_from(const JsonValue& root) {
   d.name = checked_name(root["name"], root["name"].text());
   if (const auto title = root.find("title")) d.title = title->line();
   d.dimension = root["dimension"].whole_number(2, 3);
-  Units units = read_units(root, {});
-  d.length_unit = units.length_unit;
+  DisplayUnits units = read_units(root, {});
+  d.length_unit = units.base_length();
   Names names;
-  d.points = read_points(root, d.dimension, units.length, names);
+  d.points = read_points(root, d.dimension, units.length.in_si, names);
   d.vectors = read_vectors(root, d.dimension, d.points, names);
-  d.bodies = read_bodies(root, units.length, names);
+  d.bodies = read_bodies(root, units.length.in_si, names);
   d.joints = read_joints(root, names);
   name_joints(d);
   d.coordinates = read_coordinates(root, d.dimension, units, names);

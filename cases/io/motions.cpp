@@ -26,14 +26,14 @@ std::vector<double> read_numbers(const JsonValue& list, double unit) {
                  kind + "\": \"" + std::string(name) + "\"}");
 }
 
-double angle_unit(const JsonValue& value, const Units& units) {
-  if (units.angle_is_open) complain_of_open_unit(value, "angle", units.angle_name);
-  return units.angle;
+double angle_unit(const JsonValue& value, const FileUnits& units) {
+  if (units.angle_is_open) complain_of_open_unit(value, "angle", units.angle.name);
+  return units.angle.in_si;
 }
 
-double length_unit(const JsonValue& value, const Units& units) {
-  if (units.length_is_open) complain_of_open_unit(value, "length", units.length_name);
-  return units.length;
+double length_unit(const JsonValue& value, const FileUnits& units) {
+  if (units.length_is_open) complain_of_open_unit(value, "length", units.length.name);
+  return units.length.in_si;
 }
 
 Motion read_constant(const JsonValue& value, double unit) {
@@ -51,7 +51,7 @@ Motion read_polynomial(const JsonValue& value, double unit) {
   return Polynomial{read_numbers(coefficients, unit)};
 }
 
-Motion read_harmonic(const JsonValue& value, double unit, const Units& units) {
+Motion read_harmonic(const JsonValue& value, double unit, const FileUnits& units) {
   value.allow({"type", "mean", "terms"});
   HarmonicSum sum;
   if (const auto mean = value.find("mean")) sum.mean = mean->number() * unit;
@@ -112,7 +112,7 @@ std::vector<int> driven_coordinates(const Mechanism& mechanism) {
 }
 
 Motion read_motion(const JsonValue& value, Mechanism::CoordinateType coordinate,
-                   const Units& units) {
+                   const FileUnits& units) {
   const double unit = coordinate == Mechanism::CoordinateType::angle ? angle_unit(value, units)
                                                                      : length_unit(value, units);
   constexpr std::array<std::string_view, 4> types{"constant", "polynomial", "harmonic", "table"};
@@ -131,7 +131,7 @@ Motion read_motion(const JsonValue& value, Mechanism::CoordinateType coordinate,
 }  // namespace
 
 std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechanism,
-                                 const Units& units, std::vector<Motion> known) {
+                                 const FileUnits& units, std::vector<Motion> known) {
   const std::vector<int> driven = driven_coordinates(mechanism);
   std::vector<bool> has_motion(driven.size(), known.size() == driven.size());
   known.resize(driven.size());

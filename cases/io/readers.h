@@ -8,6 +8,7 @@
 
 #include "cases/io/json_document.h"
 #include "cases/io/name_table.h"
+#include "cases/io/units.h"
 #include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/scene.h"
 
@@ -22,19 +23,15 @@ int check_format(const JsonValue& root, std::string_view format, int latest);
 /// Returns `name` if it is a name as cases/files.md defines it. place: its position, for errors.
 std::string checked_name(const JsonValue& place, std::string_view name);
 
-/// Units of a file, in metres and in radians.
-struct Units {
-  double length = 1;
-  double angle = 1;
-  std::string length_unit = "m";                           ///< "m", or "1": an unspecified unit
-  std::string_view length_name = "m", angle_name = "rad";  ///< names in files
+/// Units of a file.
+struct FileUnits : DisplayUnits {
   /// Ambiguity of the units. Version 1 of a scene assumed metres and radians where it named no
   /// unit, although the mechanism may have others.
   bool length_is_open = false, angle_is_open = false;
 };
 
 /// Reads `units` of a file; defaults hold for units that it leaves out.
-Units read_units(const JsonValue& root, Units units);
+FileUnits read_units(const JsonValue& root, FileUnits units);
 
 // Sections of a mechanism file, in reading order:
 
@@ -46,7 +43,7 @@ struct Names {
 /// A validated mechanism and the units of its file.
 struct ReadMechanism {
   Mechanism mechanism;
-  Units units;
+  DisplayUnits units;
 };
 ReadMechanism mechanism_from(const JsonValue& root);
 
@@ -65,7 +62,7 @@ std::vector<Mechanism::Joint> read_joints(const JsonValue& root, const Names& na
 
 /// Reads relative coordinates and which of them are driven.
 std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int dimension,
-                                                    const Units& units, Names& names);
+                                                    const DisplayUnits& units, Names& names);
 
 // Sections of a scene file:
 
@@ -75,7 +72,7 @@ std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int d
 ///   empty: it may leave out none
 /// Throws InputError, also for a length whose unit the file leaves open.
 std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechanism,
-                                 const Units& units, std::vector<Motion> known);
+                                 const FileUnits& units, std::vector<Motion> known);
 
 /// Throws InputError when a table does not cover the grid's instants. motions: from read_motions().
 void check_tables(const JsonValue& root, const Mechanism& mechanism,

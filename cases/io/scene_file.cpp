@@ -1,3 +1,5 @@
+#include "cases/io/scene_file.h"
+
 #include <cmath>
 #include <optional>
 
@@ -19,7 +21,7 @@ constexpr int latest_version = 2;
 // What the mechanism brings: motions and times as well when it is a library or a scalable one.
 struct Start {
   Mechanism mechanism;
-  Units units;  // of the mechanism's file
+  DisplayUnits units;  // of the mechanism's file
   std::vector<Motion> motions;
   std::optional<TimeGrid> grid;
 };
@@ -31,7 +33,8 @@ Start without_motion(ReadMechanism read) {
 // A library's own scene names its mechanism as any scene does, but does not start from itself.
 enum class LibraryGives { mechanism, scene };
 
-Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, LibraryGives gives);
+SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder,
+                     LibraryGives gives);
 
 Start from_library(const JsonValue& value, LibraryGives gives) {
   value.allow({"library"});
@@ -42,7 +45,7 @@ Start from_library(const JsonValue& value, LibraryGives gives) {
   Start start = without_motion(mechanism_from(mechanism.root()));
   if (gives == LibraryGives::mechanism) return start;
   const JsonDocument document(found.scene, file_name + ".scene.json");
-  Scene scene = scene_from(document.root(), {}, LibraryGives::mechanism);
+  Scene scene = scene_from(document.root(), {}, LibraryGives::mechanism).scene;
   start.motions = std::move(scene.motions);
   start.grid = scene.grid;
   return start;
@@ -56,9 +59,8 @@ Start from_generator(const JsonValue& value) {
   const JsonValue count = value[c.unit_name];
   try {
     Scene scene = c.with_units(count.whole_number(1, max_units));
-    Units units;
-    units.length_unit = units.length_name = scene.mechanism.length_unit;
-    return {std::move(scene.mechanism), units, std::move(scene.motions), scene.grid};
+    DisplayUnits units{.length = {scene.mechanism.length_unit}};
+    return {std::move(scene.mechanism), std::move(units), std::move(scene.motions), scene.grid};
   } catch (const std::invalid_argument& error) {
     count.complain(std::string(error.what()) + "; choose another number");
   }
@@ -91,17 +93,17 @@ Start read_start(const JsonValue& value, const std::filesystem::path& folder, Li
 }
 
 // The unit of length goes with that of the mechanism: a free one is no number of metres.
-Units units_of_motion(const JsonValue& root, int version, const Units& mechanism) {
-  Units units = read_units(root, mechanism);
-  if (units.length_unit != mechanism.length_unit)
+FileUnits units_of_motion(const JsonValue& root, int version, const DisplayUnits& mechanism) {
+  FileUnits units = read_units(root, {mechanism});
+  if (units.base_length() != mechanism.base_length())
     root["units"]["length"].complain(
-        mechanism.length_unit == "1"
+        mechanism.base_length() == "1"
             ? "the mechanism's unit of length is '1', any one unit; give '1' here as well"
             : "the mechanism has lengths in metres; give 'm', 'mm', 'cm' or 'in'");
   if (version > 1) return units;
   const auto given = root.find("units");
-  units.length_is_open = mechanism.length != 1 && !(given && given->find("length"));
-  units.angle_is_open = mechanism.angle != 1 && !(given && given->find("angle"));
+  units.length_is_open = mechanism.length.in_si != 1 && !(given && given->find("length"));
+  units.angle_is_open = mechanism.angle.in_si != 1 && !(given && given->find("angle"));
   return units;
 }
 
@@ -145,7 +147,8 @@ double read_tolerance(const JsonValue& value) {
   return tolerance;
 }
 
-Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, LibraryGives gives) {
+SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder,
+                     LibraryGives gives) {
   const int version = check_format(root, "desmo-scene", latest_version);
   root.allow({"$schema", "format", "version", "name", "mechanism", "units", "motion", "time",
               "request", "formulation", "tolerance"});
@@ -154,7 +157,7 @@ Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, Lib
   scene.mechanism = std::move(start.mechanism);
   const auto name = root.find("name");
   scene.name = name ? std::string(name->line()) : scene.mechanism.name;
-  const Units units = units_of_motion(root, version, start.units);
+  FileUnits units = units_of_motion(root, version, start.units);
   scene.motions = read_motions(root, scene.mechanism, units, std::move(start.motions));
   const auto time = root.find("time");
   scene.grid = time || !start.grid ? read_time(root["time"]) : *start.grid;
@@ -162,15 +165,20 @@ Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, Lib
   scene.request = read_request(root, scene.mechanism);
   if (const auto id = root.find("formulation")) scene.formulation = read_formulation(*id);
   if (const auto given = root.find("tolerance")) scene.tolerance = read_tolerance(*given);
-  return scene;
+  return {std::move(scene), std::move(units)};
 }
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& file_name,
-                  const std::filesystem::path& folder) {
+SceneFile parse_scene_file(std::string_view text, const std::string& file_name,
+                           const std::filesystem::path& folder) {
   const JsonDocument document(text, file_name);
   return scene_from(document.root(), folder, LibraryGives::scene);
+}
+
+Scene parse_scene(std::string_view text, const std::string& file_name,
+                  const std::filesystem::path& folder) {
+  return parse_scene_file(text, file_name, folder).scene;
 }
 
 Scene read_scene(const std::filesystem::path& file) {

@@ -1,6 +1,10 @@
 // desmo solve --drivers: rows of driver values, answered one by one.
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
+#include <sstream>
 
 #include "tests/cli/program.h"
 
@@ -9,19 +13,53 @@ namespace {
 
 TEST_F(Cli, AnswersTheRowsOfAMotionAsItSolvesTheMotion) {
   for (const char* format : {"csv", "jsonl"}) {
-    ASSERT_EQ(desmo("solve slider_crank -o motion.csv --quiet"), 0) << err_;
-    ASSERT_EQ(desmo("solve slider_crank --format " + std::string(format) + " --quiet"), 0) << err_;
+    const std::string si = "solve slider_crank --units si ";
+    ASSERT_EQ(desmo(si + "-o motion.csv --quiet"), 0) << err_;
+    ASSERT_EQ(desmo(si + "--format " + format + " --quiet"), 0) << err_;
     const std::vector<std::string> motion = lines();
-    ASSERT_EQ(desmo("solve slider_crank --drivers motion.csv --format " + std::string(format)), 0)
-        << err_;
+    ASSERT_EQ(desmo(si + "--drivers motion.csv --format " + format), 0) << err_;
     EXPECT_TRUE(says("accuracy: condition")) << err_;
     const std::vector<std::string> answers = lines();
     ASSERT_EQ(answers.size(), motion.size());
     for (std::size_t i = 1; i < motion.size(); ++i)
       EXPECT_EQ(answers[i], format == std::string("csv")
                                 ? motion[i] + ",converged"
-                                : motion[i].substr(0, motion[i].size() - 1) + ",\"converged\"]");
+                                : motion[i].substr(0, motion[i].rfind(',')) + ",\"converged\"]");
   }
+}
+
+/// A row of degrees is a row of radians but for one rounding, and so are its answers.
+TEST_F(Cli, ReadsAndAnswersRowsInTheUnitsOfTheScene) {
+  const std::string solve = "solve slider_crank --quiet ";
+  ASSERT_EQ(desmo(solve), 0) << err_;
+  const std::vector<std::string> motion = lines();
+  write("motion.csv", out_);
+  ASSERT_EQ(desmo(solve + "--drivers motion.csv"), 0) << err_;
+  const std::vector<std::string> answers = lines();
+  ASSERT_EQ(answers.size(), motion.size());
+  EXPECT_EQ(answers[0], motion[0] + ",outcome");
+  std::map<std::string, double> sizes;  // largest number in each unit
+  std::vector<std::string> units;
+  std::istringstream headings(motion[0]);
+  for (std::string heading; std::getline(headings, heading, ',');)
+    units.push_back(heading.substr(heading.rfind('[')));
+  for (std::size_t i = 1; i < motion.size(); ++i)
+    for (std::size_t k = 0; k < units.size(); ++k)
+      sizes[units[k]] = std::max(sizes[units[k]], std::abs(numbers(motion[i])[k]));
+  for (std::size_t i = 1; i < motion.size(); ++i) {
+    const std::vector<double> wanted = numbers(motion[i]),
+                              got = numbers(answers[i].substr(0, answers[i].rfind(',')));
+    ASSERT_EQ(got.size(), wanted.size());
+    for (std::size_t k = 0; k < got.size(); ++k)
+      EXPECT_NEAR(got[k], wanted[k], 1e-13 * sizes[units[k]]) << motion[0] << "\n" << motion[i];
+  }
+  // A crank of 50 mm, a quarter turn on, at 360 deg/s.
+  write("rows", "0 0 360 0\n0.25 90 360 0\n");
+  ASSERT_EQ(desmo(solve + "--drivers rows"), 0) << err_;
+  const std::string heading = lines()[0], row = lines()[2];
+  EXPECT_TRUE(heading.starts_with("t [s],B.x [mm],B.y [mm],d/dt B.x [mm/s],")) << heading;
+  EXPECT_NEAR(numbers(row.substr(0, row.rfind(',')))[2], 50, 1e-9) << row;
+  EXPECT_NEAR(numbers(row.substr(0, row.rfind(',')))[3], -100 * std::numbers::pi, 1e-9) << row;
 }
 
 TEST_F(Cli, AnswersARowBeforeTheNextOneComes) {
@@ -40,32 +78,31 @@ TEST_F(Cli, AnswersRowsOfPositionsAlone) {
   write("scene.json", R"({"format": "desmo-scene", "version": 2,
     "mechanism": {"library": "slider_crank"}, "motion": {"theta": {"type": "constant", "value": 20}},
     "time": {"end": 1, "step": 0.5}, "request": [{"points": ["B"], "level": "position"}]})");
-  write("rows", "0 0.3\n0.1 0.4\n0.2 2\n");
+  write("rows", "0 15\n0.1 30\n0.2 120\n");
   ASSERT_EQ(desmo("solve scene.json --drivers rows -o out/motion.csv"), 0) << err_;
-  EXPECT_TRUE(says("; relative to 0.05 m or 1 rad\n")) << err_;
+  EXPECT_TRUE(says("; relative to 50 mm or 57.3 deg\n")) << err_;
   out_ = text_of(out("motion.csv"));
   ASSERT_EQ(lines().size(), 4u);
   for (const auto& [line, angle] :
-       std::initializer_list<std::pair<int, double>>{{1, 0.3}, {2, 0.4}, {3, 2}}) {
+       std::initializer_list<std::pair<int, double>>{{1, 15}, {2, 30}, {3, 120}}) {
     const std::string row = lines()[line];
     ASSERT_TRUE(row.ends_with(",converged")) << row;
     const std::vector<double> values = numbers(row.substr(0, row.rfind(',')));
     ASSERT_EQ(values.size(), 3u);
-    EXPECT_NEAR(values[1], 0.05 * std::cos(angle), 1e-12);
-    EXPECT_NEAR(values[2], 0.05 * std::sin(angle), 1e-12);
+    EXPECT_NEAR(values[1], 50 * std::cos(angle * std::numbers::pi / 180), 1e-9);
+    EXPECT_NEAR(values[2], 50 * std::sin(angle * std::numbers::pi / 180), 1e-9);
   }
 }
 
 TEST_F(Cli, SaysWhatBoundsOfRowsAreRelativeTo) {
-  write("rows", "0 0 2 0\n0.5 1 2 0\n");
+  write("rows", "0 0 180 0\n0.5 90 180 0\n");
   ASSERT_EQ(desmo("solve slider_crank --drivers rows"), 0) << err_;
-  EXPECT_TRUE(says("; relative to 0.2 m or 1 rad, 0.1")) << err_;
-  EXPECT_TRUE(says(" m/s or 2 rad/s, ")) << err_;
+  EXPECT_TRUE(says("; relative to 200 mm or 57.3 deg, 157 mm/s or 180 deg/s, ")) << err_;
 }
 
 TEST_F(Cli, SaysOfARowThatFailsWhatWasDegradedBefore) {
   write("locks.json", locks);
-  write("rows", "0 0 1 0\n0.1 0.643501108793 1 0\n0.2 1 1 0\n");
+  write("rows", "0 0 1 0\n0.1 36.8698976458 1 0\n0.2 57 1 0\n");
   EXPECT_EQ(desmo("solve locks.json --drivers rows"), 1);
   EXPECT_TRUE(says("accuracy: degraded: 1 instant of 2, the first at ")) << err_;
   EXPECT_TRUE(says("rows: line 3: group 'SG-II'")) << err_;
@@ -73,10 +110,10 @@ TEST_F(Cli, SaysOfARowThatFailsWhatWasDegradedBefore) {
 
 TEST_F(Cli, GoesOnAfterARowThatFailsWhenItIsTold) {
   write("locks.json", locks);
-  // In degrees it locks beyond 36.9; rows are in radians.
+  // It locks beyond 36.9 degrees.
   write("rows", "# t theta\n");
   EXPECT_EQ(desmo("solve locks.json --drivers rows"), 65);
-  write("rows", "0 0 1 0\n0.1 0.1 1 0\n\n0.2 1 1 0\n0.3 0.2 1 0\n0.3 0.3 1 0\n0.4 nan 1 0\n");
+  write("rows", "0 0 1 0\n0.1 6 1 0\n\n0.2 57 1 0\n0.3 12 1 0\n0.3 17 1 0\n0.4 nan 1 0\n");
   EXPECT_EQ(desmo("solve locks.json --drivers rows"), 1);
   EXPECT_TRUE(says("rows: line 4: group 'SG-II'") && says("no position was found")) << err_;
   EXPECT_EQ(lines().size(), 3u);
@@ -95,12 +132,15 @@ TEST_F(Cli, NamesLineAndColumnOfARowThatCannotBeRead) {
   for (const auto& [rows, message] : std::initializer_list<std::pair<std::string, std::string>>{
            {"0,0,1,0\n1,0,1,0\n2,0,one,0\n", "line 3, column 3: 'one' is not a number"},
            {"0,0,1,0\n1,0,1\n", "line 2, column 4: 3 numbers, where 4 are expected"},
-           {"0,0,1\n", "line 1, column 4: 3 numbers, where 4 are needed; write t,theta,d/dt theta"},
+           {"0,0,1\n",
+            "line 1, column 4: 3 numbers, where 4 are needed; write t [s],theta [deg],d/dt theta "
+            "[deg/s]"},
            {"t,theta,d/dt theta\n", "line 1, column 1: there is no column 'd2/dt2 theta'"},
            {"theta,d/dt theta,d2/dt2 theta\n", "line 1, column 1: there is no column t"},
            {"0;0;1;0\n", "line 1, column 1: there is no column t"},
            {"0,0,1,0\n1;0,1,0,0\n", "line 2, column 1: '1;0' is not a number"},
-           {"t [s],theta [deg]\n", "line 1, column 2: 'theta [deg]': the unit is rad"},
+           {"t [s],theta [rad]\n",
+            "line 1, column 2: 'theta [rad]': the unit is deg (with --units"},
            {"t,theta,theta\n", "line 1, column 3: 'theta' stands there twice"}}) {
     write("rows", rows);
     EXPECT_EQ(desmo("solve slider_crank --drivers rows"), 65) << rows;

@@ -12,14 +12,14 @@ namespace {
 using Json = nlohmann::json;
 
 TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
-  write("scene.json", locks);  // lengths in mm
+  write("scene.json", locks);  // in mm and degrees
   ASSERT_EQ(desmo("range scene.json"), 0) << err_;
   for (const char* text :
-       {"short, from t = 0 s", "theta, from 0 rad", "  up    0.643501108793 rad: locks, to ",
-        "  down  -0.643501108793 rad: locks", "group   SG-II (rod, slider)", "moves   C",
+       {"short, from t = 0 s", "theta, from 0 deg", "  up    36.8698976458 deg: locks, to ",
+        "  down  -36.8698976458 deg: locks", "group   SG-II (rod, slider)", "moves   C",
         "joints  revolute/rod/slider, prismatic/ground/slider", "loop    crank, rod"})
     EXPECT_TRUE(prints(text)) << text << "\n" << out_;
-  ASSERT_EQ(desmo("range - --json <scene.json"), 0) << err_;
+  ASSERT_EQ(desmo("range - --units si --json <scene.json"), 0) << err_;
   const Json driver = Json::parse(out_)["drivers"][0];
   EXPECT_EQ(driver["name"], "theta");
   EXPECT_EQ(driver["unit"], "rad");
@@ -31,6 +31,12 @@ TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
   EXPECT_GT(up["beyond"], up["value"]);
   EXPECT_NEAR(up["beyond"].get<double>(), std::asin(0.6), 1e-12);
   EXPECT_EQ(up["group"], "SG-II");
+  ASSERT_EQ(desmo("range scene.json --json"), 0) << err_;
+  const Json in_degrees = Json::parse(out_)["drivers"][0];
+  EXPECT_EQ(in_degrees["unit"], "deg");
+  for (const char* key : {"value", "beyond"})
+    EXPECT_NEAR(in_degrees["ends"][1][key].get<double>(), std::asin(0.6) * 180 / std::numbers::pi,
+                1e-10);
 }
 
 TEST_F(Cli, SaysOfEveryDriverWhereItStops) {
@@ -43,7 +49,7 @@ TEST_F(Cli, SaysOfEveryDriverWhereItStops) {
     EXPECT_GT(d["ends"][1]["value"], d["start"]);
   }
   ASSERT_EQ(desmo("range slider_crank"), 0) << err_;
-  EXPECT_TRUE(prints("up    6.28318530718 rad: turns fully")) << out_;
+  EXPECT_TRUE(prints("up    360 deg: turns fully")) << out_;
 }
 
 /// Crank and rod are as long, and in line at the start: a dead point of the slider.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <tuple>
 
 #include "tests/cli/program.h"
@@ -81,7 +82,7 @@ TEST_F(Cli, FailedRunsNameThePlaceAndLeaveNothing) {
   EXPECT_EQ(desmo("solve locks.json -o out/motion.csv"), 1);
   // 11 instants are within reach: it locks at 0.1024 s.
   for (const char* text : {"desmo: locks.json: group 'SG-II' (rod, slider), constraint '",
-                           "t = 0.11 s", "' is off by ", " m; "})
+                           "t = 0.11 s", "' is off by ", " mm; "})
     EXPECT_TRUE(says(text)) << err_;
   EXPECT_TRUE(fs::is_empty(folder_ / "out"));
   std::ofstream(out("motion.csv")) << "kept";
@@ -91,6 +92,79 @@ TEST_F(Cli, FailedRunsNameThePlaceAndLeaveNothing) {
   EXPECT_EQ(desmo("solve locks.json"), 1);
   EXPECT_EQ(lines().size(), 12u);
   EXPECT_TRUE(says("instants before it, on standard output: 11")) << err_;
+}
+
+/// A slider-crank in millimetres, drawn at 180 mm, whose slider is driven.
+std::string driven_slider(const std::string& motion) {
+  std::string scene = slider_crank(150, R"(, "time": {"end": 1, "step": 0.5})");
+  const auto replace = [&](const std::string& before, const std::string& after) {
+    scene.replace(scene.find(before), before.size(), after);
+  };
+  replace(R"("B": [50, 0], "C": [200, 0])", R"("B": [30, 40], "C": [180, 0])");
+  replace(R"("theta": {"angle": ["A", "B"]})", R"("s": {"distance": ["A", "C"], "along": "x"})");
+  replace(R"(["theta"])", R"(["s"])");
+  replace(R"("units": {"angle": "deg"},
+  "motion": {"theta": {"type": "polynomial", "coefficients": [0, 360]}})",
+          R"("units": {"length": "mm"}, "motion": {"s": )" + motion + "}");
+  return scene;
+}
+
+/// Metres are written for millimetres: nothing steps to the first instant.
+TEST_F(Cli, AStartFarFromTheDrawingIsNamed) {
+  write("far.json", driven_slider(R"({"type": "constant", "value": 0.18})"));
+  const std::string why = "; driver 's' starts at 0.18 mm, and is at 180 mm in the drawing";
+  ASSERT_EQ(desmo("solve far.json"), 1);
+  EXPECT_TRUE(says("t = 0 s: no position was found") &&
+              says(why + "; start nearer to the drawing, or correct it"))
+      << err_;
+  EXPECT_FALSE(says("step")) << err_;
+  ASSERT_EQ(desmo("range far.json"), 1);
+  EXPECT_TRUE(says(why + "; choose a start that can be assembled")) << err_;
+  ASSERT_EQ(desmo("solve far.json --units si"), 1);
+  EXPECT_TRUE(says("; driver 's' starts at 0.00018 m, and is at 0.18 m in the drawing")) << err_;
+  write("near.json", driven_slider(R"({"type": "constant", "value": 175})"));
+  ASSERT_EQ(desmo("solve near.json"), 0) << err_;
+  write("rows", "0 0.18 0 0\n");
+  ASSERT_EQ(desmo("solve near.json --drivers rows"), 1);
+  EXPECT_TRUE(says("rows: line 1: ") && says(why)) << err_;
+  // Later instants have a step that leads to them.
+  write("rows", "0 175 0 0\n1 0.18 0 0\n");
+  ASSERT_EQ(desmo("solve near.json --drivers rows"), 1);
+  EXPECT_TRUE(says("rows: line 2: ") && !says("in the drawing")) << err_;
+}
+
+TEST_F(Cli, AMotionThatLocksNamesTheCommandThatSaysWhere) {
+  write("locks.json", locks);
+  EXPECT_EQ(desmo("solve locks.json"), 1);
+  EXPECT_TRUE(
+      says("; keep the motion within reach ('desmo range' says how far each driver goes), "
+           "or take smaller steps"))
+      << err_;
+}
+
+TEST_F(Cli, NothingThatIsReadIsReplaced) {
+  ASSERT_EQ(desmo("show slider_crank >mechanism.json"), 0);
+  const std::string scene = R"({"format": "desmo-scene", "version": 2,
+    "mechanism": "mechanism.json", "motion": {"theta": {"type": "polynomial",
+    "coefficients": [0, 360]}}, "time": {"end": 1, "step": 0.25}})";
+  write("scene.json", scene);
+  fs::create_symlink("scene.json", folder_ / "link");
+  fs::create_hard_link(folder_ / "scene.json", folder_ / "same.csv");
+  for (const char* command :
+       {"solve scene.json --format csv -o scene.json", "solve scene.json --format csv -o ./link",
+        "solve scene.json -o same.csv", "solve - --format csv -o scene.json <scene.json",
+        "view scene.json -o scene.json"}) {
+    EXPECT_EQ(desmo(command), 64) << command;
+    EXPECT_TRUE(says("this is the scene, which is read; give another file")) << command << err_;
+  }
+  EXPECT_EQ(desmo("solve scene.json --format csv -o mechanism.json"), 64);
+  EXPECT_TRUE(says("this is the mechanism of the scene, which is read")) << err_;
+  write("rows.csv", "0 0 360 0\n");
+  EXPECT_EQ(desmo("solve scene.json --drivers rows.csv -o rows.csv"), 64);
+  EXPECT_TRUE(says("this is the file of the drivers, which is read")) << err_;
+  EXPECT_EQ(text_of(folder_ / "scene.json"), scene);
+  EXPECT_EQ(text_of(folder_ / "rows.csv"), "0 0 360 0\n");
+  EXPECT_EQ(desmo("solve scene.json --quiet --format csv -o other.json"), 0) << err_;
 }
 
 TEST_F(Cli, InputThatIsWrong) {
@@ -136,6 +210,21 @@ TEST_F(Cli, UsageErrors) {
   EXPECT_EQ(desmo("solve truck_suspension:1x"), 64);
   EXPECT_EQ(desmo("solve slider_crank --formulation group_symbolic_kul"), 64);
   EXPECT_TRUE(says("did you mean 'group_symbolic_klu'?")) << err_;
+  EXPECT_EQ(desmo("solve slider_crank --formulation explicit"), 64);
+  EXPECT_TRUE(says("did you mean 'group_symbolic_explicit', 'block_symbolic_explicit'?")) << err_;
+  EXPECT_EQ(desmo("solve slider_crank --out x.csv"), 64);
+  EXPECT_TRUE(says("desmo: desmo solve has no option '--out'; did you mean '--output'?")) << err_;
+  EXPECT_EQ(desmo("range --jsn=1 slider_crank"), 64);
+  EXPECT_TRUE(says("desmo range has no option '--jsn'; did you mean '--json'?")) << err_;
+  EXPECT_EQ(desmo("solve slider_crank x.csv"), 64);
+  EXPECT_TRUE(says("desmo: 'x.csv': desmo solve takes nothing after") && says("-o before")) << err_;
+  EXPECT_EQ(desmo("range slider_crank x.csv y.csv"), 64);
+  EXPECT_TRUE(says("desmo: 'x.csv': ") && !says("-o ")) << err_;
+  EXPECT_EQ(desmo("tune slider_crank --max-error 1e-6 --level speed"), 64);
+  EXPECT_TRUE(
+      says("--level: 'speed' is none of its values; there are 'position', 'velocity', "
+           "'acceleration'"))
+      << err_;
   EXPECT_EQ(out_, "");
   write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
                                             "formulation": "magic")"));
@@ -143,7 +232,15 @@ TEST_F(Cli, UsageErrors) {
   EXPECT_TRUE(says("desmo: scene.json: /formulation: unknown formulation 'magic'")) << err_;
   EXPECT_EQ(desmo("--help"), 0);
   EXPECT_TRUE(prints("inspect") && prints("Exit codes"));
-  EXPECT_EQ(desmo("solve --help"), 0);
+  std::set<std::string> examples;
+  for (const char* command : {"list", "show", "inspect", "solve", "view", "range", "tune"}) {
+    ASSERT_EQ(desmo(std::string(command) + " --help"), 0);
+    const std::size_t begin = out_.find("Examples:\n");
+    ASSERT_NE(begin, std::string::npos) << command;
+    EXPECT_NE(out_.find("desmo " + std::string(command), begin), std::string::npos) << command;
+    EXPECT_TRUE(examples.insert(out_.substr(begin)).second) << command;
+    EXPECT_FALSE(prints("ENUM") || prints("->") || prints("Exit codes")) << out_;
+  }
   EXPECT_EQ(desmo("--version"), 0);
   EXPECT_TRUE(out_.starts_with("desmo ")) << out_;
 }

@@ -68,25 +68,31 @@ TEST_F(Cli, SolvesToTheSameNumbersInEitherFormat) {
   const std::vector<std::string> csv = lines();
   ASSERT_EQ(csv.size(), 402u);
   EXPECT_TRUE(csv[0].starts_with("t [s],")) << csv[0];
-  for (const char* name : {"C.x [m]", "d/dt C.x [m/s]", "d2/dt2 C.x [m/s^2]", "theta [rad]",
-                           "d/dt theta [rad/s]", "d2/dt2 phi [rad/s^2]", "s [m]"})
+  for (const char* name : {"C.x [mm]", "d/dt C.x [mm/s]", "d2/dt2 C.x [mm/s^2]", "theta [deg]",
+                           "d/dt theta [deg/s]", "d2/dt2 phi [deg/s^2]", "s [mm]"})
     EXPECT_NE((csv[0] + ",").find("," + std::string(name) + ","), std::string::npos) << name;
 
   ASSERT_EQ(desmo("solve slider_crank --quiet -o out/motion.jsonl"), 0) << err_;
   out_ = text_of(out("motion.jsonl"));
   const std::vector<std::string> jsonl = lines();
   ASSERT_EQ(jsonl.size(), csv.size());
-  const Json heading = Json::parse(jsonl[0]);
+  Json heading = Json::parse(jsonl[0]);
+  EXPECT_EQ(heading["columns"].back()["name"], "flag");
+  heading["columns"].erase(heading["columns"].size() - 1);
   EXPECT_EQ(heading["mechanism"], "slider_crank");
   std::string names;
   for (const Json& column : heading["columns"])
     names += (names.empty() ? "" : ",") + column["name"].get<std::string>() + " [" +
              column["unit"].get<std::string>() + "]";
   EXPECT_EQ(names, csv[0]);
-  for (std::size_t i = 1; i < csv.size(); ++i)
-    EXPECT_EQ(Json::parse(jsonl[i]).get<std::vector<double>>(), numbers(csv[i]));
+  for (std::size_t i = 1; i < csv.size(); ++i) {
+    Json row = Json::parse(jsonl[i]);
+    EXPECT_TRUE(row.back().is_null()) << row;
+    row.erase(row.size() - 1);
+    EXPECT_EQ(row.get<std::vector<double>>(), numbers(csv[i]));
+  }
 
-  // After a quarter turn the crank, 0.05 m, stands upright; the rod has 0.15 m.
+  // After a quarter turn the crank, 50 mm, stands upright; the rod has 150 mm.
   const std::vector<double> quarter = numbers(csv[1 + 100]);
   std::istringstream header(csv[0]);
   std::vector<std::string> cells;
@@ -95,8 +101,8 @@ TEST_F(Cli, SolvesToTheSameNumbersInEitherFormat) {
     return quarter[std::ranges::find(cells, name) - cells.begin()];
   };
   EXPECT_NEAR(value("t [s]"), 0.25, 1e-15);
-  EXPECT_NEAR(value("B.y [m]"), 0.05, 1e-12);
-  EXPECT_NEAR(value("s [m]"), std::sqrt(0.15 * 0.15 - 0.05 * 0.05), 1e-12);
+  EXPECT_NEAR(value("B.y [mm]"), 50, 1e-9);
+  EXPECT_NEAR(value("s [mm]"), std::sqrt(150. * 150 - 50 * 50), 1e-9);
 }
 
 TEST_F(Cli, EveryFormulationGivesTheSameAnswer) {
@@ -107,7 +113,8 @@ TEST_F(Cli, EveryFormulationGivesTheSameAnswer) {
   write("scene.json", scene);
   std::vector<double> expected;
   for (const Json& f : formulations) {
-    ASSERT_EQ(desmo("solve scene.json --formulation " + f["id"].get<std::string>()), 0) << err_;
+    ASSERT_EQ(desmo("solve scene.json --units si --formulation " + f["id"].get<std::string>()), 0)
+        << err_;
     const std::vector<double> last = numbers(lines().back());
     if (expected.empty()) expected = last;
     ASSERT_EQ(last.size(), expected.size());
@@ -167,15 +174,16 @@ TEST_F(Cli, DeliversOnlyWhatIsAskedFor) {
               static_cast<std::size_t>(std::ranges::count(lines().front(), ',') + 1));
     return lines().front();
   };
-  EXPECT_EQ(solve(R"({"points": ["C"]})"), "t [s],C.x [m],C.y [m]");
+  EXPECT_EQ(solve(R"({"points": ["C"]})"), "t [s],C.x [mm],C.y [mm]");
   EXPECT_EQ(solve(R"({"points": ["B"], "level": "velocity"}, {"angles": ["theta"]})"),
-            "t [s],B.x [m],B.y [m],d/dt B.x [m/s],d/dt B.y [m/s],theta [rad]");
+            "t [s],B.x [mm],B.y [mm],d/dt B.x [mm/s],d/dt B.y [mm/s],theta [deg]");
   EXPECT_EQ(solve(R"({"angles": ["theta"], "level": "acceleration"})"),
-            "t [s],theta [rad],d/dt theta [rad/s],d2/dt2 theta [rad/s^2]");
+            "t [s],theta [deg],d/dt theta [deg/s],d2/dt2 theta [deg/s^2]");
   // What never moves is delivered when it is asked for by name.
-  EXPECT_EQ(solve(R"({"points": ["A"], "vectors": ["x"], "level": "velocity"})"),
-            "t [s],A.x [m],A.y [m],d/dt A.x [m/s],d/dt A.y [m/s],x.x [-],x.y [-],d/dt x.x [1/s],"
-            "d/dt x.y [1/s]");
+  EXPECT_EQ(
+      solve(R"({"points": ["A"], "vectors": ["x"], "level": "velocity"})"),
+      "t [s],A.x [mm],A.y [mm],d/dt A.x [mm/s],d/dt A.y [mm/s],x.x [-],x.y [-],d/dt x.x [1/s],"
+      "d/dt x.y [1/s]");
   EXPECT_EQ(numbers(lines().back()), (std::vector<double>{1, 0, 0, 0, 0, 1, 0, 0, 0}));
   ASSERT_EQ(desmo("solve jansen_leg --quiet"), 0);
   EXPECT_TRUE(prints("F.x [1],F.y [1],d/dt F.x [1/s]")) << lines().front();

@@ -30,6 +30,10 @@ void add_inspect(CLI::App& program) {
                    "case with its units, such as truck_suspension:5")
       ->required();
   command->add_flag("--json", options->json, "As JSON, with equations and unknowns by name");
+  command->footer(
+      "Examples:\n"
+      "  desmo inspect slider_crank\n"
+      "  desmo inspect mine.json --json");
   command->callback([options] { run(*options); });
 }
 

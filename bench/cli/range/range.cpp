@@ -20,6 +20,7 @@ namespace {
 
 struct RangeOptions {
   std::string scene;
+  UnitSystem units = UnitSystem::file;
   bool json = false;
 };
 
@@ -89,22 +90,22 @@ Start start_at(const Model& m, double time, double tolerance) {
 }
 
 void range(const RangeOptions& options) {
-  const Input input = load_scene(options.scene);
+  const Input input = load_scene(options.scene, options.units);
   const Mechanism& d = input.scene.mechanism;
   const Model m = model_mechanism(input).model;
   Ranges ranges{m, input.scene.grid.time(0), {}};
   const Start start = start_at(m, ranges.time, input.scene.tolerance);
   if (start.summary.violated >= 0)
-    throw CommandError(not_solved, input.source + ": " + failure_text(start.summary, m));
+    throw CommandError(not_solved,
+                       input.source + ": " + failure_text(start.summary, m, input.units));
   if (start.summary.crossing)
-    std::fputs(note_on_accuracy(start.summary, Level::position, m).c_str(), stderr);
+    std::fputs(note_on_accuracy(start.summary, Level::position, m, input.units).c_str(), stderr);
   for (int i = 0; i < m.degrees_of_freedom(); ++i) {
     const Entity& driven = m.entities[m.drivers[i].coordinate];
     NamedRange& named = ranges.drivers.emplace_back();
     named.driver = driven.name;
-    named.unit = driven.kind == EntityKind::angle ? "rad"
-                 : m.length_unit == "1"           ? ""
-                                                  : m.length_unit;
+    named.is_angle = driven.kind == EntityKind::angle;
+    named.unit = unit_of(input.units, driven.kind);
     try {
       named.range = find_range(m, start.q, i);
     } catch (const std::runtime_error& error) {
@@ -112,6 +113,7 @@ void range(const RangeOptions& options) {
                                          (start.summary.outcome() != Outcome::failed
                                               ? ""
                                               : ": " + describe(start.summary, m)) +
+                                         start_text(m, input.units, driver_values(m, ranges.time)) +
                                          "; choose a start that can be assembled");
     }
     const DriverRange& r = named.range;
@@ -129,12 +131,13 @@ void add_range(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "range", "How far each driver can go from a scene's start, the others at rest");
   const auto options = std::make_shared<RangeOptions>();
-  command
-      ->add_option("scene", options->scene,
-                   "Scene file, - for standard input, library mechanism (its scene), or scalable "
-                   "case with its units, such as truck_suspension:5")
-      ->required();
+  add_scene(*command, options->scene);
+  add_units(*command, options->units);
   command->add_flag("--json", options->json, "As JSON, with all digits and constraints by name");
+  command->footer(
+      "Examples:\n"
+      "  desmo range stewart\n"
+      "  desmo range mine.scene.json --json --units si");
   command->callback([options] { range(*options); });
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/cli/units.h"
 #include "formulations/verification/range/driver_range.h"
 
 namespace desmo::cli {
@@ -19,7 +20,9 @@ struct NamedEnd {
 };
 
 struct NamedRange {
-  std::string driver, unit;
+  std::string driver;
+  bool is_angle;
+  DisplayUnit unit;
   DriverRange range;
   std::vector<NamedEnd> ends;  ///< down, up, then perhaps that on the other branch
 };

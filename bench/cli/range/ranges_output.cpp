@@ -1,20 +1,14 @@
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "bench/cli/range/ranges.h"
 #include "bench/cli/text.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string number(double value, const std::string& unit, const char* format = "%.12g") {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value == 0 ? 0 : value);
-  return text + (unit.empty() ? "" : " " + unit);
-}
 
 const char* name_of(RangeStop stop) {
   switch (stop) {
@@ -36,10 +30,10 @@ const char* name_of(RangeStop stop) {
   return "none";
 }
 
-std::string sentence(const NamedEnd& e, const std::string& unit) {
+std::string sentence(const NamedEnd& e, const NamedRange& r) {
   switch (e.end.stop) {
     case RangeStop::dead_point:
-      return "locks, to " + number(std::abs(e.end.beyond - e.end.value), unit, "%.1e");
+      return "locks, to " + quantity(std::abs(e.end.beyond - e.end.value), r.unit, "%.1e");
     case RangeStop::full_turn:
       return e.end.turns == 1 ? "turns fully"
                               : "comes back after two turns, on another branch after one";
@@ -54,7 +48,7 @@ std::string sentence(const NamedEnd& e, const std::string& unit) {
     case RangeStop::none:
       break;
   }
-  return unit == "rad" ? "does not stop, nor come back to the start in two turns" : "does not stop";
+  return r.is_angle ? "does not stop, nor come back to the start in two turns" : "does not stop";
 }
 
 std::string detail(const std::string& label, const std::string& text) {
@@ -69,7 +63,7 @@ std::string group_and_bodies(GroupId g, const Model& m) {
 
 std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
   std::string text = "  " + e.direction + std::string(6 - e.direction.size(), ' ') +
-                     number(e.end.value, r.unit) + ": " + sentence(e, r.unit) + "\n";
+                     quantity(e.end.value, r.unit) + ": " + sentence(e, r) + "\n";
   if (e.end.stop != RangeStop::dead_point) return text;
   text += detail("group", group_and_bodies(e.end.group, m));
   text += detail("moves", enumerate(e.moving, 8) + ", while all drivers rest");
@@ -77,11 +71,11 @@ std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
   return text + detail("loop", enumerate(e.bodies, 12));
 }
 
-Json end_json(const NamedEnd& e, const Model& m) {
+Json end_json(const NamedEnd& e, const DisplayUnit& unit, const Model& m) {
   Json j = {{"direction", e.direction},
             {"stop", name_of(e.end.stop)},
-            {"value", e.end.value},
-            {"beyond", e.end.beyond}};
+            {"value", unit.from_si(e.end.value)},
+            {"beyond", unit.from_si(e.end.beyond)}};
   if (e.end.stop == RangeStop::full_turn) j["turns"] = e.end.turns;
   if (e.end.stop != RangeStop::dead_point) return j;
   j.update({{"group", e.end.group < 0 ? Json() : Json(m.groups[e.end.group].name)},
@@ -96,10 +90,10 @@ Json end_json(const NamedEnd& e, const Model& m) {
 
 std::string to_text(const Ranges& ranges) {
   const Model& m = ranges.model;
-  std::string text = m.name + ", from t = " + number(ranges.time, "s") +
+  std::string text = m.name + ", from t = " + formatted("%.12g s", ranges.time) +
                      ": how far each driver goes while the others rest\n";
   for (const NamedRange& r : ranges.drivers) {
-    text += "\n" + r.driver + ", from " + number(r.range.start, r.unit) +
+    text += "\n" + r.driver + ", from " + quantity(r.range.start, r.unit) +
             (r.range.is_idle ? ": moves nothing else\n" : "\n");
     if (r.range.is_idle) continue;
     for (std::size_t i = 0; i < r.ends.size(); ++i) {
@@ -108,7 +102,7 @@ std::string to_text(const Ranges& ranges) {
     }
     for (const ChangePoint& c : r.range.change_points)
       text += "  " +
-              wrap("passes the singular position " + number(c.value, r.unit) +
+              wrap("passes the singular position " + quantity(c.value, r.unit) +
                        (c.is_double ? ", where no determinant changes its sign"
                                     : ", where branches meet") +
                        (c.group < 0 ? "" : ": " + group_and_bodies(c.group, m)),
@@ -124,14 +118,14 @@ std::string to_json(const Ranges& ranges) {
   for (const NamedRange& r : ranges.drivers) {
     Json ends = Json::array(), changes = Json::array();
     if (!r.range.is_idle)
-      for (const NamedEnd& e : r.ends) ends.push_back(end_json(e, m));
+      for (const NamedEnd& e : r.ends) ends.push_back(end_json(e, r.unit, m));
     for (const ChangePoint& c : r.range.change_points)
-      changes.push_back({{"value", c.value},
+      changes.push_back({{"value", r.unit.from_si(c.value)},
                          {"double", c.is_double},
                          {"group", c.group < 0 ? Json() : Json(m.groups[c.group].name)}});
     drivers.push_back({{"name", r.driver},
-                       {"unit", r.unit},
-                       {"start", r.range.start},
+                       {"unit", r.unit.name},
+                       {"start", r.unit.from_si(r.range.start)},
                        {"idle", r.range.is_idle},
                        {"ends", ends},
                        {"change_points", changes}});

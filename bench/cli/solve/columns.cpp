@@ -8,24 +8,9 @@ namespace {
 
 constexpr const char* prefixes[] = {"", "d/dt ", "d2/dt2 "};
 
-std::string unit_of(const Entity& e, Level level, const std::string& length_unit) {
-  static constexpr const char* per_time[] = {"", "/s", "/s^2"};
-  const int order = static_cast<int>(level);
-  switch (e.kind) {
-    case EntityKind::vector:
-      return order == 0 ? "-" : std::string("1") + per_time[order];
-    case EntityKind::angle:
-      return std::string("rad") + per_time[order];
-    case EntityKind::point:
-    case EntityKind::distance:
-      break;
-  }
-  return length_unit + per_time[order];
-}
-
 }  // namespace
 
-std::vector<Column> columns_of(const Model& m, const Output& output) {
+std::vector<Column> columns_of(const Model& m, const Output& output, const DisplayUnits& units) {
   std::vector<Column> columns;
   const Entity& e = m.entities[output.entity];
   for (int order = 0; order <= static_cast<int>(output.level); ++order) {
@@ -33,7 +18,7 @@ std::vector<Column> columns_of(const Model& m, const Output& output) {
     for (int i = e.first; i < e.first + e.size; ++i) {
       Column& column = columns.emplace_back();
       column.name = prefixes[order] + coordinate_name(m, output.entity, i);
-      column.unit = unit_of(e, level, m.length_unit);
+      column.unit = unit_of(units, e.kind, level);
       column.level = level;
       if (!e.fixed)
         column.coordinate = i;
@@ -44,11 +29,11 @@ std::vector<Column> columns_of(const Model& m, const Output& output) {
   return columns;
 }
 
-std::vector<Column> make_columns(const Plan& plan, const Scene& scene) {
+std::vector<Column> make_columns(const Plan& plan, const Scene& scene, const DisplayUnits& units) {
   std::vector<Column> columns;
   for (const Output& output : plan.outputs)
     if (!scene.request.empty() || !plan.model.is_at_rest(output.entity))
-      std::ranges::copy(columns_of(plan.model, output), std::back_inserter(columns));
+      std::ranges::copy(columns_of(plan.model, output, units), std::back_inserter(columns));
   return columns;
 }
 

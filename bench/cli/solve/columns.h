@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/cli/units.h"
 #include "cases/mechanism/scene.h"
 #include "formulations/formulation.h"
 #include "formulations/planning/plan.h"
@@ -13,24 +14,27 @@ namespace desmo::cli {
 /// A column: one number for each instant.
 struct Column {
   std::string name;  ///< "C.x", "d/dt C.x", "d2/dt2 C.x"
-  std::string unit;  ///< "m", "m/s", "m/s^2"; "rad", …; "-" for unit vectors; "1" for a free length
+  DisplayUnit
+      unit;  ///< "mm", "mm/s", "mm/s^2"; "deg", …; "-" for unit vectors; "1" for a free length
   Level level;
   int coordinate = -1;  ///< position in q, q̇ or q̈; -1: a constant
-  double constant = 0;
+  double constant = 0;  ///< in SI units
 
+  /// Returns the value in the column's unit.
   double value(const Instant& instant) const {
-    if (coordinate < 0) return constant;
-    return (level == Level::position   ? instant.q
-            : level == Level::velocity ? instant.qd
-                                       : instant.qdd)[coordinate];
+    return unit.from_si(coordinate < 0             ? constant
+                        : level == Level::position ? instant.q[coordinate]
+                        : level == Level::velocity ? instant.qd[coordinate]
+                                                   : instant.qdd[coordinate]);
   }
+  std::string heading() const { return name + " [" + unit.name + "]"; }
 };
 
 /// Returns the columns of an entity up to a level.
-std::vector<Column> columns_of(const Model& model, const Output& output);
+std::vector<Column> columns_of(const Model& model, const Output& output, const DisplayUnits& units);
 
 /// Entity by entity in the order asked for: positions, velocities and
 /// accelerations as far as asked. Where everything is asked for, what never moves is left out.
-std::vector<Column> make_columns(const Plan& plan, const Scene& scene);
+std::vector<Column> make_columns(const Plan& plan, const Scene& scene, const DisplayUnits& units);
 
 }  // namespace desmo::cli

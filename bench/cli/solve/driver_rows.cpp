@@ -7,7 +7,6 @@
 #include <set>
 
 #include "bench/cli/errors.h"
-#include "bench/cli/solve/columns.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo::cli {
@@ -44,22 +43,17 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
 
 }  // namespace
 
-DriverRows::DriverRows(const std::string& path, const Model& whole, const Model& model, Level level)
+DriverRows::DriverRows(const std::string& path, const Model& whole, const Model& model, Level level,
+                       const DisplayUnits& units)
     : source_(path == "-" ? "standard input" : printable(path, 300)),
       file_(path == "-" ? stdin : std::fopen(path.c_str(), "r"),
             path == "-" ? +[](std::FILE*) { return 0; } : &std::fclose),
-      names_(3),
-      units_(3),
       level_(static_cast<int>(level)) {
   if (!file_)
     throw CommandError(unreadable_input, source_ + ": cannot be read (" + std::strerror(errno) +
                                              "); give a file of driver values, or -");
   for (const Driver& d : whole.drivers) {
-    const std::vector<Column> columns = columns_of(whole, {d.coordinate, Level::acceleration});
-    for (int order = 0; order < 3; ++order) {
-      names_[order].push_back(columns[order].name);
-      units_[order].push_back(columns[order].unit);
-    }
+    columns_.push_back(columns_of(whole, {d.coordinate, Level::acceleration}, units));
     const auto solved = std::ranges::find(
         model.drivers, whole.entities[d.coordinate].name,
         [&](const Driver& other) { return model.entities[other.coordinate].name; });
@@ -107,7 +101,8 @@ void DriverRows::read_heading(const std::vector<std::string_view>& fields) {
       if (!seen.insert(name).second)
         fail(k, desmo::in_quotes(std::string(name)) + " stands there twice; leave one out");
       if (bracket != std::string_view::npos && field.substr(bracket) != " [" + unit + "]")
-        fail(k, desmo::in_quotes(std::string(field)) + ": the unit is " + unit);
+        fail(k, desmo::in_quotes(std::string(field)) + ": the unit is " + unit +
+                    (unit == "s" ? "" : " (with --units si, that of SI)"));
     };
     if (name == "t") {
       takes("s");
@@ -115,16 +110,16 @@ void DriverRows::read_heading(const std::vector<std::string_view>& fields) {
     }
     for (int order = 0; order < 3; ++order)
       for (std::size_t d = 0; d < wanted_.size(); ++d)
-        if (name == names_[order][d]) {
-          takes(units_[order][d]);
+        if (name == columns_[d][order].name) {
+          takes(columns_[d][order].unit.name);
           targets_[k] = {order, d};
         }
   }
   if (time_column_ == fields.size()) fail(0, "there is no column t; name one");
   for (int order = 0; order <= level_; ++order)
     for (std::size_t d = 0; d < wanted_.size(); ++d)
-      if (wanted_[d] >= 0 && !seen.contains(names_[order][d]))
-        fail(0, "there is no column " + desmo::in_quotes(names_[order][d]) + "; name one");
+      if (wanted_[d] >= 0 && !seen.contains(columns_[d][order].name))
+        fail(0, "there is no column " + desmo::in_quotes(columns_[d][order].name) + "; name one");
 }
 
 /// Says what each column is, by how many there are.
@@ -135,9 +130,9 @@ void DriverRows::read_first(std::size_t fields) {
     for (std::size_t d = 0; d < drivers; ++d) targets_.push_back({order, d});
   const std::size_t needed = 1 + drivers * (level_ + 1);
   if (targets_.size() == fields && fields >= needed) return;
-  std::string names = "t";
+  std::string names = "t [s]";
   for (int order = 0; order <= level_; ++order)
-    for (const std::string& name : names_[order]) names += "," + name;
+    for (const std::vector<Column>& driver : columns_) names += "," + driver[order].heading();
   fail(fields < needed ? fields : targets_.size(),
        std::to_string(fields) + " numbers, where " + std::to_string(needed) +
            " are needed; write " + printable(names, 500));
@@ -166,7 +161,7 @@ bool DriverRows::next(LiveRow& row) {
     if (k == time_column_)
       row.time = value;
     else
-      values_[order][wanted_[driver]] = value;
+      values_[order][wanted_[driver]] = columns_[driver][order].unit.to_si(value);
   }
   row.z = values_[0];
   row.zd = values_[1];

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/cli/solve/columns.h"
 #include "formulations/base/live_row.h"
 #include "formulations/model/model.h"
 
@@ -23,7 +24,9 @@ class DriverRows {
   /// - whole: its drivers have the columns, where there is no heading
   /// - model: its drivers are read
   /// - level: highest level that is needed
-  DriverRows(const std::string& path, const Model& whole, const Model& model, Level level);
+  /// - units: of the rows
+  DriverRows(const std::string& path, const Model& whole, const Model& model, Level level,
+             const DisplayUnits& units);
 
   /// Reads the next row, which is valid until the one after it. Returns false at the end. Throws
   /// InputError, naming line and column, and Error (unreadable_input).
@@ -45,8 +48,8 @@ class DriverRows {
 
   std::string source_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::vector<std::vector<std::string>> names_, units_;  // by level and driver of `whole`
-  std::vector<int> wanted_;                              // by driver: its place in rows, or -1
+  std::vector<std::vector<Column>> columns_;  // by driver of `whole`, then by level
+  std::vector<int> wanted_;                   // by driver: its place in rows, or -1
   int level_;
   long line_ = 0;
   std::string text_;

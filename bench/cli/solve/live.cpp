@@ -38,7 +38,8 @@ MonitoredSummary as_motion(const LiveSummary& s) {
   return motion;
 }
 
-std::string reason_of(const LiveSummary& s, const LiveRun& run, const Plan& plan) {
+std::string reason_of(const LiveSummary& s, const LiveRow& row, const LiveRun& run,
+                      const Plan& plan, const DisplayUnits& units) {
   if (s.fault == RowFault::not_finite) return "a number is not finite; leave such rows out";
   if (s.fault == RowFault::time_not_later)
     return formatted(
@@ -46,14 +47,15 @@ std::string reason_of(const LiveSummary& s, const LiveRun& run, const Plan& plan
         run.time());
   if (s.outcome() != Outcome::failed) return refusal_text(as_motion(s), plan.level(), plan.model);
   MonitoredSummary failure = as_motion(s);
-  if (s.violated >= 0) return failure_text(failure, plan.model);
+  failure.instants = run.has_position();
+  if (s.violated >= 0) return failure_text(failure, plan.model, units);
   const LiveRun::Obstacle obstacle = run.explain();
   if (s.status == Status::not_converged) failure.assembly_error = obstacle.assembly_error;
   if (obstacle.group >= 0) {
     failure.group = obstacle.group;
     failure.constraint = obstacle.constraint;
   }
-  return failure_text(failure, plan.model);
+  return failure_text(failure, plan.model, units, row.z);
 }
 
 }  // namespace
@@ -64,7 +66,7 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
   LiveOptions options{.level = plan.level(), .levels = plan.levels};
   options.assesses_all = request.strict;
   LiveRun run(formulation, options);
-  DriverRows rows(request.drivers, request.whole, plan.model, plan.level());
+  DriverRows rows(request.drivers, request.whole, plan.model, plan.level(), request.units);
   output.write(format.heading(heading));
   MonitoredSummary total;
   long failed = 0;
@@ -75,10 +77,9 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     const bool is_good = is_solved && !(request.strict && s.outcome() == Outcome::degraded);
     if (!is_good) {
       ++failed;
-      const std::string what = rows.place() + ": " + reason_of(s, run, plan);
+      const std::string what = rows.place() + ": " + reason_of(s, row, run, plan, request.units);
       if (!request.past_failures) {
-        if (!request.quiet)
-          std::fputs(note_on_flags(total, plan.level(), plan.model).c_str(), stderr);
+        std::fputs(note_on_flags(total, plan.level(), plan.model).c_str(), stderr);
         throw CommandError(not_solved, request.source + ": " + what);
       }
       if (!request.quiet) std::fprintf(stderr, "note: %s\n", what.c_str());
@@ -98,9 +99,10 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     if (!total.first_degraded) total.first_degraded = one.first_degraded;
     if (!total.crossing) total.crossing = one.crossing;
   }
-  if (request.quiet) return;
   std::string note;
-  if (total.instants > 0) note = note_on_accuracy(total, plan.level(), plan.model);
+  if (total.instants > 0)
+    note = request.quiet ? note_on_flags(total, plan.level(), plan.model)
+                         : note_on_accuracy(total, plan.level(), plan.model, request.units);
   if (failed > 0) note += "accuracy: not solved: " + count(failed, "row") + "\n";
   std::fputs(note.c_str(), stderr);
 }

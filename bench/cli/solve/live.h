@@ -14,6 +14,7 @@ struct LiveRequest {
   std::string source, drivers;  ///< of the scene, for messages; of the rows: a file or -
   const Model& whole;           ///< the model of the scene
   const Plan& plan;             ///< its part that is solved
+  const DisplayUnits& units;    ///< of rows, answers and messages
   bool strict, past_failures, quiet;
 };
 

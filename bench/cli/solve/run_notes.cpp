@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
+#include "bench/cli/units.h"
 #include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/scaling/scales.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 
@@ -55,11 +59,12 @@ std::string rounding_text(Limit limit) {
                "differ less";
 }
 
-std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m) {
+std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m,
+                                const DisplayUnits& units) {
   if (!d || d->constraint < 0) return "";
-  const bool has_unit = d->is_length && m.length_unit != "1";
+  const DisplayUnit unit = d->is_length ? units.length : DisplayUnit{"1"};
   return "; at the nearest to it '" + m.constraints[d->constraint].name + "' is off by " +
-         formatted("%.1e", d->amount) + (has_unit ? " " + m.length_unit : "");
+         quantity(d->amount, unit, "%.1e");
 }
 
 /// Newton's method has failed, and there is no assembly error.
@@ -67,6 +72,30 @@ constexpr const char* not_reached = "a position exists, but was not found from t
 
 /// A residual below which a position is found but for rounding: no step, however small, helps.
 constexpr double near_rounding = 1e-11;
+
+struct Reason {
+  std::string what, remedy;
+};
+
+/// Returns why no position was found. is_start: the failed instant is the first, so that no step
+/// leads to it.
+Reason reason_of(const MonitoredSummary& s, bool is_start) {
+  if (s.status == Status::singular)
+    return {"the position is singular", "choose a motion that avoids it"};
+  if (s.status != Status::not_converged)
+    return {"the equations are not finite", "check the motion and the estimates"};
+  if (s.residual < near_rounding)
+    return {"the tolerance was not met, being near or below what rounding leaves",
+            "ask for a larger tolerance"};
+  if (is_start)
+    return {s.assembly_error ? "no position was found"
+                             : "a position exists, but was not found from the drawing",
+            "start nearer to the drawing, or correct it"};
+  if (!s.assembly_error) return {not_reached, "take smaller steps, or start elsewhere"};
+  return {"no position was found",
+          "keep the motion within reach ('desmo range' says how far each driver goes), or take "
+          "smaller steps"};
+}
 
 /// Returns "constraint 'theta: definition', t = 0.3 s: solved on another branch …; <remedy>".
 std::string branch_text(int constraint, double time, const Model& m) {
@@ -183,9 +212,17 @@ std::string note_on_stride(const MonitoredSummary& s, const Formulation& f) {
          std::to_string(s.shortest_stride) + "\n";
 }
 
-std::string note_on_accuracy(const MonitoredSummary& s, Level level, const Model& m) {
-  return "accuracy: " + describe_accuracy(s.condition, s.bound, level) + "; " +
-         describe_scales(s.scales, level, m) + '\n' + note_on_flags(s, level, m);
+std::string note_on_accuracy(const MonitoredSummary& s, Level level, const Model& m,
+                             const DisplayUnits& units) {
+  std::string scales;
+  for (const Level l : all_levels) {
+    if (l > level) break;
+    scales += (scales.empty() ? "relative to " : ", ") +
+              quantity(s.scales.length[l], unit_of(units, EntityKind::point, l), "%.3g") + " or " +
+              quantity(s.scales.rotation[l], unit_of(units, EntityKind::angle, l), "%.3g");
+  }
+  return "accuracy: " + describe_accuracy(s.condition, s.bound, level) + "; " + scales + '\n' +
+         note_on_flags(s, level, m);
 }
 
 std::string note_on_flags(const MonitoredSummary& s, Level level, const Model& m) {
@@ -200,7 +237,40 @@ std::string note_on_flags(const MonitoredSummary& s, Level level, const Model& m
   return note;
 }
 
-std::string note_on_gaps(const MonitoredSummary& s, const Model& m) {
+std::string_view flag_of(const MonitoredInstant& i) {
+  if (!i.crossing) return i.degraded ? "degraded" : "";
+  return i.crossing->kind == SingularityCrossing::Kind::passed ? "crossing" : "branch";
+}
+
+std::vector<double> driver_values(const Model& m, double time) {
+  std::vector<double> z;
+  for (const Driver& driver : m.drivers) z.push_back(sample(driver.motion, time).position);
+  return z;
+}
+
+std::string start_text(const Model& m, const DisplayUnits& units, std::span<const double> z) {
+  constexpr std::size_t most = 3;
+  const std::vector<double> magnitudes = natural_magnitudes(m);
+  std::vector<std::pair<double, std::size_t>> away;
+  for (std::size_t i = 0; i < m.drivers.size(); ++i) {
+    const Entity& e = m.entities[m.drivers[i].coordinate];
+    double difference = z[i] - m.estimate[e.first];
+    if (e.kind == EntityKind::angle) difference = std::remainder(difference, 2 * std::numbers::pi);
+    if (difference != 0) away.emplace_back(-std::abs(difference) / magnitudes[e.first], i);
+  }
+  std::ranges::stable_sort(away, {}, &std::pair<double, std::size_t>::first);
+  if (away.size() > most) away.resize(most);
+  std::string text;
+  for (const auto& [distance, i] : away) {
+    const Entity& e = m.entities[m.drivers[i].coordinate];
+    const DisplayUnit unit = unit_of(units, e.kind);
+    text += "; driver '" + e.name + "' starts at " + quantity(z[i], unit, "%.9g") + ", and is at " +
+            quantity(m.estimate[e.first], unit, "%.9g") + " in the drawing";
+  }
+  return text;
+}
+
+std::string note_on_gaps(const MonitoredSummary& s, const Model& m, const DisplayUnits& units) {
   std::string note;
   for (const Gap& gap : s.gaps)
     note += "accuracy: not assembled: " + group_text(gap.failure.group, m) +
@@ -209,7 +279,7 @@ std::string note_on_gaps(const MonitoredSummary& s, const Model& m) {
              : gap.failure.status == Status::not_finite ? "the equations are not finite"
              : gap.assembly_error                       ? "no position was found"
                                                         : not_reached) +
-            assembly_error_text(gap.assembly_error, m) + '\n';
+            assembly_error_text(gap.assembly_error, m, units) + '\n';
   return note;
 }
 
@@ -225,32 +295,25 @@ std::string overflow_text(const std::string& column, double time) {
          "holds; choose another motion";
 }
 
-std::string failure_text(const MonitoredSummary& s, const Model& m) {
+std::string failure_text(const MonitoredSummary& s, const Model& m, const DisplayUnits& units,
+                         std::span<const double> z) {
   if (s.limit)
     return group_text(s.group, m) + moment(s.time) +
            ": no position can be told: " + rounding_text(*s.limit);
   if (s.violated >= 0) return branch_text(s.violated, s.time, m);
-  struct Reason {
-    const char *what, *remedy;
-  };
-  const Reason reason =
-      s.status == Status::singular
-          ? Reason{"the position is singular", "choose a motion that avoids it"}
-      : s.status == Status::not_converged && s.residual < near_rounding
-          ? Reason{"the tolerance was not met, being near or below what rounding leaves",
-                   "ask for a larger tolerance"}
-      : s.status == Status::not_converged && !s.assembly_error
-          ? Reason{not_reached, "take smaller steps, or start elsewhere"}
-      : s.status == Status::not_converged
-          ? Reason{"no position was found", "keep the motion within reach, or take smaller steps"}
-          : Reason{"the equations are not finite", "check the motion and the estimates"};
+  const bool is_start = s.instants == 0;
+  const Reason reason = reason_of(s, is_start);
   std::string place = group_text(s.group, m);
   if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
   // There is none where an instant between those solved is not right.
   const std::string residual =
       std::isfinite(s.residual) ? formatted(" (residual %.1e)", s.residual) : "";
+  const std::string start = !is_start ? ""
+                                      : start_text(m, units,
+                                                   z.empty() ? driver_values(m, s.time)
+                                                             : std::vector(z.begin(), z.end()));
   return place + moment(s.time) + ": " + reason.what + residual +
-         assembly_error_text(s.assembly_error, m) + "; " + reason.remedy;
+         assembly_error_text(s.assembly_error, m, units) + start + "; " + reason.remedy;
 }
 
 }  // namespace desmo::cli

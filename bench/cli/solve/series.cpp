@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "bench/cli/solve/run_notes.h"
 
@@ -17,6 +18,13 @@ void append_number(double value, std::string& text) {
   const double unsigned_zero = value + 0.0;  // −0 + 0 = 0
   const auto end = std::to_chars(digits, digits + sizeof digits, unsigned_zero).ptr;
   text.append(digits, end);
+}
+
+void append_word(std::string_view word, std::string& text) {
+  if (word.empty())
+    text += ",null";
+  else
+    text.append(",\"").append(word).append("\"");
 }
 
 bool is_known(const Column& column, const Instant& instant) {
@@ -35,17 +43,17 @@ class Csv final : public SeriesFormat {
  public:
   std::string heading(const SeriesHeading& heading) const override {
     std::string text = "t [s]";
-    for (const Column& c : heading.columns) text += "," + csv_field(c.name + " [" + c.unit + "]");
-    return text + (heading.has_outcomes ? ",outcome\n" : "\n");
+    for (const Column& c : heading.columns) text += "," + csv_field(c.heading());
+    return text + (heading.remark.empty() ? "" : "," + heading.remark) + "\n";
   }
   void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
-              std::string_view outcome) const override {
+              std::string_view remark) const override {
     append_number(instant.time, text);
     for (const Column& c : heading.columns) {
       text += ',';
       if (is_known(c, instant)) append_number(c.value(instant), text);
     }
-    if (heading.has_outcomes) text.append(",").append(outcome);
+    if (!heading.remark.empty()) text.append(",").append(remark);
     text += '\n';
   }
 };
@@ -55,15 +63,16 @@ class JsonLines final : public SeriesFormat {
   std::string heading(const SeriesHeading& heading) const override {
     using Json = nlohmann::ordered_json;
     Json columns = Json::array({{{"name", "t"}, {"unit", "s"}}});
-    for (const Column& c : heading.columns) columns.push_back({{"name", c.name}, {"unit", c.unit}});
-    if (heading.has_outcomes) columns.push_back({{"name", "outcome"}, {"unit", "-"}});
+    for (const Column& c : heading.columns)
+      columns.push_back({{"name", c.name}, {"unit", c.unit.name}});
+    if (!heading.remark.empty()) columns.push_back({{"name", heading.remark}, {"unit", "-"}});
     const Json all = {{"format", "desmo-series"},           {"version", 1},
                       {"mechanism", heading.mechanism},     {"scene", heading.scene},
                       {"formulation", heading.formulation}, {"columns", columns}};
     return all.dump() + "\n";
   }
   void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
-              std::string_view outcome) const override {
+              std::string_view remark) const override {
     text += '[';
     if (std::isfinite(instant.time))
       append_number(instant.time, text);
@@ -76,7 +85,7 @@ class JsonLines final : public SeriesFormat {
       else
         text += "null";
     }
-    if (heading.has_outcomes) text.append(",\"").append(outcome).append("\"");
+    if (!heading.remark.empty()) append_word(remark, text);
     text += "]\n";
   }
 };
@@ -103,7 +112,7 @@ Flow SeriesWriter::observe(const Instant& instant) noexcept try {
     overflow_ = overflow_text(c->name, instant.time);
     return Flow::stop;
   }
-  format_->append(heading_, instant, text_);
+  format_->append(heading_, instant, text_, std::exchange(remark_, {}));
   if (text_.size() >= enough_to_write) flush();
   if (progress_) progress_->done();
   return Flow::go_on;

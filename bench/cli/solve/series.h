@@ -18,7 +18,7 @@ namespace desmo::cli {
 struct SeriesHeading {
   std::string mechanism, scene, formulation;
   std::vector<Column> columns;  ///< the time, which comes first, left out
-  bool has_outcomes = false;    ///< each line ends with the outcome of its instant
+  std::string remark;           ///< name of a last column of words; empty: there is none
 };
 
 /// Text format of a series. Numbers have the fewest digits that read back as the same double.
@@ -28,7 +28,7 @@ class SeriesFormat {
   virtual std::string heading(const SeriesHeading& heading) const = 0;
   /// Finite numbers: JSON knows no others. Without positions only what is fixed has a value.
   virtual void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
-                      std::string_view outcome = {}) const = 0;
+                      std::string_view remark = {}) const = 0;
 };
 
 /// Returns a format. "csv" has names with units in the first line, "t [s],C.x [m],…". "jsonl" has
@@ -43,6 +43,8 @@ class SeriesWriter final : public Observer {
   SeriesWriter(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, OutputFile& output,
                bench::Progress* progress);
 
+  /// Sets the remark on the instant that is observed next; it must outlive that.
+  void remark_next(std::string_view remark) { remark_ = remark; }
   Flow observe(const Instant& instant) noexcept override;
   /// Returns overflow_text() of the number that was not finite and ended the run; empty: none.
   /// Throws the exception that the output threw during the run.
@@ -56,6 +58,7 @@ class SeriesWriter final : public Observer {
   OutputFile& output_;
   bench::Progress* progress_;
   std::string text_, overflow_;
+  std::string_view remark_;
   std::exception_ptr unwritable_;
 };
 

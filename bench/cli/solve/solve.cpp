@@ -29,7 +29,9 @@ constexpr const char* default_formulation = "block_symbolic_inlined";
 
 struct SolveOptions {
   std::string scene, output, format, formulation, drivers;
-  bool explain = false, quiet = false, strict = false, past_failures = false, certify = false;
+  UnitSystem units = UnitSystem::file;
+  bool explain = false, quiet = false, flags = false, strict = false, past_failures = false,
+       certify = false;
   GenerationOptions own_code;
 };
 
@@ -102,9 +104,9 @@ void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading&
   const SolveOptions& o = task.options;
   if (const std::string reason = unsupported_live_reason(formulation); !reason.empty())
     throw CommandError(usage_error, "--drivers with " + heading.formulation + ": " + reason);
-  solve_live(
-      {task.input.source, o.drivers, task.whole, task.plan, o.strict, o.past_failures, o.quiet},
-      formulation, heading, format, task.output);
+  solve_live({task.input.source, o.drivers, task.whole, task.plan, task.input.units, o.strict,
+              o.past_failures, o.quiet},
+             formulation, heading, format, task.output);
   task.output.finish();
 }
 
@@ -114,7 +116,10 @@ MonitoredSummary run_through(const Task& task, Formulation& formulation, SeriesW
   const SolveOptions& o = task.options;
   MonitoredRunOptions monitoring{
       .levels = task.plan.levels, .strict = o.strict, .past_failures = o.past_failures};
-  if (proof) monitoring.monitored = [&](const MonitoredInstant& i) { proof->add(i.instant); };
+  monitoring.monitored = [&](const MonitoredInstant& i) {
+    if (proof) proof->add(i.instant);
+    writer.remark_next(flag_of(i));
+  };
   return run_monitored(formulation, task.input.scene.grid, Request{task.plan.level()}, writer,
                        monitoring);
 }
@@ -130,25 +135,32 @@ void require_success(const Task& task, const MonitoredSummary& summary, SeriesWr
     throw CommandError(not_solved, text);
   };
   const Model& m = task.plan.model;
+  const DisplayUnits& units = task.input.units;
   const std::string overflow = writer.overflow();
   const bool all = summary.outcome() != Outcome::failed && overflow.empty();
   if (all || task.output.is_standard_output()) writer.flush();
-  if (!all && !summary.refused && !task.options.quiet)
-    say(note_on_gaps(summary, m) + note_on_flags(summary, task.plan.level(), m));
+  if (!all && !summary.refused)
+    say(note_on_gaps(summary, m, units) + note_on_flags(summary, task.plan.level(), m));
   if (!overflow.empty()) fail(overflow, summary.instants - 1);
   if (summary.refused) fail(refusal_text(summary, task.plan.level(), m), summary.instants);
-  if (!all) fail(failure_text(summary, m), summary.instants);
+  if (!all) fail(failure_text(summary, m, units), summary.instants);
   if (task.options.strict && proof && !proof->is_complete())
     fail(proof->reason() + "; solve without --strict", summary.instants);
 }
 
+/// Returns what is said of a motion; of a quiet run, what is flagged alone.
 std::string notes_on(const Task& task, const Formulation& formulation,
-                     const MonitoredSummary& summary) {
+                     const MonitoredSummary& summary, const std::optional<Proof>& proof) {
   const Model& m = task.plan.model;
+  const DisplayUnits& units = task.input.units;
+  const Level level = task.plan.level();
+  if (task.options.quiet)
+    return note_on_gaps(summary, m, units) + note_on_flags(summary, level, m) +
+           (proof && !proof->is_complete() ? proof->note(level) : "");
   return note_on_tolerance(formulation, task.chosen.settings.tolerance) +
          note_on_refusals(formulation, task.named) + note_on_steps(formulation) +
-         note_on_stride(summary, formulation) + note_on_gaps(summary, m) +
-         note_on_accuracy(summary, task.plan.level(), m);
+         note_on_stride(summary, formulation) + note_on_gaps(summary, m, units) +
+         note_on_accuracy(summary, level, m, units) + (proof ? proof->note(level) : "");
 }
 
 void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading,
@@ -165,17 +177,18 @@ void solve_motion(const Task& task, Formulation& formulation, const SeriesHeadin
   progress.reset();
   require_success(task, summary, writer, proof);
   task.output.finish();
-  if (!task.options.quiet)
-    say(notes_on(task, formulation, summary) + (proof ? proof->note(plan.level()) : ""));
+  say(notes_on(task, formulation, summary, proof));
 }
 
 void solve(const SolveOptions& options) {
   if (options.scene == "-" && options.drivers == "-")
     throw CommandError(usage_error,
                        "scene and drivers both on standard input; give a file for one");
-  std::unique_ptr<SeriesFormat> format = series_format(format_name(options));
-  const Input input = load_scene(options.scene);
+  const std::string format_wanted = format_name(options);
+  std::unique_ptr<SeriesFormat> format = series_format(format_wanted);
+  const Input input = load_scene(options.scene, options.units);
   const Configuration chosen = choose_formulation(options, input);
+  protect_input(options.output, input, options.drivers);
   OutputFile output(options.output, remove_when_interrupted);
   const Model whole = model_mechanism(input).model;
   const Plan plan = make_plan(whole, outputs_of(input.scene, whole));
@@ -186,7 +199,10 @@ void solve(const SolveOptions& options) {
   const auto formulation = make_solver(task, kernels);
   const SeriesHeading heading{whole.name, input.scene.name,
                               id_with(*chosen.variant, chosen.settings),
-                              make_columns(plan, input.scene), !options.drivers.empty()};
+                              make_columns(plan, input.scene, input.units),
+                              !options.drivers.empty()                    ? "outcome"
+                              : options.flags || format_wanted == "jsonl" ? "flag"
+                                                                          : ""};
   if (options.drivers.empty())
     solve_motion(task, *formulation, heading, std::move(format));
   else
@@ -209,6 +225,7 @@ void add_solve(CLI::App& program) {
           "csv, or jsonl (JSON lines); by default as the name of the output ends, in .csv or "
           ".jsonl")
       ->check(CLI::IsMember({"csv", "jsonl"}));
+  add_units(*command, options->units);
   command
       ->add_option("--formulation", options->formulation,
                    "Formulation (see desmo list formulations), settings as suffixes such as "
@@ -221,6 +238,10 @@ void add_solve(CLI::App& program) {
                    "instant, answered at once, of t, then z of each driver, dz/dt of each and "
                    "d2z/dt2 of each; the scene's own motion and time are not used")
       ->check(refuse_empty);
+  add_choice(*command, "--columns", options->flags, {{"flag", true}},
+             "Further columns: flag, which says of each row whether it is degraded, crossing a "
+             "singular position, or on another branch; JSON lines have it anyway")
+      ->excludes("--drivers");
   command
       ->add_flag(
           "--certify", options->certify,
@@ -238,7 +259,13 @@ void add_solve(CLI::App& program) {
                  "Assess every instant, and fail where conditioning lets one be no better than "
                  "degraded")
       ->excludes(past_failures);
-  command->add_flag("--quiet", options->quiet, "No progress and no notes");
+  command->add_flag("--quiet", options->quiet, "No progress, and no notes but flags");
+  command->footer(
+      "Examples:\n"
+      "  desmo solve slider_crank -o motion.csv\n"
+      "  desmo solve mine.scene.json --format jsonl --units si | program\n"
+      "  echo 0 90 360 0 | desmo solve slider_crank --drivers -\n"
+      "  desmo solve truck_suspension:5 --formulation group_symbolic_klu --quiet -o truck.csv");
   command->callback([options] { solve(*options); });
 }
 

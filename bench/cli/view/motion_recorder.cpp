@@ -7,9 +7,10 @@
 
 namespace desmo::cli {
 
-MotionRecorder::MotionRecorder(const Model& model, const TimeGrid& grid, std::size_t max_kept,
-                               bench::Progress* progress)
+MotionRecorder::MotionRecorder(const Model& model, const DisplayUnits& units, const TimeGrid& grid,
+                               std::size_t max_kept, bench::Progress* progress)
     : model_(model),
+      units_(units),
       grid_(grid),
       max_kept_(std::max<std::size_t>(max_kept, 4)),
       progress_(progress) {}
@@ -123,15 +124,16 @@ void MotionRecorder::flag_failures(const MonitoredSummary& summary) {
     MonitoredSummary failure;
     static_cast<BasicSummary&>(failure) = gap.failure;
     failure.assembly_error = gap.assembly_error;
-    Flag& flag =
-        flags_.emplace_back(Flag::Kind::failed, gap.from, gap.to, failure_text(failure, model_));
+    Flag& flag = flags_.emplace_back(Flag::Kind::failed, gap.from, gap.to,
+                                     failure_text(failure, model_, units_));
     const int constraint =
         gap.assembly_error ? gap.assembly_error->constraint : gap.failure.constraint;
     if (constraint >= 0) flag.open = model_.constraints[constraint].operands;
   }
   if (summary.violated < 0) return;
   flags_.push_back({Flag::Kind::failed, summary.time, grid_.time(grid_.instants - 1),
-                    failure_text(summary, model_), model_.constraints[summary.violated].operands});
+                    failure_text(summary, model_, units_),
+                    model_.constraints[summary.violated].operands});
 }
 
 }  // namespace desmo::cli

@@ -32,8 +32,8 @@ struct Flag {
 class MotionRecorder final : public Observer {
  public:
   /// progress: null where none is shown.
-  MotionRecorder(const Model& model, const TimeGrid& grid, std::size_t max_kept,
-                 bench::Progress* progress);
+  MotionRecorder(const Model& model, const DisplayUnits& units, const TimeGrid& grid,
+                 std::size_t max_kept, bench::Progress* progress);
 
   /// Runs the formulation over the motion, and past intervals that cannot be assembled. Where no
   /// instant can be solved, the initial estimate is kept, at rest.
@@ -56,6 +56,7 @@ class MotionRecorder final : public Observer {
   void flag_failures(const MonitoredSummary& summary);
 
   const Model& model_;
+  const DisplayUnits& units_;  // of messages
   const TimeGrid grid_;
   const std::size_t max_kept_;
   bench::Progress* progress_;

@@ -104,10 +104,10 @@ class Writer {
     const int level = static_cast<int>(column.level), coordinate = column.coordinate;
     const auto [found, is_new] = packed_.try_emplace(column.name, columns_.size());
     if (is_new)
-      pack({{"name", column.name}, {"unit", column.unit}, {"level", level}},
+      pack({{"name", column.name}, {"unit", column.unit.name}, {"level", level}},
            [&](const RecordedInstant& i) {
              const auto at = static_cast<std::size_t>(level * m_.coordinates() + coordinate);
-             return coordinate < 0 ? column.constant : i.state[at];
+             return column.unit.from_si(coordinate < 0 ? column.constant : i.state[at]);
            });
     return static_cast<int>(found->second);
   }
@@ -120,9 +120,10 @@ class Writer {
     json_["formulation"] = motion_.formulation;
     json_["coordinates"] = m_.coordinates();
     json_["accuracy"] = describe_accuracy(s.condition, s.bound, Level::acceleration);
-    for (const char* per_time : {"", "/s", "/s^2"})
-      json_["units"].push_back(m_.length_unit + per_time);
-    json_["angle_unit"] = {{"name", "rad"}, {"radian", 1}};
+    for (const Level level : all_levels)
+      json_["units"].push_back(unit_of(motion_.units, EntityKind::point, level).name);
+    const DisplayUnit& angle = motion_.units.angle;
+    json_["angle_unit"] = {{"name", angle.name}, {"radian", angle.from_si(1)}};
     json_["time"] = {{"start", scene_.grid.start},
                      {"interval", scene_.grid.interval()},
                      {"instants", scene_.grid.instants},
@@ -140,9 +141,10 @@ class Writer {
     Json result = {{"name", e.name}};
     const bool is_point = e.kind == EntityKind::point;
     const Output output{entity, is_point ? Level::acceleration : Level::position};
-    for (const Column& column : columns_of(m_, output)) {
+    for (const Column& column : columns_of(m_, output, motion_.units)) {
       if (e.fixed) {
-        if (column.level == Level::position) result["fixed"].push_back(column.constant);
+        if (column.level == Level::position)
+          result["fixed"].push_back(column.unit.from_si(column.constant));
         continue;
       }
       const int place = pack(column);
@@ -185,12 +187,13 @@ class Writer {
         if (!m_.is_at_rest(point)) outputs.push_back({point, Level::acceleration});
     }
     for (const Driver& driver : m_.drivers)
-      json_["driven"].push_back(pack(columns_of(m_, {driver.coordinate, Level::position})[0]));
+      json_["driven"].push_back(
+          pack(columns_of(m_, {driver.coordinate, Level::position}, motion_.units)[0]));
     const std::size_t drawn = columns_.size();
     std::size_t wanted = 0;
     json_["plotted"] = Json::array();
     for (const Output& a : outputs) {
-      const std::vector<Column> columns = columns_of(m_, a);
+      const std::vector<Column> columns = columns_of(m_, a, motion_.units);
       wanted += columns.size();
       const bool is_drawn = packed_.contains(columns[0].name);
       if (!is_drawn && (columns_.size() - drawn + columns.size()) * shown_.size() > max_plotted)

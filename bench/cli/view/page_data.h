@@ -11,6 +11,7 @@ namespace desmo::cli {
 /// A motion that was solved, to be shown.
 struct ShownMotion {
   const Scene& scene;
+  const DisplayUnits& units;  ///< of the numbers that people read
   const Model& model;
   const MotionRecorder& recording;
   const MonitoredSummary& summary;

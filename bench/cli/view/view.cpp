@@ -26,6 +26,7 @@ constexpr double text_per_column = 180;      // bytes of a page beside its numbe
 
 struct ViewOptions {
   std::string scene, output;
+  UnitSystem units = UnitSystem::file;
   bool quiet = false;
 };
 
@@ -78,7 +79,8 @@ std::string page_of(const ShownMotion& motion, const std::string& source) {
 
 void view(const ViewOptions& options) {
   require_page();
-  const Input input = load_scene(options.scene);
+  const Input input = load_scene(options.scene, options.units);
+  protect_input(options.output, input);
   OutputFile output(options.output, remove_when_interrupted);
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
     throw CommandError(usage_error, "a page is nothing for a terminal; give --output FILE.html");
@@ -89,14 +91,15 @@ void view(const ViewOptions& options) {
       make_formulation(find_variant(formulation_id), model, {.tolerance = input.scene.tolerance});
   std::optional<bench::Progress> progress;
   if (!options.quiet) progress.emplace("instants", grid.instants, true);
-  MotionRecorder recording(model, grid, std::min(max_instants, room),
+  MotionRecorder recording(model, input.units, grid, std::min(max_instants, room),
                            progress ? &*progress : nullptr);
   const MonitoredSummary summary = recording.run(*formulation);
   progress.reset();
   if (recording.overflowed())
     throw CommandError(not_solved,
                        input.source + ": a number is not finite; choose another motion");
-  output.write(page_of({input.scene, model, recording, summary, formulation_id}, input.source));
+  output.write(
+      page_of({input.scene, input.units, model, recording, summary, formulation_id}, input.source));
   output.finish();
   const auto& flags = recording.flags();
   const auto failed = std::ranges::find(flags, Flag::Kind::failed, &Flag::kind);
@@ -113,16 +116,17 @@ void add_view(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("view", "Show a scene in motion, as one page for a browser");
   const auto options = std::make_shared<ViewOptions>();
-  command
-      ->add_option("scene", options->scene,
-                   "Scene file, - for standard input, library mechanism (its scene), or scalable "
-                   "case with its units, such as truck_suspension:5")
-      ->required();
+  add_scene(*command, options->scene);
   command
       ->add_option("-o,--output", options->output,
                    "Write to this file, whole or not at all, instead of standard output")
       ->check(refuse_empty);
+  add_units(*command, options->units);
   command->add_flag("--quiet", options->quiet, "No progress");
+  command->footer(
+      "Examples:\n"
+      "  desmo view slider_crank -o motion.html\n"
+      "  desmo view - -o motion.html < mine.scene.json");
   command->callback([options] { view(*options); });
 }
 

@@ -169,11 +169,11 @@ class Run final : Observer {
       accuracy_->withdraw(instant);
       if (m.degraded) blame_rounding(m.assessment);
     }
-    if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
-    if (is_continued_ && summary_.instants == 0 && !summary_.crossing)
-      summary_.crossing = {instant.time, instant.time, m.assessment.group,
-                           SingularityCrossing::Kind::not_declared};
     summary_.refused = options_.strict && (m.degraded || m.crossing);
+    if (is_continued_ && summary_.instants == 0 && !m.crossing)
+      m.crossing = {instant.time, instant.time, m.assessment.group,
+                    SingularityCrossing::Kind::not_declared};
+    if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
     if (summary_.refused || summary_.violated >= 0) return Flow::stop;
     summary_.updates += instant.updates;
     summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "cases/io/units.h"
+#include "cases/mechanism/scene.h"
+
+namespace desmo {
+
+/// A scene, and the units in which its file writes motions: its own, or those of the mechanism
+/// where it names none.
+struct SceneFile {
+  Scene scene;
+  DisplayUnits units;
+};
+
+/// Reads a scene like parse_scene() (cases/io/files.h), with its units.
+SceneFile parse_scene_file(std::string_view text, const std::string& file_name,
+                           const std::filesystem::path& folder);
+
+}  // namespace desmo

@@ -1,0 +1,108 @@
+// Units of what desmo writes and reads.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "tests/cli/program.h"
+
+namespace desmo::units_test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double degree = std::numbers::pi / 180;
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, ',');) result.push_back(cell);
+  return result;
+}
+
+/// The size in SI units of what a heading names: "d/dt C.x [mm/s]".
+double unit_of_heading(const std::string& heading) {
+  static const std::map<std::string, double> sizes{{"m", 1},       {"mm", 1e-3}, {"cm", 1e-2},
+                                                   {"in", 0.0254}, {"rad", 1},   {"deg", degree},
+                                                   {"s", 1},       {"-", 1},     {"1", 1}};
+  const std::size_t begin = heading.rfind('[') + 1;
+  return sizes.at(heading.substr(begin, heading.find_first_of("/]", begin) - begin));
+}
+
+/// Each number is rounded once on its way from SI units.
+TEST_F(Cli, WritesInTheUnitsOfTheMechanismToOneRounding) {
+  for (const char* name : {"slider_crank", "double_wishbone", "whitworth", "watt_six_bar"}) {
+    const std::string solve = "solve " + std::string(name) + " --quiet";
+    ASSERT_EQ(desmo(solve + " --units si"), 0) << err_;
+    const std::vector<std::string> si = lines();
+    ASSERT_EQ(desmo(solve), 0) << err_;
+    const std::vector<std::string> shown = lines();
+    ASSERT_EQ(shown.size(), si.size());
+    std::vector<double> units;
+    for (const std::string& heading : cells(shown[0])) units.push_back(unit_of_heading(heading));
+    EXPECT_TRUE(std::ranges::count(units, degree) > 0) << shown[0];
+    for (const std::string& heading : cells(si[0])) EXPECT_EQ(unit_of_heading(heading), 1);
+    for (std::size_t i = 1; i < si.size(); ++i) {
+      const std::vector<double> from = numbers(si[i]), to = numbers(shown[i]);
+      for (std::size_t k = 0; k < to.size(); ++k)
+        ASSERT_EQ(to[k], from[k] / units[k]) << name << ", row " << i << ", " << shown[0];
+    }
+  }
+}
+
+TEST_F(Cli, SiUnitsChangeNothingWhereTheFileHasThem) {
+  for (const char* name :
+       {"andrews", "stewart", "jansen_leg", "four_bar:2", "truck_suspension:1"}) {
+    ASSERT_EQ(desmo("solve " + std::string(name) + " --quiet --no-compile"), 0) << err_;
+    const std::string expected = out_;
+    ASSERT_EQ(desmo("solve " + std::string(name) + " --quiet --no-compile --units si"), 0) << err_;
+    EXPECT_TRUE(out_ == expected) << name;
+  }
+  EXPECT_EQ(desmo("solve andrews --units imperial"), 64);
+  EXPECT_TRUE(says("--units: 'imperial' is none of its values; there are 'file', 'si'")) << err_;
+}
+
+TEST_F(Cli, AScenesOwnUnitsComeBeforeTheMechanisms) {
+  std::string scene = slider_crank(150, R"(, "time": {"end": 1, "step": 0.25},
+    "request": [{"points": ["B"]}, {"angles": ["theta"]}])");
+  const std::string units = R"("units": {"angle": "deg"},
+  "motion")";
+  scene.replace(scene.find(units), units.size(), R"("units": {"length": "in", "angle": "rad"},
+  "motion")");
+  write("scene.json", scene);
+  ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
+  EXPECT_EQ(lines()[0], "t [s],B.x [in],B.y [in],theta [rad]");
+  // The crank of 50 mm turns by 90 rad.
+  EXPECT_NEAR(numbers(lines()[2])[1], 50 / 25.4 * std::cos(90), 1e-9);
+  EXPECT_NEAR(numbers(lines()[2])[3], 90, 1e-12);
+  ASSERT_EQ(desmo("solve scene.json"), 0) << err_;
+  EXPECT_TRUE(says("; relative to 1.97 in or 1 rad\n")) << err_;
+}
+
+/// The phase is an angle where the driver is a length, too: sin(90°) = 1.
+TEST_F(Cli, AHarmonicsPhaseIsInTheScenesUnitOfAngle) {
+  std::string scene = R"({"format": "desmo-scene", "version": 2,
+    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "piston", "dimension": 2,
+      "units": {"length": "mm", "angle": "deg"},
+      "points": {"A": [0, 0], "C": [100, 0]}, "vectors": {"x": [1, 0]},
+      "ground": {"points": ["A"], "vectors": ["x"]},
+      "bodies": {"slider": {"points": ["C"], "vectors": ["x"]}},
+      "joints": [{"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"],
+                  "points": ["A", "C"]}],
+      "coordinates": {"s": {"distance": ["A", "C"], "along": "x"}}, "drivers": ["s"]},
+    "motion": {"s": {"type": "harmonic", "mean": 100, "terms": [
+      {"amplitude": 20, "frequency": 1, "phase": 90}]}},
+    "time": {"end": 0.5, "step": 0.25}, "request": [{"distances": ["s"]}]})";
+  write("scene.json", scene);
+  ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
+  ASSERT_EQ(lines().size(), 4u);
+  EXPECT_EQ(lines()[0], "t [s],s [mm]");
+  for (const auto& [row, s] : {std::pair(1, 120.), std::pair(2, 100.), std::pair(3, 80.)})
+    EXPECT_NEAR(numbers(lines()[row])[1], s, 1e-12);
+}
+
+}  // namespace
+}  // namespace desmo::units_test
