@@ -122,6 +122,24 @@ TEST_F(View, LeavesOutPointsThatNoBodyCarries) {
   for (const Json& point : data["points"]) EXPECT_NE(point["name"], "Z");
 }
 
+TEST_F(View, IsInTheUnitsOfTheScene) {
+  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"));
+  const auto units = [&](const std::string& options) {
+    EXPECT_EQ(desmo("view scene.json" + options), 0) << err_;
+    const Json data = Json::parse(data_of(out_, "data"));
+    std::map<std::string, std::string> result;
+    for (const Json& column : data["columns"]) result[column["name"]] = column["unit"];
+    result["arrows"] = data["units"].dump();
+    return result;
+  };
+  auto of_file = units(""), si = units(" --units si");
+  EXPECT_EQ(of_file["theta"], "deg");
+  EXPECT_EQ(of_file["d2/dt2 C.x"], "mm/s^2");
+  EXPECT_EQ(of_file["arrows"], R"(["mm","mm/s","mm/s^2"])");
+  EXPECT_EQ(si["theta"], "rad");
+  EXPECT_EQ(si["d/dt C.x"], "m/s");
+}
+
 TEST_F(View, ThinsOutWhatIsTooLongAndSaysSo) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 100, "step": 0.005})"));
   ASSERT_EQ(desmo("view scene.json"), 0) << err_;
