@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/kit/process/progress.h"
+#include "cases/io/units.h"
 #include "formulations/verification/monitor/monitored_run.h"
 
 namespace desmo::cli {
