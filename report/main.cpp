@@ -57,6 +57,7 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
   std::vector<std::string> missing = names, known;
   for (Section& section : document.sections) {
     section.paragraphs.clear();
+    section.definitions.clear();
     std::erase_if(section.tables, [&](const Table& table) {
       known.push_back(table.name);
       std::erase(missing, table.name);

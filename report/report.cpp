@@ -1,7 +1,6 @@
 #include "report/report.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 #include "report/statistics/paper.h"
@@ -26,17 +25,6 @@ std::vector<Section> paper_sections(const Record& record) {
   if (!record.peers.empty()) add(peers(record));
   if (!record.profiles.empty()) add({sentence("time_split.section"), {}, {time_split(record)}});
   return sections;
-}
-
-/// Moves the last figure of the second section before the tables of the one in front.
-void move_figure_to_front(std::vector<Section>& sections) {
-  if (sections.size() < 2) return;
-  std::vector<Table>&tables = sections[1].tables, &front = sections.front().tables;
-  const auto figure = std::find_if(tables.rbegin(), tables.rend(),
-                                   [](const Table& table) { return !table.figure.empty(); });
-  if (figure == tables.rend()) return;
-  front.insert(front.begin(), std::move(*figure));
-  tables.erase(std::next(figure).base());
 }
 
 /// Returns the sections of an experiment, the one in front first. Its name and title are those of
@@ -74,7 +62,6 @@ Document make_report(const Record& record, const std::vector<const Record*>& bes
     const std::string title = sentence("experiments." + std::string(name));
     if (document.title.empty()) document.title = "desmo: " + title;
     std::vector<Section> sections = sections_of_record(record);
-    move_figure_to_front(sections);
     sections.front().front = true;
     for (Section& section : sections) add(std::move(section), title);
   }

@@ -22,8 +22,10 @@ std::vector<SitePage> make_site(const std::filesystem::path& results) {
   }
   std::vector<SitePage> pages;
   std::vector<IndexRow> rows;
-  const auto add = [&](const IndexRow& row, Document document) {
+  const auto add = [&](IndexRow row, Document document) {
     document.home = "../index.html";
+    row.title = document.title.substr(document.title.find(": ") + 2);
+    row.numbers = document.sections.front().numbers;
     std::vector<NewFile> files = figures(document);
     files.push_back({"report.html", to_html(document)});
     rows.push_back(row);
@@ -32,11 +34,13 @@ std::vector<SitePage> make_site(const std::filesystem::path& results) {
   std::vector<const Record*> all;
   for (const auto& [name, record] : records) all.push_back(&record);
   for (const auto& [name, record] : records)
-    add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report(record, all));
+    add({name, {}, record.machine.cpu, record.date.substr(0, 10), {}}, make_report(record, all));
   if (exists(history_file)) {
     const History history = read_history(history_file);
-    add({"history", "", history.points.empty() ? "" : history.points.back().date.substr(0, 10)},
-        {sentence("history_section.document"), {history_section(history)}});
+    Document document{sentence("history_section.document"), {history_section(history)}};
+    document.sections.front().front = true;
+    const std::string date = history.points.empty() ? "" : history.points.back().date;
+    add({"history", {}, {}, date.substr(0, 10), {}}, std::move(document));
   }
   pages.push_back({"", {{"index.html", to_index(rows)}}});
   return pages;

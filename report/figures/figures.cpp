@@ -74,17 +74,18 @@ void keep_measured(Json& scale, const std::string& channel, std::set<std::string
 }
 
 /// Does so in all scales below a node of a specification; gives the names of the first. A scale
-/// with a scheme takes all names there are; one of what the design computes stays as it is.
+/// with a named range takes all names there are; one of what the design computes stays as it is.
 void keep_measured(Json& node, const Json& data, Json& shown) {
   for (auto& [channel, child] : node.items()) {
     if (child.is_object() && child.contains("field") && child.contains("scale")) {
       Json& scale = child["scale"];
       const auto measured = values_of(data, child["field"]);
-      if (scale.contains("scheme")) scale["domain"] = measured;
-      if (scale.contains("range") && scale.contains("domain") && !measured.empty())
+      const bool is_named = scale.contains("range") && scale["range"].is_string();
+      if (is_named)
+        scale["domain"] = measured;
+      else if (scale.contains("range") && scale.contains("domain") && !measured.empty())
         keep_measured(scale, channel, measured);
-      if (shown.is_null() && (scale.contains("scheme") || scale.contains("range")))
-        shown = scale["domain"];
+      if (shown.is_null() && scale.contains("range")) shown = scale["domain"];
     }
     if (child.is_structured()) keep_measured(child, data, shown);
   }
@@ -95,8 +96,7 @@ NewFile figure(const Table& table) {
   Json spec = Json::parse(embedded_file("common.template.json"));
   spec.update(Json::parse(design), true);
   spec["title"]["text"] = table.title;
-  spec["title"]["subtitle"] =
-      table.caption.empty() ? table.notes : std::vector<std::string>{table.caption};
+  spec["title"]["subtitle"] = table.caption;
   const Json meta = spec.value("usermeta", Json::object());
   Json data = data_of(table, meta.value("fold", ""));
   if (meta.contains("number") && std::ranges::none_of(data, [&](const Json& datum) {

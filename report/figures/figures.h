@@ -21,7 +21,7 @@ namespace desmo::report {
 ///
 /// The boxes below a figure and its legend show the names of its first scale that has some. A scale
 /// keeps what was measured, each with its colour and shape; what it does not know is a grey cross.
-/// A scale with a scheme takes all names.
+/// A scale with a named range takes all names.
 std::vector<NewFile> figures(const Document& document);
 
 }  // namespace desmo::report

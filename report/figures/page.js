@@ -4,6 +4,7 @@
 'use strict';
 
 const narrow = 640;  // px; below, panels stand under each other
+const letter = 6.5;  // px; of labels
 
 // What the hover shows: the titles and texts of a tooltip of the specification.
 const hint = document.createElement('div');
@@ -27,12 +28,10 @@ function showHint(handler, event, item, value) {
   hint.style.top = `${window.scrollY + point.clientY + 14}px`;
 }
 
-function stacks(spec, width) {
-  return width < narrow && spec.layout?.columns > 1;
-}
-
-// Everything that is fitted to the reader's window; the specification is the static drawing's.
+// What is fitted to the reader's window; the specification is the static drawing's.
 function fitted(spec, width) {
+  const names = spec.signals.find(signal => signal.name === 'shown').value;
+  const line = letter * Math.max(...names.map(name => name.length)) + 40;  // px, of the legend
   for (const legend of spec.legends ?? []) {
     legend.encode ??= {};
     for (const part of ['symbols', 'labels']) {
@@ -40,10 +39,26 @@ function fitted(spec, width) {
       encode.interactive = true;
       (encode.update ??= {}).cursor = {value: 'pointer'};
     }
-    if (width < narrow) Object.assign(legend, {orient: 'bottom', columns: 2});
+    if (width < narrow || line > width / 4)
+      Object.assign(legend, {orient: 'bottom', columns: Math.max(1, Math.floor(width / line))});
   }
-  if (stacks(spec, width)) spec.layout.columns = 1;
+  if (width >= narrow) return spec;
+  if (spec.layout?.columns > 1) spec.layout.columns = 1;
+  for (const axis of [spec, ...spec.marks].flatMap(part => part.axes ?? []))
+    if (axis.orient === 'left' && axis.labelLimit) axis.labelLimit = 0.4 * width;
   return spec;
+}
+
+// Makes the plots as wide as the column leaves them: what stands around them keeps its size.
+async function widen(view, spec, container, width) {
+  const name = spec.signals.some(signal => signal.name === 'child_width') ? 'child_width' : 'width';
+  for (let pass = 0; pass < 3; ++pass) {
+    const left = width - container.querySelector('svg').width.baseVal.value;
+    const columns = spec.layout?.columns ?? 1;
+    if (Math.abs(left) < columns) return;
+    view.signal(name, Math.max(60, view.signal(name) + Math.floor(left / columns)));
+    await view.resize().runAsync();
+  }
 }
 
 function box(name, changed) {
@@ -85,7 +100,7 @@ async function bring(figure) {
     renderer: 'svg', container, hover: true, tooltip: showHint, logLevel: vega.Error,
   });
   await view.runAsync();
-  figure.classList.toggle('stacked', stacks(spec, width));
+  await widen(view, spec, container, width);
   drawing.replaceChildren(container);
   addToggles(figure, drawing, view);
   figure.dataset.state = 'live';

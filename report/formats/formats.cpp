@@ -47,8 +47,9 @@ std::string to_markdown(const Document& document) {
   std::string text = "# " + markdown_text(document.title) + "\n";
   for (const Section& section : document.sections) {
     text += "\n## " + markdown_text(section.title) + "\n";
-    for (const std::string& paragraph : section.paragraphs)
-      text += "\n" + markdown_text(paragraph) + "\n";
+    for (const auto* paragraphs : {&section.paragraphs, &section.definitions})
+      for (const std::string& paragraph : *paragraphs)
+        text += "\n" + markdown_text(paragraph) + "\n";
     for (const Table& table : section.tables) text += "\n" + markdown_table(table);
   }
   return text;

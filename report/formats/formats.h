@@ -40,9 +40,10 @@ std::string to_markdown(const Document& document);
 /// "scripts", belongs to report/figures/render, which puts the figures there.
 std::string to_html(const Document& document);
 
-/// A page of a site, NAME/report.html.
+/// A page of a site, NAME/report.html, and what was found there.
 struct IndexRow {
-  std::string name, machine, date;
+  std::string name, title, machine, date;
+  std::vector<std::string> numbers;
 };
 
 /// Writes the page of a site's index, self-contained, with a selector of machine and date.

@@ -92,12 +92,6 @@ std::string rows_html(const Table& table) {
   return "<tbody>\n" + text + "</tbody>\n";
 }
 
-std::string notes_html(const Table& table) {
-  std::string text;
-  for (const std::string& note : table.notes) text += (text.empty() ? "" : " ") + html_text(note);
-  return text;
-}
-
 // A wide table scrolls inside its own frame, by keyboard too.
 std::string table_html(const Table& table) {
   const std::string caption = table.name + "-caption";
@@ -112,58 +106,66 @@ std::string folded(const std::string& summary, const std::string& content) {
   return "<details>\n" + element("summary", html_text(summary)) + "\n" + content + "</details>\n";
 }
 
-std::string with_notes(const Table& table) {
-  return table_html(table) +
-         (table.notes.empty() ? "" : element("p class=\"notes\"", notes_html(table)) + "\n");
+std::string notes_html(const Table& table) {
+  std::string text;
+  for (const std::string& note : table.notes) text += (text.empty() ? "" : " ") + html_text(note);
+  return text.empty() ? "" : element("p class=\"notes\"", text) + "\n";
 }
 
+// One sentence above the figure; what else there is to say stands with its data.
 std::string figure_html(const Table& table) {
   const std::string& name = table.name;
-  const bool own = !table.caption.empty();  // then the notes stand below the data
   return "<figure id=\"" + name + "\">\n<figcaption>" +
          element("strong id=\"" + name + "-title\"", html_text(table.title)) + " " +
-         (own ? html_text(table.caption) : notes_html(table)) + "</figcaption>\n<!-- " + name +
+         html_text(table.caption) + "</figcaption>\n<!-- " + name +
          " -->\n<p class=\"missing\">Missing figure: " + name +
          ". report/figures/render draws it and needs Node.js; its numbers are in the table.</p>\n"
          "<!-- end of " +
          name + " -->\n" +
-         folded("The figure’s data as a table", own ? with_notes(table) : table_html(table)) +
+         folded("Notes, and the figure’s data as a table", notes_html(table) + table_html(table)) +
          "</figure>\n";
 }
 
 std::string block_html(const Table& table) {
   if (!table.figure.empty()) return figure_html(table);
-  return table.detail ? folded(table.title, with_notes(table)) : with_notes(table);
+  const std::string content = table_html(table) + notes_html(table);
+  return table.detail ? folded(table.title, content) : content;
 }
 
-// Paragraphs alone are a list: limitations, failures.
-std::string paragraphs_html(const Section& section) {
-  const bool list = section.tables.empty() && section.paragraphs.size() > 1;
+std::string paragraphs_html(const std::vector<std::string>& paragraphs, bool is_list) {
   std::string text;
-  for (const std::string& paragraph : section.paragraphs)
-    text += element(list ? "li" : "p", html_text(paragraph)) + "\n";
-  return list ? "<ul>\n" + text + "</ul>\n" : text;
+  for (const std::string& paragraph : paragraphs)
+    text += element(is_list ? "li" : "p", html_text(paragraph)) + "\n";
+  return is_list ? element("ul", "\n" + text) + "\n" : text;
 }
 
-std::string blocks_html(const Section& section) {
-  std::string text = paragraphs_html(section);
-  for (const Table& table : section.tables) text += block_html(table);
-  return text;
+std::string definitions_html(const Section& section) {
+  if (section.definitions.empty()) return {};
+  return folded("What the words mean, and how it was measured",
+                paragraphs_html(section.definitions, false));
 }
 
-// Open, with everything that it has on the first screen.
+// Open, with everything that it has on the first screen: words and tables beside the figures.
 std::string front_html(const Section& section, const std::string& id) {
-  return "<section class=\"front\" id=\"" + id + "\" aria-labelledby=\"" + id + "-title\">\n" +
-         element("h2 id=\"" + id + "-title\"", html_text(section.title)) +
-         "\n<div class=\"words\">\n" + paragraphs_html(section) + "</div>\n" +
-         blocks_html({{}, {}, section.tables}) + "</section>\n";
+  std::string figures, tables;
+  for (const Table& table : section.tables)
+    (table.figure.empty() ? tables : figures) += block_html(table);
+  return "<section class=\"front\" id=\"" + id + "\" aria-labelledby=\"" + id +
+         "-title\">\n<div class=\"words\">\n" +
+         element("h2 id=\"" + id + "-title\"", html_text(section.title)) + "\n" +
+         paragraphs_html(section.paragraphs, false) + "</div>\n" + figures +
+         "<div class=\"more\">\n" + tables + definitions_html(section) + "</div>\n</section>\n";
 }
 
-// Folded, under its title.
+// Folded, under its title. Paragraphs alone are a list: limitations, failures.
 std::string section_html(const Section& section, const std::string& id) {
+  std::string tables;
+  for (const Table& table : section.tables) tables += block_html(table);
   return "<details class=\"section\" id=\"" + id + "\"" + (section.front ? " open" : "") +
          ">\n<summary>" + element("h3", html_text(section.title)) + "</summary>\n" +
-         blocks_html(section) + "</details>\n";
+         paragraphs_html(section.paragraphs,
+                         section.tables.empty() && section.paragraphs.size() > 1) +
+         tables + definitions_html(section) + "</details>\n";
 }
 
 std::string sections_html(const Document& document) {
@@ -196,10 +198,14 @@ std::string to_html(const Document& document) {
 
 std::string to_index(const std::vector<IndexRow>& rows) {
   std::string text;
-  for (const auto& [name, machine, date] : rows)
+  for (const auto& [name, title, machine, date, numbers] : rows) {
+    std::string found;
+    for (const std::string& number : numbers) found += element("li", html_text(number));
     text += "<tr><th scope=\"row\"><a href=\"" + html_text(name) + "/report.html\">" +
-            html_text(name) + "</a></th>" + element("td", html_text(machine)) +
-            element("td class=\"n\"", html_text(date)) + "</tr>\n";
+            html_text(title) + "</a> " + element("span class=\"rest\"", html_text(name)) + "</th>" +
+            element("td", html_text(machine)) + element("td class=\"n\"", html_text(date)) +
+            element("td", element("ul", found)) + "</tr>\n";
+  }
   return filled(embedded_file("index.template.html"),
                 {{"style", std::string(embedded_file("page.css"))}, {"rows", text}});
 }

@@ -116,7 +116,8 @@ std::string underlined(const std::string& title, char line) {
 
 std::string terminal_section(const Section& section) {
   std::string text = "\n" + underlined(section.title, '-'), left_out;
-  for (const std::string& paragraph : section.paragraphs) text += "\n" + wrapped(paragraph, "");
+  for (const auto* paragraphs : {&section.paragraphs, &section.definitions})
+    for (const std::string& paragraph : *paragraphs) text += "\n" + wrapped(paragraph, "");
   for (const Table& table : section.tables) {
     if (table.detail)
       left_out += (left_out.empty() ? "" : ", ") + table.name;
@@ -140,7 +141,8 @@ std::string front_to_terminal(const Document& document) {
   for (const Section& section : document.sections) {
     if (!section.front) continue;
     text += "\n";
-    for (const std::string& paragraph : section.paragraphs) text += wrapped(paragraph, "");
+    for (const auto* paragraphs : {&section.paragraphs, &section.definitions})
+      for (const std::string& paragraph : *paragraphs) text += wrapped(paragraph, "");
     for (const Table& table : section.tables)
       if (!table.detail) text += "\n" + terminal_table(table);
   }

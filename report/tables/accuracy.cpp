@@ -9,16 +9,6 @@
 namespace desmo::report {
 namespace {
 
-Section accuracy_front(const Record& record) {
-  Section section = headed_section("accuracy");
-  const Table costs = accuracy_costs(record);
-  section.tables.push_back(
-      excerpt(costs, headed_table("accuracy_in_short"), [&](const std::vector<Entry>& row) {
-        return is_of_last_case(costs, row) && row[3].shown.find("/stride:") == std::string::npos;
-      }));
-  return section;
-}
-
 /// Returns how far the two solutions of the reference differ at most.
 double max_floor(const Record& record) {
   double largest = 0;
@@ -27,23 +17,6 @@ double max_floor(const Record& record) {
                         floor.reference.acceleration});
   return largest;
 }
-
-}  // namespace
-
-std::vector<Section> accuracy_sections(const Record& record) {
-  Section figures = headed_section("speed_for_accuracy",
-                                   {{"floor", error_entry(max_floor(record)).shown}}),
-          costs = headed_section("costs"), reuse = headed_section("guesses"),
-          varied = headed_section("table2_varied");
-  costs.tables = {accuracy_costs(record)};
-  for (const std::string& name : drawn_cases(record))
-    figures.tables.push_back(work_precision(record, name));
-  reuse.tables = {guesses(record)};
-  varied.tables = {sensitivity(record)};
-  return {accuracy_front(record), figures, costs, reuse, varied};
-}
-
-namespace {
 
 /// The cheapest within an error, and what it is held against.
 struct Choice {
@@ -137,6 +110,61 @@ Table guesses(const Record& record) {
     add_case(table, series, points_of(record, series));
   }
   return table;
+}
+
+namespace {
+
+/// Says what the tightest accuracy that there is costs in the case that stands last, and what the
+/// loosest would save.
+Section accuracy_front(const Record& record) {
+  const std::string name = drawn_cases(record).back();
+  const Points points = solving_every_instant(points_of(record, *main_series(record, name)));
+  const TextValue loosest("loosest", write_shortest(accuracies.front()));
+  const NamedPoint* const cheapest_of_all = cheapest(points, accuracies.front());
+  Section section = headed_section("accuracy", {{"floor", error_entry(max_floor(record)).shown}});
+  section.paragraphs = {sentence("accuracy.none", {loosest})};
+  for (const double accuracy : accuracies) {
+    const Choice choice(points, accuracy);
+    const bool is_held = choice.best && choice.global;
+    const TextValue error("error", write_shortest(accuracy)),
+        times("times", is_held ? write_significant(speed_up(*choice.global, *choice.best).value, 3)
+                               : missing_mark);
+    section.numbers.push_back(sentence("accuracy.times", {error, times}));
+    if (!is_held) continue;
+    const double seconds = step_time(*choice.best).seconds,
+                 saved = 1 - step_time(*cheapest_of_all).seconds / seconds;
+    section.paragraphs = {
+        sentence("accuracy.found", {error,
+                                    times,
+                                    loosest,
+                                    {"case", name},
+                                    {"microseconds", write_significant(1e6 * seconds, 3)},
+                                    {"saved", write_fixed(100 * saved, 0)}})};
+  }
+  section.numbers.erase(section.numbers.begin());  // the index shows the tightest
+  const Table costs = accuracy_costs(record);
+  section.tables = {
+      work_precision(record, name),
+      excerpt(costs, headed_table("accuracy_in_short"), [&](const std::vector<Entry>& row) {
+        return is_of_last_case(costs, row) && row[3].shown.find("/stride:") == std::string::npos;
+      })};
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> accuracy_sections(const Record& record) {
+  Section others = headed_section("speed_for_accuracy"), costs = headed_section("costs"),
+          reuse = headed_section("guesses"), varied = headed_section("table2_varied");
+  std::vector<std::string> cases = drawn_cases(record);
+  cases.pop_back();  // it stands in front
+  for (const std::string& name : cases) others.tables.push_back(work_precision(record, name));
+  costs.tables = {accuracy_costs(record)};
+  reuse.tables = {guesses(record)};
+  varied.tables = {sensitivity(record)};
+  std::vector<Section> sections{accuracy_front(record), others, costs, reuse, varied};
+  std::erase_if(sections, [](const Section& section) { return section.tables.empty(); });
+  return sections;
 }
 
 }  // namespace desmo::report

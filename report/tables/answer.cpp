@@ -145,7 +145,8 @@ bool shows_the_finding(const Record& record) {
              1.5 * value(*std::ranges::min_element(means, {}, value));
 }
 
-std::string what_gains(const Record& record) {
+/// Returns how many times as fast the best are, for the texts "answer" and "answer_numbers".
+TextValues what_gains(const Record& record) {
   const std::optional<Best> scalar = best_generated(record, ""),
                             lanes = best_generated(record, "lanes"),
                             segments = best_generated(record, "segments");
@@ -154,12 +155,9 @@ std::string what_gains(const Record& record) {
                                            : missing_mark;
   };
   const auto like = &Best::like_for_like, paper = &Best::papers_settings;
-  return sentence("answer.gains", {{"scalar", times(scalar, like)},
-                                   {"lanes", times(lanes, like)},
-                                   {"segments", times(segments, like)},
-                                   {"scalar_paper", times(scalar, paper)},
-                                   {"lanes_paper", times(lanes, paper)},
-                                   {"segments_paper", times(segments, paper)}});
+  return {{"scalar", times(scalar, like)},      {"lanes", times(lanes, like)},
+          {"segments", times(segments, like)},  {"scalar_paper", times(scalar, paper)},
+          {"lanes_paper", times(lanes, paper)}, {"segments_paper", times(segments, paper)}};
 }
 
 /// Returns the repetitions of what has the fewest, of the truck's candidates with a time; 0 where
@@ -180,12 +178,14 @@ Section answer(const Record& record) {
   section.tables = {figure_of_speed_ups(record), best_formulations(record)};
   if (least_repetitions(record) >= min_for_interval) {
     const std::string_view name = variants[papers_best].paper_name;
+    const TextValues gains = what_gains(record);
     section.paragraphs = {
         sentence("answer.paper", {{"variant", name},
                                   {"published", published_speed_up().text("mean", name)},
                                   {"by_solver", list(complete_means(record))}}),
         sentence(shows_the_finding(record) ? "answer.finding" : "answer.finding_not_shown"),
-        what_gains(record)};
+        sentence("answer.gains", gains)};
+    section.numbers = headed_section("answer_numbers", gains).numbers;
   } else {
     section.paragraphs = {sentence("answer.first_look"), sentence("answer.finding_filed")};
   }

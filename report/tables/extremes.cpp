@@ -90,13 +90,14 @@ std::vector<Section> extremes_sections(const Record& record) {
   Sorted sorted(record);
   const Results& all = sorted.all;
   const std::size_t defects = count(all, Verdict::defect);
-  Section front = headed_section("extremes_front"), section = headed_section("extremes_section");
-  section.paragraphs = {
-      sentence(defects == 0 ? "extremes_section.none" : "extremes_section.defects",
-               {{"defects", defects},
-                {"tried", all.size() - count(all, Verdict::not_applicable)},
-                {"expected", count(all, Verdict::as_expected)},
-                {"missed", count(all, Verdict::missed)}})};
+  const TextValues counts{{"defects", defects},
+                          {"tried", all.size() - count(all, Verdict::not_applicable)},
+                          {"expected", count(all, Verdict::as_expected)},
+                          {"missed", count(all, Verdict::missed)}};
+  Section front = headed_section("extremes_front", counts),
+          section = headed_section("extremes_section");
+  front.paragraphs = {
+      sentence(defects == 0 ? "extremes_front.none" : "extremes_front.defects", counts)};
   Table matrix = headed_table("extremes"), rows = headed_table("extreme_rows"),
         cases = headed_table("extreme_cases");
   for (const ExtremeRow& row : record.extreme_rows) {
@@ -114,11 +115,9 @@ std::vector<Section> extremes_sections(const Record& record) {
     add_verdicts(cases.rows.back(), results);
     cases.rows.back().push_back(example(results));
   }
-  front.tables = {excerpt(rows, headed_table("extremes_in_short"))};
+  front.tables = {std::move(matrix), excerpt(rows, headed_table("extremes_in_short"))};
   section.tables = {std::move(rows), std::move(cases)};
-  Section formulations = headed_section("extremes_formulations");
-  formulations.tables = {std::move(matrix)};
-  return {front, section, formulations};
+  return {front, section};
 }
 
 }  // namespace desmo::report

@@ -54,14 +54,20 @@ std::vector<Section> instructions_sections(const Record& record) {
   std::map<std::pair<std::string, std::int64_t>, std::vector<const Counted*>> places;
   for (const Counted& counted : record.instructions)
     places[{counted.first.case_name, counted.first.coordinates}].push_back(&counted);
-  Section front = headed_section("instructions_front"), section = headed_section("instructions");
+  Section front, section = headed_section("instructions");
   for (const auto& [place, counts] : places) {
-    const TextValues values{{"case", place.first}, {"coordinates", place.second}};
-    section.tables.push_back(instructions_table(values, counts));
+    TextValues values{{"case", place.first}, {"coordinates", place.second}};
+    const Table& table = section.tables.emplace_back(instructions_table(values, counts));
     const bool truck = place.first == variants[truck_global].case_name;
-    if (front.tables.empty() || truck)
-      front.tables = {
-          excerpt(section.tables.back(), headed_table("instructions_in_short", values))};
+    if (!front.tables.empty() && !truck) continue;
+    const std::vector<Entry>& fewest = table.rows.front();
+    values.insert(values.end(),
+                  {{"id", fewest[0].shown},
+                   {"fewest", fewest[2].shown},
+                   {"times", fewest[3].digits.empty() ? missing_mark : fewest[3].digits.front()},
+                   {"formulations", table.rows.size()}});
+    front = headed_section("instructions_front", values);
+    front.tables = {excerpt(table, headed_table("instructions_in_short", values))};
   }
   return {front, section};
 }
@@ -77,7 +83,6 @@ std::string percent_of(double change) {
 }  // namespace
 
 Section history_section(const History& history) {
-  Section section = headed_section("history_section");
   Table lines = headed_table("history"), moves = headed_table("history_moves");
   for (const std::string& candidate : history.candidates)
     lines.columns.push_back({candidate, {"relative"}});
@@ -108,6 +113,16 @@ Section history_section(const History& history) {
                             {percent + " %", {percent}, {}}});
     }
   }
+  std::vector<double> changes{0};  // of each candidate since its first; none is no change
+  for (const auto& [candidate, count] : last) changes.push_back(count / first[candidate] - 1);
+  Section section = headed_section(
+      "history_section",
+      {{"commits", history.points.size()},
+       {"candidates", history.candidates.size()},
+       {"fewer", std::ranges::count_if(changes, [](double change) { return change < 0; })},
+       {"more", std::ranges::count_if(changes, [](double change) { return change > 0; })},
+       {"fall", percent_of(std::ranges::min(changes))},
+       {"rise", percent_of(std::ranges::max(changes))}});
   section.tables = {std::move(lines), std::move(moves)};
   return section;
 }

@@ -72,7 +72,7 @@ Section peers(const Record& record) {
                                                    {"method", peer.method}});
     cases[peer.case_name][{peer.coordinates, peer.guess}].push_back(&peer);
   }
-  for (const auto& [name, method] : methods) section.paragraphs.push_back(method);
+  for (const auto& [name, method] : methods) section.definitions.push_back(method);
   for (const auto& [name, places] : cases) {
     Table table = headed_table("peers_case", timed_words(record, {{"case", name}}));
     for (const auto& [place, peers] : places) {

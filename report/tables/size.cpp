@@ -1,5 +1,7 @@
 // How the time of a step grows with the number of coordinates, where caches end it, and from how
 // many unknowns on sparse matrices are faster than dense ones.
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "report/tables/entries.h"
@@ -45,7 +47,17 @@ Section dense_or_sparse(const Record& record) {
                             digits_entry(published_break_even)});
     }
   }
+  std::vector<double> found;
+  for (const auto& row : table.rows)
+    if (row[4].has_number()) found.push_back(std::stod(row[4].digits.front()));
   Section section = headed_section("break_even_section");
+  if (!found.empty()) {
+    const std::string least = write_fixed(std::ranges::min(found), 0),
+                      most = write_fixed(std::ranges::max(found), 0);
+    const TextValues range{{"unknowns", least == most ? least : least + " to " + most}};
+    section.paragraphs = {sentence("break_even_section.found", range)};
+    section.numbers = {sentence("break_even_section.range", range)};
+  }
   section.tables.push_back(std::move(table));
   return section;
 }
@@ -144,30 +156,45 @@ Table growth_data(const Record& record) {
 Section growth(const Record& record) {
   const std::vector<Curve> curves = curves_of(record.growth);
   std::size_t fitted = 0, linear = 0;
-  for (const Curve& curve : curves)
+  std::optional<double> least;  // cost of a coordinate [ns]
+  for (const Curve& curve : curves) {
+    if (const CurvePoint* const point = cheapest(curve))
+      least = std::min(least.value_or(point->nanoseconds()), point->nanoseconds());
     if (const auto slope = Fit(curve).slope) {
       ++fitted;
       linear += is_linear(slope->value);
     }
-  Section section = headed_section("growth_section", {{"linear", linear}, {"fitted", fitted}});
+  }
+  Section section = headed_section(
+      "growth_section",
+      {{"linear", linear}, {"fitted", fitted}, {"least", number_entry(least, 3).shown}});
   section.tables = {growth_data(record), exponents(curves)};
   return section;
 }
 
+/// Brings to the front what the sections found: sentences, numbers, figures, and few rows.
 std::vector<Section> size_sections(const Record& record) {
   std::vector<Section> sections{headed_section("size")};
+  const auto add = [&](Section section, const char* in_short, const auto& keep) {
+    Section& front = sections.front();
+    std::ranges::move(section.paragraphs, std::back_inserter(front.paragraphs));
+    std::ranges::move(section.numbers, std::back_inserter(front.numbers));
+    section.paragraphs.clear();
+    if (!section.tables.front().figure.empty()) {
+      front.tables.push_back(std::move(section.tables.front()));
+      section.tables.erase(section.tables.begin());
+    }
+    front.tables.push_back(excerpt(section.tables.front(), headed_table(in_short), keep));
+    sections.push_back(std::move(section));
+  };
   if (!record.growth.empty()) {
-    sections.push_back(growth(record));
-    const Table slopes = sections.back().tables.back();
-    sections.front().tables.push_back(
-        excerpt(slopes, headed_table("growth_in_short"),
-                [&](const auto& row) { return is_of_last_case(slopes, row); }));
+    Section section = growth(record);
+    const Table slopes = section.tables.back();
+    add(std::move(section), "growth_in_short",
+        [&](const auto& row) { return is_of_last_case(slopes, row); });
   }
-  if (!record.break_even.empty()) {
-    sections.push_back(dense_or_sparse(record));
-    sections.front().tables.push_back(
-        excerpt(sections.back().tables.front(), headed_table("break_even_in_short")));
-  }
+  if (!record.break_even.empty())
+    add(dense_or_sparse(record), "break_even_in_short", [](const auto&) { return true; });
   return sections;
 }
 

@@ -53,16 +53,18 @@ struct Table {
   bool detail = false;  ///< left out on the terminal, which says so; folded on the page
   std::string figure =
       {};  ///< the design drawn from it, as the figure `name`, above it on the page
-  std::string caption = {};                                ///< of the figure; empty: the notes
+  std::string caption = {};                                ///< of the figure: one sentence
   std::vector<std::pair<std::string, double>> lines = {};  ///< of the figure: names and values
 };
 
 struct Section {
   std::string title;
-  std::vector<std::string> paragraphs;
+  std::vector<std::string> paragraphs;  ///< what was found: shown first
   std::vector<Table> tables;
   std::string chapter = {};  ///< the experiment it belongs to; empty: no heading of its own
   bool front = false;        ///< it is shown on the terminal, and first on the page
+  std::vector<std::string> definitions = {};  ///< of words and methods: on the page folded, last
+  std::vector<std::string> numbers = {};  ///< what the site's index says of it: three, each named
 };
 
 struct Document {

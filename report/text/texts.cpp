@@ -94,6 +94,8 @@ Section headed_section(std::string_view block, const TextValues& values) {
   for (const auto& [word, text] : block_named(block)) {
     if (word == "title") section.title = filled(text, values);
     if (word == "paragraph") section.paragraphs.push_back(filled(text, values));
+    if (word == "definition") section.definitions.push_back(filled(text, values));
+    if (word == "number") section.numbers.push_back(filled(text, values));
   }
   return section;
 }

@@ -51,9 +51,27 @@ async function unfold(page) {
 function firstScreen() {
   const bottom = selector =>
       Math.max(...[...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect().bottom));
+  const below = document.querySelector('.front .scroll').getBoundingClientRect().top;
   return {
-    words: bottom('.front .words'), figure: bottom('.front .drawing'), table: bottom('.front > .scroll'),
+    gap: below - bottom('.front .words'),
+    words: bottom('.front .words'), figure: bottom('.front .drawing'), table: bottom('.front .more > .scroll'),
     folded: document.querySelectorAll('details.section:not([open])').length,
+  };
+}
+
+// The least size of text in figures as drawn, and figures that leave of their column more than a
+// few pixels.
+function fit() {
+  const drawings = [...document.querySelectorAll('.drawing svg')];
+  const sizes = drawings.flatMap(svg => {
+    const scale = svg.getBoundingClientRect().width / svg.width.baseVal.value;
+    return [...svg.querySelectorAll('text')].filter(text => text.textContent.trim())
+        .map(text => scale * parseFloat(getComputedStyle(text).fontSize));
+  });
+  const leaves = svg => svg.closest('.drawing').clientWidth - svg.getBoundingClientRect().width;
+  return {
+    least_text: Math.min(...sizes),
+    too_narrow: drawings.filter(svg => Math.abs(leaves(svg)) > 8).map(svg => svg.closest('figure').id),
   };
 }
 
@@ -147,7 +165,7 @@ try {
     await page.reload();
     await unfold(page);
     await live(page);
-    result.layout[width] = await page.evaluate(sideways);
+    result.layout[width] = {...await page.evaluate(sideways), ...await page.evaluate(fit)};
   }
   await page.setViewportSize({width: 1031, height: 703});  // A4 across, less its margins
   await page.reload();

@@ -97,6 +97,27 @@ TEST(Page, NamesTheFiguresThatAreMissing) {
   }
 }
 
+// What was found, the figure, the tables, and what the words mean: the last folded.
+TEST(Page, BeginsWithWhatWasFoundAndFoldsDefinitions) {
+  const Table table{
+      .name = "t", .title = "T", .notes = {"Note"}, .columns = {{"id", {}}}, .rows = {}};
+  Table drawn = table;
+  drawn.name = "f", drawn.figure = "figure6", drawn.caption = "Caption.";
+  for (const bool front : {true, false}) {
+    const std::string page = to_html(
+        {"D", {{"S", {"It was found."}, {drawn, table}, {}, front, {"A word means this."}}}});
+    const std::string body = page.substr(page.find("<main"));
+    std::size_t last = 0;
+    for (const char* part :
+         {"It was found.", "Caption.</figcaption>", "<!-- f -->", "<details>", "Note", "</figure>",
+          "<table id=\"t\"", "<details>", "A word means this.", "</details>"}) {
+      const std::size_t at = body.find(part, last);
+      EXPECT_NE(at, std::string::npos) << part << " in " << body;
+      last = std::min(at, body.size());
+    }
+  }
+}
+
 TEST(Page, EscapesWhatTheRecordSays) {
   Json record = complete_record();
   record["record"]["machine"]["cpu"] = "<script>alert(\"x\")</script> <!-- figure5 --> & co";
@@ -183,6 +204,8 @@ void expect_answers(const Json& figure, const Table& table, const std::vector<st
   EXPECT_EQ(figure["marks_after_legend"], figure["marks"]);  // a click on the legend undoes it
 }
 
+constexpr double min_text = 10;  // px, of a figure at any width
+
 // Nothing but tables and figures scrolls sideways, on a wide screen and on a phone, and paper shows
 // every column.
 void expect_nothing_lost(const Json& seen, const Document& document) {
@@ -192,6 +215,8 @@ void expect_nothing_lost(const Json& seen, const Document& document) {
   for (const auto& [width, layout] : seen["layout"].items()) {
     EXPECT_EQ(layout["overflow"], 0) << width;
     EXPECT_EQ(layout["outside"], Json::array()) << width;
+    EXPECT_EQ(layout["too_narrow"], Json::array()) << width;  // figures, of their column
+    EXPECT_GE(layout["least_text"], min_text) << width;
     EXPECT_GE(layout["tables"], tables - seen["figures"].size())
         << width;  // some are data of figures
   }
@@ -227,6 +252,8 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
     EXPECT_GT(first[part], 0) << part;
     EXPECT_LE(first[part], 900) << part;
   }
+  EXPECT_GE(first["gap"], 0);  // px; the table follows the words at once
+  EXPECT_LT(first["gap"], 60);
   EXPECT_GT(first["folded"], 5);
   std::size_t at = 0;
   for (const Section& section : document.sections)

@@ -82,6 +82,7 @@ void expect_same_numbers(const Document& document, std::size_t min_numbers = 100
     };
     for (const Section& section : document.sections) {
       says(section.paragraphs);
+      says(section.definitions);
       for (const Table& table : section.tables) {
         says(table.notes);
         ASSERT_LT(at, read.tables.size());

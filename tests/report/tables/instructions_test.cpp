@@ -23,6 +23,15 @@ TEST(Instructions, StandFewestFirstBesideTheReference) {
   EXPECT_EQ(entry_at(truck, {"global_automatic_klu"}, "times fewer").shown, "1.00 reference");
 }
 
+TEST(Instructions, BeginWithTheFewest) {
+  const Section front = instructions_sections(record_from(instructions_record())).at(0);
+  EXPECT_EQ(
+      front.paragraphs.at(0),
+      "A step of truck_suspension with 558 coordinates takes 14000 instructions at the fewest, "
+      "with group_symbolic_explicit/lanes:4: 100 times fewer than global_automatic_klu.");
+  EXPECT_EQ(front.numbers.at(1), "100 times fewer than global_automatic_klu");
+}
+
 TEST(Instructions, WithoutAReferenceHaveNoRatio) {
   const Table bars = instructions_sections(record_from(instructions_record())).at(1).tables.at(0);
   EXPECT_EQ(entry_at(bars, {"group_symbolic_inlined"}, "times fewer").shown, missing_mark);

@@ -94,6 +94,9 @@ TEST(Growth, IsLinearUntilCachesEndIt) {
   const Section section = growth(record_from(sizes_record()));
   EXPECT_EQ(section.paragraphs.at(0),
             "Up to 10000 coordinates time grows linearly in 1 of 2 pairs of case and formulation.");
+  EXPECT_EQ(section.numbers,
+            (std::vector<std::string>{"linear growth: 1 of 2",
+                                      "a coordinate of a step: 10.0 ns at the least"}));
   const Table exponents = table_of(section, "growth_exponents");
   const std::vector<std::string> row{"four_bar", in_order};
   EXPECT_EQ(entry_at(exponents, row, "slope").digits.back(), "4");  // 100 000 are not judged
@@ -113,6 +116,8 @@ TEST(BreakEven, IsInterpolatedBetweenItsNeighbours) {
             "sparse from the smallest, 10");
   EXPECT_EQ(entry_at(table, {"four_bar", "cholmod"}, "lapack").shown, "dense at the largest, 300");
   EXPECT_EQ(entry_at(table, {"four_bar", "klu"}, "the paper, about").shown, "60");
+  EXPECT_EQ(section.paragraphs.at(0),
+            "Sparse matrices are faster than dense ones from 60 unknowns on, by case and solver.");
 }
 
 TEST(BreakEven, OfCurvesThatCrossMoreThanOnceIsAllOfThese) {
