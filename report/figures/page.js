@@ -3,7 +3,7 @@
 // not point, choose what is shown. Where this does not run, the drawings stay.
 'use strict';
 
-const narrow = 640;  // px; below, panels stand under each other
+const narrow = 560;  // px; below, panels stand under each other
 const letter = 6.5;  // px; of labels
 
 // What the hover shows: the titles and texts of a tooltip of the specification.

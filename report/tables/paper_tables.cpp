@@ -154,7 +154,7 @@ Table figure_of_times(const Record& record) {
   const Sources source = sources(record);
   const bool same = source.warning.empty();
   Table table = headed_table("figure5", values_of(record));
-  if (!same) table.caption = source.warning;
+  if (!same) table.notes.push_back(table.caption = source.warning);
   table.notes.push_back(sentence("figure5.paper_machine"));
   table.notes.push_back(sentence("figure5.lines"));
   for (const Variant& variant : variants)
@@ -175,7 +175,7 @@ Table figure_of_times(const Record& record) {
 Table figure_of_speed_ups(const Record& record) {
   Table table = headed_table("figure6", values_of(record));
   if (const Sources source = sources(record); !source.ratio_warning.empty())
-    table.caption = source.ratio_warning;
+    table.notes.push_back(table.caption = source.ratio_warning);
   const std::vector<std::string> quantities{"speed_up", "low", "high"};
   table.columns.push_back({paper_solver, quantities});
   for (const std::string_view family : recorded_families(record))

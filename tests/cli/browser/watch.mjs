@@ -16,6 +16,17 @@ const widths = [1400, 800, 400];
 const frames = page => page.evaluate(
     () => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn))));
 
+// Returns what the page computes once it is as expected, as plots follow a new width later. Gives up
+// after so long that only a page that never gets there is meant: who reads the result judges.
+async function settled(page, compute, expected) {
+  const end = Date.now() + patience;
+  for (;;) {
+    await frames(page);
+    const value = await page.evaluate(compute);
+    if (value === expected || Date.now() > end) return value;
+  }
+}
+
 async function open(page, address) {
   await page.goto(address);
   await page.waitForFunction(() => document.documentElement.dataset.state === 'ready');
@@ -104,7 +115,7 @@ async function flags_of(page) {
 async function look(browser, file) {
   const address = pathToFileURL(file).href;
   const result = {file, requests: [], errors: []};
-  const page = await browser.newPage({viewport: {width: widths[0], height: 900}});
+  const page = await browser.newPage({viewport: {width: widths[0], height: 900}, reducedMotion: 'reduce'});
   page.setDefaultTimeout(patience);
   page.on('request', request => request.url() !== address && result.requests.push(request.url()));
   page.on('console', message => message.type() === 'error' && result.errors.push(message.text()));
@@ -124,16 +135,15 @@ async function look(browser, file) {
   result.overflow = {};
   for (const width of widths) {
     await page.setViewportSize({width, height: 900});
-    await frames(page);
-    result.overflow[width] = await page.evaluate(
-        () => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    result.overflow[width] = await settled(page,
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth, 0);
   }
   result.script = await page.evaluate(() => desmo.script());
   await page.close();
   return result;
 }
 
-const browser = await chromium.launch({executablePath, args: flags});
+const browser = await chromium.launch({executablePath, args: flags, timeout: patience});
 try {
   const results = [];
   for (const file of files) results.push(await look(browser, file));

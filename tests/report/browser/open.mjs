@@ -11,7 +11,7 @@ const flags = [
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
 ];
 
-const patience = 120000;  // ms; a busy machine must not decide
+const patience = 240000;  // ms; a busy machine must not decide
 
 const marks = figure => [...figure.querySelectorAll(
     '.drawing .role-mark :is([aria-roledescription="point"], [aria-roledescription="bar"], [aria-roledescription="rect mark"])')];
@@ -25,6 +25,15 @@ function hovered(marks) {
     const text = hint.hidden ? '' : hint.querySelector('dd:last-of-type').textContent;
     tell('mouseout');
     return hint.hidden ? text : 'the hint stays';
+  });
+}
+
+// A mark that lies under no other, where a pointer finds it.
+function uncovered(marks) {
+  return marks.find(mark => {
+    mark.scrollIntoView({block: 'center'});
+    const {x, y, width, height} = mark.getBoundingClientRect();
+    return document.elementFromPoint(x + width / 2, y + height / 2) === mark;
   });
 }
 
@@ -51,7 +60,7 @@ async function unfold(page) {
 function firstScreen() {
   const bottom = selector =>
       Math.max(...[...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect().bottom));
-  const below = document.querySelector('.front .scroll').getBoundingClientRect().top;
+  const below = document.querySelector('.front .more > .scroll').getBoundingClientRect().top;
   return {
     gap: below - bottom('.front .words'),
     words: bottom('.front .words'), figure: bottom('.front .drawing'), table: bottom('.front .more > .scroll'),
@@ -122,7 +131,7 @@ async function settledMarks(page, figure, expected) {
 
 // Returns what the hint says once it is shown.
 async function hintText(page) {
-  await page.locator('.hint').waitFor({state: 'visible', timeout: 5000}).catch(() => {});
+  await page.locator('.hint').waitFor({state: 'visible'});
   return page.locator('.hint dd').last().textContent();
 }
 
@@ -130,7 +139,8 @@ async function look(page, figure) {
   const id = await figure.getAttribute('id');
   const found = {id, marks: await settledMarks(page, figure, count => count > 0)};
   found.texts = await (await figure.evaluateHandle(marks)).evaluate(hovered);
-  await figure.locator('.role-mark [aria-roledescription]').first().hover({force: true});
+  const mark = await (await figure.evaluateHandle(marks)).evaluateHandle(uncovered);
+  await mark.asElement().hover({force: true});
   found.pointer = await hintText(page);
   found.presses = await focusByKeyboard(page, id);
   await page.keyboard.press('Space');
@@ -141,10 +151,12 @@ async function look(page, figure) {
   return found;
 }
 
-const browser = await chromium.launch({executablePath, args: flags});
+const browser = await chromium.launch({executablePath, args: flags, timeout: patience});
 const result = {requests: [], errors: [], figures: []};
 try {
-  const page = await browser.newPage({viewport: {width: 1280, height: 900}});
+  // Without smooth scrolling: on a busy machine the page would move between press and release, and
+  // the click be lost.
+  const page = await browser.newPage({viewport: {width: 1280, height: 900}, reducedMotion: 'reduce'});
   page.setDefaultTimeout(patience);
   page.on('request', request => request.url() !== address && result.requests.push(request.url()));
   page.on('console', message => message.type() === 'error' && result.errors.push(message.text()));
