@@ -41,6 +41,7 @@ std::string to_json(const Document& document) {
     sections.push_back({{"chapter", section.chapter},
                         {"title", section.title},
                         {"paragraphs", section.paragraphs},
+                        {"definitions", section.definitions},
                         {"tables", tables}});
   }
   const Json all{{"title", document.title}, {"sections", sections}};
