@@ -88,11 +88,11 @@ std::vector<std::string_view> nearest_names(std::string_view name,
   std::vector<std::pair<int, std::string_view>> near;
   for (const std::string_view candidate : known) {
     const int distance = edit_distance(name, candidate, limit);
-    if (distance <= limit)
-      near.emplace_back(distance, candidate);
-    else if (name.size() >= min_contained && candidate.find(name) != candidate.npos)
-      near.emplace_back(max_distance + 1, candidate);
+    if (distance <= limit) near.emplace_back(distance, candidate);
   }
+  if (near.empty() && name.size() >= min_contained)
+    for (const std::string_view candidate : known)
+      if (candidate.find(name) != candidate.npos) near.emplace_back(0, candidate);
   std::ranges::stable_sort(near, {}, &std::pair<int, std::string_view>::first);
   if (near.size() > max_suggestions) near.resize(max_suggestions);
   std::vector<std::string_view> names;

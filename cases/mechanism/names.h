@@ -18,8 +18,8 @@ bool is_name(std::string_view text);
 bool matches(std::string_view pattern, std::string_view name);
 
 /// Returns at most three known names similar to `name`: edit distance at most 3 and half its
-/// length, or `name` is a part of them, of at least 3 characters. Nearest names come first, then
-/// those that contain it; equally near ones in the order given.
+/// length. Nearest names come first, equally near ones in the order given. Where none is similar,
+/// returns names that contain `name`, if it has at least 3 characters.
 std::vector<std::string_view> nearest_names(std::string_view name,
                                             std::span<const std::string_view> known);
 
