@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -16,6 +17,25 @@ std::vector<double> read_numbers(const JsonValue& list, double unit) {
   for (const JsonValue& value : list.elements()) numbers.push_back(value.number() * unit);
   return numbers;
 }
+
+/// A unit of numbers in a file, and exactly. Lengths count as the doubles nearest to them.
+struct ExactUnit {
+  double rounded;
+  Derived exact;
+
+  explicit ExactUnit(double unit) : rounded(unit), exact(unit) {}
+  ExactUnit(double unit, const Derived& exactly) : rounded(unit), exact(exactly) {}
+  static ExactUnit of_angle(double unit) {
+    return {unit, unit == 1 ? Derived(1) : Derived::pi() / 180};
+  }
+
+  double read(const JsonValue& value, std::vector<Remainder>& remainders) const {
+    const double number = value.number(), result = number * rounded;
+    const bool is_number = std::isfinite(result);
+    remainders.push_back(is_number ? (exact * number).about(result).remainder() : Remainder());
+    return result;
+  }
+};
 
 // What is open is refused where it would be used.
 [[noreturn]] void complain_of_open_unit(const JsonValue& value, const std::string& kind,
@@ -36,33 +56,45 @@ double length_unit(const JsonValue& value, const FileUnits& units) {
   return units.length.in_si;
 }
 
-Motion read_constant(const JsonValue& value, double unit) {
+Motion read_constant(const JsonValue& value, const ExactUnit& unit) {
   value.allow({"type", "value"});
-  return Polynomial{{value["value"].number() * unit}};
+  Polynomial constant;
+  constant.coefficients.push_back(unit.read(value["value"], constant.remainders));
+  return constant;
 }
 
-Motion read_polynomial(const JsonValue& value, double unit) {
+Motion read_polynomial(const JsonValue& value, const ExactUnit& unit) {
   value.allow({"type", "coefficients"});
   const JsonValue coefficients = value["coefficients"];
   const std::size_t count = coefficients.elements().size();
   if (count < 1 || count > max_coefficients)
     coefficients.complain("has " + std::to_string(count) + " coefficients; give 1 to " +
                           std::to_string(max_coefficients));
-  return Polynomial{read_numbers(coefficients, unit)};
+  Polynomial polynomial;
+  for (const JsonValue& c : coefficients.elements())
+    polynomial.coefficients.push_back(unit.read(c, polynomial.remainders));
+  return polynomial;
 }
 
-Motion read_harmonic(const JsonValue& value, double unit, const FileUnits& units) {
+Motion read_harmonic(const JsonValue& value, const ExactUnit& unit, const FileUnits& units) {
   value.allow({"type", "mean", "terms"});
+  const ExactUnit hertz{2 * std::numbers::pi, Derived::pi() * 2};
   HarmonicSum sum;
-  if (const auto mean = value.find("mean")) sum.mean = mean->number() * unit;
+  std::vector<Remainder>& remainders = sum.remainders;
+  if (const auto mean = value.find("mean"))
+    sum.mean = unit.read(*mean, remainders);
+  else
+    remainders.emplace_back();
   const JsonValue terms = value["terms"];
   for (const JsonValue& term : terms.elements()) {
     term.allow({"amplitude", "frequency", "phase"});
     HarmonicSum::Term& t = sum.terms.emplace_back();
-    t.amplitude = term["amplitude"].number() * unit;
-    t.angular_frequency = 2 * std::numbers::pi * term["frequency"].number();
+    t.amplitude = unit.read(term["amplitude"], remainders);
+    t.angular_frequency = hertz.read(term["frequency"], remainders);
     if (const auto phase = term.find("phase"))
-      t.phase = phase->number() * angle_unit(*phase, units);
+      t.phase = ExactUnit::of_angle(angle_unit(*phase, units)).read(*phase, remainders);
+    else
+      remainders.emplace_back();
   }
   if (sum.terms.empty()) terms.complain("has no terms; give one, or a motion of type 'constant'");
   return sum;
@@ -113,8 +145,9 @@ std::vector<int> driven_coordinates(const Mechanism& mechanism) {
 
 Motion read_motion(const JsonValue& value, Mechanism::CoordinateType coordinate,
                    const FileUnits& units) {
-  const double unit = coordinate == Mechanism::CoordinateType::angle ? angle_unit(value, units)
-                                                                     : length_unit(value, units);
+  const ExactUnit unit = coordinate == Mechanism::CoordinateType::angle
+                             ? ExactUnit::of_angle(angle_unit(value, units))
+                             : ExactUnit(length_unit(value, units));
   constexpr std::array<std::string_view, 4> types{"constant", "polynomial", "harmonic", "table"};
   switch (value["type"].choose("type of motion", types)) {
     case 0:
@@ -124,7 +157,7 @@ Motion read_motion(const JsonValue& value, Mechanism::CoordinateType coordinate,
     case 2:
       return read_harmonic(value, unit, units);
     default:
-      return read_table(value, unit);
+      return read_table(value, unit.rounded);
   }
 }
 

@@ -38,10 +38,10 @@ class VectorReader {
 
   void read(int i, const JsonValue& value) {
     if (value.is_array()) {
-      const auto unit = unit_vector(read_components(value, dimension_));
+      const Vec components = read_components(value, dimension_);
+      const auto unit = unit_vector(components);
       if (!unit) value.complain("a direction of length 0; give a component that is not 0");
-      vectors_[i].direction = *unit;
-      return;
+      return set(i, *unit, {components[0], components[1], components[2]});
     }
     if (!value.is_object())
       value.complain(
@@ -54,7 +54,21 @@ class VectorReader {
     if (normal) return read_normal(i, *normal);
     vectors_[i].along = names_.points.find_pair(*along);
     const auto [from, to] = *vectors_[i].along;
-    vectors_[i].direction = line(*along, from, to);
+    set(i, line(*along, from, to), exact({-1, from, to}));
+  }
+
+  void set(int i, const Vec& unit, const std::array<Derived, 3>& along) {
+    vectors_[i].direction = unit;
+    vectors_[i].remainder = remainder_of(unit, along);
+  }
+  /// Returns a direction as the file means it; a line with its length.
+  std::array<Derived, 3> exact(const Direction& d) const {
+    std::array<Derived, 3> x;
+    for (int i = 0; i < 3; ++i)
+      x[i] = d.is_line()
+                 ? Derived(points_[d.to].position[i]) - points_[d.from].position[i]
+                 : Derived(vectors_[d.vector].direction[i], vectors_[d.vector].remainder[i]);
+    return x;
   }
 
   void read_normal(int i, const JsonValue& value) {
@@ -109,7 +123,9 @@ class VectorReader {
       normal.place.complain(
           "the two directions are parallel and have no common normal; choose "
           "another");
-    vectors_[normal.vector].direction = *unit;
+    const auto a = exact(normal.of[0]), b = exact(normal.of[1]);
+    set(normal.vector, *unit,
+        {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
   }
 
   // Each of them waits for the next, and the last for the first.

@@ -29,6 +29,18 @@ std::optional<Vec> direction(const Vec& p, const Vec& q) {
   return unit_vector(difference);
 }
 
+std::array<Remainder, 3> remainder_of(const Vec& unit, const std::array<Derived, 3>& along) {
+  std::array<Derived, 3> y = along;
+  const int exponent = std::ilogb(largest({y[0].value, y[1].value, y[2].value}));
+  for (Derived& x : y)  // exactly, so that no square overflows or vanishes
+    x = {std::ldexp(x.value, -exponent),
+         {std::ldexp(x.correction, -exponent), std::ldexp(x.radius, -exponent)}};
+  const Derived length = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
+  std::array<Remainder, 3> remainder;
+  for (int i = 0; i < 3; ++i) remainder[i] = (y[i] / length).about(unit[i]).remainder();
+  return remainder;
+}
+
 std::optional<Vec> common_normal(const Vec& a, const Vec& b) {
   const Vec product{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                     a[0] * b[1] - a[1] * b[0]};

@@ -1,6 +1,7 @@
 // Nominal directions of vectors and of lines.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "cases/mechanism/mechanism.h"
@@ -12,6 +13,11 @@ std::optional<Mechanism::Vec> unit_vector(const Mechanism::Vec& x);
 
 /// Returns the unit vector from p to q; nothing when they coincide within rounding.
 std::optional<Mechanism::Vec> direction(const Mechanism::Vec& p, const Mechanism::Vec& q);
+
+/// Returns what the components of a unit vector lack. along: a vector that it has the direction of,
+/// not zero.
+std::array<Remainder, 3> remainder_of(const Mechanism::Vec& unit,
+                                      const std::array<Derived, 3>& along);
 
 /// Returns the unit vector along a × b of unit vectors a, b. Returns nothing when these are
 /// parallel, or so nearly that the product has lost half of its digits.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/numbers/derived.h"
+
 namespace desmo {
 
 /// A mechanism: bodies that carry named points and unit vectors, joints by type and by the entities
@@ -25,10 +27,11 @@ struct Mechanism {
 
   struct Vector {
     std::string name;
-    Vec direction;  ///< nominal direction, of length 1
+    Vec direction;  ///< nominal direction, of length 1, each component rounded
     /// Two points of the body: the vector always points from the first to the second. It then
     /// follows from the points by a linear equation.
     std::optional<std::array<int, 2>> along;
+    std::array<Remainder, 3> remainder{};  ///< of the direction
   };
 
   /// A rigid body. Its points and vectors are listed by preference as basis of the body's

@@ -8,13 +8,16 @@
 #include <variant>
 #include <vector>
 
+#include "cases/numbers/derived.h"
+
 namespace desmo {
 
 // Units: z in that of the coordinate, t in seconds.
 
 /// z(t) = c₀ + c₁ t + c₂ t² + …
 struct Polynomial {
-  std::vector<double> coefficients;  ///< c₀ first; empty: z = 0
+  std::vector<double> coefficients;     ///< c₀ first; empty: z = 0
+  std::vector<Remainder> remainders{};  ///< of the coefficients; empty: none
 };
 
 /// z(t) = mean + Σ amplitude sin(angular_frequency t + phase).
@@ -26,6 +29,8 @@ struct HarmonicSum {
   };
   double mean = 0;
   std::vector<Term> terms;
+  /// Those of the mean, then of the three numbers of each term; empty: none.
+  std::vector<Remainder> remainders{};
 };
 
 /// Conditions at the ends of a spline, which interpolation leaves open.
@@ -73,30 +78,40 @@ struct MotionSample {
 
 /// Evaluates Σ c[i] tⁱ and its first two derivatives by Horner's rule.
 template <class S>
-MotionSample<S> sample_polynomial(std::span<const double> c, const S& t) {
+MotionSample<S> sample_polynomial(std::span<const double> c, const S& t,
+                                  std::span<const Remainder> remainders = {}) {
   if (c.empty()) return {S(0), S(0), S(0)};
-  S z(c.back()), first(0), half_second(0);
+  const auto number = [&](std::size_t i) {
+    return as<S>({c[i], i < remainders.size() ? remainders[i] : Remainder()});
+  };
+  S z = number(c.size() - 1), first(0), half_second(0);
   for (std::size_t i = c.size() - 1; i-- > 0;) {
     half_second = half_second * t + first;
     first = first * t + z;
-    z = z * t + S(c[i]);
+    z = z * t + number(i);
   }
   return {z, first, S(2) * half_second};
 }
 
 template <class S>
 MotionSample<S> sample(const Polynomial& m, const S& t) {
-  return sample_polynomial(m.coefficients, t);
+  return sample_polynomial(std::span<const double>(m.coefficients), t,
+                           std::span<const Remainder>(m.remainders));
 }
 
 template <class S>
 MotionSample<S> sample(const HarmonicSum& m, const S& t) {
   using std::cos;
   using std::sin;
-  MotionSample<S> z{S(m.mean), S(0), S(0)};
+  const auto number = [&](double value, std::size_t k) {
+    return as<S>({value, k < m.remainders.size() ? m.remainders[k] : Remainder()});
+  };
+  MotionSample<S> z{number(m.mean, 0), S(0), S(0)};
+  std::size_t k = 0;
   for (const HarmonicSum::Term& term : m.terms) {
-    const S w(term.angular_frequency), a(term.amplitude);
-    const S angle = w * t + S(term.phase);
+    const S a = number(term.amplitude, k + 1), w = number(term.angular_frequency, k + 2);
+    const S angle = w * t + number(term.phase, k + 3);
+    k += 3;
     const S sine = sin(angle);
     z.position = z.position + a * sine;
     z.velocity = z.velocity + a * w * cos(angle);

@@ -20,6 +20,11 @@
 //                              always the same entries in the same order
 //   quadratic(x, v, c, gamma)  gamma[rows] = Φ̇_q q̇, the quadratic velocity term of eq. (4),
 //                              overwritten
+// Kinds whose dimensions the positions of their operands determine have another one, for any scalar
+// with division and square root:
+//   measure(x, c)              c[constants] = dimensions for which the constraint holds at x,
+//                              overwritten; angles among the operands are not read
+// A kind without it relates an entity to a basis, which its operands do not tell.
 // The operands of a constraint are different entities. Lengths are in the unit of the mechanism,
 // angles in radians.
 

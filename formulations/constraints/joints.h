@@ -51,6 +51,11 @@ struct Offset {
     const auto s = vec::difference<2>(x[1], x[2]);
     phi[0] = vec::cross(x[0], s.data()) - c[0];
   }
+  template <class S>
+  static void measure(const S* const* x, S* c) {
+    const auto s = vec::difference<2>(x[1], x[2]);
+    c[0] = vec::cross(x[0], s.data());
+  }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S*, Entry&& entry) {
     const auto s = vec::difference<2>(x[1], x[2]);

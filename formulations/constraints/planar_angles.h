@@ -25,6 +25,11 @@ struct PlanarAngle {
     phi[0] = x[1][0] - x[0][0] - c[0] * cos(x[2][0]);
     phi[1] = x[1][1] - x[0][1] - c[0] * sin(x[2][0]);
   }
+  template <class S>
+  static void measure(const S* const* x, S* c) {
+    const auto s = vec::difference<2>(x[0], x[1]);
+    c[0] = vec::norm<2>(s.data());
+  }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
     using std::cos, std::sin;
@@ -141,6 +146,14 @@ struct AngleOperands {
     else
       return direction<2, from_line>(x + first_of_e);
   }
+  /// Returns ‖d‖/‖e‖. Vectors have length 1.
+  template <class S>
+  static S ratio(const S* const* x) {
+    const auto length = [](bool line, const std::array<S, 2>& u) {
+      return line ? norm<2>(u.data()) : S(1);
+    };
+    return length(of_line, d(x)) / length(from_line, e(x));
+  }
 };
 
 }  // namespace vec
@@ -167,6 +180,10 @@ struct PlanarTurn : vec::AngleOperands<between> {
     const auto d = Operands::d(x);
     const auto f = turn(Operands::e(x));
     for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
+  }
+  template <class S>
+  static void measure(const S* const* x, S* c) {
+    c[0] = Operands::ratio(x);
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {

@@ -23,6 +23,11 @@ struct Length {
     const auto s = vec::difference<D>(x[0], x[1]);
     phi[0] = vec::dot<D>(s.data(), s.data()) - c[0];
   }
+  template <class S>
+  static void measure(const S* const* x, S* c) {
+    const auto s = vec::difference<D>(x[0], x[1]);
+    c[0] = vec::dot<D>(s.data(), s.data());
+  }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S*, Entry&& entry) {
     for (int i = 0; i < D; ++i) {
@@ -72,6 +77,10 @@ struct Dot {
   static void residual(const S* const* x, const S* c, S* phi) {
     phi[0] = vec::dot<D>(x[0], x[1]) - c[0];
   }
+  template <class S>
+  static void measure(const S* const* x, S* c) {
+    c[0] = vec::dot<D>(x[0], x[1]);
+  }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S*, Entry&& entry) {
     for (int i = 0; i < D; ++i) {
@@ -97,6 +106,11 @@ struct Projection {
   static void residual(const S* const* x, const S* c, S* phi) {
     const auto s = vec::difference<D>(x[1], x[2]);
     phi[0] = vec::dot<D>(x[0], s.data()) - c[0];
+  }
+  template <class S>
+  static void measure(const S* const* x, S* c) {
+    const auto s = vec::difference<D>(x[1], x[2]);
+    c[0] = vec::dot<D>(x[0], s.data());
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S*, Entry&& entry) {
@@ -131,6 +145,12 @@ struct Rigid : LinearKind<D> {
       phi[i] = x[0][i] - x[1][i];
       for (int k = 0; k < T; ++k) phi[i] = phi[i] - c[k] * x[k + 2][i];
     }
+  }
+  /// Measures along a unit vector that points from o to p.
+  template <class S>
+  static void measure(const S* const* x, S* c) requires(T == 1) {
+    const auto s = vec::difference<D>(x[1], x[0]);
+    c[0] = vec::norm<D>(s.data());
   }
   template <class S, class Entry>
   static void jacobian(const S* const*, const S* c, Entry&& entry) {
@@ -194,6 +214,15 @@ struct PlanarRelation : LinearKind<2> {
     phi[1] = x[0][1] - c[0] * d[1] - c[1] * d[0];
     if constexpr (Point)
       for (int i = 0; i < 2; ++i) phi[i] = phi[i] - x[1][i];
+  }
+  template <class S>
+  static void measure(const S* const* x, S* c) {
+    const auto d = vec::direction<2, Line>(x + first);
+    const auto p = vec::direction<2, false>(x);
+    const auto from_origin = Point ? vec::difference<2>(x[1], x[0]) : p;
+    const S square = vec::dot<2>(d.data(), d.data());
+    c[0] = vec::dot<2>(d.data(), from_origin.data()) / square;
+    c[1] = vec::cross(d.data(), from_origin.data()) / square;
   }
   template <class S, class Entry>
   static void jacobian(const S* const*, const S* c, Entry&& entry) {

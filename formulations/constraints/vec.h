@@ -3,6 +3,7 @@
 // Vector algebra shared by the constraint kinds, for any scalar.
 
 #include <array>
+#include <cmath>
 
 namespace desmo::vec {
 
@@ -25,6 +26,13 @@ std::array<S, D> difference(const S* a, const S* b) {
   std::array<S, D> s;
   for (int i = 0; i < D; ++i) s[i] = b[i] - a[i];
   return s;
+}
+
+/// Returns the length of a vector.
+template <int D, class S>
+S norm(const S* u) {
+  using std::sqrt;
+  return sqrt(dot<D>(u, u));
 }
 
 /// Returns a direction: the line from operand 0 to operand 1, or the vector operand 0.

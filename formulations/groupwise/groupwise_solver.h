@@ -21,7 +21,7 @@ class GroupwiseSolver {
   /// Sets the start of the next Newton iteration to the positions of another solver.
   template <class T>
   void start_at(const GroupwiseSolver<T>& other) {
-    for (std::size_t i = 0; i < state_.q.size(); ++i) state_.q[i] = other.state().q[i];
+    for (int i = 0; i < m_.coordinates(); ++i) state_.q[i] = other.state().q[i];
   }
 
   /// Solves the positions at time t [s] as accurately as S allows, from the present ones. Throws

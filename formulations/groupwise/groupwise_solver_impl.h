@@ -23,7 +23,8 @@ GroupwiseSolver<S>::GroupwiseSolver(const Model& m)
       magnitude_(natural_magnitudes(m)),
       state_(m.state_size()) {
   std::ranges::copy(m.estimate, state_.q.begin());
-  std::ranges::copy(m.fixed_values, state_.q.begin() + m.coordinates());
+  for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
+    state_.q[m.coordinates() + i] = as<S>(m.fixed_value(i));
 }
 
 template <class S>

@@ -52,7 +52,8 @@ struct PartSystem {
         v[k] = state_.qd.data() + first[k];
       }
       std::array<S, Kind::constants + 1> constants{};
-      std::ranges::copy(constraint.constants, constants.begin());
+      for (std::size_t k = 0; k < Kind::constants; ++k)
+        constants[k] = as<S>(constraint.dimension(k));
       std::array<S, Kind::rows> all_phi, gamma;
       Kind::residual(x.data(), constants.data(), all_phi.data());
       Kind::quadratic(x.data(), v.data(), constants.data(), gamma.data());

@@ -90,12 +90,14 @@ EntityId Model::add(EntityKind kind, std::string entity_name,
   return id;
 }
 
-EntityId Model::add_fixed(EntityKind kind, std::string entity_name,
-                          std::span<const double> values) {
+EntityId Model::add_fixed(EntityKind kind, std::string entity_name, std::span<const double> values,
+                          std::span<const Remainder> remainders) {
   const EntityId id =
       add_entity({std::move(entity_name), kind, true, static_cast<int>(fixed_values.size()),
                   static_cast<int>(values.size()), no_position});
   fixed_values.insert(fixed_values.end(), values.begin(), values.end());
+  fixed_remainders.insert(fixed_remainders.end(), remainders.begin(), remainders.end());
+  fixed_remainders.resize(fixed_values.size());
   return id;
 }
 

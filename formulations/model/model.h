@@ -8,6 +8,7 @@
 
 #include "cases/mechanism/level.h"
 #include "cases/mechanism/motion.h"
+#include "cases/numbers/derived.h"
 
 namespace desmo {
 
@@ -38,6 +39,19 @@ struct Constraint {
   std::vector<double> constants;
   GroupId group;          ///< group that it determines
   unsigned left_out = 0;  ///< bit r: row r depends on other equations and is omitted
+  /// What each constant lacks of the dimension in the file; empty: nothing. Formulations leave it
+  /// out; proofs and references of the motion take it in.
+  std::vector<Remainder> remainders{};
+
+  /// Returns a dimension as the file means it.
+  Derived dimension(std::size_t k) const {
+    return {constants[k], k < remainders.size() ? remainders[k] : Remainder()};
+  }
+  /// Sets a dimension to a number that counts as exact.
+  void set_dimension(std::size_t k, double exact) {
+    constants[k] = exact;
+    if (k < remainders.size()) remainders[k] = {};
+  }
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are
@@ -71,8 +85,9 @@ struct Model {
   std::vector<Constraint> constraints;  ///< contiguous by group, in group order
   std::vector<Group> groups;            ///< in solution order
   std::vector<Driver> drivers;
-  std::vector<double> estimate;      ///< initial estimate of q (coordinates())
-  std::vector<double> fixed_values;  ///< components of the fixed entities
+  std::vector<double> estimate;             ///< initial estimate of q (coordinates())
+  std::vector<double> fixed_values;         ///< components of the fixed entities
+  std::vector<Remainder> fixed_remainders;  ///< what each of them lacks, as in Constraint
 
   int coordinates() const { return static_cast<int>(estimate.size()); }
   int degrees_of_freedom() const { return static_cast<int>(drivers.size()); }
@@ -82,6 +97,9 @@ struct Model {
   int state_index(EntityId e) const {
     return entities[e].fixed ? coordinates() + entities[e].first : entities[e].first;
   }
+
+  /// Returns a component of a fixed entity as the file means it.
+  Derived fixed_value(std::size_t i) const { return {fixed_values[i], fixed_remainders[i]}; }
 
   /// Returns whether an entity never moves: it is fixed, or its group is constant.
   bool is_at_rest(EntityId e) const {
@@ -116,7 +134,8 @@ struct Model {
   EntityId add(EntityKind kind, std::string entity_name, std::span<const double> initial_estimate,
                GroupId group);
   /// Adds an entity that never moves.
-  EntityId add_fixed(EntityKind kind, std::string entity_name, std::span<const double> values);
+  EntityId add_fixed(EntityKind kind, std::string entity_name, std::span<const double> values,
+                     std::span<const Remainder> remainders = {});
   /// Prescribes the motion of a scalar coordinate.
   void drive(EntityId coordinate, Motion motion);
 

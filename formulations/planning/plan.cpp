@@ -109,8 +109,9 @@ std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstrea
     const Entity& e = whole.entities[i];
     const std::vector<double>& values = e.fixed ? whole.fixed_values : whole.estimate;
     const std::span<const double> own(values.data() + e.first, e.size);
-    entity[i] =
-        e.fixed ? m.add_fixed(e.kind, e.name, own) : m.add(e.kind, e.name, own, group[e.group]);
+    entity[i] = e.fixed ? m.add_fixed(e.kind, e.name, own,
+                                      std::span(whole.fixed_remainders).subspan(e.first, e.size))
+                        : m.add(e.kind, e.name, own, group[e.group]);
   }
   for (std::size_t g = 0; g < group.size(); ++g)
     for (const EntityId e : whole.groups[g].entities)

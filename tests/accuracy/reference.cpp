@@ -119,14 +119,17 @@ void expect_near(const WideJet& a, const WideJet& b, const std::string& what) {
 
 /// The angle that drives: c₀ + c₁ t.
 WideJet driven(const Model& m, double t) {
-  const auto& c = std::get<Polynomial>(m.drivers[0].motion).coefficients;
-  return WideJet(Quadruple(c[0])) + WideJet(Quadruple(c[1])) * WideJet::time(t);
+  const auto& [c, remainders] = std::get<Polynomial>(m.drivers[0].motion);
+  const auto exact = [&](std::size_t i) {
+    return WideJet(as<Quadruple>({c[i], remainders.empty() ? Remainder() : remainders[i]}));
+  };
+  return exact(0) + exact(1) * WideJet::time(t);
 }
 
-/// The constant of the only constraint with these operands: a length as the model has rounded it.
+/// The constant of the only constraint with these operands: a length as the file means it.
 Quadruple constant(const Model& m, const std::vector<EntityId>& operands) {
   for (const Constraint& c : m.constraints)
-    if (c.operands == operands) return c.constants.at(0);
+    if (c.operands == operands) return as<Quadruple>(c.dimension(0));
   throw std::invalid_argument("no such constraint");
 }
 

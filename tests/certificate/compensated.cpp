@@ -1,7 +1,7 @@
 // Compensated arithmetic against exact arithmetic: the radius holds what is rounded off, and is of
 // the second order in the unit roundoff.
 
-#include "formulations/verification/certificate/compensated.h"
+#include "cases/numbers/compensated.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Each operation of intervals against exact arithmetic: no result is left out, and no radius is
 // more than a few times what was seen.
 
-#include "formulations/verification/certificate/interval.h"
+#include "cases/numbers/interval.h"
 
 #include <gtest/gtest.h>
 

@@ -139,7 +139,7 @@ class Difference final : public Observer {
 inline Model parallelogram() {
   Model m = four_bar_model(1);
   for (Constraint& c : m.constraints)
-    if (c.group == 1 && c.kind == kind_index<PlanarAngle>()) c.constants[0] = 2;  // the rocker
+    if (c.group == 1 && c.kind == kind_index<PlanarAngle>()) c.set_dimension(0, 2);  // the rocker
   std::ranges::find(m.constraints, "dyad1/rocker: dyad1/D-dyad1/C length", &Constraint::name)
       ->constants[0] = 4;  // its length squared
   const auto at = [&](const char* name) { return m.entities[m.find(name)].first; };

@@ -4,18 +4,19 @@
 #include <span>
 #include <string>
 
-#include "formulations/verification/certificate/certificate.h"
+#include "formulations/verification/certificate/refinement.h"
 #include "formulations/verification/monitor/running_scales.h"
 
 namespace desmo::cli {
 
-/// Certificates of the instants of a motion, summed up.
+/// Refined instants of a motion, and what is proven of them, summed up.
 class Proof {
  public:
   /// levels: of Plan. Model and levels must outlive the proof.
   Proof(const Model& model, const TimeGrid& grid, std::span<const Level> levels);
 
-  void add(const Instant& instant);
+  /// Returns the instant with corrections where it is proven; valid until the next call.
+  Instant refine(const Instant& instant);
   bool is_complete() const { return proven_ == instants_; }
   /// Returns a line on how many instants are proven, and the largest error bound, relative as in
   /// verification/error.h. A further line names the first instant that is not proven, if any.
@@ -25,11 +26,12 @@ class Proof {
 
  private:
   const Model& m_;
-  Certifier certifier_;
+  Refinement refinement_;
   RunningScales scales_;
   long instants_ = 0, proven_ = 0;
   double first_ = 0;  // time of the first instant not proven
   GroupId group_ = -1;
+  ProofFailure failure_ = ProofFailure::none;
   PerLevel<double> length_, rotation_;  // largest radii of proven instants
 };
 

@@ -116,10 +116,8 @@ MonitoredSummary run_through(const Task& task, Formulation& formulation, SeriesW
   const SolveOptions& o = task.options;
   MonitoredRunOptions monitoring{
       .levels = task.plan.levels, .strict = o.strict, .past_failures = o.past_failures};
-  monitoring.monitored = [&](const MonitoredInstant& i) {
-    if (proof) proof->add(i.instant);
-    writer.remark_next(flag_of(i));
-  };
+  if (proof) monitoring.refined = [&](const Instant& i) { return proof->refine(i); };
+  monitoring.monitored = [&](const MonitoredInstant& i) { writer.remark_next(flag_of(i)); };
   return run_monitored(formulation, task.input.scene.grid, Request{task.plan.level()}, writer,
                        monitoring);
 }
@@ -245,8 +243,8 @@ void add_solve(CLI::App& program) {
   command
       ->add_flag(
           "--certify", options->certify,
-          "Prove an error bound of every instant, all rounding included; with --strict, fail "
-          "where there is no proof")
+          "Correct every instant to the last digits and prove an error bound of it, all rounding "
+          "included; with --strict, fail where there is no proof")
       ->excludes("--drivers");
   add_options(*command, options->own_code);
   command->add_flag("--explain", options->explain,

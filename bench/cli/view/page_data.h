@@ -27,12 +27,13 @@ struct PageData {
 /// Bytes that a number takes in a page: four, in base64.
 inline constexpr double text_per_number = 16. / 3;
 
-/// Returns an upper limit of how many numbers an instant has for what is drawn; at least 1.
+/// Returns how many numbers an instant has for what is drawn: no less than 1, and no more than
+/// this.
 std::size_t drawn_numbers(const Mechanism& mechanism);
 
 /// Writes every `every`th of the recorded instants, and the last ones before gaps and the end. All
-/// numbers have seven digits; so have their differences. The scene's request is plotted, or else
-/// relative coordinates and points, as many as fit.
+/// numbers are in the scene's units and have seven digits; so have their differences. The scene's
+/// request is plotted, or else relative coordinates and points, as many as fit.
 PageData page_data(const ShownMotion& motion, int every);
 
 }  // namespace desmo::cli

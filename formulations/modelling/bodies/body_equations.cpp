@@ -1,42 +1,43 @@
-#include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "formulations/modelling/equations/equation_writer.h"
+#include "formulations/modelling/equations/spatial_relation.h"
 
 namespace desmo {
 
 namespace {
 
-using nominal::Vec;
-using nominal::operator-;
 using Direction = Mechanism::Direction;
 
 /// target = [origin +] Σ cᵢ directionᵢ
 struct Relation {
   std::string name;
-  const Basis& basis;
+  const RigidBody& body;
   EntityId target;
-  bool is_point;     // then from the origin
-  Vec offset;        // of the target from the origin, nominally
+  Direction offset;  // of the target from the origin; of a vector itself
   double magnitude;  // what the offset was subtracted from
+
+  bool is_point() const { return offset.is_line(); }
 };
 
 void relate_in_plane(EquationWriter& w, const Relation& r) {
-  if (r.basis.directions.empty())  // a second name for the same place
-    return w.constrain<Rigid<2, 0>>(Origin::body, r.name, {r.target, w.point(r.basis.origin)}, {});
-  const Direction& d = r.basis.directions.front();
-  const Vec x = nominal::direction(w.mechanism, d);
-  const double x2 = nominal::dot(x, x), least = r.magnitude / std::sqrt(x2);
-  const std::array c{snap(nominal::dot(x, r.offset) / x2, least),
-                     snap((x[0] * r.offset[1] - x[1] * r.offset[0]) / x2, least)};
-  if (r.is_point && d.is_line())
+  const Basis& basis = r.body.basis;
+  if (basis.directions.empty())  // a second name for the same place
+    return w.constrain<Rigid<2, 0>>(Origin::body, r.name, {r.target, w.point(basis.origin)}, {});
+  const Direction& d = basis.directions.front();
+  const double length = nominal::norm(nominal::direction(w.mechanism, d));
+  // Seen from the origin, all four kinds measure the same.
+  const auto c = measured<PlanarRelation<false, false>>(
+      w.mechanism, r.magnitude / length, [&](const auto& drawing) {
+        return std::array{drawing.direction(r.body, r.offset), drawing.direction(d)};
+      });
+  if (r.is_point() && d.is_line())
     w.constrain<PlanarRelation<true, true>>(Origin::body, r.name,
                                             {r.target, w.point(d.from), w.point(d.to)}, c);
-  else if (r.is_point)
+  else if (r.is_point())
     w.constrain<PlanarRelation<true, false>>(
-        Origin::body, r.name, {r.target, w.point(r.basis.origin), w.vector(d.vector)}, c);
+        Origin::body, r.name, {r.target, w.point(basis.origin), w.vector(d.vector)}, c);
   else if (d.is_line())
     w.constrain<PlanarRelation<false, true>>(Origin::body, r.name,
                                              {r.target, w.point(d.from), w.point(d.to)}, c);
@@ -54,58 +55,41 @@ void with_terms(std::size_t terms, F&& f) {
   (std::make_integer_sequence<int, Most + 1>{});
 }
 
-/// The cᵢ, without what rounding leaves.
-std::vector<double> coefficients_in_space(const Mechanism& d, const Relation& r) {
-  const int n = static_cast<int>(r.basis.directions.size());
-  if (n == 0) return {};
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions(3, n);
-  for (int k = 0; k < n; ++k) {
-    const Vec x = nominal::direction(d, r.basis.directions[k]);
-    for (int i = 0; i < 3; ++i) directions(i, k) = x[i];
-  }
-  const Eigen::VectorXd solution = directions.colPivHouseholderQr().solve(
-      Eigen::Vector3d(r.offset[0], r.offset[1], r.offset[2]));
-  std::vector<double> c;
-  for (int k = 0; k < n; ++k)
-    c.push_back(snap(solution[k], r.magnitude / directions.col(k).norm()));
-  return c;
-}
-
 /// A line ends at the sum of itself and the origin, so that its term is its end and takes as
 /// much away from the origin.
 void relate_in_space(EquationWriter& w, const Relation& r) {
-  const std::vector<double> c = coefficients_in_space(w.mechanism, r);
-  double of_origin = r.is_point ? 1 : 0;
+  const Basis& basis = r.body.basis;
+  const std::vector<Derived> c = coefficients_in_space(w.mechanism, r.body, r.offset, r.magnitude);
+  Derived of_origin = r.is_point() ? 1 : 0;
   bool has_lines = false;
   std::vector<EntityId> terms;
-  std::vector<double> coefficients;
+  std::vector<Derived> coefficients;
   for (std::size_t k = 0; k < c.size(); ++k) {
-    if (c[k] == 0) continue;
-    const Direction& d = r.basis.directions[k];
+    if (c[k].value == 0) continue;
+    const Direction& d = basis.directions[k];
     if (d.is_line()) {
       has_lines = true;
-      of_origin -= c[k];
+      of_origin = of_origin - c[k];
     }
     terms.push_back(d.is_line() ? w.point(d.to) : w.vector(d.vector));
     coefficients.push_back(c[k]);
   }
-  if (r.is_point && !has_lines)
+  if (r.is_point() && !has_lines)
     return with_terms<3>(terms.size(), [&]<int T>() {
-      std::array<EntityId, T + 2> operands{r.target, w.point(r.basis.origin)};
-      std::array<double, T> values{};
+      std::array<EntityId, T + 2> operands{r.target, w.point(basis.origin)};
+      std::array<Derived, T> values{};
       std::copy_n(terms.begin(), T, operands.begin() + 2);
       std::copy_n(coefficients.begin(), T, values.begin());
       w.constrain<Rigid<3, T>>(Origin::body, r.name, operands, values);
     });
-  of_origin = snap(of_origin, 1);
-  if (of_origin != 0) {
-    terms.insert(terms.begin(), w.point(r.basis.origin));
+  if (!is_rounding(of_origin.value, 1)) {
+    terms.insert(terms.begin(), w.point(basis.origin));
     coefficients.insert(coefficients.begin(), of_origin);
   }
   with_terms<4>(terms.size(), [&]<int T>() {
     if constexpr (T > 0) {
       std::array<EntityId, T + 1> operands{r.target};
-      std::array<double, T> values{};
+      std::array<Derived, T> values{};
       std::copy_n(terms.begin(), T, operands.begin() + 1);
       std::copy_n(coefficients.begin(), T, values.begin());
       w.constrain<Combination<3, T>>(Origin::body, r.name, operands, values);
@@ -119,14 +103,16 @@ void relate(EquationWriter& w, const Relation& r) {
 
 /// Writes the linear equation by which a body's point follows from the basis, which it is not in.
 void relate_point(EquationWriter& w, const std::string& prefix, const RigidBody& body, int p) {
-  relate(w, {prefix + w.mechanism.points[p].name + " rigid", body.basis, w.point(p), true,
-             nominal::direction(w.mechanism, body, {-1, body.basis.origin, p}), w.reach});
+  relate(w, {prefix + w.mechanism.points[p].name + " rigid",
+             body,
+             w.point(p),
+             {-1, body.basis.origin, p},
+             w.reach});
 }
 
 /// Writes the same equation for a vector.
 void relate_vector(EquationWriter& w, const std::string& prefix, const RigidBody& body, int v) {
-  const Mechanism::Vector& vector = w.mechanism.vectors[v];
-  relate(w, {prefix + vector.name + " rigid", body.basis, w.vector(v), false, vector.direction, 1});
+  relate(w, {prefix + w.mechanism.vectors[v].name + " rigid", body, w.vector(v), {v}, 1});
 }
 
 template <int D>
@@ -134,55 +120,63 @@ void hold_ground_vectors(EquationWriter& w) {
   for (const int v : w.rigid.list.front().vectors) {
     if (w.coordinates().model.entities[w.vector(v)].fixed) continue;
     const Mechanism::Vector& vector = w.mechanism.vectors[v];
-    const EntityId held = w.add_fixed_vector("ground: " + vector.name, vector.direction);
+    const EntityId held = w.add_fixed_vector("ground: " + vector.name, vector);
     w.constrain<Rigid<D, 0>>(Origin::ground, vector.name + " on the ground", {w.vector(v), held},
                              {});
   }
 }
 
 /// Of two different directions of a basis, in space; vectors come before lines.
-void keep_product_of_two(EquationWriter& w, const std::string& name, const Direction& a,
-                         const Direction& b, const Vec& u, const Vec& v) {
-  const double product =
-      snap(nominal::dot(u, v), (a.is_line() ? w.reach : 1) * (b.is_line() ? w.reach : 1));
+void keep_product_of_two(EquationWriter& w, const std::string& name, const RigidBody& body,
+                         const Direction& a, const Direction& b) {
   const std::string product_name = name + w.text(a) + " with " + w.text(b);
+  const auto both = [&](const auto& drawing) {
+    return std::array{drawing.direction(body, a), drawing.direction(body, b)};
+  };
   if (a.is_line()) {  // both from the same point: the distance of their ends says the same
-    const Vec ends = v - u;
     w.constrain<Length<3>>(Origin::body, name + w.text({-1, a.to, b.to}) + " length",
-                           {w.point(a.to), w.point(b.to)}, {nominal::dot(ends, ends)});
+                           {w.point(a.to), w.point(b.to)},
+                           measured<Length<3>>(w.mechanism, 0, both));
   } else if (b.is_line()) {
-    w.constrain<Projection<3>>(Origin::body, product_name,
-                               {w.vector(a.vector), w.point(b.from), w.point(b.to)}, {product});
+    w.constrain<Projection<3>>(
+        Origin::body, product_name, {w.vector(a.vector), w.point(b.from), w.point(b.to)},
+        measured<Projection<3>>(w.mechanism, w.reach, [&](const auto& drawing) {
+          return std::array{drawing.direction(body, a), drawing.origin(),
+                            drawing.direction(body, b)};
+        }));
   } else {
     w.constrain<Dot<3>>(Origin::body, product_name, {w.vector(a.vector), w.vector(b.vector)},
-                        {product});
+                        measured<Dot<3>>(w.mechanism, 1, both));
   }
 }
 
 template <int D>
 void keep_product(EquationWriter& w, const std::string& name, const RigidBody& body,
                   const Direction& a, const Direction& b) {
-  const Vec u = nominal::direction(w.mechanism, body, a),
-            v = nominal::direction(w.mechanism, body, b);
-  if (!w.note_product(a, b, nominal::dot(u, v))) return;
+  const Drawing<double> drawing{w.mechanism};
+  if (!w.note_product(a, b, nominal::dot(drawing.direction(body, a), drawing.direction(body, b))))
+    return;
   if (!a.is_line() && a.vector == b.vector)
     return w.constrain<Unit<D>>(Origin::body, name + w.text(a) + " unit", {w.vector(a.vector)}, {});
-  if (a.is_line() && a.to == b.to) {
-    const auto length = nominal::stated_length(body, a);
+  if (a.is_line() && a.to == b.to)
     return w.constrain<Length<D>>(Origin::body, name + w.text(a) + " length",
                                   {w.point(a.from), w.point(a.to)},
-                                  {length ? *length * *length : nominal::dot(u, u)});
-  }
-  if constexpr (D == 3) keep_product_of_two(w, name, a, b, u, v);
+                                  measured<Length<D>>(w.mechanism, 0, [&](const auto& drawn) {
+                                    return std::array{drawn.origin(), drawn.span(body, a)};
+                                  }));
+  if constexpr (D == 3) keep_product_of_two(w, name, body, a, b);
 }
 
 template <int D>
 void keep_along(EquationWriter& w, const std::string& name, const RigidBody& body, int v) {
   const Mechanism::Vector& vector = w.mechanism.vectors[v];
   const auto& [from, to] = *vector.along;
-  const double length = nominal::length(w.mechanism, body, {-1, from, to});
-  w.constrain<Rigid<D, 1>>(Origin::body, name + vector.name + " along " + w.text({-1, from, to}),
-                           {w.point(to), w.point(from), w.vector(v)}, {length});
+  const Direction line{-1, from, to};
+  w.constrain<Rigid<D, 1>>(Origin::body, name + vector.name + " along " + w.text(line),
+                           {w.point(to), w.point(from), w.vector(v)},
+                           measured<Rigid<D, 1>>(w.mechanism, 0, [&](const auto& drawing) {
+                             return std::array{drawing.span(body, line), drawing.origin()};
+                           }));
 }
 
 template <int D>

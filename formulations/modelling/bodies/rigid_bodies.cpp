@@ -48,19 +48,6 @@ std::optional<double> stated_length(const RigidBody& body, const Mechanism::Dire
   return std::nullopt;
 }
 
-double length(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& line) {
-  return stated_length(body, line).value_or(norm(direction(d, line)));
-}
-
-Vec direction(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& line) {
-  Vec v = direction(d, line);
-  if (const auto length = stated_length(body, line)) {
-    const double scale = *length / norm(v);
-    for (double& x : v) x *= scale;
-  }
-  return v;
-}
-
 }  // namespace nominal
 
 namespace {

@@ -72,10 +72,6 @@ double value(const Mechanism& mechanism, const Mechanism::Coordinate& coordinate
 double size(const Mechanism& mechanism);
 /// Returns the length that the body declares for the two points of a line, if any.
 std::optional<double> stated_length(const RigidBody& body, const Mechanism::Direction& d);
-/// Returns the stated length, exactly, or the nominal one.
-double length(const Mechanism& mechanism, const RigidBody& body, const Mechanism::Direction& d);
-/// Returns a direction on a rigid body, of that length but for rounding.
-Vec direction(const Mechanism& mechanism, const RigidBody& body, const Mechanism::Direction& d);
 
 }  // namespace nominal
 

@@ -88,7 +88,8 @@ class Modeller {
       const std::string& name = d_.vectors[v].name;
       const std::span<const double> value = components(d_.vectors[v].direction);
       if (rigid_.of_vector[v].size() == 1) {
-        result_.vectors[v] = m_.add_fixed(EntityKind::vector, name, value);
+        result_.vectors[v] = m_.add_fixed(EntityKind::vector, name, value,
+                                          std::span(d_.vectors[v].remainder).first(d_.dimension));
         continue;
       }
       const GroupId g = m_.add_group("ground/" + name, {d_.bodies.front().name});

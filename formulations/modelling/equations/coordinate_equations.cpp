@@ -23,9 +23,9 @@ struct Definition {
   /// Writes the definition as a constraint of this kind.
   template <class Kind>
   void as(const std::array<EntityId, Kind::operand_sizes.size()>& operands,
-          const std::array<double, Kind::constants>& constants = {}) const {
+          const std::array<Derived, Kind::constants>& dimensions = {}) const {
     writer.constrain<Kind>(Origin::coordinate, coordinate.name + ": definition", operands,
-                           constants);
+                           dimensions);
   }
 };
 
@@ -44,13 +44,12 @@ std::optional<SharedEnd> shared_end(const Direction& of, const Direction& from) 
   return std::nullopt;
 }
 
-/// Of a vector 1; of a line its length, which one body must keep constant.
-double constant_length(const Definition& definition, const Direction& d) {
-  if (!d.is_line()) return 1;
+/// Returns the body that keeps the length of a line constant; of a vector any.
+const RigidBody& body_of(const Definition& definition, const Direction& d) {
   const EquationWriter& w = definition.writer;
+  if (!d.is_line()) return w.rigid.list.front();
   for (const int r : w.rigid.of_point[d.from])
-    if (std::ranges::binary_search(w.rigid.of_point[d.to], r))
-      return nominal::length(w.mechanism, w.rigid.list[r], d);
+    if (std::ranges::binary_search(w.rigid.of_point[d.to], r)) return w.rigid.list[r];
   throw std::invalid_argument("coordinate '" + definition.coordinate.name +
                               "': no body carries both points of " + w.text(d) +
                               "; an angle needs a line of constant length");
@@ -58,14 +57,29 @@ double constant_length(const Definition& definition, const Direction& d) {
 
 void define_from_x_axis(const Definition& definition) {
   const auto& [w, c, value] = definition;
-  const double length = constant_length(definition, c.of);
   if (c.of.is_line())
-    definition.as<PlanarAngle>({w.point(c.of.from), w.point(c.of.to), value}, {length});
+    definition.as<PlanarAngle>(
+        {w.point(c.of.from), w.point(c.of.to), value},
+        measured<PlanarAngle>(w.mechanism, 0, [&](const auto& drawing) {
+          return std::array{drawing.origin(), drawing.span(body_of(definition, c.of), c.of)};
+        }));
   else
     definition.as<PlanarDirection>({w.vector(c.of.vector), value});
 }
 
-void define_between_lines(const Definition& definition, double ratio) {
+/// Returns the constant ratio of the lengths of two directions. Vectors have length 1.
+Derived ratio_of_lengths(const Definition& definition) {
+  const auto& [w, c, value] = definition;
+  return measured<PlanarTurn<Between::lines_at_point>>(w.mechanism, 0, [&](const auto& drawing) {
+    const auto span = [&](const Direction& d) {
+      using Vec = decltype(drawing.origin());
+      return d.is_line() ? drawing.span(body_of(definition, d), d) : Vec{1, 0, 0};
+    };
+    return std::array{drawing.origin(), span(c.of), span(c.from)};
+  })[0];
+}
+
+void define_between_lines(const Definition& definition, const Derived& ratio) {
   const auto& [w, c, value] = definition;
   if (const auto shared = shared_end(c.of, c.from))
     definition.as<PlanarTurn<Between::lines_at_point>>(
@@ -80,8 +94,7 @@ void define_between_lines(const Definition& definition, double ratio) {
 void define_planar_angle(const Definition& definition) {
   const auto& [w, c, value] = definition;
   if (!c.from.is_given()) return define_from_x_axis(definition);
-  const double length = constant_length(definition, c.of);
-  const double ratio = length / constant_length(definition, c.from);
+  const Derived ratio = ratio_of_lengths(definition);
   if (c.of.is_line() && c.from.is_line())
     define_between_lines(definition, ratio);
   else if (c.of.is_line())

@@ -31,9 +31,10 @@ EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
                                Coordinates coordinates)
     : mechanism(d), rigid(bodies), reach(max_coordinate(d)), coordinates_(std::move(coordinates)) {}
 
-EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec& direction) {
+EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vector& vector) {
   return coordinates_.model.add_fixed(EntityKind::vector, std::move(name),
-                                      std::span(direction).first(mechanism.dimension));
+                                      std::span(vector.direction).first(mechanism.dimension),
+                                      std::span(vector.remainder).first(mechanism.dimension));
 }
 
 bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism::Direction& b,
@@ -67,14 +68,17 @@ Candidates EquationWriter::release() {
   return {std::move(m), std::move(origins)};
 }
 
-GroupId EquationWriter::last_group(const std::vector<EntityId>& operands) const {
-  GroupId g = -1;
-  for (const EntityId e : operands) g = std::max(g, coordinates_.model.entities.at(e).group);
-  return g;
+void EquationWriter::add(Origin origin, Constraint made) {
+  made.group = no_position;
+  for (const EntityId e : made.operands)
+    made.group = std::max(made.group, coordinates_.model.entities.at(e).group);
+  if (made.group < 0) return;
+  coordinates_.model.add(std::move(made));
+  origins_.push_back(origin);
 }
 
-double snap(double value, double magnitude) {
-  return std::abs(value) <= 16 * std::numeric_limits<double>::epsilon() * magnitude ? 0 : value;
+bool is_rounding(double value, double magnitude) {
+  return std::abs(value) <= 16 * std::numeric_limits<double>::epsilon() * magnitude;
 }
 
 Candidates make_candidates(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,

@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/model/constrain.h"
+#include "formulations/constraints/constraints.h"
 #include "formulations/modelling/equations/candidates.h"
+#include "formulations/modelling/equations/drawing.h"
 
 namespace desmo {
 
@@ -26,18 +27,20 @@ class EquationWriter {
   /// Returns the coordinates; their model contains the equations written so far.
   const Coordinates& coordinates() const { return coordinates_; }
 
-  EntityId add_fixed_vector(std::string name, const Mechanism::Vec& direction);
+  EntityId add_fixed_vector(std::string name, const Mechanism::Vector& vector);
 
   /// Adds an equation to the last group that solves for one of its operands. Adds nothing when all
   /// operands are fixed.
   template <class Kind>
   void constrain(Origin origin, std::string name,
                  const std::array<EntityId, Kind::operand_sizes.size()>& operands,
-                 const std::array<double, Kind::constants>& constants) {
-    const GroupId g = last_group({operands.begin(), operands.end()});
-    if (g < 0) return;
-    desmo::constrain<Kind>(coordinates_.model, g, std::move(name), operands, constants);
-    origins_.push_back(origin);
+                 const std::array<Derived, Kind::constants>& dimensions) {
+    Constraint made{std::move(name), kind_index<Kind>(), {operands.begin(), operands.end()}, {}, 0};
+    for (const Derived& d : dimensions) {
+      made.constants.push_back(d.value);
+      made.remainders.push_back(d.remainder());
+    }
+    add(origin, std::move(made));
   }
 
   /// Records the constant scalar product of two directions. Returns whether it needs an equation:
@@ -51,7 +54,7 @@ class EquationWriter {
   Candidates release();
 
  private:
-  GroupId last_group(const std::vector<EntityId>& operands) const;
+  void add(Origin origin, Constraint constraint);
 
   using Key = std::array<int, 3>;
   Coordinates coordinates_;
@@ -59,8 +62,31 @@ class EquationWriter {
   std::map<std::pair<Key, Key>, double> products_;
 };
 
-/// Returns zero for a value at rounding level, |value| ≤ 16 ε · magnitude, otherwise the value.
-double snap(double value, double magnitude);
+/// Returns whether a value is at rounding level, |value| ≤ 16 ε · magnitude, and means zero.
+bool is_rounding(double value, double magnitude);
+
+/// Returns the dimensions that a kind measures, zero where they are at rounding level.
+///
+/// - operands<S>(drawing): positions of the operands of the kind in a Drawing<S>
+/// - magnitude: that of what a dimension is the difference of; 0: of nothing
+template <class Kind, class Operands>
+std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double magnitude,
+                                              const Operands& operands) {
+  const auto in = [&]<class S>(const Drawing<S>& drawing) {
+    const auto positions = operands(drawing);
+    static_assert(positions.size() <= Kind::operand_sizes.size());
+    std::array<const S*, Kind::operand_sizes.size()> x{};
+    for (std::size_t k = 0; k < positions.size(); ++k) x[k] = positions[k].data();
+    std::array<S, Kind::constants> c;
+    Kind::measure(x.data(), c.data());
+    return c;
+  };
+  const std::array<double, Kind::constants> rounded = in(Drawing<double>{mechanism});
+  std::array<Derived, Kind::constants> c = in(Drawing<Derived>{mechanism});
+  for (int k = 0; k < Kind::constants; ++k)
+    c[k] = is_rounding(rounded[k], magnitude) ? Derived(0) : c[k].about(rounded[k]);
+  return c;
+}
 
 /// Writes the equations within the bodies of a D-dimensional mechanism. Ground vectors that are
 /// coordinates are held constant. Every other body keeps the scalar products of its basis; its

@@ -4,27 +4,25 @@ namespace desmo {
 
 namespace {
 
-using nominal::Vec;
-using nominal::operator-;
-
 /// What slides stays at the same offset from the line along which it does.
 void keep_offset(EquationWriter& w, const Mechanism::Joint& j) {
-  const Mechanism& d = w.mechanism;
-  const Vec u = d.vectors[j.vectors[0]].direction;
-  const Vec s = d.points[j.points[1]].position - d.points[j.points[0]].position;
   w.constrain<Offset>(Origin::joint, j.name + ": offset",
                       {w.vector(j.vectors[0]), w.point(j.points[0]), w.point(j.points[1])},
-                      {snap(u[0] * s[1] - u[1] * s[0], w.reach)});
+                      measured<Offset>(w.mechanism, w.reach, [&](const auto& drawing) {
+                        return std::array{drawing.vector(j.vectors[0]), drawing.point(j.points[0]),
+                                          drawing.point(j.points[1])};
+                      }));
 }
 
 /// The axes of a universal joint stay at the same angle.
 void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
   const Mechanism::Direction a{j.vectors[0]}, b{j.vectors[1]};
-  const double product =
-      snap(nominal::dot(nominal::direction(w.mechanism, a), nominal::direction(w.mechanism, b)), 1);
-  if (w.note_product(a, b, product))
+  const auto product = measured<Dot<3>>(w.mechanism, 1, [&](const auto& drawing) {
+    return std::array{drawing.vector(a.vector), drawing.vector(b.vector)};
+  });
+  if (w.note_product(a, b, product[0].value))
     w.constrain<Dot<3>>(Origin::joint, j.name + ": " + w.text(a) + " with " + w.text(b),
-                        {w.vector(a.vector), w.vector(b.vector)}, {product});
+                        {w.vector(a.vector), w.vector(b.vector)}, product);
 }
 
 }  // namespace

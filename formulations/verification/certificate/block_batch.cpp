@@ -4,10 +4,10 @@ namespace desmo {
 
 namespace {
 
-std::vector<std::vector<double>> constants_of(std::span<const BlockBatch::Member> members) {
-  std::vector<std::vector<double>> all;
+std::vector<const ShapedBlock*> lanes_of(std::span<const BlockBatch::Member> members) {
+  std::vector<const ShapedBlock*> all;
   for (std::size_t lane = 0; lane < LaneNumbers::count; ++lane)
-    all.push_back(members[lane < members.size() ? lane : 0].block.constants);
+    all.push_back(&members[lane < members.size() ? lane : 0].block);
   return all;
 }
 
@@ -15,8 +15,7 @@ std::vector<std::vector<double>> constants_of(std::span<const BlockBatch::Member
 
 BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>& all_magnitudes,
                        int columns)
-    : members(blocks.begin(), blocks.end()),
-      equations(blocks.front().block.shape, constants_of(blocks)) {
+    : members(blocks.begin(), blocks.end()), equations(lanes_of(blocks)) {
   const BlockShape& shape = equations.shape();
   const int n = shape.unknowns, w = shape.width();
   rounding = 32 * (w + columns) * Interval::unit;

@@ -33,15 +33,10 @@ struct Degree {
   friend Degree cos(const Degree&) { return of(mixed); }
 };
 
-/// Sets a scalar to exact numbers.
-template <class S>
-void assign(S& to, const LaneNumbers& exact) {
-  to = {exact, 0};
-}
-void assign(Compensated<LaneNumbers>& to, const LaneNumbers& exact) { to = {exact, 0, 0}; }
-template <class S>
-void assign(Jet<S>& to, const LaneNumbers& exact) {
-  assign(to.value, exact);
+void set(Compensated<LaneNumbers>& to, int lane, const Derived& x) {
+  to.value.set(lane, x.value);
+  to.correction.set(lane, x.correction);
+  to.radius.set(lane, x.radius);
 }
 
 void write(const LaneInterval& value, int entry, LaneMatrix& to) {
@@ -65,6 +60,14 @@ struct BlockEquations::FunctionsOf {
   template <class S>
   using Constants = std::array<S, Kind::constants + 1>;
 
+  /// Sets a scalar to a dimension.
+  static void assign(Compensated<LaneNumbers>& to, const Object& o, int k) { to = o.constants[k]; }
+  static void assign(LaneInterval& to, const Object& o, int k) { to = o.enclosed_constants[k]; }
+  template <class S>
+  static void assign(Jet<S>& to, const Object& o, int k) {
+    assign(to.value, o, k);
+  }
+
   /// Operands in another scalar, made from each local state by a function.
   template <class S>
   struct Operands {
@@ -79,10 +82,13 @@ struct BlockEquations::FunctionsOf {
           components[k][i] = make(o.shape->operands[k] + i);
         x[k] = components[k].data();
       }
-      for (int i = 0; i < Kind::constants; ++i) assign(c[i], o.constants[i]);
+      for (int k = 0; k < Kind::constants; ++k) assign(c[k], o, k);
     }
   };
   static Compensated<LaneNumbers> exact(const LaneNumbers& x) { return {x, 0, 0}; }
+  static Compensated<LaneNumbers> position(const Object& o, const States& x, int i) {
+    return {x.position[i].mid, o.remainders[i].correction, o.remainders[i].radius};
+  }
 
   static void write_rows(const Object& o, const Compensated<LaneNumbers>* all, LaneInterval* phi) {
     for (int r = 0; r < Kind::rows; ++r)
@@ -92,7 +98,7 @@ struct BlockEquations::FunctionsOf {
                      const PerLevel<LaneInterval*>& phi) {
     if (level == Level::position) {
       using S = Compensated<LaneNumbers>;
-      const Operands<S> at(o, [&](int i) { return exact(x.position[i].mid); });
+      const Operands<S> at(o, [&](int i) { return position(o, x, i); });
       std::array<S, Kind::rows> all;
       Kind::residual(at.x.data(), at.c.data(), all.data());
       write_rows(o, all.data(), phi.position);
@@ -100,7 +106,7 @@ struct BlockEquations::FunctionsOf {
     }
     using S = Jet<Compensated<LaneNumbers>>;
     const Operands<S> at(o, [&](int i) {
-      return S(exact(x.position[i].mid), exact(x.velocity[i].mid),
+      return S(position(o, x, i), exact(x.velocity[i].mid),
                level == Level::acceleration ? exact(x.acceleration[i].mid) : exact(0));
     });
     std::array<S, Kind::rows> all;
@@ -118,7 +124,7 @@ struct BlockEquations::FunctionsOf {
     std::array<const LaneInterval*, operands> x;
     for (std::size_t k = 0; k < operands; ++k) x[k] = q + o.shape->operands[k];
     Constants<LaneInterval> c;
-    for (int i = 0; i < Kind::constants; ++i) assign(c[i], o.constants[i]);
+    for (int k = 0; k < Kind::constants; ++k) assign(c[k], o, k);
     const int* slot = slots.data();
     Kind::jacobian(x.data(), c.data(),
                    [&](int, int, int, const LaneInterval& value) { write(value, *slot++, to); });
@@ -153,14 +159,23 @@ struct BlockEquations::FunctionsOf {
   static constexpr Functions table{&motion, &jacobian, &jacobian_rates};
 };
 
-BlockEquations::BlockEquations(const BlockShape& shape,
-                               const std::vector<std::vector<double>>& constants)
-    : shape_(shape), constants_(constants.front().size() + 1) {
-  for (std::size_t k = 0; k < constants.front().size(); ++k)
-    for (int lane = 0; lane < LaneNumbers::count; ++lane)
-      constants_[k].set(lane, constants[lane][k]);
+BlockEquations::BlockEquations(const std::vector<const ShapedBlock*>& lanes)
+    : shape_(lanes.front()->shape),
+      constants_(lanes.front()->constants.size() + 1),
+      remainders_(shape_.states()) {
+  for (int lane = 0; lane < LaneNumbers::count; ++lane) {
+    const ShapedBlock& block = *lanes[lane];
+    for (std::size_t k = 0; k < block.constants.size(); ++k)
+      set(constants_[k], lane, block.constants[k]);
+    for (std::size_t i = 0; i < block.remainders.size(); ++i)
+      set(remainders_[i], lane, {0, block.remainders[i]});
+  }
+  for (const auto& c : constants_) enclosed_constants_.push_back(c.enclosure());
+  for (const auto& r : remainders_)
+    radii_.push_back((abs(r.correction) + r.radius) * (1 + 0x1p-40));  // rounding of radii, too
   for (const BlockShape::Object& o : shape_.objects) add(o);
   std::ranges::stable_sort(terms_, {}, &Term::row);
+  find_offsets();
   std::vector<bool> varies(shape_.entries.size());
   for (const Object& o : objects_)
     for (const int slot : o.quadratic ? o.rate_slots : o.shape->slots)
@@ -170,22 +185,22 @@ BlockEquations::BlockEquations(const BlockShape& shape,
 }
 
 void BlockEquations::add(const BlockShape::Object& o) {
-  const LaneNumbers* constants = constants_.data() + o.first_constant;
+  const Compensated<LaneNumbers>* constants = constants_.data() + o.first_constant;
   visit_kind(o.kind, [&]<class Kind>(Kind) {
     if constexpr (Kind::linear) {
       // Such kinds are homogeneous, too: Φ = Φ_q q.
       using S = Compensated<LaneNumbers>;
-      std::array<S, Kind::constants + 1> c;
-      for (int i = 0; i < Kind::constants; ++i) assign(c[i], constants[i]);
       const int* slot = o.slots.data();
       const std::array<const S*, Kind::operand_sizes.size()> none{};
-      Kind::jacobian(none.data(), c.data(), [&](int r, int operand, int i, const S& factor) {
+      Kind::jacobian(none.data(), constants, [&](int r, int operand, int i, const S& factor) {
         if (o.rows[r] >= 0) terms_.push_back({o.rows[r], o.operands[operand] + i, *slot, factor});
         ++slot;
       });
     } else {
       const std::vector<Degree> degrees = FunctionsOf<Kind>::degrees();
-      Object made{&FunctionsOf<Kind>::table, &o, constants, true, o.slots};
+      Object made{
+          &FunctionsOf<Kind>::table, &o,   constants, enclosed_constants_.data() + o.first_constant,
+          remainders_.data(),        true, o.slots};
       for (std::size_t k = 0; k < degrees.size(); ++k) {
         made.quadratic &= degrees[k].value <= 1;
         if (degrees[k].value == 0) made.rate_slots[k] = -1;
@@ -193,6 +208,16 @@ void BlockEquations::add(const BlockShape::Object& o) {
       objects_.push_back(std::move(made));
     }
   });
+}
+
+void BlockEquations::find_offsets() {
+  const auto has_remainder = [&](const Term& t) {
+    const Compensated<LaneNumbers>& r = remainders_[t.state];
+    return (!is_zero(abs(r.correction) + r.radius)).any();
+  };
+  if (std::ranges::none_of(terms_, has_remainder)) return;
+  offsets_.resize(shape_.unknowns);
+  for (const Term& t : terms_) offsets_[t.row] = offsets_[t.row] + t.factor * remainders_[t.state];
 }
 
 void BlockEquations::motion(const States& x, Level level,
@@ -205,6 +230,7 @@ void BlockEquations::motion(const States& x, Level level,
       Compensated<LaneNumbers> sum;
       for (std::size_t k = first; k < end; ++k)
         sum.add_product(terms_[k].factor, x[l][terms_[k].state].mid);
+      if (l == Level::position && !offsets_.empty()) sum = sum + offsets_[row];
       phi[l][row] = sum.enclosure();
       if (l == level) break;
     }
@@ -218,9 +244,12 @@ void BlockEquations::jacobian(const LaneInterval* q, LaneMatrix& to) const {
 void BlockEquations::constant_jacobian(LaneMatrix& to) const {
   for (std::vector<LaneNumbers>* part : {&to.mid, &to.radius})
     std::ranges::fill(*part, LaneNumbers(0));
-  // These are constants of the kind, or differ from one by 1, and the sum of both parts is exact.
-  for (const Term& t : terms_)
-    if (t.slot >= 0) to.mid[t.slot] = t.factor.value + t.factor.correction;
+  for (const Term& t : terms_) {
+    if (t.slot < 0) continue;
+    const LaneInterval factor = t.factor.enclosure();
+    to.mid[t.slot] = factor.mid;
+    to.radius[t.slot] = factor.radius;
+  }
 }
 
 void BlockEquations::jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const {

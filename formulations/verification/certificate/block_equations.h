@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "cases/numbers/compensated.h"
+#include "cases/numbers/interval.h"
 #include "formulations/base/per_level.h"
 #include "formulations/verification/certificate/block_shape.h"
-#include "formulations/verification/certificate/compensated.h"
-#include "formulations/verification/certificate/interval.h"
 #include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
@@ -27,11 +27,13 @@ class BlockEquations {
  public:
   using States = PerLevel<const LaneInterval*>;
 
-  /// constants: ShapedBlock::constants of each lane.
-  BlockEquations(const BlockShape& shape, const std::vector<std::vector<double>>& constants);
+  /// lanes: a block for each, all of one shape.
+  explicit BlockEquations(const std::vector<const ShapedBlock*>& lanes);
 
   const BlockShape& shape() const { return shape_; }
   bool is_linear() const { return shape_.linear; }
+  /// Returns the radius of a local state that is fixed; 0 for others.
+  const LaneNumbers& radius(int state) const { return radii_[state]; }
 
   /// Evaluates Φ and its time derivatives up to a level, nearly without rounding. Overwrites phi.
   void motion(const States& x, Level level, const PerLevel<LaneInterval*>& phi) const;
@@ -52,9 +54,11 @@ class BlockEquations {
   struct Object {
     const Functions* functions;
     const BlockShape::Object* shape;
-    const LaneNumbers* constants;
-    bool quadratic;               ///< Φ_q is constant or linear in each entry
-    std::vector<int> rate_slots;  ///< slots without those of constant entries
+    const Compensated<LaneNumbers>* constants;
+    const LaneInterval* enclosed_constants;
+    const Compensated<LaneNumbers>* remainders;  ///< of local states
+    bool quadratic;                              ///< Φ_q is constant or linear in each entry
+    std::vector<int> rate_slots;                 ///< slots without those of constant entries
   };
   /// A term of a linear equation: factor × local state.
   struct Term {
@@ -63,11 +67,17 @@ class BlockEquations {
     Compensated<LaneNumbers> factor;
   };
   void add(const BlockShape::Object& object);
+  void find_offsets();
 
   BlockShape shape_;
-  std::vector<LaneNumbers> constants_;
+  std::vector<Compensated<LaneNumbers>> constants_;
+  std::vector<LaneInterval> enclosed_constants_;
+  std::vector<Compensated<LaneNumbers>> remainders_;  // of local states that are fixed, value 0
+  std::vector<LaneNumbers> radii_;                    // the same as radii of the values
   std::vector<Object> objects_;
-  std::vector<Term> terms_;            // by rows
+  std::vector<Term> terms_;  // by rows
+  /// What remainders of fixed states add to each row of terms; empty: nothing.
+  std::vector<Compensated<LaneNumbers>> offsets_;
   std::vector<int> constant_entries_;  // of Φ_q
 };
 

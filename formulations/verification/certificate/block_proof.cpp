@@ -38,7 +38,7 @@ void BlockProof::gather(Level level, const ErrorTable& errors) {
     x[i] = {LaneNumbers(
                 LaneNumbers::Numbers{errors.rows[at[0]].delivered, errors.rows[at[1]].delivered,
                                      errors.rows[at[2]].delivered, errors.rows[at[3]].delivered}),
-            0};
+            level == Level::position ? b.equations.radius(i) : LaneNumbers(0)};
     at += LaneNumbers::count;
   }
   for (int j = shape_->unknowns; j < shape_->width(); ++j) {
@@ -133,7 +133,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   return lanes;
 }
 
-void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
+void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTable& to) const {
   const BlockBatch& b = *batch_;
   const ErrorColumns& e = errors_[level];
   const int blocks = b.blocks();
@@ -143,13 +143,18 @@ void BlockProof::scatter(Level level, LaneMask proven, ErrorTable& to) const {
     // Whoever reads what is not proven is not proven either.
     LaneNumbers a = state_[level][b.locals[i]].mid, center = e.center[i], c = e.own[i],
                 d = select(proven, e.sum[i], INFINITY);
-    const LaneNumbers sum = d;
+    const LaneNumbers sum = d, correction = select(tried & is_finite(center), center, 0),
+                      rest = fma(2 * Interval::unit, sum, sum - abs(center));
     transpose(a, center, c, d);
     a.store(&to.rows[row[0]].delivered);
     if (blocks > 1) center.store(&to.rows[row[1]].delivered);
     if (blocks > 2) c.store(&to.rows[row[2]].delivered);
     if (blocks > 3) d.store(&to.rows[row[3]].delivered);
-    for (int lane = 0; lane < blocks; ++lane) to.radius[coordinate[lane]] = sum[lane];
+    for (int lane = 0; lane < blocks; ++lane) {
+      to.radius[coordinate[lane]] = sum[lane];
+      to.correction[coordinate[lane]] = correction[lane];
+      to.rest[coordinate[lane]] = rest[lane];
+    }
     if (row[0] == coordinate[0]) continue;
     // Whoever reads the coordinate does not know the symbols.
     ErrorTable::Row& box = to.rows[coordinate[0]] = to.rows[row[0]];
@@ -170,10 +175,11 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
   for (const Level level : all_levels) {
     if (level > up_to) break;
     lanes = lanes & is_known(level);  // others would fail, too, but later
+    const LaneMask tried = lanes;
     if (lanes.any())
       lanes = level == Level::position ? prove_positions(errors, lanes)
                                        : bound_rates(level, errors, lanes);
-    scatter(level, lanes, errors[level]);
+    scatter(level, tried, lanes, errors[level]);
     proven[level] = lanes;
   }
   return proven;

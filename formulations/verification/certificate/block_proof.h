@@ -5,6 +5,7 @@
 
 #include "formulations/base/per_level.h"
 #include "formulations/verification/certificate/block_batch.h"
+#include "formulations/verification/certificate/certificate.h"
 #include "formulations/verification/certificate/error_table.h"
 
 namespace desmo {
@@ -23,6 +24,8 @@ class BlockProof {
   /// known. Writes those of the unknowns; their sum is infinite where no proof succeeds. Returns in
   /// which lanes each level is proven.
   PerLevel<LaneMask> prove(BlockBatch& batch, Level level, PerLevel<ErrorTable>& errors);
+  /// Returns why a lane of that batch is not proven.
+  ProofFailure failure(int lane) const;
 
  private:
   /// Error bounds at one level, for each variable of a block: its inputs and, once they are
@@ -43,7 +46,7 @@ class BlockProof {
   LaneMask prove_positions(PerLevel<ErrorTable>& errors, LaneMask lanes);
   LaneMask bound_rates(Level level, PerLevel<ErrorTable>& errors, LaneMask lanes);
   void finish(Level level, const LaneNumbers& factor);
-  void scatter(Level level, LaneMask proven, ErrorTable& to) const;
+  void scatter(Level level, LaneMask tried, LaneMask proven, ErrorTable& to) const;
 
   // In block_image.cpp. N is the number of unknowns where it is small, for loops to unroll; or 0.
   void find_image(Level level, PerLevel<ErrorTable>& errors);

@@ -36,6 +36,9 @@ class Builder {
         add(part_.equations[row].constraint);
     find_columns();
     find_entries();
+    for (const int state : block_.states)
+      block_.remainders.push_back(
+          state < m_.coordinates() ? Remainder() : m_.fixed_remainders[state - m_.coordinates()]);
     return std::move(block_);
   }
 
@@ -49,7 +52,7 @@ class Builder {
       if (part_.equations[row].constraint == position)
         o.rows[part_.equations[row].row] = static_cast<int>(row);
     visit_kind(c.kind, [&]<class Kind>(Kind) { block_.shape.linear &= Kind::linear; });
-    block_.constants.insert(block_.constants.end(), c.constants.begin(), c.constants.end());
+    for (std::size_t k = 0; k < c.constants.size(); ++k) block_.constants.push_back(c.dimension(k));
     block_.shape.objects.push_back(std::move(o));
     constraints_.push_back(&c);
   }
@@ -76,7 +79,7 @@ class Builder {
     for (const bool unknowns : {true, false})
       for (std::size_t i = 0; i < block_.states.size(); ++i) {
         const int state = block_.states[i];
-        if (!is_read[i] || state >= m_.coordinates()) continue;  // fixed ones are exact
+        if (!is_read[i] || state >= m_.coordinates()) continue;
         if (std::ranges::binary_search(part_.unknowns, state) != unknowns) continue;
         s.columns[i] = s.width();
         (unknowns ? s.unknowns : s.inputs) += 1;

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "cases/numbers/derived.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
@@ -49,7 +50,8 @@ struct ShapedBlock {
   BlockShape shape;
   std::vector<int> states;       ///< position of each local state in the state of the model
   std::vector<int> coordinates;  ///< coordinate of each column
-  std::vector<double> constants;
+  std::vector<Derived> constants;
+  std::vector<Remainder> remainders;  ///< of each local state; empty: none
 
   std::vector<int> unknowns() const;
 };

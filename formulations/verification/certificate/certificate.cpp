@@ -49,7 +49,8 @@ Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
   for (const Level level : all_levels) {
     ErrorTable& e = errors_[level];
     e.rows.resize(m.state_size() + schedule_.lent_rows);
-    e.radius.resize(m.coordinates());
+    for (std::vector<double>* values : {&e.radius, &e.correction, &e.rest})
+      values->resize(m.coordinates());
     e.generators.resize(schedule_.max_generators);
     e.first_lent = m.state_size();
   }
@@ -63,6 +64,8 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
   for (const Level level : all_levels) {
     std::ranges::fill(errors_[level].radius, INFINITY);
+    std::ranges::fill(errors_[level].correction, 0);
+    std::ranges::fill(errors_[level].rest, INFINITY);
     for (std::size_t i = 0; i < values[level].size(); ++i)
       errors_[level].rows[i] = {values[level][i], 0, 0, INFINITY};
   }
@@ -83,6 +86,8 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
       if (!std::isfinite(error.magnitude())) continue;
       row = {row.delivered, error.mid, error.radius, error.magnitude()};
       errors_[level].radius[i] = row.sum;
+      errors_[level].correction[i] = row.center;
+      errors_[level].rest[i] = row.own;
     }
   }
 }
@@ -107,7 +112,7 @@ void Certifier::Proof::leave(const ChainLink& link) {
 Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* handed_in) {
   solved_ = std::span(all_levels).first(instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3);
   take(instant, handed_in);
-  Certificate result{.proven = true, .radius = {}};
+  Certificate result{.proven = true};
   int first_failure = INT_MAX;
   for (CertificationStep& step : schedule_.steps) {
     if (step.link >= 0) load(schedule_.links[step.link]);
@@ -122,12 +127,17 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
           result.proven = false;
           result.group = member.group;
           result.coordinate = member.first_unknown;
+          result.failure = proof_.failure(lane);
         }
       }
     }
     if (step.link >= 0) leave(schedule_.links[step.link]);
   }
-  result.radius = {errors_.position.radius, errors_.velocity.radius, errors_.acceleration.radius};
+  for (const Level level : all_levels) {
+    result.radius[level] = errors_[level].radius;
+    result.correction[level] = errors_[level].correction;
+    result.rest[level] = errors_[level].rest;
+  }
   return result;
 }
 

@@ -10,21 +10,38 @@
 
 namespace desmo {
 
+/// Reason why a block has no proof.
+enum class ProofFailure {
+  none,
+  singular,  ///< the position is too near a singular one
+  drivers,   ///< rounding of the drivers' values is more than the block can take
+  time,      ///< the drivers' motions are not known to enough digits at the time
+  origin,    ///< rounding of coordinates is, so far from the origin
+  sizes,     ///< rounding is, with lengths or rates of so different sizes
+  budget,    ///< the delivered numbers are too far off; corrections did not reach the solution
+};
+
 /// Proof about one instant. Where `proven` is true, Φ(q, t) = 0 has exactly one solution
 /// within the radii of the positions around the delivered ones, and the rates of that solution are
-/// within the radii of the rates. The model's constants, its motions and the instant's time count
-/// as exact. Whether that solution lies on the branch that is meant is not part of the proof.
+/// within the radii of the rates. Numbers of the file and the instant's time count as exact;
+/// dimensions are those derived from them (Constraint::dimension). Whether that solution lies on
+/// the branch that is meant is not part of the proof.
 struct Certificate {
   bool proven = false;
   /// First irreducible block without a proof: its structural group and its first unknown;
   /// no_position where all are proven.
   GroupId group = no_position;
   int coordinate = no_position;
+  ProofFailure failure = ProofFailure::none;  ///< of that block
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
   /// Infinite where no proof succeeded: in that block and in what depends on it. Infinite at levels
   /// that are not solved, too. Driven coordinates count from the exact motion at the time.
   /// Valid until the next certify().
-  PerLevel<std::span<const double>> radius;
+  PerLevel<std::span<const double>> radius{};
+  /// Newton's correction of each coordinate in compensated arithmetic, and a bound on
+  /// |delivered + correction − exact|, infinite where `radius` is. Blocks without a proof have a
+  /// correction, too, where all that they read is proven; others have none, 0.
+  PerLevel<std::span<const double>> correction{}, rest{};
 };
 
 /// Proves error bounds of solved instants, whatever solved them. Blocks of the equations are
@@ -42,6 +59,7 @@ struct Certificate {
 /// - Φ and its rates: BlockEquations::motion(); midpoint and radius go into find_image()
 /// - Φ_φ and Φ_h within X and δ, and their rates: BlockEquations::jacobian(), jacobian_rates()
 /// - errors of drivers: Certifier::Proof::take()
+/// - what dimensions and fixed values lack of those in the file: BlockEquations
 /// - errors δ of earlier blocks: BlockProof::gather(); centers and radii go through Y Φ_h in
 ///   find_image(), symbols in find_generators()
 /// - errors of lower levels, which rates depend on: BlockProof::bound_rates()

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formulations/verification/certificate/interval.h"
+#include "cases/numbers/interval.h"
 
 namespace desmo {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "cases/numbers/interval.h"
 #include "formulations/base/per_level.h"
-#include "formulations/verification/certificate/interval.h"
 
 namespace desmo {
 
@@ -30,6 +30,8 @@ struct ErrorTable {
 
   std::vector<Row> rows;
   std::vector<double> radius;      ///< bounds on the errors of the coordinates
+  std::vector<double> correction;  ///< of the coordinates: centers of their errors; 0: unknown
+  std::vector<double> rest;        ///< bounds on what corrections leave of the errors
   std::vector<double> generators;  ///< G of the lent rows
   int columns = 0, first_lent = 0;
 

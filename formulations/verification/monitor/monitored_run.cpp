@@ -178,7 +178,7 @@ class Run final : Observer {
     summary_.updates += instant.updates;
     summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
     if (options_.monitored) options_.monitored(m);
-    Instant asked = instant;
+    Instant asked = options_.refined ? options_.refined(instant) : instant;
     if (level_ < Level::velocity) asked.qd = {};
     const Flow flow = output_.hand_over(asked, next_);
     ++summary_.instants;

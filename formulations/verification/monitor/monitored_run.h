@@ -90,6 +90,9 @@ struct MonitoredRunOptions {
   /// Callback that receives each instant before the observer does; empty: none. It must not throw:
   /// it is called through Observer::observe(), where an exception ends the program.
   std::function<void(const MonitoredInstant&)> monitored{};
+  /// Callback that returns what the observer receives in an instant's place, valid until the next
+  /// one; empty: the instant itself. The run goes on from the instant. It must not throw, either.
+  std::function<Instant(const Instant&)> refined{};
 };
 
 /// Runs a motion like Formulation::run() and monitors it: every instant that the observer receives

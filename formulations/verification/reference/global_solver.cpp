@@ -38,9 +38,9 @@ GlobalSolver<S>::GlobalSolver(const Model& m)
       phi_(system_.rows()),
       linear_(
           std::make_unique<Linear>(system_.rows(), static_cast<int>(system_.unknowns().size()))) {
-  const auto constant = [](double x) { return Jet<S>(S(x)); };
-  std::ranges::transform(m.estimate, state_.begin(), constant);
-  std::ranges::transform(m.fixed_values, state_.begin() + m.coordinates(), constant);
+  std::ranges::transform(m.estimate, state_.begin(), [](double x) { return Jet<S>(S(x)); });
+  for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
+    state_[m.coordinates() + i] = Jet<S>(as<S>(m.fixed_value(i)));
 }
 
 template <class S>

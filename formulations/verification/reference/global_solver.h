@@ -25,7 +25,7 @@ class GlobalSolver {
   /// Sets the start of the next Newton iteration to the positions of another solver.
   template <class T>
   void start_at(const GlobalSolver<T>& other) {
-    for (std::size_t i = 0; i < state_.size(); ++i) state_[i].value = S(other.state()[i].value);
+    for (int i = 0; i < m_.coordinates(); ++i) state_[i].value = S(other.state()[i].value);
   }
 
   /// Sets the drivers, in the model's order, and nothing else.

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/groupwise/jet.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
@@ -35,8 +35,7 @@ class WholeSystem {
     int row = 0;
     for (const Constraint& constraint : m_.constraints)
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-        std::array<S, Kind::constants + 1> constants;
-        std::ranges::transform(constraint.constants, constants.begin(), scalar<S>);
+        const auto constants = dimensions<Kind, S>(constraint);
         std::array<S, Kind::rows> all;
         Kind::residual(operands<Kind>(constraint, state).data(), constants.data(), all.data());
         for (int r = 0; r < Kind::rows; ++r)
@@ -51,8 +50,7 @@ class WholeSystem {
     int row = 0;
     for (const Constraint& constraint : m_.constraints)
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-        std::array<S, Kind::constants + 1> constants;
-        std::ranges::transform(constraint.constants, constants.begin(), scalar<S>);
+        const auto constants = dimensions<Kind, S>(constraint);
         std::array<int, Kind::rows> place;
         for (int r = 0; r < Kind::rows; ++r) place[r] = constraint.left_out >> r & 1 ? -1 : row++;
         Kind::jacobian(operands<Kind>(constraint, state).data(), constants.data(),
@@ -65,8 +63,19 @@ class WholeSystem {
 
  private:
   template <class S>
-  static S scalar(double x) {
-    return S(x);
+  struct Value {
+    using Type = S;
+  };
+  template <class S>
+  struct Value<Jet<S>> {
+    using Type = S;
+  };
+  template <class Kind, class S>
+  static auto dimensions(const Constraint& constraint) {
+    std::array<S, Kind::constants + 1> all;
+    for (std::size_t k = 0; k < Kind::constants; ++k)
+      all[k] = S(as<typename Value<S>::Type>(constraint.dimension(k)));
+    return all;
   }
   template <class Kind, class S>
   auto operands(const Constraint& constraint, std::span<const S> state) const {

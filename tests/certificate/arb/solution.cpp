@@ -1,11 +1,8 @@
 // Proven radii against an independent proof: interval Newton of all equations at once in 256 bits,
 // in the balls of Arb (Johansson, IEEE Trans. Comput. 66, 2017).
 
-#include <arb.h>
 #include <arb_mat.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/groupwise/double_solution.h"
@@ -13,71 +10,10 @@
 #include "formulations/structure/partition.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
+#include "tests/certificate/arb/ball.h"
 
 namespace desmo::arb_test {
 namespace {
-
-constexpr slong bits = 256;
-
-/// A real number that lies in a ball.
-class Ball {
- public:
-  Ball(double exact = 0) {
-    arb_init(x_);
-    arb_set_d(x_, exact);
-  }
-  Ball(const Ball& a) {
-    arb_init(x_);
-    arb_set(x_, a.x_);
-  }
-  Ball& operator=(const Ball& a) {
-    arb_set(x_, a.x_);
-    return *this;
-  }
-  ~Ball() { arb_clear(x_); }
-
-  arb_ptr get() { return x_; }
-  arb_srcptr get() const { return x_; }
-  /// Returns an upper bound of the distance from a number.
-  double distance(double from) const {
-    const Ball d = *this - Ball(from);
-    arf_t bound;
-    arf_init(bound);
-    arb_get_abs_ubound_arf(bound, d.x_, bits);
-    const double result = arf_get_d(bound, ARF_RND_UP);
-    arf_clear(bound);
-    return result;
-  }
-
-  friend Ball operator-(const Ball& a) {
-    return with(a, a, [](auto z, auto x, auto) { arb_neg(z, x); });
-  }
-  friend Ball operator+(const Ball& a, const Ball& b) {
-    return with(a, b, [](auto z, auto x, auto y) { arb_add(z, x, y, bits); });
-  }
-  friend Ball operator-(const Ball& a, const Ball& b) {
-    return with(a, b, [](auto z, auto x, auto y) { arb_sub(z, x, y, bits); });
-  }
-  friend Ball operator*(const Ball& a, const Ball& b) {
-    return with(a, b, [](auto z, auto x, auto y) { arb_mul(z, x, y, bits); });
-  }
-  friend Ball sin(const Ball& a) {
-    return with(a, a, [](auto z, auto x, auto) { arb_sin(z, x, bits); });
-  }
-  friend Ball cos(const Ball& a) {
-    return with(a, a, [](auto z, auto x, auto) { arb_cos(z, x, bits); });
-  }
-  friend bool operator<(const Ball& a, const Ball& b) { return arb_lt(a.x_, b.x_) != 0; }
-
- private:
-  template <class Function>
-  static Ball with(const Ball& a, const Ball& b, Function&& function) {
-    Ball z;
-    function(z.x_, a.x_, b.x_);
-    return z;
-  }
-  arb_t x_;
-};
 
 /// A matrix of balls.
 class Matrix {
@@ -111,7 +47,7 @@ class System {
     State x(m_.state_size());
     for (int i = 0; i < m_.coordinates(); ++i) x[i].value = delivered.q[i];
     for (std::size_t i = 0; i < m_.fixed_values.size(); ++i)
-      x[m_.coordinates() + i].value = m_.fixed_values[i];
+      x[m_.coordinates() + i].value = Ball(m_.fixed_value(i));
     for (const Driver& d : m_.drivers) {
       const MotionSample<Ball> z = sample(d.motion, Ball(delivered.time));
       x[m_.entities[d.coordinate].first] = {z.position, z.velocity, z.acceleration};
@@ -153,7 +89,7 @@ class System {
       const Constraint& c = m_.constraints[equations_[row].constraint];
       visit_kind(c.kind, [&]<class Kind>(Kind) {
         std::array<Jet<Ball>, Kind::constants + 1> constants;
-        for (int k = 0; k < Kind::constants; ++k) constants[k] = Jet<Ball>(c.constants[k]);
+        for (int k = 0; k < Kind::constants; ++k) constants[k] = Jet<Ball>(Ball(c.dimension(k)));
         const auto operands = [&](const State& from) {
           std::array<const Jet<Ball>*, Kind::operand_sizes.size()> p;
           for (std::size_t k = 0; k < p.size(); ++k) p[k] = &from[m_.state_index(c.operands[k])];

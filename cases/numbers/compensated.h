@@ -5,8 +5,8 @@
 #include <complex>
 #include <type_traits>
 
-#include "formulations/verification/certificate/interval.h"
-#include "formulations/verification/certificate/lane_numbers.h"
+#include "cases/numbers/derived.h"
+#include "cases/numbers/interval.h"
 
 namespace desmo {
 
@@ -25,6 +25,8 @@ struct Compensated {
   Compensated() = default;
   Compensated(double exact) : value(exact) {}
   Compensated(const S& v, const S& c, const S& r) : value(v), correction(c), radius(r) {}
+  explicit Compensated(const Derived& x)
+      : value(x.value), correction(x.correction), radius(x.radius) {}
 
   friend Compensated operator-(const Compensated& a) { return {-a.value, -a.correction, a.radius}; }
   friend Compensated operator-(const Compensated& a, const Compensated& b) { return a + (-b); }
@@ -45,6 +47,19 @@ struct Compensated {
     const S of_a = size(a.correction) + a.radius, of_b = size(b.correction) + b.radius;
     const S first = fma(size(a.value), b.radius, size(b.value) * a.radius);
     return {product, correction, bound(fma(of_a, of_b, first), size(half) + size(correction))};
+  }
+  friend Compensated operator/(const Compensated& a, const Compensated& b) {
+    const S value = a.value / b.value;
+    return quotient(value, a - Compensated(value, 0, 0) * b, b.value,
+                    (size(b.correction) + b.radius) / size(b.value));
+  }
+  friend Compensated sqrt(const Compensated& a) {
+    using std::sqrt;
+    // √a = v + R/(v + √a) with R = a − v², and v + √a is 2 v but for R/v
+    const S value = sqrt(a.value);
+    const Compensated root(value, 0, 0), rest = a - root * root;
+    const S far = size(rest.value + rest.correction) + rest.radius;
+    return quotient(value, rest, 2 * value, far / (2 * a.value));
   }
   friend Compensated sin(const Compensated& a) {
     const Turn at = turn(a.value);
@@ -87,6 +102,18 @@ struct Compensated {
   static S bound(const S& radius, const S& rounded) {
     using std::fma;
     return fma(S(unit), rounded, radius);
+  }
+
+  /// Returns value + rest/d for a small rest. d: divisor, but for a relative error of at most
+  /// `relative`. Nothing is known where this is not small.
+  static Compensated quotient(const S& value, const Compensated& rest, const S& divisor,
+                              const S& relative) {
+    constexpr double small = 0x1p-43;  // 1/(1 − small) is within what enclosure() adds
+    const S sum = rest.value + rest.correction;
+    const S correction = sum / divisor;
+    const S rounded = (rest.radius + S(unit) * size(sum)) / size(divisor);
+    const S radius = rounded + size(correction) * (relative + S(unit));
+    return {value, correction, relative < small ? radius : S(INFINITY)};
   }
 
   /// Returns cosine and sine of an angle in extended precision.

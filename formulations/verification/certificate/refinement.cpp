@@ -1,0 +1,92 @@
+#include "formulations/verification/certificate/refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cases/numbers/interval.h"
+#include "formulations/scaling/scales.h"
+
+namespace desmo {
+
+Refinement::Refinement(const Model& m, std::span<const Level> levels)
+    : m_(m), certifier_(m, levels) {
+  for (const Entity& e : m.entities)
+    if (!e.fixed) kind_.insert(kind_.end(), e.size, is_length(e.kind) ? 0 : 1);
+  for (Values* values : {&next_, &radius_, &best_, &best_radius_, &rest_})
+    for (const Level level : all_levels) (*values)[level].resize(m.coordinates());
+}
+
+const RefinedInstant& Refinement::refine(const Instant& instant) {
+  levels_ = std::span(all_levels).first(instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3);
+  const PerLevel<std::span<const double>> given{instant.q, instant.qd, instant.qdd};
+  for (const Level level : levels_) std::ranges::copy(given[level], next_[level].begin());
+  result_ = {.instant = instant};
+  Instant present = instant;
+  const auto show = [&](Instant& to, const Values& values) {
+    to.q = values.position;
+    if (!given.velocity.empty()) to.qd = values.velocity;
+    if (!given.acceleration.empty()) to.qdd = values.acceleration;
+  };
+  show(present, next_);
+  double least = INFINITY;
+  while (result_.passes < max_passes) {
+    ++result_.passes;
+    const Certificate c = certifier_.certify(present);
+    result_.last = c;
+    if (result_.proven && !c.proven) break;
+    add_corrections(c);
+    if (!c.proven) continue;
+    const double open = open_digits();
+    if (result_.proven && !(open < least)) break;
+    least = open;
+    result_.proven = true;
+    best_ = next_;
+    best_radius_ = radius_;
+    if (open <= 1) break;
+  }
+  if (result_.proven) {
+    show(result_.instant, best_);
+    for (const Level level : all_levels) result_.radius[level] = best_radius_[level];
+  } else {
+    result_.radius = result_.last.radius;
+  }
+  return result_;
+}
+
+/// Adds the corrections, and finds radii of the sums: what corrections leave, and the rounding of
+/// the sum, which is known exactly.
+void Refinement::add_corrections(const Certificate& c) {
+  for (const Level level : all_levels)
+    for (int i = 0; i < m_.coordinates(); ++i) {
+      double& x = next_[level][i];
+      const double correction = c.correction[level][i];
+      const double sum = x + correction;
+      const double of_correction = sum - x;
+      const double rounding = (x - (sum - of_correction)) + (correction - of_correction);
+      rest_[level][i] = std::isfinite(c.rest[level][i]) ? c.rest[level][i] : 0;
+      radius_[level][i] = (c.rest[level][i] + std::abs(rounding)) * (1 + 2 * Interval::unit);
+      x = sum;
+    }
+}
+
+/// Returns what the corrections leave, in roundings of the largest number of its kind. Below one,
+/// nothing is left to correct.
+double Refinement::open_digits() const {
+  double most = 0;
+  for (const Level level : levels_) {
+    std::array<double, 2> rest{}, size{};
+    if (level == Level::position) size[1] = 1;  // [rad]
+    for (int i = 0; i < m_.coordinates(); ++i) {
+      const int kind = kind_[i];
+      rest[kind] = std::max(rest[kind], rest_[level][i]);
+      if (const double x = std::abs(next_[level][i]); std::isfinite(x))
+        size[kind] = std::max(size[kind], x);
+    }
+    for (const int kind : {0, 1})
+      if (rest[kind] > 0) most = std::max(most, rest[kind] / (Interval::unit * size[kind]));
+  }
+  return most;
+}
+
+}  // namespace desmo

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/verification/certificate/certificate.h"
+
+namespace desmo {
+
+/// An instant to which the corrections of its certificates were added.
+struct RefinedInstant {
+  Instant instant{};  ///< as it was where no certificate is proven
+  bool proven = false;
+  /// Bound on |instant − exact| of each coordinate, as in Certificate.
+  PerLevel<std::span<const double>> radius{};
+  Certificate last{};  ///< of the last pass: where and why there is no proof
+  int passes = 0;
+};
+
+/// Refinement of solved instants, whatever solved them: certifies one and adds the corrections,
+/// again while radii shrink. One pass is the rule. All formulations then deliver the same numbers
+/// but for the last digits.
+///
+///   Refinement refinement(model);
+///   const RefinedInstant r = refinement.refine(instant);   // in an observer, for example
+class Refinement {
+ public:
+  static constexpr int max_passes = 4;
+
+  /// Contract of Certifier.
+  explicit Refinement(const Model& model, std::span<const Level> levels = {});
+  explicit Refinement(const Model&& model, std::span<const Level> levels = {}) = delete;
+
+  /// Refines an instant of all coordinates, up to the levels that it has. The result is valid until
+  /// the next call. Allocates nothing.
+  const RefinedInstant& refine(const Instant& instant);
+
+ private:
+  using Values = PerLevel<std::vector<double>>;
+
+  void add_corrections(const Certificate& certificate);
+  double open_digits() const;
+
+  const Model& m_;
+  Certifier certifier_;
+  std::vector<int> kind_;          // of each coordinate: 0 a length, 1 a rotation
+  std::span<const Level> levels_;  // of the present instant
+  Values next_, radius_;           // with corrections of the last pass
+  Values best_, best_radius_, rest_;
+  RefinedInstant result_;
+};
+
+}  // namespace desmo

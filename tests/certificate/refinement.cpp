@@ -1,0 +1,218 @@
+// Refined instants against quadruple precision of the motion in the file.
+
+#include "formulations/verification/certificate/refinement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <random>
+
+#include "formulations/formulation.h"
+#include "formulations/groupwise/double_solution.h"
+#include "formulations/variants.h"
+#include "formulations/verification/condition.h"
+#include "formulations/verification/reference/reference.h"
+#include "tests/accuracy/scenes.h"
+#include "tests/dead_point.h"
+
+namespace desmo::refinement_test {
+namespace {
+
+constexpr double u = 0x1p-53;
+
+Instant instant_of(const ReferenceInstant& s) {
+  return {.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd};
+}
+
+/// Largest errors of refined instants over what is promised, relative to scales; to the number
+/// itself where that is larger, such as an angle after turns.
+struct Errors {
+  int proven = 0, passes = 0;
+  PerLevel<double> share;
+
+  void add(const Model& m, const RefinedInstant& refined, const ReferenceInstant& exact,
+           const Scales& scales, double condition) {
+    proven += refined.proven;
+    passes = std::max(passes, refined.passes);
+    const PerLevel<double> promised{(1 + 5e-4 * condition) * u,
+                                    (1 + 2e-4 * condition * condition) * u,
+                                    (1 + 2e-4 * condition * condition) * u};
+    const PerLevel<std::span<const double>> values{refined.instant.q, refined.instant.qd,
+                                                   refined.instant.qdd};
+    const PerLevel<const std::vector<double>*> nearest{&exact.q, &exact.qd, &exact.qdd},
+        rest{&exact.remainder.q, &exact.remainder.qd, &exact.remainder.qdd};
+    for (const Level level : all_levels)
+      for (const Entity& e : m.entities)
+        for (int i = e.first; !e.fixed && i < e.first + e.size; ++i) {
+          const double error =
+              std::abs((values[level][i] - (*nearest[level])[i]) - (*rest[level])[i]);
+          EXPECT_LE(error, refined.radius[level][i]) << m.name << ' ' << e.name;
+          const double scale = std::max(scales.of(e.kind, level), std::abs(values[level][i]));
+          share[level] = std::max(share[level], relative(error, scale) / promised[level]);
+        }
+  }
+};
+
+Errors refine_all(const Model& m, std::span<const double> times) {
+  const Reference reference = make_reference(m, times);
+  const auto solved = double_solution(m, times);
+  ConditionNumber condition(m);
+  Refinement refinement(m);
+  Errors errors;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    errors.add(m, refinement.refine(instant_of(solved[k])), reference.instants[k], reference.scales,
+               condition(solved[k].q));
+  std::cout << m.name << ": " << errors.passes << " passes, shares of what is promised "
+            << errors.share.position << ", " << errors.share.velocity << ", "
+            << errors.share.acceleration << '\n';
+  return errors;
+}
+
+TEST(Refinement, IsRightToTheLastDigits) {
+  const int count = DESMO_SANITIZED ? 3 : 20;
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Errors errors = refine_all(make_model(scene), sampled(scene.grid, count));
+    EXPECT_EQ(errors.proven, count) << l.name;
+    for (const Level level : all_levels) EXPECT_LE(errors.share[level], 1) << l.name;
+  }
+  for (const Case& definition : cases()) {
+    const Scene scene = make_scene(definition, definition.sizes.front());
+    const Errors errors = refine_all(make_model(scene), sampled(scene.grid, count));
+    EXPECT_EQ(errors.proven, count) << definition.name;
+    for (const Level level : all_levels) EXPECT_LE(errors.share[level], 1) << definition.name;
+  }
+}
+
+TEST(Refinement, HoldsUpToADeadPoint) {
+  for (const double distance : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
+    const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
+    const double t = 0;
+    const auto exact = reference_solution(m, std::span(&t, 1), Precision::quadruple);
+    const auto solved = double_solution(m, std::span(&t, 1));
+    Refinement refinement(m);
+    const RefinedInstant& r = refinement.refine(instant_of(solved.front()));
+    EXPECT_TRUE(r.proven) << distance;
+    Errors().add(m, r, exact.front(), make_scales(m, exact), 1);
+  }
+}
+
+/// A four-bar of three stated lengths, drawn roughly. Positions at t = 1 are those of 40 digits.
+std::string stated_four_bar(const char* name, const char* points, const char* lengths,
+                            const char* motion) {
+  std::string text = R"({"format": "desmo-scene", "version": 2, "name": ")" + std::string(name) +
+                     R"(", "mechanism": {"format": "desmo-mechanism", "version": 1,
+    "name": "four_bar", "dimension": 2, "points": {)" +
+                     points + R"(},
+    "ground": {"points": ["A", "D"]}, "bodies": {)" +
+                     lengths + R"(},
+    "joints": [{"type": "revolute", "bodies": ["ground", "C1"], "points": ["A"]},
+               {"type": "revolute", "bodies": ["C1", "L2"], "points": ["B"]},
+               {"type": "revolute", "bodies": ["ground", "L3"], "points": ["D"]},
+               {"type": "revolute", "bodies": ["L2", "L3"], "points": ["C"]}],
+    "coordinates": {"th": {"angle": ["A", "B"]}}, "drivers": ["th"]},
+    "motion": {"th": {"type": "polynomial", "coefficients": [)" +
+                     motion + R"(]}},
+    "time": {"start": 0, "end": 1, "step": 1}})";
+  return text;
+}
+
+TEST(Refinement, IsOfTheStatedLengths) {
+  const Scene scene = parse_scene(
+      stated_four_bar("P2",
+                      R"("A": [0, 0], "D": [2.55, 0], "B": [-0.1181668946184996, 1.475275087912834],
+                         "C": [1.9918802124357762, 1.118482142338118])",
+                      R"("C1": {"points": ["A", "B"], "length": 1.48},
+                         "L2": {"points": ["B", "C"], "length": 2.14},
+                         "L3": {"points": ["D", "C"], "length": 1.25})",
+                      "1.6507238977497682, 0.2999984103208746"),
+      "P2.json", "");
+  const Model m = make_model(scene);
+  const std::vector<double> times{0, 1};
+  const auto solved = double_solution(m, times);
+  Refinement refinement(m);
+  const RefinedInstant& r = refinement.refine(instant_of(solved[1]));
+  ASSERT_TRUE(r.proven);
+  const int c = m.entities[m.find("C")].first;
+  // The right values, each as a double and what it lacks.
+  const double nearest[] = {1.408005679416214, 0.5082804066205755};
+  const long double right[] = {1.408005679416214059625115756580L,
+                               0.508280406620575479142128766490L};
+  for (const int i : {0, 1}) {
+    const auto error = std::abs(static_cast<double>(r.instant.q[c + i] - right[i]));
+    EXPECT_LE(error, r.radius.position[c + i] + 0x1p-63);
+    EXPECT_LE(r.radius.position[c + i], 2 * u * nearest[i] + 1e-15 * i);
+  }
+}
+
+/// Receives the last instant of a run.
+class Last final : public Observer {
+ public:
+  Flow observe(const Instant& i) noexcept override {
+    instant = {
+        i.time, {i.q.begin(), i.q.end()}, {i.qd.begin(), i.qd.end()}, {i.qdd.begin(), i.qdd.end()}};
+    return Flow::go_on;
+  }
+  ReferenceInstant instant;
+};
+
+TEST(Refinement, MakesAllFormulationsEqual) {
+  for (const char* name : {"slider_crank", "double_wishbone"}) {
+    const Scene scene = library_scene(name);
+    const Model m = make_model(scene);
+    const TimeGrid grid{scene.grid.start, scene.grid.step, 5, 1};
+    const double end = grid.time(4);
+    const std::vector<double> times{grid.start, end};
+    const Reference reference = make_reference(m, times);
+    Refinement refinement(m);
+    for (const char* id :
+         {"global_automatic_klu", "group_automatic_lapack", "block_automatic_eigen"})
+      for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-12}) {
+        Settings settings;
+        settings.tolerance = tolerance;
+        const auto formulation = make_formulation(find_variant(id), m, settings);
+        Last last;
+        ASSERT_TRUE(formulation->run(grid, {Level::acceleration}, last).ok());
+        const RefinedInstant& r = refinement.refine(instant_of(last.instant));
+        ASSERT_TRUE(r.proven) << name << ' ' << id << ' ' << tolerance;
+        Errors errors;
+        errors.add(m, r, reference.instants.back(), reference.scales,
+                   ConditionNumber(m)(r.instant.q));
+        for (const Level level : all_levels)
+          EXPECT_LE(errors.share[level], 1) << name << ' ' << id << ' ' << tolerance;
+      }
+  }
+}
+
+TEST(Refinement, LeavesWhatItCannotProve) {
+  const Model m = locking_four_bar(Polynomial{{dead_point}});
+  const std::vector<double> zero(m.coordinates());
+  Refinement refinement(m);
+  const RefinedInstant& r =
+      refinement.refine({.index = 3, .time = 0, .q = m.estimate, .qd = zero, .qdd = zero});
+  EXPECT_FALSE(r.proven);
+  EXPECT_EQ(r.instant.q.data(), m.estimate.data());
+  EXPECT_EQ(r.instant.index, 3);
+}
+
+TEST(ProofFailure, SaysWhy) {
+  const auto failure_of = [](const Model& m, const ReferenceInstant& s) {
+    const Certificate c = Certifier(m).certify(instant_of(s));
+    EXPECT_EQ(c.proven, c.failure == ProofFailure::none);
+    return c.failure;
+  };
+  const Model locked = locking_four_bar(Polynomial{{dead_point}});
+  const std::vector<double> zero(locked.coordinates());
+  EXPECT_EQ(failure_of(locked, {0, locked.estimate, zero, zero}), ProofFailure::singular);
+
+  const Model m = make_model(library_scene("slider_crank"));
+  const double t = 0.1;
+  ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+  EXPECT_EQ(failure_of(m, s), ProofFailure::none);
+  s.q[m.entities[m.find("phi")].first] += 1.5;
+  EXPECT_EQ(failure_of(m, s), ProofFailure::budget);
+}
+
+}  // namespace
+}  // namespace desmo::refinement_test
