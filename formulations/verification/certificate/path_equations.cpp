@@ -1,0 +1,67 @@
+#include "formulations/verification/certificate/path_equations.h"
+
+#include <array>
+
+#include "formulations/constraints/constraints.h"
+
+namespace desmo {
+
+template <class Kind>
+struct PathEquations::FunctionsOf {
+  /// Operands and constants of a constraint in a scalar.
+  template <class S>
+  struct Arguments {
+    std::array<const S*, Kind::operand_sizes.size()> x;
+    std::array<S, Kind::constants + 1> c;
+
+    Arguments(const Object& o, const S* states) {
+      for (std::size_t k = 0; k < x.size(); ++k) x[k] = states + o.shape->operands[k];
+      for (int i = 0; i < Kind::constants; ++i) c[i].c[0] = o.constants[i];
+    }
+  };
+
+  static void residual(const Object& o, const Value* states, Value* phi) {
+    const Arguments<Value> at(o, states);
+    std::array<Value, Kind::rows> all;
+    Kind::residual(at.x.data(), at.c.data(), all.data());
+    for (int r = 0; r < Kind::rows; ++r)
+      if (o.shape->rows[r] >= 0) phi[o.shape->rows[r]] = all[r];
+  }
+  static void jacobian(const Object& o, const Slope* states, LaneMatrix& to) {
+    const Arguments<Slope> at(o, states);
+    const int* slot = o.shape->slots.data();
+    Kind::jacobian(at.x.data(), at.c.data(), [&](int, int, int, const Slope& entry) {
+      if (*slot >= 0) {
+        to.mid[*slot] = entry.c[0];
+        to.radius[*slot] = entry.variation();
+      }
+      ++slot;
+    });
+  }
+};
+
+PathEquations::PathEquations(const BlockBatch& batch) {
+  const auto block = [&](int lane) -> const ShapedBlock& {
+    return batch.members[lane < batch.blocks() ? lane : 0].block;
+  };
+  constants_.resize(block(0).constants.size() + 1);
+  for (std::size_t k = 0; k + 1 < constants_.size(); ++k)
+    for (int lane = 0; lane < LaneNumbers::count; ++lane)
+      constants_[k].set(lane, block(lane).constants[k]);
+  for (const BlockShape::Object& o : batch.equations.shape().objects)
+    visit_kind(o.kind, [&]<class Kind>(Kind) {
+      objects_.push_back({&o, constants_.data() + o.first_constant, &FunctionsOf<Kind>::residual,
+                          Kind::linear ? nullptr : &FunctionsOf<Kind>::jacobian});
+    });
+}
+
+void PathEquations::residual(const Value* x, Value* phi) const {
+  for (const Object& o : objects_) o.residual(o, x, phi);
+}
+
+void PathEquations::jacobian(const Slope* x, LaneMatrix& to) const {
+  for (const Object& o : objects_)
+    if (o.jacobian) o.jacobian(o, x, to);
+}
+
+}  // namespace desmo

@@ -1,0 +1,318 @@
+#include "formulations/verification/certificate/path_proof.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "formulations/verification/certificate/block_schedule.h"
+#include "formulations/verification/certificate/path_equations.h"
+
+namespace desmo {
+
+namespace {
+
+constexpr int degree = PathEquations::degree;
+constexpr double unit = Interval::unit;
+/// Tests of a block, each with a larger X. A contraction of 0.8 needs ten.
+constexpr int max_attempts = 10;
+using Polynomial5 = std::array<double, degree + 1>;
+
+/// Time along the path: middle + half s, with exact doubles whose range covers both ends.
+struct Span {
+  double middle, half;
+
+  Span(double from, double to) : middle(from + (to - from) / 2) {
+    half = std::nextafter(std::max(to - middle, middle - from), INFINITY);
+  }
+  double s(double time) const { return (time - middle) / half; }
+};
+
+/// What is known of a coordinate at an end of the path, in derivatives with respect to s.
+struct EndValues {
+  double q, first = 0, second = 0;
+};
+
+/// Returns the polynomial of lowest degree through both ends, up to a level of derivatives.
+Polynomial5 hermite(const EndValues& a, const EndValues& b, Level level) {
+  // Half of sums and differences: even and odd parts of the polynomial.
+  const double mean = (a.q + b.q) / 2, rise = (b.q - a.q) / 2;
+  if (level == Level::position) return {mean, rise};
+  const double slope = (a.first + b.first) / 2, bend = (b.first - a.first) / 2;
+  if (level == Level::velocity)
+    return {mean - bend / 2, (3 * rise - slope) / 2, bend / 2, (slope - rise) / 2};
+  const double curvature = (a.second + b.second) / 2, twist = (b.second - a.second) / 2;
+  const double fourth = (curvature - bend) / 8, fifth = (twist - 3 * (slope - rise)) / 8;
+  const double second = bend / 2 - 2 * fourth, third = (slope - rise) / 2 - 2 * fifth;
+  return {mean - second - fourth, rise - third - fifth, second, third, fourth, fifth};
+}
+
+double value_at(const Polynomial5& c, double s) {
+  double sum = c[degree];
+  for (int k = degree; k-- > 0;) sum = sum * s + c[k];
+  return sum;
+}
+
+double size_of(const Polynomial5& c) {
+  double sum = 0;
+  for (const double x : c) sum += std::abs(x);
+  return sum;
+}
+
+bool has_knot(const Motion& motion, double from, double to) {
+  const Spline* spline = std::get_if<Spline>(&motion);
+  if (!spline || spline->knots().size() < 3) return false;
+  // The outer cubics reach beyond the table.
+  const auto begin = spline->knots().begin() + 1, end = spline->knots().end() - 1;
+  const auto knot = std::upper_bound(begin, end, from);
+  return knot != end && *knot < to;
+}
+
+}  // namespace
+
+/// The tube of one step after the other.
+class PathProof::Tube {
+ public:
+  Tube(const Model& model, std::span<const Level> levels);
+
+  PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
+
+  std::span<const double> radius() const { return radius_; }
+  double centre(int i, double time) const { return value_at(path_[i], span_.s(time)); }
+
+ private:
+  using Value = PathEquations::Value;
+  using Slope = PathEquations::Slope;
+
+  void find_path(const CertifiedInstant& from, const CertifiedInstant& to);
+  void find_drivers();
+  void gather(const BlockBatch& batch);
+  void find_image(const BlockBatch& batch, const PathEquations& equations);
+  void contract(BlockBatch& batch, const PathEquations& equations);
+  LaneMask prove(BlockBatch& batch, const PathEquations& equations);
+
+  const Model& m_;
+  const std::span<const Level> levels_;
+  BlockSchedule schedule_;
+  std::vector<PathEquations> equations_;  // of each batch, in their order
+  Span span_{-1, 1};
+  std::vector<Polynomial5> path_;     // of each coordinate
+  std::vector<double> gap_, radius_;  // of each coordinate: from p to the instants; of the tube
+
+  // Of the present batch.
+  std::vector<Value> states_, phi_;
+  std::vector<Slope> slopes_;
+  std::vector<LaneNumbers> curved_;       // what slopes_ lack of states_
+  std::vector<LaneNumbers> errors_;       // δ of the inputs (m)
+  std::vector<LaneNumbers> gaps_;         // of the unknowns (n)
+  std::vector<LaneNumbers> image_;        // −Y Φ − Y Φ_h δ (n)
+  std::vector<LaneNumbers> uncertainty_;  // of the equations (n)
+  std::vector<LaneNumbers> trial_;        // radii of X (n)
+  std::vector<LaneNumbers> contracted_;   // (I − Y Φ_φ) X (n)
+  Preconditioner preconditioner_;
+  const Preconditioner* y_ = nullptr;
+};
+
+PathProof::Tube::Tube(const Model& m, std::span<const Level> levels)
+    : m_(m), levels_(levels), schedule_(block_schedule(m, levels)) {
+  path_.resize(m.coordinates());
+  gap_.resize(m.coordinates());
+  radius_.resize(m.coordinates());
+  int n = 0, inputs = 0, width = 0, states = 0;
+  for (CertificationStep& step : schedule_.steps)
+    for (BlockBatch& batch : step.batches) {
+      equations_.emplace_back(batch);
+      const BlockShape& shape = batch.equations.shape();
+      n = std::max(n, shape.unknowns);
+      inputs = std::max(inputs, shape.inputs);
+      width = std::max(width, shape.width());
+      states = std::max(states, shape.states());
+    }
+  states_.resize(states), slopes_.resize(states), curved_.resize(states);
+  phi_.resize(n);
+  errors_.resize(inputs);
+  for (auto* values : {&gaps_, &image_, &uncertainty_, &trial_, &contracted_}) values->resize(n);
+  preconditioner_.resize(n, width);
+}
+
+/// Finds p(s) of each coordinate, and how far it passes from the certified boxes of both instants.
+void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedInstant& to) {
+  const double h = span_.half, s0 = span_.s(from.time), s1 = span_.s(to.time);
+  const Level both = from.values.velocity.empty()       ? Level::position
+                     : from.values.acceleration.empty() ? Level::velocity
+                                                        : Level::acceleration;
+  for (int i = 0; i < m_.coordinates(); ++i) {
+    const Level level = levels_.empty() ? both : std::min(both, levels_[i]);
+    const auto end = [&](const CertifiedInstant& x) {
+      return EndValues{x.values.position[i],
+                       level >= Level::velocity ? x.values.velocity[i] * h : 0,
+                       level >= Level::acceleration ? x.values.acceleration[i] * h * h : 0};
+    };
+    path_[i] = hermite(end(from), end(to), level);
+    // Horner's rule rounds twice a degree; s is off by two roundings, which counts up to the
+    // degree.
+    constexpr double rounding = (4 * degree + 2) * unit;
+    const auto distance = [&](const CertifiedInstant& x, double s) {
+      return std::abs(value_at(path_[i], s) - x.values.position[i]) + x.radius[i];
+    };
+    gap_[i] = (std::max(distance(from, s0), distance(to, s1)) + rounding * size_of(path_[i])) *
+              (1 + 8 * unit);
+    radius_[i] = INFINITY;
+  }
+}
+
+/// Replaces the path of driven coordinates by Taylor polynomials of their motions.
+void PathProof::Tube::find_drivers() {
+  using Exact = TaylorModel<Compensated<double>, degree>;
+  Exact time(span_.middle);
+  time.c[1] = span_.half;
+  for (const Driver& d : m_.drivers) {
+    const int i = m_.entities[d.coordinate].first;
+    const Exact z = sample(d.motion, time).position;
+    double rest = z.rest;
+    for (int k = 0; k <= degree; ++k) {
+      const Interval c = z.c[k].enclosure();
+      path_[i][k] = c.mid;
+      rest += c.radius;
+    }
+    radius_[i] = rest * (1 + 16 * unit);
+  }
+}
+
+/// Takes the paths and errors that a batch reads.
+void PathProof::Tube::gather(const BlockBatch& b) {
+  const BlockShape& shape = b.equations.shape();
+  const auto member = [&](int lane) -> const BlockBatch::Member& {
+    return b.members[lane < b.blocks() ? lane : 0];
+  };
+  for (int i = 0; i < shape.states(); ++i) {
+    Value& x = states_[i] = Value();
+    if (shape.columns[i] == BlockShape::unread) continue;
+    for (int lane = 0; lane < LaneNumbers::count; ++lane) {
+      const int at = member(lane).block.states[i];
+      if (at >= m_.coordinates())
+        x.c[0].set(lane, m_.fixed_values[at - m_.coordinates()]);
+      else
+        for (int k = 0; k <= degree; ++k) x.c[k].set(lane, path_[at][k]);
+    }
+    Slope& slope = slopes_[i] = Slope();
+    slope.c = {x.c[0], x.c[1]};
+    LaneNumbers rest(0);
+    for (int k = 2; k <= degree; ++k) rest += abs(x.c[k]);
+    slope.rest = curved_[i] = rest * (1 + 8 * unit);
+  }
+  for (int j = 0; j < shape.width(); ++j)
+    for (int lane = 0; lane < LaneNumbers::count; ++lane) {
+      const int at = member(lane).block.coordinates[j];
+      if (j < shape.unknowns)
+        gaps_[j].set(lane, gap_[at]);
+      else
+        errors_[j - shape.unknowns].set(lane, radius_[at]);
+    }
+  for (int j = shape.unknowns; j < shape.width(); ++j)
+    slopes_[b.locals[j]].rest += errors_[j - shape.unknowns];
+}
+
+/// Bounds −Y Φ − Y Φ_h δ for all s.
+void PathProof::Tube::find_image(const BlockBatch& b, const PathEquations& equations) {
+  const BlockShape& shape = b.equations.shape();
+  const int n = shape.unknowns, m = shape.inputs;
+  equations.residual(states_.data(), phi_.data());
+  for (int r = 0; r < n; ++r) {
+    LaneNumbers sum = phi_[r].magnitude();
+    for (int k = shape.input_begins[r]; k < shape.row_begins[r + 1]; ++k)
+      sum = fma(fma(b.rounding, abs(b.jacobian.mid[k]), b.jacobian.radius[k]),
+                errors_[shape.entries[k] - n], sum);
+    uncertainty_[r] = sum;
+  }
+  for (int i = 0; i < n; ++i) {
+    LaneNumbers sum(0);
+    for (int r = 0; r < n; ++r) sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);
+    for (int j = 0; j < m; ++j) sum = fma(y_->slopes[i * m + j], errors_[j], sum);
+    image_[i] = sum * (1 + b.rounding);
+  }
+}
+
+/// Bounds (I − Y Φ_φ(X)) X for the radii of X.
+void PathProof::Tube::contract(BlockBatch& b, const PathEquations& equations) {
+  const BlockShape& shape = b.equations.shape();
+  const int n = shape.unknowns;
+  if (!shape.linear) {
+    for (int i = 0; i < n; ++i) slopes_[b.locals[i]].rest = curved_[b.locals[i]] + trial_[i];
+    equations.jacobian(slopes_.data(), b.jacobian);
+  }
+  for (int r = 0; r < n; ++r) {
+    LaneNumbers sum(0);
+    for (int e = shape.row_begins[r]; e < shape.input_begins[r]; ++e)
+      sum = fma(fma(b.rounding, abs(b.jacobian.mid[e]), b.jacobian.radius[e]),
+                trial_[shape.entries[e]], sum);
+    uncertainty_[r] = sum;
+  }
+  for (int i = 0; i < n; ++i) {
+    LaneNumbers sum(0);
+    for (int r = 0; r < n; ++r) {
+      sum = fma(y_->remainder[i * n + r], trial_[r], sum);
+      sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);
+    }
+    contracted_[i] = sum * (1 + b.rounding);
+  }
+}
+
+/// Returns in which lanes the tube of the batch is proven, and writes its radii there.
+LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
+  const BlockShape& shape = b.equations.shape();
+  const int n = shape.unknowns;
+  gather(b);
+  if (!shape.linear) {
+    equations.jacobian(slopes_.data(), b.jacobian);  // with the inputs' errors, and X of no width
+    preconditioner_.find(shape, b.jacobian.mid.data(), LaneMask::all());
+  }
+  y_ = shape.linear ? &b.constant : &preconditioner_;
+  find_image(b, equations);
+  for (LaneNumbers& x : contracted_) x = 0;
+  LaneMask proven{};
+  for (int attempt = 0; attempt < max_attempts && (!proven).any(); ++attempt) {
+    // Epsilon inflation (Rump): X is somewhat larger than what the last test returned.
+    for (int i = 0; i < n; ++i)
+      trial_[i] = max(gaps_[i], fma(b.magnitudes[i], 0x1p-50, (image_[i] + contracted_[i]) * 1.1));
+    contract(b, equations);
+    proven = LaneMask::all();
+    for (int i = 0; i < n; ++i) proven = proven & less(image_[i] + contracted_[i], trial_[i]);
+  }
+  for (int i = 0; i < n; ++i)
+    for (int lane = 0; lane < b.blocks(); ++lane)
+      if (proven[lane])
+        radius_[b.members[lane].block.coordinates[i]] =
+            (image_[i][lane] + contracted_[i][lane]) * (1 + 4 * unit);
+  return proven;
+}
+
+PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
+  for (const Driver& d : m_.drivers)
+    if (has_knot(d.motion, from.time, to.time)) return {.knot = true};
+  span_ = Span(from.time, to.time);
+  find_path(from, to);
+  find_drivers();
+  std::size_t batch = 0;
+  for (CertificationStep& step : schedule_.steps)
+    for (BlockBatch& b : step.batches) {
+      const LaneMask proven = prove(b, equations_[batch++]);
+      for (int lane = 0; lane < b.blocks(); ++lane)
+        if (!proven[lane])
+          return {.group = b.members[lane].group, .coordinate = b.members[lane].first_unknown};
+    }
+  return {.proven = true};
+}
+
+PathProof::PathProof(const Model& model, std::span<const Level> levels)
+    : tube_(std::make_unique<Tube>(model, levels)) {}
+PathProof::~PathProof() = default;
+
+PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
+  return tube_->prove(from, to);
+}
+std::span<const double> PathProof::radius() const { return tube_->radius(); }
+double PathProof::centre(int coordinate, double time) const {
+  return tube_->centre(coordinate, time);
+}
+
+}  // namespace desmo

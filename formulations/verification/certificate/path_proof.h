@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formulations/base/per_level.h"
+#include "formulations/model/model.h"
+
+namespace desmo {
+
+/// An instant whose positions are certified.
+struct CertifiedInstant {
+  double time = 0;                             ///< [s]
+  PerLevel<std::span<const double>> values{};  ///< all coordinates; empty above the levels it has
+  std::span<const double> radius{};            ///< of the positions (Certificate::radius)
+};
+
+/// What is proven of the motion between two instants.
+struct PathCertificate {
+  bool proven = false;
+  /// The step contains a knot of a driver's spline: a step is to be split there.
+  bool knot = false;
+  /// Where no proof succeeded: the block's structural group and its first unknown; else
+  /// no_position.
+  GroupId group = no_position;
+  int coordinate = no_position;
+};
+
+/// Proves that two certified instants lie on one smooth motion: between them, Φ(q, t) = 0 has
+/// exactly one solution for each time in a tube about a path, it is smooth, and both instants are
+/// on it. So the step has not jumped to another branch, nor passed a singular position.
+///
+/// The path p(s), s in [−1, 1], is the Hermite polynomial through both instants: a quintic where
+/// accelerations are solved, a cubic where velocities are, else a chord. Krawczyk's test is that of
+/// a certificate (certificate.h), for all s at once. With the inputs' paths y(s) and their errors
+/// δ,
+///
+///   −Y Φ(p(s), y(s)) − Y Φ_h(p(s), y(s) + δ) δ + (I − Y Φ_φ(p(s) + X, y(s) + δ)) X  inside X
+///
+/// where Y is the inverse of Φ_φ in the middle. Φ along the path is evaluated in Taylor models, Φ_φ
+/// and Φ_h in those of degree 1: what turns with a body while the step lasts then stays small.
+/// Drivers are Taylor models of their motions, so that one which turns back within the step is
+/// inside. X holds the distance of the path from both instants and their radii, so the solution in
+/// the tube is the one that the certificates speak of.
+///
+///   PathProof path(model);
+///   if (path.prove(before, now).proven) …   // `now` continues `before`
+///
+/// Costs one to three steps of `global_automatic_klu`. One thread at a time may use it.
+class PathProof {
+ public:
+  /// Cuts the model into blocks and allocates everything. levels: the level up to which each
+  /// coordinate is solved (Plan::levels); empty: as far as the instants. Both must outlive this.
+  explicit PathProof(const Model& model, std::span<const Level> levels = {});
+  explicit PathProof(const Model&& model, std::span<const Level> levels = {}) = delete;
+  ~PathProof();
+
+  /// Proves the step between two instants of the model's motions, from.time < to.time. Allocates
+  /// nothing.
+  PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
+
+  /// Returns the radius of the tube of each coordinate after a proof.
+  std::span<const double> radius() const;
+  /// Returns the tube's centre line at a time, up to rounding.
+  double centre(int coordinate, double time) const;
+
+ private:
+  class Tube;
+  std::unique_ptr<Tube> tube_;
+};
+
+}  // namespace desmo

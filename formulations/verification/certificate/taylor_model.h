@@ -1,0 +1,147 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "formulations/verification/certificate/compensated.h"
+#include "formulations/verification/certificate/lane_numbers.h"
+
+namespace desmo {
+
+/// How a Taylor model bounds its coefficients. S: double or LaneNumbers, whose operations round:
+/// the remainder takes that up; or Compensated<double>, which bounds its own error.
+template <class S>
+struct Coefficient {
+  using Bound = S;
+  static constexpr double unit = 0x1p-53;  ///< largest relative error of one rounding
+  static S magnitude(const S& x) {
+    using std::abs;
+    return abs(x);
+  }
+  /// Returns by how much the function of a number that is f there may be off: sine and cosine are
+  /// within one unit in the last place.
+  static S uncertainty_of_turn(const S& f) { return magnitude(f) * S(2 * unit); }
+};
+template <>
+struct Coefficient<Compensated<double>> {
+  using Bound = double;
+  static constexpr double unit = 0;
+  static double magnitude(const Compensated<double>& x) { return x.enclosure().magnitude(); }
+  static double uncertainty_of_turn(const Compensated<double>&) { return 0; }
+};
+
+/// A function of s in [−1, 1], enclosed by a polynomial of degree D and a remainder: it is within
+/// `rest` of Σ c[k] sᵏ, for each s (Makino & Berz, Reliable Computing 5, 1999). Each operation
+/// returns a model that holds the result for all functions that its operands hold. No rounding mode
+/// is switched.
+///
+///   TaylorModel<double, 5> t(0.5);   // t = 0.5 + 0.01 s: time within a step
+///   t.c[1] = 0.01;
+///   const auto z = sin(t) * t;       // holds sin(t(s)) t(s) for every s
+template <class S, int D>
+struct TaylorModel {
+  static_assert(D >= 1);
+  using Traits = Coefficient<S>;
+  using Bound = typename Traits::Bound;
+
+  std::array<S, D + 1> c{};
+  Bound rest{0};
+
+  TaylorModel() = default;
+  TaylorModel(double exact) { c[0] = S(exact); }
+
+  /// Returns a bound of the polynomial's magnitude, but for the rounding of this sum.
+  Bound polynomial() const { return Traits::magnitude(c[0]) + slopes(); }
+  /// Returns a bound of what all terms but the constant one make up, but for its rounding.
+  Bound slopes() const {
+    Bound sum = Traits::magnitude(c[1]);
+    for (int k = 2; k <= D; ++k) sum = sum + Traits::magnitude(c[k]);
+    return sum;
+  }
+  /// Returns a bound of the function's magnitude.
+  Bound magnitude() const { return (polynomial() + rest) * Bound(above); }
+  /// Returns a bound of the distance from the constant term.
+  Bound variation() const { return (slopes() + rest) * Bound(above); }
+
+  friend TaylorModel operator-(const TaylorModel& a) {
+    TaylorModel r;
+    for (int k = 0; k <= D; ++k) r.c[k] = -a.c[k];
+    r.rest = a.rest;
+    return r;
+  }
+  friend TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) {
+    TaylorModel r;
+    for (int k = 0; k <= D; ++k) r.c[k] = a.c[k] + b.c[k];
+    r.rest = with_rounding(a.rest + b.rest, r.polynomial());
+    return r;
+  }
+  friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) { return a + (-b); }
+  friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
+    TaylorModel r;
+    for (int i = 0; i <= D; ++i)
+      for (int k = 0; i + k <= D; ++k) r.c[i + k] = r.c[i + k] + a.c[i] * b.c[k];
+    // Terms above degree D are cut: aᵢ bₖ with i + k > D.
+    Bound cut(0), of_b(0);
+    for (int i = 1; i <= D; ++i) {
+      of_b = of_b + Traits::magnitude(b.c[D + 1 - i]);
+      cut = cut + Traits::magnitude(a.c[i]) * of_b;
+    }
+    const Bound of_a = a.polynomial(), all_of_b = b.polynomial();
+    // A coefficient is the sum of at most D + 1 products, each rounded at most D + 1 times.
+    r.rest = with_rounding(cut + of_a * b.rest + a.rest * (all_of_b + b.rest),
+                           Bound(D + 1) * (of_a * all_of_b));
+    return r;
+  }
+  friend TaylorModel sin(const TaylorModel& a) {
+    using std::cos;
+    using std::sin;
+    const S sine = sin(a.c[0]), cosine = cos(a.c[0]);
+    return turned(a, {sine, cosine, -sine, -cosine});
+  }
+  friend TaylorModel cos(const TaylorModel& a) {
+    using std::cos;
+    using std::sin;
+    const S sine = sin(a.c[0]), cosine = cos(a.c[0]);
+    return turned(a, {cosine, -sine, -cosine, sine});
+  }
+  /// Compares the constant terms: the order in which a spline looks up its pieces. Whoever samples
+  /// a spline makes sure that no knot lies within.
+  friend bool operator<(const TaylorModel& a, const TaylorModel& b) { return a.c[0] < b.c[0]; }
+
+ private:
+  static constexpr double above =
+      1 + 64 * 0x1p-53;                     // covers the rounding of at most 60 positive terms
+  static constexpr double tiny = 0x1p-500;  // covers products that underflow
+
+  /// Returns a remainder. rounded: the sum of all magnitudes that were rounded.
+  static Bound with_rounding(const Bound& rest, const Bound& rounded) {
+    return (rest + Bound(Traits::unit) * rounded) * Bound(above) + Bound(tiny);
+  }
+  /// Returns a sine or cosine from its derivatives at the constant term, by Taylor's formula
+  /// f(c₀ + d) = Σ f⁽ᵏ⁾(c₀) dᵏ/k! + f⁽ᴰ⁺¹⁾(ξ) dᴰ⁺¹/(D + 1)!, whose last derivative is at most 1.
+  static TaylorModel turned(const TaylorModel& a, const std::array<S, 4>& derivatives) {
+    TaylorModel d = a;
+    d.c[0] = S(0);
+    const Bound far = a.variation();
+    Bound last(1);  // dᵏ/k!, and in the end k = D + 1
+    for (int k = 1; k <= D + 1; ++k) last = last * far * Bound((1 + 0x1p-51) / k);
+    TaylorModel sum;
+    for (int k = D; k >= 0; --k) {
+      TaylorModel f;
+      f.c[0] = derivatives[k % 4];
+      f.rest = Traits::uncertainty_of_turn(f.c[0]);
+      sum = sum * d + reciprocal_of_factorial(k) * f;
+    }
+    sum.rest = with_rounding(sum.rest + last, Bound(0));
+    return sum;
+  }
+  static TaylorModel reciprocal_of_factorial(int k) {
+    double factorial = 1;
+    for (int i = 2; i <= k; ++i) factorial *= i;
+    TaylorModel r(1 / factorial);
+    if (k > 2) r.rest = Bound(0x1p-53 / factorial);  // the first three are exact
+    return r;
+  }
+};
+
+}  // namespace desmo

@@ -1,0 +1,192 @@
+// Steps of whole motions: proven where they continue the motion, with all of it inside the tube;
+// never where they end elsewhere.
+
+#include "formulations/verification/certificate/path_proof.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <numbers>
+#include <random>
+
+#include "formulations/groupwise/double_solution.h"
+#include "formulations/verification/certificate/certificate.h"
+#include "tests/accuracy/scenes.h"
+
+namespace desmo::path_proof_test {
+namespace {
+
+/// Instants of a model, certified.
+class Certified {
+ public:
+  Certified(const Model& m, const std::vector<ReferenceInstant>& solved) : solved_(solved) {
+    Certifier certifier(m);
+    for (const ReferenceInstant& s : solved_) {
+      const Certificate c =
+          certifier.certify({.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+      radius_.emplace_back(c.radius.position.begin(), c.radius.position.end());
+    }
+  }
+  CertifiedInstant operator()(std::size_t k, Level level = Level::acceleration) const {
+    const ReferenceInstant& s = solved_[k];
+    CertifiedInstant at{s.time, {s.q, s.qd, s.qdd}, radius_[k]};
+    if (level < Level::acceleration) at.values.acceleration = {};
+    if (level < Level::velocity) at.values.velocity = {};
+    return at;
+  }
+  const std::vector<double>& q(std::size_t k) const { return solved_[k].q; }
+
+ private:
+  std::vector<ReferenceInstant> solved_;
+  std::vector<std::vector<double>> radius_;
+};
+
+struct Tally {
+  int steps = 0, proven = 0;
+  double widest = 0;  // tube over the largest coordinate
+};
+
+/// Proves steps of a length [s] that begin at some times; each has `inner` solutions between its
+/// ends, which the tube is to hold.
+Tally prove_steps(const Model& m, const std::vector<double>& begins, double length, int inner,
+                  Level level = Level::acceleration) {
+  std::vector<double> times;
+  for (const double t : begins)
+    for (int i = 0; i <= inner + 1; ++i) times.push_back(t + length * i / (inner + 1));
+  std::ranges::sort(times);
+  const Certified at(m, double_solution(m, times));
+  PathProof path(m);
+  Tally tally;
+  const std::size_t stride = inner + 1;
+  for (std::size_t k = 0; k + stride < times.size(); k += stride + 1) {
+    ++tally.steps;
+    if (!path.prove(at(k, level), at(k + stride, level)).proven) continue;
+    ++tally.proven;
+    for (std::size_t j = k; j <= k + stride; ++j)
+      for (int i = 0; i < m.coordinates(); ++i) {
+        constexpr double solved_to = 1e-12;  // of the solutions in between
+        const double tube = path.radius()[i], off = std::abs(at.q(j)[i] - path.centre(i, times[j]));
+        EXPECT_LE(off, tube + solved_to * (1 + std::abs(at.q(j)[i])))
+            << m.name << ", coordinate " << i << " at " << times[j];
+        tally.widest = std::max(tally.widest, tube / (1 + std::abs(at.q(j)[i])));
+      }
+  }
+  std::cout << m.name << ": " << tally.proven << " of " << tally.steps << ", widest "
+            << tally.widest << '\n';
+  return tally;
+}
+
+std::vector<double> begins_of(const Scene& scene, double step, int count) {
+  std::vector<double> times;
+  const double begin = scene.grid.start, end = scene.grid.time(scene.grid.instants - 1) - step;
+  for (int i = 0; i < count; ++i) times.push_back(begin + (end - begin) * i / count);
+  return times;
+}
+
+TEST(PathProof, ProvesEachStepOfTheLibrary) {
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Model m = make_model(scene);
+    const double step = scene.grid.interval();
+    for (const Level level : all_levels) {
+      const Tally t =
+          prove_steps(m, begins_of(scene, step, DESMO_SANITIZED ? 4 : 20), step, 3, level);
+      if (level >= Level::velocity) {
+        EXPECT_EQ(t.proven, t.steps) << l.name;
+      }
+    }
+  }
+}
+
+TEST(PathProof, ProvesEachStepOfTheCases) {
+  for (const Case& definition : cases()) {
+    const Scene scene = make_scene(definition, definition.sizes.back());
+    const Tally t =
+        prove_steps(make_model(scene), begins_of(scene, 0.01, DESMO_SANITIZED ? 1 : 8), 0.01, 2);
+    EXPECT_EQ(t.proven, t.steps) << definition.name;
+  }
+}
+
+/// A crank that oscillates: drivers turn back within these steps, which polynomials in time hold.
+TEST(PathProof, HoldsDriversThatTurnBack) {
+  Model m = make_model(library_scene("slider_crank"));
+  m.drivers[0].motion = HarmonicSum{.mean = 0.7, .terms = {{0.3, 2 * std::numbers::pi, 0}}};
+  const Tally t = prove_steps(m, {0.24, 0.74}, 0.02, 3);
+  EXPECT_EQ(t.proven, 2);
+}
+
+TEST(PathProof, HoldsAtLateTimes) {
+  Model m = make_model(library_scene("slider_crank"));
+  m.drivers[0].motion = Polynomial{{0, 10.473}};
+  const Tally t = prove_steps(m, {1e6, 1e6 + 0.125, 1e6 + 0.5}, 1.0 / 64, 1);
+  EXPECT_EQ(t.proven, 3);
+}
+
+/// An angle that is a whole turn off satisfies all equations, but no path leads there.
+TEST(PathProof, RefusesWholeTurns) {
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Model m = make_model(scene);
+    const double t = scene.grid.start;
+    std::vector<ReferenceInstant> solved = double_solution(m, std::vector{t, t + 0.01});
+    const std::vector<bool> driven = independent_coordinates(m);
+    for (const Entity& e : m.entities) {
+      if (e.kind != EntityKind::angle || e.fixed || driven[e.first]) continue;
+      std::vector<ReferenceInstant> turned = solved;
+      turned[1].q[e.first] += 2 * std::numbers::pi;
+      const Certified at(m, turned);
+      EXPECT_FALSE(PathProof(m).prove(at(0), at(1)).proven) << l.name << ' ' << e.name;
+    }
+  }
+}
+
+/// Ends on other branches, where estimates that are far off lead.
+TEST(PathProof, RefusesOtherBranches) {
+  int others = 0;
+  std::mt19937 generator(5);
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Model m = make_model(scene);
+    const double t = scene.grid.start;
+    const std::vector<ReferenceInstant> solved = double_solution(m, std::vector{t, t + 0.01});
+    double size = 0;
+    for (const double q : m.estimate) size = std::max(size, std::abs(q));
+    std::normal_distribution<double> off(0, size);
+    PathProof path(m);
+    for (int i = 0; i < (DESMO_SANITIZED ? 2 : 20); ++i) {
+      Model far = m;
+      for (double& q : far.estimate) q += off(generator);
+      std::vector<ReferenceInstant> both = solved;
+      try {
+        both[1] = double_solution(far, std::vector{t + 0.01}).front();
+      } catch (const std::runtime_error&) {
+        continue;
+      }
+      double difference = 0;
+      for (int k = 0; k < m.coordinates(); ++k)
+        difference = std::max(difference, std::abs(both[1].q[k] - solved[1].q[k]));
+      if (difference < 1e-6 * size) continue;
+      ++others;
+      const Certified at(m, both);
+      EXPECT_FALSE(path.prove(at(0), at(1)).proven) << l.name << ' ' << difference;
+    }
+  }
+  std::cout << others << " other ends\n";
+  EXPECT_GE(others, DESMO_SANITIZED ? 3 : 30);
+}
+
+/// A step that contains a knot is none of one cubic.
+TEST(PathProof, AsksForAStepThatEndsAtAKnot) {
+  Model m = make_model(library_scene("slider_crank"));
+  m.drivers[0].motion = make_spline({0, 1, 2}, {0.5, 0.7, 0.3}, SplineEnds::natural);
+  const std::vector<double> times{0.98, 1, 1.02, 1.04, 2.5, 2.52};
+  const Certified at(m, double_solution(m, times));
+  PathProof path(m);
+  EXPECT_TRUE(path.prove(at(0), at(2)).knot);
+  EXPECT_FALSE(path.prove(at(0), at(2)).proven);
+  for (const std::size_t from : {0, 1, 2, 4})
+    EXPECT_TRUE(path.prove(at(from), at(from + 1)).proven);
+}
+
+}  // namespace
+}  // namespace desmo::path_proof_test
