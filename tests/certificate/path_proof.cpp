@@ -182,7 +182,8 @@ TEST(PathProof, AsksForAStepThatEndsAtAKnot) {
   const std::vector<double> times{0.98, 1, 1.02, 1.04, 2.5, 2.52};
   const Certified at(m, double_solution(m, times));
   PathProof path(m);
-  EXPECT_TRUE(path.prove(at(0), at(2)).knot);
+  EXPECT_EQ(path.first_knot(0.98, 1.02), 1);
+  EXPECT_FALSE(path.first_knot(1, 1.02));
   EXPECT_FALSE(path.prove(at(0), at(2)).proven);
   for (const std::size_t from : {0, 1, 2, 4})
     EXPECT_TRUE(path.prove(at(from), at(from + 1)).proven);

@@ -16,7 +16,10 @@ struct PathEquations::FunctionsOf {
 
     Arguments(const Object& o, const S* states) {
       for (std::size_t k = 0; k < x.size(); ++k) x[k] = states + o.shape->operands[k];
-      for (int i = 0; i < Kind::constants; ++i) c[i].c[0] = o.constants[i];
+      for (int i = 0; i < Kind::constants; ++i) {
+        c[i].c[0] = o.constants[i];
+        c[i].rest = o.remainders[i];
+      }
     }
   };
 
@@ -45,12 +48,17 @@ PathEquations::PathEquations(const BlockBatch& batch) {
     return batch.members[lane < batch.blocks() ? lane : 0].block;
   };
   constants_.resize(block(0).constants.size() + 1);
+  remainders_.resize(constants_.size());
   for (std::size_t k = 0; k + 1 < constants_.size(); ++k)
-    for (int lane = 0; lane < LaneNumbers::count; ++lane)
-      constants_[k].set(lane, block(lane).constants[k]);
+    for (int lane = 0; lane < LaneNumbers::count; ++lane) {
+      const TaylorModel<double, 1> constant(block(lane).constants[k]);
+      constants_[k].set(lane, constant.c[0]);
+      remainders_[k].set(lane, constant.rest);
+    }
   for (const BlockShape::Object& o : batch.equations.shape().objects)
     visit_kind(o.kind, [&]<class Kind>(Kind) {
-      objects_.push_back({&o, constants_.data() + o.first_constant, &FunctionsOf<Kind>::residual,
+      objects_.push_back({&o, constants_.data() + o.first_constant,
+                          remainders_.data() + o.first_constant, &FunctionsOf<Kind>::residual,
                           Kind::linear ? nullptr : &FunctionsOf<Kind>::jacobian});
     });
 }

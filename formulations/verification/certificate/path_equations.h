@@ -32,12 +32,12 @@ class PathEquations {
 
   struct Object {
     const BlockShape::Object* shape;
-    const LaneNumbers* constants;
+    const LaneNumbers *constants, *remainders;
     void (*residual)(const Object&, const Value* x, Value* phi);
     void (*jacobian)(const Object&, const Slope* x, LaneMatrix& to);  ///< null: constant
   };
 
-  std::vector<LaneNumbers> constants_;
+  std::vector<LaneNumbers> constants_, remainders_;  // and what they lack of the file's dimensions
   std::vector<Object> objects_;
 };
 

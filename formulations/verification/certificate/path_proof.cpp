@@ -58,23 +58,15 @@ double size_of(const Polynomial5& c) {
   return sum;
 }
 
-bool has_knot(const Motion& motion, double from, double to) {
-  const Spline* spline = std::get_if<Spline>(&motion);
-  if (!spline || spline->knots().size() < 3) return false;
-  // The outer cubics reach beyond the table.
-  const auto begin = spline->knots().begin() + 1, end = spline->knots().end() - 1;
-  const auto knot = std::upper_bound(begin, end, from);
-  return knot != end && *knot < to;
-}
-
 }  // namespace
 
 /// The tube of one step after the other.
 class PathProof::Tube {
  public:
-  Tube(const Model& model, std::span<const Level> levels);
+  explicit Tube(const Model& model);
 
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
+  std::optional<double> first_knot(double from, double to) const;
 
   std::span<const double> radius() const { return radius_; }
   double centre(int i, double time) const { return value_at(path_[i], span_.s(time)); }
@@ -91,7 +83,6 @@ class PathProof::Tube {
   LaneMask prove(BlockBatch& batch, const PathEquations& equations);
 
   const Model& m_;
-  const std::span<const Level> levels_;
   BlockSchedule schedule_;
   std::vector<PathEquations> equations_;  // of each batch, in their order
   Span span_{-1, 1};
@@ -112,8 +103,7 @@ class PathProof::Tube {
   const Preconditioner* y_ = nullptr;
 };
 
-PathProof::Tube::Tube(const Model& m, std::span<const Level> levels)
-    : m_(m), levels_(levels), schedule_(block_schedule(m, levels)) {
+PathProof::Tube::Tube(const Model& m) : m_(m), schedule_(block_schedule(m, {})) {
   path_.resize(m.coordinates());
   gap_.resize(m.coordinates());
   radius_.resize(m.coordinates());
@@ -137,11 +127,14 @@ PathProof::Tube::Tube(const Model& m, std::span<const Level> levels)
 /// Finds p(s) of each coordinate, and how far it passes from the certified boxes of both instants.
 void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedInstant& to) {
   const double h = span_.half, s0 = span_.s(from.time), s1 = span_.s(to.time);
-  const Level both = from.values.velocity.empty()       ? Level::position
-                     : from.values.acceleration.empty() ? Level::velocity
-                                                        : Level::acceleration;
+  const auto level_of = [](const CertifiedInstant& x, int i) {
+    const Level all = x.values.velocity.empty()       ? Level::position
+                      : x.values.acceleration.empty() ? Level::velocity
+                                                      : Level::acceleration;
+    return x.levels.empty() ? all : std::min(all, x.levels[i]);
+  };
   for (int i = 0; i < m_.coordinates(); ++i) {
-    const Level level = levels_.empty() ? both : std::min(both, levels_[i]);
+    const Level level = std::min(level_of(from, i), level_of(to, i));
     const auto end = [&](const CertifiedInstant& x) {
       return EndValues{x.values.position[i],
                        level >= Level::velocity ? x.values.velocity[i] * h : 0,
@@ -189,14 +182,17 @@ void PathProof::Tube::gather(const BlockBatch& b) {
     if (shape.columns[i] == BlockShape::unread) continue;
     for (int lane = 0; lane < LaneNumbers::count; ++lane) {
       const int at = member(lane).block.states[i];
-      if (at >= m_.coordinates())
-        x.c[0].set(lane, m_.fixed_values[at - m_.coordinates()]);
-      else
+      if (at >= m_.coordinates()) {
+        const TaylorModel<double, 1> fixed(m_.fixed_value(at - m_.coordinates()));
+        x.c[0].set(lane, fixed.c[0]);
+        x.rest.set(lane, fixed.rest);
+      } else {
         for (int k = 0; k <= degree; ++k) x.c[k].set(lane, path_[at][k]);
+      }
     }
     Slope& slope = slopes_[i] = Slope();
     slope.c = {x.c[0], x.c[1]};
-    LaneNumbers rest(0);
+    LaneNumbers rest = x.rest;
     for (int k = 2; k <= degree; ++k) rest += abs(x.c[k]);
     slope.rest = curved_[i] = rest * (1 + 8 * unit);
   }
@@ -286,9 +282,21 @@ LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
   return proven;
 }
 
+std::optional<double> PathProof::Tube::first_knot(double from, double to) const {
+  std::optional<double> first;
+  for (const Driver& d : m_.drivers) {
+    const Spline* spline = std::get_if<Spline>(&d.motion);
+    if (!spline) continue;
+    // The outer cubics reach beyond the table.
+    const auto begin = spline->knots().begin() + 1, end = spline->knots().end() - 1;
+    const auto knot = std::upper_bound(begin, end, from);
+    if (knot < end && *knot < to && (!first || *knot < *first)) first = *knot;
+  }
+  return first;
+}
+
 PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
-  for (const Driver& d : m_.drivers)
-    if (has_knot(d.motion, from.time, to.time)) return {.knot = true};
+  if (first_knot(from.time, to.time)) return {};
   span_ = Span(from.time, to.time);
   find_path(from, to);
   find_drivers();
@@ -303,12 +311,14 @@ PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const Certi
   return {.proven = true};
 }
 
-PathProof::PathProof(const Model& model, std::span<const Level> levels)
-    : tube_(std::make_unique<Tube>(model, levels)) {}
+PathProof::PathProof(const Model& model) : tube_(std::make_unique<Tube>(model)) {}
 PathProof::~PathProof() = default;
 
 PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
   return tube_->prove(from, to);
+}
+std::optional<double> PathProof::first_knot(double from, double to) const {
+  return tube_->first_knot(from, to);
 }
 std::span<const double> PathProof::radius() const { return tube_->radius(); }
 double PathProof::centre(int coordinate, double time) const {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
@@ -14,13 +14,13 @@ struct CertifiedInstant {
   double time = 0;                             ///< [s]
   PerLevel<std::span<const double>> values{};  ///< all coordinates; empty above the levels it has
   std::span<const double> radius{};            ///< of the positions (Certificate::radius)
+  std::span<const Level>
+      levels{};  ///< up to which each coordinate is solved; empty: as far as values
 };
 
 /// What is proven of the motion between two instants.
 struct PathCertificate {
   bool proven = false;
-  /// The step contains a knot of a driver's spline: a step is to be split there.
-  bool knot = false;
   /// Where no proof succeeded: the block's structural group and its first unknown; else
   /// no_position.
   GroupId group = no_position;
@@ -50,15 +50,19 @@ struct PathCertificate {
 /// Costs one to three steps of `global_automatic_klu`. One thread at a time may use it.
 class PathProof {
  public:
-  /// Cuts the model into blocks and allocates everything. levels: the level up to which each
-  /// coordinate is solved (Plan::levels); empty: as far as the instants. Both must outlive this.
-  explicit PathProof(const Model& model, std::span<const Level> levels = {});
-  explicit PathProof(const Model&& model, std::span<const Level> levels = {}) = delete;
+  /// Cuts the model into blocks and allocates everything. The model must outlive this.
+  explicit PathProof(const Model& model);
+  explicit PathProof(const Model&& model) = delete;
   ~PathProof();
 
-  /// Proves the step between two instants of the model's motions, from.time < to.time. Allocates
+  /// Proves the step between two instants of the model's motions, from.time < to.time. A step that
+  /// contains a knot of a spline has no proof, since its driver is no polynomial. Allocates
   /// nothing.
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
+
+  /// Returns the first knot of a driver's spline between two times, both excluded: where a step is
+  /// to be split.
+  std::optional<double> first_knot(double from, double to) const;
 
   /// Returns the radius of the tube of each coordinate after a proof.
   std::span<const double> radius() const;

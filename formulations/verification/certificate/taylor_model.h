@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
-#include "formulations/verification/certificate/compensated.h"
+#include "cases/numbers/compensated.h"
+#include "cases/numbers/derived.h"
 #include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
@@ -49,6 +51,15 @@ struct TaylorModel {
 
   TaylorModel() = default;
   TaylorModel(double exact) { c[0] = S(exact); }
+  /// A number as the file means it: what the double lacks of it is in the remainder.
+  explicit TaylorModel(const Derived& x) {
+    if constexpr (std::is_constructible_v<S, const Derived&>) {
+      c[0] = S(x);
+    } else {
+      c[0] = S(x.value);
+      rest = Bound((std::abs(x.correction) + x.radius) * above);
+    }
+  }
 
   /// Returns a bound of the polynomial's magnitude, but for the rounding of this sum.
   Bound polynomial() const { return Traits::magnitude(c[0]) + slopes(); }

@@ -1,0 +1,130 @@
+#include "formulations/verification/run/branch_path.h"
+
+#include <algorithm>
+
+namespace desmo {
+
+namespace {
+
+CertifiedInstant certified(const RefinedInstant& r) {
+  return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
+}
+
+}  // namespace
+
+BranchPath::BranchPath(const Model& m) : m_(m), path_(m), refinement_(m) {
+  for (Memory* memory : {&memory_, &predicted_}) {
+    for (const Level level : all_levels) memory->values[level].resize(m.coordinates());
+    memory->radius.resize(m.coordinates());
+  }
+}
+
+/// Makes a proven instant the present one.
+void BranchPath::keep(const RefinedInstant& r) {
+  std::ranges::copy(r.instant.q, memory_.values.position.begin());
+  std::ranges::copy(r.instant.qd, memory_.values.velocity.begin());
+  std::ranges::copy(r.instant.qdd, memory_.values.acceleration.begin());
+  std::ranges::copy(r.radius.position, memory_.radius.begin());
+  present_ = {r.instant.time,
+              {memory_.values.position, memory_.values.velocity, memory_.values.acceleration},
+              memory_.radius};
+}
+
+/// Makes an instant the present one, with all rates: they are linear, and corrections find those
+/// that it does not have.
+bool BranchPath::take(const CertifiedInstant& instant) {
+  for (const Level level : all_levels) {
+    const std::span<const double> given = instant.values[level];
+    std::vector<double>& values = predicted_.values[level];
+    for (int i = 0; i < m_.coordinates(); ++i) {
+      const bool solved = !given.empty() && (instant.levels.empty() || level <= instant.levels[i]);
+      values[i] = solved ? given[i] : 0;
+    }
+  }
+  const RefinedInstant& refined = refinement_.refine({.index = 0,
+                                                      .time = instant.time,
+                                                      .q = predicted_.values.position,
+                                                      .qd = predicted_.values.velocity,
+                                                      .qdd = predicted_.values.acceleration});
+  if (refined.proven) keep(refined);
+  return refined.proven;
+}
+
+bool BranchPath::start_at(const CertifiedInstant& instant) { return take(instant); }
+
+/// Finds the solution near Taylor's polynomial of the present instant.
+const RefinedInstant& BranchPath::predict(double time) {
+  const double h = time - present_.time;
+  const auto& [q, qd, qdd] = memory_.values;
+  for (int i = 0; i < m_.coordinates(); ++i) {
+    predicted_.values.position[i] = q[i] + h * (qd[i] + h / 2 * qdd[i]);
+    predicted_.values.velocity[i] = qd[i] + h * qdd[i];
+    predicted_.values.acceleration[i] = qdd[i];
+  }
+  for (const Driver& d : m_.drivers) {
+    const int i = m_.entities[d.coordinate].first;
+    const MotionSample<double> z = sample(d.motion, time);
+    predicted_.values.position[i] = z.position;
+    predicted_.values.velocity[i] = z.velocity;
+    predicted_.values.acceleration[i] = z.acceleration;
+  }
+  return refinement_.refine({.index = 0,
+                             .time = time,
+                             .q = predicted_.values.position,
+                             .qd = predicted_.values.velocity,
+                             .qdd = predicted_.values.acceleration});
+}
+
+FollowedStep BranchPath::follow(const CertifiedInstant& to) {
+  FollowedStep result;
+  double step = to.time - present_.time;
+  bool whole = true;  // no sub-step yet: the instant is what is to be tested
+  while (result.tests < max_tests && present_.time + step > present_.time) {
+    double next = step < to.time - present_.time ? present_.time + step : to.time;
+    if (const std::optional<double> knot = path_.first_knot(present_.time, next)) next = *knot;
+    if (next == to.time) {
+      ++result.tests;
+      const PathCertificate c = path_.prove(present_, to);
+      result.group = c.group;
+      if (c.proven) {
+        ++result.sub_steps;
+        result.time = to.time;
+        // Else the rates of an instant that is proven are lost in rounding: the next step begins
+        // with what is known here.
+        if (take(to)) result.end = PathEnd::same;
+        return result;
+      }
+      if (whole) {
+        whole = false;
+        step /= 2;
+        continue;
+      }
+    }
+    const RefinedInstant& found = predict(next);
+    bool proven = found.proven;
+    if (proven) {
+      ++result.tests;
+      const PathCertificate c = path_.prove(present_, certified(found));
+      result.group = c.group;
+      proven = c.proven;
+    } else {
+      result.group = found.last.group;
+    }
+    if (!proven) {
+      step = (next - present_.time) / 2;
+      continue;
+    }
+    keep(found);
+    ++result.sub_steps;
+    result.time = next;
+    if (next == to.time) {
+      result.end = PathEnd::other;
+      return result;
+    }
+    step *= 2;
+  }
+  result.time = present_.time;
+  return result;
+}
+
+}  // namespace desmo

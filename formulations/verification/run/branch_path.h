@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "formulations/model/model.h"
+#include "formulations/verification/certificate/path_proof.h"
+#include "formulations/verification/certificate/refinement.h"
+
+namespace desmo {
+
+/// Where a followed motion ends.
+enum class PathEnd {
+  same,   ///< in the instant that was handed in
+  other,  ///< at its time, but elsewhere: the instant is on another branch
+  stuck,  ///< before it: the motion locks, or passes a singular position
+};
+
+/// How a step was followed.
+struct FollowedStep {
+  PathEnd end = PathEnd::stuck;
+  int tests = 0;                ///< path proofs
+  int sub_steps = 0;            ///< 1: the step was proven at the first try
+  double time = 0;              ///< of the last proven instant [s]
+  GroupId group = no_position;  ///< stuck: where the last test failed
+};
+
+/// The one follower of paths: goes from a proven instant along the motion, in steps that are all
+/// proven (PathProof), and says whether an instant lies on it. Sub-steps need no formulation: the
+/// corrections of certificates (Refinement) lead from Taylor's polynomial to the solution.
+///
+///   BranchPath path(model);
+///   path.start_at(first);                                   // a refined instant
+///   if (path.follow(next).end == PathEnd::other) …          // the step has jumped
+class BranchPath {
+ public:
+  /// Path proofs of one step, after which it counts as stuck.
+  static constexpr int max_tests = 1000;
+
+  /// The model must outlive this.
+  explicit BranchPath(const Model& model);
+  explicit BranchPath(const Model&& model) = delete;
+
+  /// Begins at an instant, which it copies. Returns whether its positions and rates are proven, as
+  /// follow() needs.
+  bool start_at(const CertifiedInstant& instant);
+
+  /// Goes to the time of an instant, which is later. The next step begins there: at the instant if
+  /// that continues the motion, else at the end that was found; where the motion is stuck, at the
+  /// last proven instant.
+  FollowedStep follow(const CertifiedInstant& to);
+
+  /// Returns the instant where the next step begins, up to its accelerations.
+  const CertifiedInstant& present() const { return present_; }
+
+ private:
+  struct Memory {
+    PerLevel<std::vector<double>> values;
+    std::vector<double> radius;
+  };
+
+  bool take(const CertifiedInstant& instant);
+  void keep(const RefinedInstant& refined);
+  const RefinedInstant& predict(double time);
+
+  const Model& m_;
+  PathProof path_;
+  Refinement refinement_;
+  Memory memory_;
+  CertifiedInstant present_;
+  Memory predicted_;
+};
+
+}  // namespace desmo
