@@ -51,12 +51,28 @@ const char* reason_text(ProofFailure failure) {
 }  // namespace
 
 Proof::Proof(const Model& m, const TimeGrid& grid, std::span<const Level> levels)
-    : m_(m), refinement_(m, levels), scales_(m, grid) {}
+    : m_(m), levels_(levels), refinement_(m, levels), path_(m), scales_(m, grid) {}
+
+/// Follows the motion from the last instant to this one.
+void Proof::follow(const RefinedInstant& r) {
+  const CertifiedInstant to{
+      r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position, levels_};
+  const bool first = instants_++ == 0;
+  FollowedStep step;
+  if (on_path_ && r.proven) step = path_.follow(to);
+  steps_ += !first;
+  if (step.end == PathEnd::same) {
+    ++followed_;
+    return;
+  }
+  if (!first && !broken_) broken_ = step, broken_at_ = r.instant.time;
+  on_path_ = r.proven && path_.start_at(to);  // what is beyond a break is a motion of its own
+}
 
 Instant Proof::refine(const Instant& instant) {
   scales_.take(instant);
   const RefinedInstant& r = refinement_.refine(instant);
-  ++instants_;
+  follow(r);
   PerLevel<double> length{}, rotation{};
   GroupId group = r.last.group;
   ProofFailure failure = r.last.failure;
@@ -98,15 +114,31 @@ std::string Proof::note(Level level) const {
     note += before[k] + rounded_up(bound * above) + after[k];
   }
   note += '\n';
-  if (!is_complete())
+  if (proven_ < instants_)
     note += "proof: none for " + count(instants_ - proven_, "instant") + ", the first at " +
-            reason() + '\n';
+            reason_of_instant() + '\n';
+  if (steps_ == 0) return note;
+  note += formatted("path: %ld of %ld steps stay on one branch\n", followed_, steps_);
+  if (followed_ < steps_) note += "path: none for " + reason_of_step() + '\n';
   return note;
 }
 
 std::string Proof::reason() const {
+  return proven_ < instants_ ? reason_of_instant() : reason_of_step();
+}
+
+std::string Proof::reason_of_instant() const {
   return "group '" + m_.groups[group_].name + "' (" + enumerate(m_.groups[group_].bodies, 8) +
          formatted("), t = %.9g s: ", first_) + reason_text(failure_);
+}
+
+std::string Proof::reason_of_step() const {
+  const std::string step = formatted("the step to t = %.9g s: ", broken_at_);
+  if (broken_->end == PathEnd::other) return step + "it ends on another branch";
+  if (broken_->group < 0) return step + "one of its ends is not proven";
+  return step + formatted("beyond t = %.9g s, ", broken_->time) + "group '" +
+         m_.groups[broken_->group].name + "' (" + enumerate(m_.groups[broken_->group].bodies, 8) +
+         ") is too near a singular position to be followed";
 }
 
 }  // namespace desmo::cli
