@@ -168,7 +168,9 @@ TEST_F(Cli, DoesWhatThePageOnStabilityShows) {
     }
   }
   EXPECT_EQ(commands, 3);
-  EXPECT_EQ(lines, 4);
+  EXPECT_EQ(lines, 7);
+  EXPECT_EQ(desmo("solve between.json --certify --strict"), 1);
+  EXPECT_TRUE(says("the step to t = 1 s: beyond t = ")) << err_;
   write("steps.json",
         std::regex_replace(goes_between, std::regex("\"step\": 1"), "\"step\": 0.125"));
   EXPECT_EQ(desmo("solve steps.json -o motion.csv"), 1);

@@ -73,6 +73,7 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
                                           "formulations",
                                           "formulations/verification",
                                           "formulations/verification/certificate",
+                                          "formulations/verification/run",
                                           "formulations/verification/assessment",
                                           "formulations/verification/monitor",
                                           "formulations/verification/range",
