@@ -180,6 +180,7 @@ std::vector<std::string> drawn(const Table& table) {
   for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i)
       if (column == columns.end() || column->second == table.columns[i].name) {
+        if (table.columns[i].quantities.empty()) continue;  // a size is no mark
         if (table.figure == "requests" && row[i].note == "reference") continue;
         if (row[i].has_number())
           texts.push_back(row[i].shown);
