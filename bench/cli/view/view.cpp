@@ -58,13 +58,13 @@ std::string fill(const PageData& data) {
 }
 
 /// Returns how many instants of a mechanism a page has room for. Throws when they are too few.
-std::size_t room_for_instants(const Input& input, const Model& model) {
+std::size_t instants_that_fit(const Input& input, const Model& model) {
   const auto columns = static_cast<double>(drawn_numbers(input.scene.mechanism));
   const double bytes = static_cast<double>(max_page - page_template.size()) / columns;
-  const double room = (bytes - text_per_column) / text_per_number;
-  if (room < std::min<double>(min_instants, input.scene.grid.instants))
+  const double fitting = (bytes - text_per_column) / text_per_number;
+  if (fitting < std::min<double>(min_instants, input.scene.grid.instants))
     refuse_size(input.source, model);
-  return static_cast<std::size_t>(room);
+  return static_cast<std::size_t>(fitting);
 }
 
 /// Returns a page that is small enough: of every instant, or else of fewer.
@@ -85,13 +85,13 @@ void view(const ViewOptions& options) {
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
     throw CommandError(usage_error, "a page is nothing for a terminal; give --output FILE.html");
   const Model model = model_mechanism(input).model;
-  const std::size_t room = room_for_instants(input, model);
+  const std::size_t fitting = instants_that_fit(input, model);
   const TimeGrid& grid = input.scene.grid;
   const auto formulation =
       make_formulation(find_variant(formulation_id), model, {.tolerance = input.scene.tolerance});
   std::optional<bench::Progress> progress;
   if (!options.quiet) progress.emplace("instants", grid.instants, true);
-  MotionRecorder recording(model, input.units, grid, std::min(max_instants, room),
+  MotionRecorder recording(model, input.units, grid, std::min(max_instants, fitting),
                            progress ? &*progress : nullptr);
   const MonitoredSummary summary = recording.run(*formulation);
   progress.reset();

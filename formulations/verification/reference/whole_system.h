@@ -72,7 +72,7 @@ class WholeSystem {
   };
   template <class Kind, class S>
   static auto dimensions(const Constraint& constraint) {
-    std::array<S, Kind::constants + 1> all;
+    std::array<S, Kind::constants + 1> all{};
     for (std::size_t k = 0; k < Kind::constants; ++k)
       all[k] = S(as<typename Value<S>::Type>(constraint.dimension(k)));
     return all;
