@@ -96,7 +96,7 @@ TEST(BranchPath, GoesFromKnotToKnot) {
 TEST(BranchPath, ComesNearADeadPoint) {
   const Model m = locking_four_bar();
   const double locks = dead_point - std::numbers::pi / 3, h = 0.5;
-  for (const double d : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8}) {
+  for (double d = 0.1; d > 1e-8; d *= 0.3) {
     const auto solved = double_solution(m, std::vector{0.0, locks - h, locks - d});
     const FollowedStep step = follow(m, solved[1], solved[2]);
     std::cout << d << ": " << step.sub_steps << " sub-steps, " << step.tests << " tests\n";

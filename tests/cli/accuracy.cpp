@@ -98,6 +98,7 @@ TEST_F(Cli, DeliversTheMotionOfTheFileWhereItIsProven) {
     ASSERT_EQ(desmo("solve stated.json --certify --formulation " + std::string(id)), 0) << err_;
     EXPECT_EQ(lines().back(), "1,1.4080056794162141,0.5082804066205755") << id;
     EXPECT_TRUE(says("proof: 2 of 2 instants; errors at most ")) << err_;
+    EXPECT_TRUE(says("path: 1 of 1 steps stay on one branch")) << err_ << id;  // near a dead point
   }
 }
 

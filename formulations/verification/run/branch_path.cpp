@@ -1,13 +1,26 @@
 #include "formulations/verification/run/branch_path.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace desmo {
 
 namespace {
 
+constexpr double above = 1 + 0x1p-50;  // covers the few roundings of a comparison
+
 CertifiedInstant certified(const RefinedInstant& r) {
   return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
+}
+
+/// Returns whether the certified boxes of two instants are disjoint, so that their solutions
+/// differ.
+bool are_apart(const CertifiedInstant& a, const CertifiedInstant& b) {
+  for (std::size_t i = 0; i < a.radius.size(); ++i) {
+    const double distance = std::abs(a.values.position[i] - b.values.position[i]);
+    if (distance > (a.radius[i] + b.radius[i]) * above) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -25,21 +38,34 @@ void BranchPath::keep(const RefinedInstant& r) {
   std::ranges::copy(r.instant.qd, memory_.values.velocity.begin());
   std::ranges::copy(r.instant.qdd, memory_.values.acceleration.begin());
   std::ranges::copy(r.radius.position, memory_.radius.begin());
-  present_ = {r.instant.time,
+  show(r.instant.time);
+}
+
+/// Lets present() show what is in memory.
+void BranchPath::show(double time) {
+  present_ = {time,
               {memory_.values.position, memory_.values.velocity, memory_.values.acceleration},
               memory_.radius};
 }
 
-/// Makes an instant the present one, with all rates: they are linear, and corrections find those
-/// that it does not have.
+/// Makes an instant the present one. Rates that it does not have are found first: they are linear,
+/// so corrections lead to them from anywhere.
 bool BranchPath::take(const CertifiedInstant& instant) {
+  bool complete = true;
   for (const Level level : all_levels) {
     const std::span<const double> given = instant.values[level];
     std::vector<double>& values = predicted_.values[level];
     for (int i = 0; i < m_.coordinates(); ++i) {
       const bool solved = !given.empty() && (instant.levels.empty() || level <= instant.levels[i]);
       values[i] = solved ? given[i] : 0;
+      complete &= solved;
     }
+  }
+  if (complete) {
+    for (const Level level : all_levels) memory_.values[level].swap(predicted_.values[level]);
+    std::ranges::copy(instant.radius, memory_.radius.begin());
+    show(instant.time);
+    return true;
   }
   const RefinedInstant& refined = refinement_.refine({.index = 0,
                                                       .time = instant.time,
@@ -110,13 +136,14 @@ FollowedStep BranchPath::follow(const CertifiedInstant& to) {
     } else {
       result.group = found.last.group;
     }
-    if (!proven) {
+    // Where both ends may be the same solution, the last sub-step was too long to tell.
+    if (!proven || (next == to.time && !are_apart(to, certified(found)))) {
       step = (next - present_.time) / 2;
       continue;
     }
-    keep(found);
     ++result.sub_steps;
     result.time = next;
+    keep(found);
     if (next == to.time) {
       result.end = PathEnd::other;
       return result;

@@ -61,6 +61,7 @@ class BranchPath {
 
   bool take(const CertifiedInstant& instant);
   void keep(const RefinedInstant& refined);
+  void show(double time);
   const RefinedInstant& predict(double time);
 
   const Model& m_;
