@@ -162,7 +162,7 @@ TEST(Compensated, HoldsProductsOfUncertainNumbers) {
   Number sum(2);
   sum.add_product(factor, 3);
   const Number product = factor * Number(3);
-  for (const Exact end : {1 - Exact(0x1p-40), 1 + Exact(0x1p-40)}) {
+  for (const Exact& end : {1 - Exact(0x1p-40), 1 + Exact(0x1p-40)}) {
     EXPECT_LE(abs(2 + 3 * end - Exact(sum.value) - Exact(sum.correction)), Exact(sum.radius));
     EXPECT_LE(abs(3 * end - Exact(product.value) - Exact(product.correction)),
               Exact(product.radius));
