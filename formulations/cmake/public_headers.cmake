@@ -18,7 +18,7 @@ set(generated_code_h formulations/runtime/generated_code.h)
 set(reference_h formulations/verification/condition.h formulations/verification/error.h
   formulations/verification/reference/reference.h)
 # What these include.
-set(installed_headers cases/io/input_error.h cases/mechanism/level.h
+set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbers/derived.h
   formulations/base/live_row.h formulations/base/output.h formulations/base/per_level.h
   formulations/base/reference_instant.h formulations/scaling/scales.h
   formulations/verification/assessment/assembly_error.h

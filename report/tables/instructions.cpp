@@ -60,11 +60,11 @@ std::vector<Section> instructions_sections(const Record& record) {
     const Table& table = section.tables.emplace_back(instructions_table(values, counts));
     const bool truck = place.first == variants[truck_global].case_name;
     if (!front.tables.empty() && !truck) continue;
-    const std::vector<Entry>& fewest = table.rows.front();
+    const std::vector<Entry>& top = table.rows.front();
     values.insert(values.end(),
-                  {{"id", fewest[0].shown},
-                   {"fewest", fewest[2].shown},
-                   {"times", fewest[3].digits.empty() ? missing_mark : fewest[3].digits.front()},
+                  {{"id", top[0].shown},
+                   {"count", top[2].shown},
+                   {"times", top[3].digits.empty() ? missing_mark : top[3].digits.front()},
                    {"formulations", table.rows.size()}});
     front = headed_section("instructions_front", values);
     front.tables = {excerpt(table, headed_table("instructions_in_short", values))};

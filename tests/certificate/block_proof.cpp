@@ -84,7 +84,9 @@ TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
       BlockBatch batch(members, {1, 1, 1, 1}, 0);
       PerLevel<ErrorTable> errors;
       errors.position.rows.resize(12);
-      errors.position.radius.resize(4);
+      for (auto* values :
+           {&errors.position.radius, &errors.position.correction, &errors.position.rest})
+        values->resize(4);
       for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 2; ++i) {
           errors.position.rows[2 * k + i].delivered = p[i] + 1e-12 * uniform(generator);
@@ -134,7 +136,7 @@ TEST(BlockProof, CountsRoundingOfWhatLowerLevelsAdd) {
   std::array<Exact, 6> exact;
   for (ErrorTable* e : {&errors.position, &errors.velocity}) {
     e->rows.resize(6);
-    e->radius.resize(6);
+    for (auto* values : {&e->radius, &e->correction, &e->rest}) values->resize(6);
   }
   for (int i = 0; i < 6; ++i) {
     errors.position.rows[i] = {delivered[i], error[i], 0, std::abs(error[i])};
@@ -162,7 +164,7 @@ TEST(BlockProof, CountsWhatErrorsOfRatesAddToThemselves) {
     PerLevel<ErrorTable> errors;
     for (ErrorTable* e : {&errors.position, &errors.velocity}) {
       e->rows.resize(6);
-      e->radius.resize(6);
+      for (auto* values : {&e->radius, &e->correction, &e->rest}) values->resize(6);
     }
     for (int i = 0; i < 6; ++i) {
       errors.position.rows[i].delivered = delivered[i];
@@ -197,7 +199,9 @@ TEST(BlockProof, KeepsWhatIsProvenInOneLane) {
     BlockBatch batch(members, std::vector<double>(12, 1), 0);
     PerLevel<ErrorTable> errors;
     errors.position.rows.resize(12);
-    errors.position.radius.resize(12);
+    for (auto* values :
+         {&errors.position.radius, &errors.position.correction, &errors.position.rest})
+      values->resize(12);
     for (int k = 0; k < lanes; ++k) {
       errors.position.rows[6 * k].delivered = delivered[k];
       errors.position.rows[6 * k + 3].delivered = 1;
@@ -228,7 +232,7 @@ TEST(BlockProof, HandsErrorsOn) {
     for (const Level level : all_levels) {
       ErrorTable& e = errors[level];
       e.rows.resize(2 * rows);
-      e.radius.resize(rows);
+      for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(rows);
       e.generators.resize(rows * columns);
       e.columns = columns;
       e.first_lent = rows;
@@ -276,7 +280,7 @@ TEST(BlockProof, CountsRoundingOfManySymbols) {
   PerLevel<ErrorTable> errors;
   ErrorTable& e = errors.position;
   e.rows.resize(2 * rows);
-  e.radius.resize(rows);
+  for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(rows);
   e.generators.resize(rows * columns);
   e.columns = columns;
   e.first_lent = rows;

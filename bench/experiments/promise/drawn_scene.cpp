@@ -146,6 +146,20 @@ const Family& chosen_family(Random& r) {
   return r.chance(0.7) ? all[r.below(static_cast<int>(drawn))] : all[drawn + r.below(library)];
 }
 
+/// Returns the model with the numbers that formulations solve with, dimensions and motions as
+/// rounded to double: bounds without a proof are of these.
+Model as_solved(Model m) {
+  for (Constraint& c : m.constraints) c.remainders.clear();
+  std::ranges::fill(m.fixed_remainders, Remainder());
+  for (Driver& d : m.drivers)
+    std::visit(
+        [](auto& motion) {
+          if constexpr (requires { motion.remainders; }) motion.remainders.clear();
+        },
+        d.motion);
+  return m;
+}
+
 DrawnScene try_scene(Random& r, int number) {
   const Family& family = chosen_family(r);
   const Drawn drawn = draw(family, r);
@@ -191,7 +205,7 @@ DrawnScene try_scene(Random& r, int number) {
   s.scene = parse_scene(s.text, "drawn scene", ".");
   ModellingResult modelled = model_mechanism(s.scene.mechanism, s.scene.motions);
   s.overconstrained = std::ranges::any_of(modelled.left_out, &LeftOut::redundant);
-  s.model = std::move(modelled.model);
+  s.model = as_solved(std::move(modelled.model));
   s.truth = true_motion(s.model, s.scene.grid);
   if (s.overconstrained) add_other_answers(s);
   s.rounding = rounding_of(s.model, s.scene.grid);
