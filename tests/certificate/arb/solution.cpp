@@ -62,9 +62,9 @@ class System {
       }
     }
     // Interval Newton: a solution is in q − A(X)⁻¹ Φ(q) where this is inside X, which is larger
-    // than what the radii of dimensions (2⁻¹⁰⁶ of these) leave open.
+    // than what the radii of dimensions leave open.
     const State middle = x;
-    for (const int i : unknowns_) arb_add_error_2exp_si(x[i].value.get(), -90);
+    for (const int i : unknowns_) arb_add_error_2exp_si(x[i].value.get(), -70);
     correct(x, &Jet<Ball>::value, step, &middle);
     for (std::size_t k = 0; k < unknowns_.size(); ++k) {
       Ball found;
