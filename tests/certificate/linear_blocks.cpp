@@ -40,11 +40,12 @@ class Block {
     }
     made.block.states = made.block.coordinates = made.rows;
     add_rows(s, equations);
-    for (const Equation& e : equations)
-      made.block.constants.insert(made.block.constants.end(), e.c.begin(), e.c.end());
+    for (const Equation& equation : equations)
+      made.block.constants.insert(made.block.constants.end(), equation.c.begin(), equation.c.end());
     batch_.emplace(std::vector{made}, std::vector<double>(width_, 1), 0);
     errors_.position.rows.resize(width_);
-    errors_.position.radius.resize(width_);
+    ErrorTable& e = errors_.position;
+    for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(width_);
   }
 
   void deliver(int point, double value) {
