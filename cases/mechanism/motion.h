@@ -29,7 +29,7 @@ struct HarmonicSum {
   };
   double mean = 0;
   std::vector<Term> terms;
-  /// Those of the mean, then of the three numbers of each term; empty: none.
+  /// Remainders of the mean, then of the three numbers of each term; empty: none.
   std::vector<Remainder> remainders{};
 };
 

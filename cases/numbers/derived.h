@@ -6,7 +6,7 @@
 
 namespace desmo {
 
-/// What a double lacks of the number that it stands for: this is the double + correction, within
+/// Rest of a number that a double stands for: the number is the double + correction, within
 /// radius.
 struct Remainder {
   double correction = 0, radius = 0;

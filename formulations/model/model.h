@@ -39,7 +39,7 @@ struct Constraint {
   std::vector<double> constants;
   GroupId group;          ///< group that it determines
   unsigned left_out = 0;  ///< bit r: row r depends on other equations and is omitted
-  /// What each constant lacks of the dimension in the file; empty: nothing. Formulations leave it
+  /// Rest of each dimension in the file over its constant; empty: none. Formulations leave it
   /// out; proofs and references of the motion take it in.
   std::vector<Remainder> remainders{};
 

@@ -13,9 +13,9 @@ namespace desmo::paper {
 /// its repetitions.
 inline constexpr double work_of_candidate = 2;
 
-/// What Google Benchmark is told, and what it shows.
+/// Arguments for Google Benchmark, and whether it prints its table.
 struct Console {
-  /// Of every candidate; nothing: as many as its time is worth.
+  /// Repetitions of every candidate; nothing: as many as its time is worth.
   std::optional<int> repetitions;
   bool has_table = true;  ///< a row for each benchmark, and why others are not run
   bool is_first = true;   ///< nothing was printed yet

@@ -46,7 +46,7 @@ struct PivotMonitor {
 /// Numbers of sample points of the current graph.
 using SampleNumbers = std::vector<std::size_t>;
 
-/// Which pivot is taken where none is large enough at every sample point.
+/// Choice of a pivot where none is large enough at every sample point.
 enum class Unsound {
   has_largest_worst,  ///< the one that is largest where it is worst
   serves_most,  ///< the one that is large enough at most: at a singular position all are small

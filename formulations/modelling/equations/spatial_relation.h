@@ -8,7 +8,7 @@
 namespace desmo {
 
 /// Returns the cᵢ with offset = Σ cᵢ directionᵢ for the basis of a body in space, or nearest to it.
-/// Those at rounding level are zero. magnitude: that of what the offset is the difference of.
+/// Factors at rounding level are zero. magnitude: of the positions whose difference is the offset.
 std::vector<Derived> coefficients_in_space(const Mechanism& mechanism, const RigidBody& body,
                                            const Mechanism::Direction& offset, double magnitude);
 

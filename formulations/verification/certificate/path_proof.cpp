@@ -27,7 +27,7 @@ struct Span {
   double s(double time) const { return (time - middle) / half; }
 };
 
-/// What is known of a coordinate at an end of the path, in derivatives with respect to s.
+/// Value and derivatives with respect to s of a coordinate at an end of the path.
 struct EndValues {
   double q, first = 0, second = 0;
 };
