@@ -112,12 +112,10 @@ TEST(BranchPath, StopsAtADeadPoint) {
   const auto solved = double_solution(m, std::vector{0.0, locks - 0.1});
   Refinement refinement(m);
   const RefinedInstant& r = refinement.refine(instant_of(solved[1]));
-  CertifiedInstant from{
-      r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
   BranchPath path(m);
-  ASSERT_TRUE(path.start_at(from));
-  from.time = locks + 0.1;
-  const FollowedStep step = path.follow(from);
+  ASSERT_TRUE(path.start_at(
+      {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position}));
+  const FollowedStep step = path.go_to(locks + 0.1);
   std::cout << step.tests << " tests, to " << locks - step.time << " s\n";
   EXPECT_EQ(step.end, PathEnd::stuck);
   EXPECT_LE(step.tests, 200);

@@ -101,27 +101,32 @@ const RefinedInstant& BranchPath::predict(double time) {
                              .qdd = predicted_.values.acceleration});
 }
 
-FollowedStep BranchPath::follow(const CertifiedInstant& to) {
+FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time, &to); }
+
+FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
+
+/// to: the instant at that time; null: there is none.
+FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
-  double step = to.time - present_.time;
-  bool whole = true;  // no sub-step yet: the instant is what is to be tested
+  double step = time - present_.time;
+  bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
   while (result.tests < max_tests && present_.time + step > present_.time) {
-    double next = step < to.time - present_.time ? present_.time + step : to.time;
+    double next = step < time - present_.time ? present_.time + step : time;
     if (const std::optional<double> knot = path_.first_knot(present_.time, next)) next = *knot;
-    if (next == to.time) {
+    if (next == time && to) {
       ++result.tests;
-      const PathCertificate c = path_.prove(present_, to);
+      const PathCertificate c = path_.prove(present_, *to);
       result.group = c.group;
       if (c.proven) {
         ++result.sub_steps;
-        result.time = to.time;
+        result.time = time;
         // Else the rates of an instant that is proven are lost in rounding: the next step begins
         // with what is known here.
-        if (take(to)) result.end = PathEnd::same;
+        if (take(*to)) result.end = PathEnd::same;
         return result;
       }
-      if (whole) {
-        whole = false;
+      if (tries_whole) {
+        tries_whole = false;
         step /= 2;
         continue;
       }
@@ -137,15 +142,15 @@ FollowedStep BranchPath::follow(const CertifiedInstant& to) {
       result.group = found.last.group;
     }
     // Where both ends may be the same solution, the last sub-step was too long to tell.
-    if (!proven || (next == to.time && !are_apart(to, certified(found)))) {
+    if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
       step = (next - present_.time) / 2;
       continue;
     }
     ++result.sub_steps;
     result.time = next;
     keep(found);
-    if (next == to.time) {
-      result.end = PathEnd::other;
+    if (next == time) {
+      result.end = to ? PathEnd::other : PathEnd::same;
       return result;
     }
     step *= 2;

@@ -49,6 +49,9 @@ class BranchPath {
   /// that continues the motion, else at the end that was found; where the motion is stuck, at the
   /// last proven instant.
   FollowedStep follow(const CertifiedInstant& to);
+  /// Goes to a later time, where present() then is (`same`), or as far as the motion leads
+  /// (`stuck`).
+  FollowedStep go_to(double time);
 
   /// Returns the instant where the next step begins, up to its accelerations.
   const CertifiedInstant& present() const { return present_; }
@@ -59,6 +62,7 @@ class BranchPath {
     std::vector<double> radius;
   };
 
+  FollowedStep go(double time, const CertifiedInstant* to);
   bool take(const CertifiedInstant& instant);
   void keep(const RefinedInstant& refined);
   void show(double time);
