@@ -24,7 +24,7 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
   locals.resize(w);
   for (int i = 0; i < shape.states(); ++i)
     if (shape.columns[i] >= 0) locals[shape.columns[i]] = i;
-  magnitudes.resize(n);
+  magnitudes.resize(w);
   for (std::size_t lane = 0; lane < LaneNumbers::count; ++lane) {
     const Member& m = members[lane < members.size() ? lane : 0];
     const auto place = [&](std::vector<int>& to, const std::vector<int>& from) {
@@ -36,7 +36,7 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
     place(states, plain_states);
     place(coordinates, m.block.coordinates);
     place(rows, m.rows);
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < w; ++i)
       magnitudes[i].set(static_cast<int>(lane), all_magnitudes[m.block.coordinates[i]]);
   }
   jacobian.resize(static_cast<int>(shape.entries.size()));
@@ -44,6 +44,7 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
   if (equations.is_linear()) {
     constant.resize(n, shape.inputs);
     constant.find(shape, jacobian.mid.data(), LaneMask::all());
+    condition = constant.condition(shape, jacobian.mid.data(), magnitudes.data());
   }
 }
 

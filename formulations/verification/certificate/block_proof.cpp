@@ -99,7 +99,10 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
     }
     if (!linear) {
       b.equations.jacobian(state_.position.data(), b.jacobian);  // with the same midpoints
-      if (attempt == 0) preconditioner_.find(*shape_, b.jacobian.mid.data(), lanes);
+      if (attempt == 0) {
+        preconditioner_.find(*shape_, b.jacobian.mid.data(), lanes);
+        condition_ = preconditioner_.condition(*shape_, b.jacobian.mid.data(), b.magnitudes.data());
+      }
       find_image(Level::position, all);
     }
     contract();
@@ -108,6 +111,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
     proven = proven | inside;
   }
   finish(Level::position, 1);
+  condition_ = select(lanes, linear ? b.condition : condition_, 0);
   return proven;
 }
 
@@ -172,6 +176,7 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
       {phi_.position.data(), phi_.velocity.data(), phi_.acceleration.data()});
   PerLevel<LaneMask> proven;
   LaneMask lanes = LaneMask::all();
+  condition_ = 0;
   for (const Level level : all_levels) {
     if (level > up_to) break;
     lanes = lanes & is_known(level);  // others would fail, too, but later

@@ -26,6 +26,9 @@ class BlockProof {
   PerLevel<LaneMask> prove(BlockBatch& batch, Level level, PerLevel<ErrorTable>& errors);
   /// Returns why a lane of that batch is not proven.
   ProofFailure failure(int lane) const;
+  /// Returns the condition number of each block of that batch (Preconditioner::condition); 0 where
+  /// the errors of its inputs are not known.
+  const LaneNumbers& condition() const { return condition_; }
 
  private:
   /// Error bounds at one level, for each variable of a block: its inputs and, once they are
@@ -66,6 +69,7 @@ class BlockProof {
   PerLevel<LaneMatrix> rates_;                 // Φ̇_q, Φ̈_q
   PerLevel<ErrorColumns> errors_;              // (n + m)
   Preconditioner preconditioner_;
+  LaneNumbers condition_;
   std::vector<LaneNumbers> center_, uncertainty_;  // of the equations (n)
   std::vector<LaneNumbers> trial_;                 // radii of X (n)
   std::vector<LaneNumbers> contracted_;            // bound on |(I − Y Φ_φ(X)) X| (n)

@@ -120,6 +120,10 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
       const PerLevel<LaneMask> proven = proof_.prove(batch, solved_.back(), errors_);
       for (int lane = 0; lane < batch.blocks(); ++lane) {
         const BlockBatch::Member& member = batch.members[lane];
+        if (const double condition = proof_.condition()[lane]; condition > result.condition) {
+          result.condition = condition;
+          result.worst_conditioned = member.group;
+        }
         for (const Level level : solved_) {
           if (proven[level][lane] || level > member.solved || member.order > first_failure)
             continue;
@@ -128,6 +132,9 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
           result.group = member.group;
           result.coordinate = member.first_unknown;
           result.failure = proof_.failure(lane);
+          if (result.failure != ProofFailure::singular) continue;
+          result.condition = INFINITY;
+          result.worst_conditioned = member.group;
         }
       }
     }

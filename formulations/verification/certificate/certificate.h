@@ -33,6 +33,11 @@ struct Certificate {
   GroupId group = no_position;
   int coordinate = no_position;
   ProofFailure failure = ProofFailure::none;  ///< of that block
+  /// Condition number of the worst block at the delivered position, and its structural group. It is
+  /// ConditionNumber (condition.h) of the block's equations, whose row sums count what other blocks
+  /// determine, too. Infinite where a position is singular. Rounded, and no bound.
+  double condition = 1;
+  GroupId worst_conditioned = no_position;
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
   /// Infinite where no proof succeeded: in that block and in what depends on it. Infinite at levels
   /// that are not solved, too. Driven coordinates count from the exact motion at the time.

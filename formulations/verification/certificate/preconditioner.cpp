@@ -123,6 +123,25 @@ void Preconditioner::find_slopes(const BlockShape& s, const LaneNumbers* jacobia
     multiply(s, jacobian, s.unknowns + j, -1, &slopes[j], s.inputs);
 }
 
+LaneNumbers Preconditioner::condition(const BlockShape& s, const LaneNumbers* jacobian,
+                                      const LaneNumbers* magnitudes) {
+  const int n = s.unknowns;
+  for (int r = 0; r < n; ++r) {
+    LaneNumbers sum(0);
+    for (int e = s.row_begins[r]; e < s.row_begins[r + 1]; ++e)
+      sum = fma(abs(jacobian[e]), magnitudes[s.entries[e]], sum);
+    scales_[r] = sum;
+  }
+  LaneNumbers largest(0), all(0);
+  for (int i = 0; i < n; ++i) {
+    LaneNumbers sum(0);
+    for (int r = 0; r < n; ++r) sum = fma(abs(inverse[i * n + r]), scales_[r], sum);
+    largest = max(largest, sum / magnitudes[i]);
+    all += sum;
+  }
+  return select(is_finite(all), largest, INFINITY);
+}
+
 void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
   invert(s, jacobian, lanes);
   find_remainder(s, jacobian);

@@ -18,6 +18,11 @@ struct Preconditioner {
   void resize(int n, int m);
   /// Finds all from the midpoints of Φ_q. Lanes share pivots where these suit all.
   void find(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
+  /// Returns the condition number of Φ_φ, rounded: ‖S⁻¹ Y R‖∞. S holds the magnitudes of the
+  /// unknowns, R the row sums of |Φ_q| with the magnitudes of all n + m columns. Infinite where the
+  /// matrix is singular in doubles.
+  LaneNumbers condition(const BlockShape& shape, const LaneNumbers* jacobian,
+                        const LaneNumbers* magnitudes);
 
  private:
   void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
@@ -27,7 +32,7 @@ struct Preconditioner {
   void find_slopes(const BlockShape& shape, const LaneNumbers* jacobian);
 
   std::vector<LaneNumbers> work_;    // (n × n)
-  std::vector<LaneNumbers> scales_;  // of rows (n)
+  std::vector<LaneNumbers> scales_;  // of rows (n): for pivots, and R
   std::vector<int> rows_;            // of the pivots (n)
 };
 

@@ -33,8 +33,8 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
   while (result_.passes < max_passes) {
     ++result_.passes;
     const Certificate c = certifier_.certify(present);
-    result_.last = c;
     if (result_.proven && !c.proven) break;
+    result_.last = c;
     add_corrections(c);
     if (!c.proven) continue;
     const double open = open_digits();

@@ -12,7 +12,7 @@ struct RefinedInstant {
   bool proven = false;
   /// Bound on |instant − exact| of each coordinate, as in Certificate.
   PerLevel<std::span<const double>> radius{};
-  Certificate last{};  ///< of the last pass: where and why there is no proof
+  Certificate last{};  ///< of the last pass; of the last proven one, if any is
   int passes = 0;
 };
 
