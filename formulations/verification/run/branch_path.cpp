@@ -25,7 +25,8 @@ bool are_apart(const CertifiedInstant& a, const CertifiedInstant& b) {
 
 }  // namespace
 
-BranchPath::BranchPath(const Model& m) : m_(m), path_(m), refinement_(m) {
+BranchPath::BranchPath(const Model& m, int budget)
+    : m_(m), budget_(budget), path_(m), refinement_(m) {
   for (Memory* memory : {&memory_, &predicted_}) {
     for (const Level level : all_levels) memory->values[level].resize(m.coordinates());
     memory->radius.resize(m.coordinates());
@@ -110,7 +111,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
   double step = time - present_.time;
   bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
-  while (result.tests < max_tests && present_.time + step > present_.time) {
+  while (result.tests < budget_ && present_.time + step > present_.time) {
     double next = step < time - present_.time ? present_.time + step : time;
     if (const std::optional<double> knot = path_.first_knot(present_.time, next)) next = *knot;
     if (next == time && to) {

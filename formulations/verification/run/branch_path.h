@@ -34,12 +34,11 @@ struct FollowedStep {
 ///   if (path.follow(next).end == PathEnd::other) …          // the step has jumped
 class BranchPath {
  public:
-  /// Path proofs of one step, after which it counts as stuck.
   static constexpr int max_tests = 1000;
 
-  /// The model must outlive this.
-  explicit BranchPath(const Model& model);
-  explicit BranchPath(const Model&& model) = delete;
+  /// budget: path proofs of one step, after which it counts as stuck. The model must outlive this.
+  explicit BranchPath(const Model& model, int budget = max_tests);
+  explicit BranchPath(const Model&& model, int budget = max_tests) = delete;
 
   /// Begins at an instant, which it copies. Returns whether its positions and rates are proven, as
   /// follow() needs.
@@ -69,6 +68,7 @@ class BranchPath {
   const RefinedInstant& predict(double time);
 
   const Model& m_;
+  const int budget_;
   PathProof path_;
   Refinement refinement_;
   Memory memory_;
