@@ -22,7 +22,8 @@ set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbe
   formulations/base/live_row.h formulations/base/output.h formulations/base/per_level.h
   formulations/base/reference_instant.h formulations/scaling/scales.h
   formulations/verification/assessment/assembly_error.h
-  formulations/verification/assessment/assessment.h)
+  formulations/verification/assessment/assessment.h
+  formulations/verification/run/misfit.h)
 
 set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)
 foreach(name mechanism scene files cases model settings summary observer formulation

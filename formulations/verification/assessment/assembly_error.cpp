@@ -2,10 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "formulations/constraints/constraints.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/stepping/diagnosis.h"
@@ -57,31 +55,6 @@ bool holds(const DenseGroup& group, const std::vector<double>& state, const Sett
          std::max(settings.tolerance, rounding);
 }
 
-/// What it would take to satisfy one equation alone.
-AssemblyError shortfall(const Model& m, const Equation& equation,
-                        const std::vector<double>& state) {
-  const Constraint& c = m.constraints[equation.constraint];
-  AssemblyError d{c.group, equation.constraint, 0, false};
-  visit_kind(c.kind, [&]<class Kind>(Kind) {
-    std::array<const double*, Kind::operand_sizes.size()> x;
-    for (std::size_t k = 0; k < x.size(); ++k) x[k] = state.data() + m.state_index(c.operands[k]);
-    std::array<double, Kind::rows> phi;
-    Kind::residual(x.data(), c.constants.data(), phi.data());
-    std::array<double, Kind::operand_sizes.size()> slope{};  // of each operand
-    Kind::jacobian(x.data(), c.constants.data(), [&](int row, int operand, int, double value) {
-      if (row == equation.row) slope[operand] = std::hypot(slope[operand], value);
-    });
-    double steepest[2] = {0, 0};  // of what is no length, and of lengths
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      double& most = steepest[is_length(m.entities[c.operands[k]].kind)];
-      most = std::max(most, slope[k]);
-    }
-    d.is_length = steepest[1] > 0;
-    d.amount = std::abs(phi[equation.row]) / steepest[d.is_length];
-  });
-  return d;
-}
-
 }  // namespace
 
 std::optional<AssemblyError> find_assembly_error(const Model& m, std::vector<double> state,
@@ -97,7 +70,10 @@ std::optional<AssemblyError> find_assembly_error(const Model& m, std::vector<dou
       continue;
     }
     const int row = worst_row(group.weights().cwiseProduct(group.residual(nearest)));
-    return shortfall(m, definition.equations[row], nearest);
+    const Equation& worst = definition.equations[row];
+    const double residual = group.residual(nearest)[row];
+    return AssemblyError{misfit_of(m, worst.constraint, worst.row, residual, nearest),
+                         m.constraints[worst.constraint].group};
   }
   return {};
 }

@@ -5,18 +5,14 @@
 
 #include "formulations/base/settings.h"
 #include "formulations/model/model.h"
+#include "formulations/verification/run/misfit.h"
 
 namespace desmo {
 
-/// Closure error of a group that cannot be assembled.
-struct AssemblyError {
+/// Closure error of a group that cannot be assembled: the misfit of its worst satisfied equation,
+/// at the position that satisfies all best.
+struct AssemblyError : Misfit {
   GroupId group = no_position;
-  /// The worst satisfied constraint at the position that satisfies all best.
-  int constraint = no_position;
-  /// Distance by which a point, or a length, would have to change for the constraint to hold. A
-  /// constraint without lengths has the change of a direction's component or of an angle instead.
-  double amount = 0;
-  bool is_length = false;  ///< amount is in the mechanism's unit of length; else a number or rad
 };
 
 /// Returns the assembly error of the first group that cannot be assembled; nothing when all groups

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "formulations/model/model.h"
+
+namespace desmo {
+
+/// By how much an equation does not hold.
+struct Misfit {
+  int constraint = no_position;
+  /// Distance by which a point, or a length, would have to change for the equation to hold. An
+  /// equation without lengths has the change of a direction's component or of an angle instead.
+  double amount = 0;
+  bool is_length = false;  ///< amount is in the model's unit of length; else a number or [rad]
+};
+
+/// Returns the misfit of an equation: |Φ| over the steepest slope of Φ by an operand.
+/// - constraint, row: the equation
+/// - residual: Φ
+/// - state: where the slopes are taken (state_size)
+Misfit misfit_of(const Model& model, int constraint, int row, double residual,
+                 std::span<const double> state);
+
+}  // namespace desmo

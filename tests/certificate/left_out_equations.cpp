@@ -1,0 +1,109 @@
+// Equations that modelling left out: those that hold but for the digits of the file are not
+// flagged, others are, with their misfit.
+
+#include "formulations/verification/run/left_out_equations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formulations/groupwise/double_solution.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/verification/certificate/refinement.h"
+#include "tests/accuracy/scenes.h"
+#include "tests/mechanisms.h"
+#include "tests/overconstrained.h"
+
+namespace desmo::left_out_equations_test {
+namespace {
+
+/// What is found at instants of a motion.
+struct Found {
+  int instants = 0, proven = 0, flagged = 0;
+  Misfit largest{};
+};
+
+Found find(const Model& m, const std::vector<double>& times) {
+  LeftOutEquations left_out(m);
+  Refinement refinement(m);
+  Found found;
+  for (const ReferenceInstant& s : double_solution(m, times)) {
+    const RefinedInstant& r =
+        refinement.refine({.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+    ++found.instants;
+    found.proven += r.proven;
+    const auto misfit = left_out.check(r);
+    if (!misfit) continue;
+    ++found.flagged;
+    if (misfit->amount > found.largest.amount) found.largest = *misfit;
+  }
+  return found;
+}
+Found find(const Scene& scene) {
+  const Model m = make_model(scene);
+  EXPECT_TRUE(LeftOutEquations(m).any()) << scene.mechanism.name;
+  return find(m, sampled(scene.grid, scene.grid.instants));
+}
+
+TEST(LeftOutEquations, HoldInTheCasesAndTheLibrary) {
+  for (const auto& [m, grid] : every_motion()) {
+    const Found found = find(m, sampled(grid, std::min(grid.instants, 60)));
+    EXPECT_EQ(found.flagged, 0) << m.name << ": " << found.largest.amount << " of "
+                                << m.constraints[std::max(0, found.largest.constraint)].name;
+    EXPECT_EQ(found.proven, found.instants) << m.name;
+  }
+}
+
+TEST(LeftOutEquations, HoldWhereALinkageClosesBeforeRounding) {
+  for (int i = 0; i < 12; ++i)
+    for (const auto& [size, from_origin] :
+         {std::pair(1.L, 0.L), std::pair(1e-3L, 7.1L), std::pair(350.L, 0.3L)}) {
+      const long double start = 0.8L + 0.1L * i;
+      for (const Scene& scene : {bennett(start, 17, size, from_origin),
+                                 parallel_cranks(start, 17, true, 0, size, from_origin),
+                                 parallel_cranks(start, 17, false, 0, size, from_origin)}) {
+        const Found found = find(scene);
+        EXPECT_EQ(found.flagged, 0)
+            << scene.mechanism.name << ' ' << i << ' ' << size << ": " << found.largest.amount;
+      }
+    }
+}
+
+/// The misfit is that of one unit of the last digit, but for how many numbers there are.
+TEST(LeftOutEquations, DoNotHoldForFewerDigits) {
+  for (const int digits : {12})
+    for (int i = 0; i < 3; ++i) {
+      const long double start = 0.83L + 0.41L * i;
+      for (const Scene& scene : {bennett(start, digits), parallel_cranks(start, digits, true),
+                                 parallel_cranks(start, digits, false)}) {
+        const Found found = find(scene);
+        EXPECT_EQ(found.proven, found.instants);
+        EXPECT_GT(found.flagged, found.instants / 2);
+        EXPECT_GT(found.largest.amount, 0.03 * std::pow(10., -digits));
+        EXPECT_LT(found.largest.amount, 30 * std::pow(10., -digits));
+      }
+    }
+}
+
+/// A crank that is longer by ε leaves a misfit of ε (1 − cos θ), θ from the drawing on.
+TEST(LeftOutEquations, HaveTheMisfitOfACrankThatIsTooLong) {
+  for (const bool stated : {true, false})
+    for (const double longer : {1e-12, 1e-10, 1e-8}) {
+      const Found found = find(parallel_cranks(1.1L, 17, stated, longer));
+      EXPECT_GT(found.flagged, found.instants / 2);
+      EXPECT_TRUE(found.largest.is_length);
+      EXPECT_NEAR(found.largest.amount / longer, 1 - std::cos(1.), 0.3) << longer;
+    }
+}
+
+TEST(LeftOutEquations, HoldWhereACrankIsTooLongByLessThanADigit) {
+  for (const bool stated : {true, false})
+    EXPECT_EQ(find(parallel_cranks(1.1L, 17, stated, 1e-16L)).flagged, 0);
+}
+
+}  // namespace
+}  // namespace desmo::left_out_equations_test

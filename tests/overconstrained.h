@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "cases/mechanism/builder.h"
+#include "cases/mechanism/scene.h"
+
+namespace desmo {
+
+/// Returns the double nearest to a number that is typed with so many digits.
+inline double typed(long double x, int digits) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*Le", digits - 1, x);
+  return std::strtod(text, nullptr);
+}
+
+/// Bennett's linkage, which moves only if its twists and lengths match, drawn with its crank at
+/// `start`. Its numbers are computed with more digits than typed.
+inline Scene bennett(long double start, int digits, long double size = 1,
+                     long double from_origin = 0) {
+  using Vec = std::array<long double, 3>;
+  const long double twists[] = {0.7L, 1.6L};
+  const long double lengths[] = {size, size * std::sin(twists[1]) / std::sin(twists[0])};
+  const long double ratio =
+      std::sin((twists[1] + twists[0]) / 2) / std::sin((twists[1] - twists[0]) / 2);
+  const long double other = 2 * std::atan(ratio / std::tan(start / 2));
+  const long double angles[] = {start, other, -start, -other};
+  const auto turned = [](const Vec& v, const Vec& axis, long double angle) {
+    const long double c = std::cos(angle), s = std::sin(angle);
+    const long double along = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
+    Vec result;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      result[i] = c * v[i] + s * (axis[j] * v[k] - axis[k] * v[j]) + (1 - c) * along * axis[i];
+    }
+    return result;
+  };
+  const auto all_typed = [&](const Vec& v) -> Mechanism::Vec {
+    return {typed(v[0], digits), typed(v[1], digits), typed(v[2], digits)};
+  };
+  MechanismBuilder d("bennett", 3);
+  Vec x{1, 0, 0}, z{0, 0, 1}, at{from_origin, from_origin, 0};
+  std::array<int, 4> p, v, link;
+  for (int i = 0; i < 4; ++i) {
+    p[i] = d.point("P" + std::to_string(i + 1), all_typed(at));
+    v[i] = d.vector("z" + std::to_string(i + 1), all_typed(z));
+    x = turned(x, z, angles[i]);
+    for (int k = 0; k < 3; ++k) at[k] += lengths[i % 2] * x[k];
+    z = turned(z, x, twists[i % 2]);
+  }
+  const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
+  d.carry(MechanismBuilder::ground, {p[3], p[0]}, {v[3], v[0], from, towards});
+  for (int i = 0; i < 3; ++i)
+    link[i] = d.body("link" + std::to_string(i + 1), {p[i], p[i + 1]}, {v[i], v[i + 1]});
+  link[3] = MechanismBuilder::ground;
+  for (int i = 0; i < 4; ++i)
+    d.joint(Mechanism::JointType::revolute, link[(i + 3) % 4], link[i], {p[i]}, {v[i]});
+  Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
+  theta.of = {-1, p[0], p[1]};
+  theta.from = {from, -1, -1};
+  theta.towards = {towards, -1, -1};
+  theta.driven = true;
+  return {"bennett",     d.release(), {Polynomial{{static_cast<double>(start), 1}}},
+          {0, 0.05, 21}, {},          {}};
+}
+
+/// Three parallel cranks of 0.7 carry a coupler, where two would do. The third one is longer by
+/// `longer`; the drawing closes. Lengths are stated or those of the drawing.
+inline Scene parallel_cranks(long double start, int digits, bool stated, long double longer = 0,
+                             long double size = 1, long double from_origin = 0) {
+  using enum Mechanism::JointType;
+  constexpr long double length = 0.7L, along = 0.3L;  // of the crank; direction of the base [rad]
+  MechanismBuilder d("parallel_cranks", 2);
+  const int coupler = d.body("coupler", {});
+  for (const auto& [number, pivot, more] :
+       {std::tuple{1, 0.L, 0.L}, std::tuple{2, 2.1L, 0.L}, std::tuple{3, 4.7L, longer}}) {
+    const std::string name = std::to_string(number);
+    const long double c = std::cos(start), s = std::sin(start);
+    const long double x = from_origin + size * pivot * std::cos(along),
+                      y = from_origin + size * pivot * std::sin(along);
+    const long double l = size * (length + more);
+    const int b = d.point("B" + name, {typed(x + size * length * c, digits),
+                                       typed(y + size * length * s, digits), 0});
+    const int a = d.point("A" + name, {typed(x + size * length * c - l * c, digits),
+                                       typed(y + size * length * s - l * s, digits), 0});
+    d.carry(MechanismBuilder::ground, {a});
+    d.carry(coupler, {b});
+    const int crank =
+        stated ? d.link("crank" + name, a, b, typed(l, digits)) : d.body("crank" + name, {a, b});
+    d.joint(revolute, MechanismBuilder::ground, crank, {a});
+    d.joint(revolute, crank, coupler, {b});
+    if (number > 1) continue;
+    Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
+    theta.of = {-1, a, b};
+    theta.driven = true;
+  }
+  return {"parallel_cranks", d.release(), {Polynomial{{static_cast<double>(start), 1}}},
+          {0, 0.05, 21},     {},          {}};
+}
+
+}  // namespace desmo
