@@ -85,6 +85,27 @@ TEST(Refinement, IsRightToTheLastDigits) {
   }
 }
 
+/// Rates are linear, and found from zeros: also where nothing accelerates, or lengths alone do.
+TEST(Refinement, FindsRatesFromPositionsAlone) {
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Model m = make_model(scene);
+    const double t = scene.grid.start;
+    const ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+    const std::vector<double> zeros(m.coordinates());
+    Refinement from_all(m), from_zeros(m);
+    const RefinedInstant &all = from_all.refine(instant_of(s)),
+                         &found = from_zeros.refine(
+                             {.index = 0, .time = t, .q = s.q, .qd = zeros, .qdd = zeros});
+    EXPECT_LE(all.passes, 2) << l.name;
+    for (int i = 0; i < m.coordinates(); ++i) {
+      EXPECT_LE(found.radius.velocity[i], 4 * all.radius.velocity[i] + 1e-15) << l.name << i;
+      EXPECT_LE(found.radius.acceleration[i], 4 * all.radius.acceleration[i] + 1e-14)
+          << l.name << i;
+    }
+  }
+}
+
 TEST(Refinement, HoldsUpToADeadPoint) {
   for (const double distance : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});

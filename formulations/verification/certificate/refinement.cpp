@@ -39,11 +39,12 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     if (!c.proven) continue;
     const double open = open_digits();
     if (result_.proven && !(open < least)) break;
+    const bool halves = open < least / 2;
     least = open;
     result_.proven = true;
     best_ = next_;
     best_radius_ = radius_;
-    if (open <= 1) break;
+    if (open <= 1 || !halves) break;
   }
   if (result_.proven) {
     show(result_.instant, best_);
@@ -71,21 +72,28 @@ void Refinement::add_corrections(const Certificate& c) {
 }
 
 /// Returns what the corrections leave, in roundings of the largest number of its kind. Below one,
-/// nothing is left to correct.
+/// nothing is left to correct. A kind that does not move has the size that the other's rates, or
+/// its velocity, give it (Scales).
 double Refinement::open_digits() const {
-  double most = 0;
-  for (const Level level : levels_) {
-    std::array<double, 2> rest{}, size{};
-    if (level == Level::position) size[1] = 1;  // [rad]
+  PerLevel<std::array<double, 2>> rest{}, size{};
+  size.position[1] = 1;  // [rad]
+  for (const Level level : levels_)
     for (int i = 0; i < m_.coordinates(); ++i) {
       const int kind = kind_[i];
-      rest[kind] = std::max(rest[kind], rest_[level][i]);
+      rest[level][kind] = std::max(rest[level][kind], rest_[level][i]);
       if (const double x = std::abs(next_[level][i]); std::isfinite(x))
-        size[kind] = std::max(size[kind], x);
+        size[level][kind] = std::max(size[level][kind], x);
     }
+  auto& [q, v, a] = size;
+  if (v[0] == 0) v[0] = v[1] * q[0];
+  if (v[1] == 0 && q[0] > 0) v[1] = v[0] / q[0];
+  for (const int kind : {0, 1})
+    if (q[kind] > 0) a[kind] = std::max(a[kind], v[kind] * (v[kind] / q[kind]));
+  double most = 0;
+  for (const Level level : levels_)
     for (const int kind : {0, 1})
-      if (rest[kind] > 0) most = std::max(most, rest[kind] / (Interval::unit * size[kind]));
-  }
+      if (size[level][kind] > 0)
+        most = std::max(most, rest[level][kind] / (Interval::unit * size[level][kind]));
   return most;
 }
 

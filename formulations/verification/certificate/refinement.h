@@ -17,8 +17,8 @@ struct RefinedInstant {
 };
 
 /// Refinement of solved instants, whatever solved them: certifies one and adds the corrections,
-/// again while radii shrink. One pass is the rule. All formulations then deliver the same numbers
-/// but for the last digits.
+/// again while that halves the radii. One pass is the rule. All formulations then deliver the same
+/// numbers but for the last digits.
 ///
 ///   Refinement refinement(model);
 ///   const RefinedInstant r = refinement.refine(instant);   // in an observer, for example
