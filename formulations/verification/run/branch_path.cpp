@@ -145,6 +145,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     // Where both ends may be the same solution, the last sub-step was too long to tell.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
       step = (next - present_.time) / 2;
+      if (present_.time + step == next) break;  // there is no time between the two
       continue;
     }
     ++result.sub_steps;
