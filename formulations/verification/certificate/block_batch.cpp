@@ -25,6 +25,7 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
   for (int i = 0; i < shape.states(); ++i)
     if (shape.columns[i] >= 0) locals[shape.columns[i]] = i;
   magnitudes.resize(w);
+  initial.resize(members.front().block.initial.size());
   for (std::size_t lane = 0; lane < LaneNumbers::count; ++lane) {
     const Member& m = members[lane < members.size() ? lane : 0];
     const auto place = [&](std::vector<int>& to, const std::vector<int>& from) {
@@ -38,6 +39,8 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
     place(rows, m.rows);
     for (int i = 0; i < w; ++i)
       magnitudes[i].set(static_cast<int>(lane), all_magnitudes[m.block.coordinates[i]]);
+    for (std::size_t r = 0; r < initial.size(); ++r)
+      initial[r].set(static_cast<int>(lane), m.block.initial[r]);
   }
   jacobian.resize(static_cast<int>(shape.entries.size()));
   equations.constant_jacobian(jacobian);

@@ -36,10 +36,11 @@ struct BlockBatch {
   std::vector<int> rows;                ///< of each column, in ErrorTable
   std::vector<int> locals;              ///< local state of each column, the same in all lanes
   std::vector<LaneNumbers> magnitudes;  ///< of each column
-  double rounding;          ///< bound on all relative rounding, counted in block_image.cpp
-  LaneMatrix jacobian;      ///< Φ_q
-  Preconditioner constant;  ///< of linear equations
-  LaneNumbers condition;    ///< of these (Preconditioner::condition)
+  double rounding;                   ///< bound on all relative rounding, counted in block_image.cpp
+  LaneMatrix jacobian;               ///< Φ_q
+  Preconditioner constant;           ///< of linear equations
+  LaneNumbers condition;             ///< of these (Preconditioner::condition)
+  std::vector<LaneNumbers> initial;  ///< Φ₀ of a homotopy (n); empty: none
 };
 
 }  // namespace desmo

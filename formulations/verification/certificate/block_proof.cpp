@@ -166,7 +166,18 @@ void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTabl
   }
 }
 
-PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<ErrorTable>& errors) {
+/// Makes Φ(q, t) − (1 − t) Φ₀ of Φ, and likewise its rates.
+void BlockProof::add_homotopy(Level up_to, double time) {
+  const LaneInterval share = LaneInterval(1) - LaneInterval(time);
+  for (int r = 0; r < shape_->unknowns; ++r) {
+    const LaneInterval initial(batch_->initial[r], 0);
+    phi_.position[r] = phi_.position[r] - share * initial;
+    if (up_to >= Level::velocity) phi_.velocity[r] = phi_.velocity[r] + initial;
+  }
+}
+
+PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<ErrorTable>& errors,
+                                     double time) {
   batch_ = &batch;
   shape_ = &batch.equations.shape();
   for (const Level level : all_levels)
@@ -174,6 +185,7 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
   batch.equations.motion(
       {state_.position.data(), state_.velocity.data(), state_.acceleration.data()}, up_to,
       {phi_.position.data(), phi_.velocity.data(), phi_.acceleration.data()});
+  if (!batch.initial.empty()) add_homotopy(up_to, time);
   PerLevel<LaneMask> proven;
   LaneMask lanes = LaneMask::all();
   condition_ = 0;

@@ -21,9 +21,10 @@ class BlockProof {
   explicit BlockProof(const Sizes& sizes);
 
   /// Proves bounds on the errors of the unknowns, up to a level. errors: those of the inputs are
-  /// known. Writes those of the unknowns; their sum is infinite where no proof succeeds. Returns in
-  /// which lanes each level is proven.
-  PerLevel<LaneMask> prove(BlockBatch& batch, Level level, PerLevel<ErrorTable>& errors);
+  /// known. time: of the instant; only a homotopy reads it. Writes those of the unknowns; their sum
+  /// is infinite where no proof succeeds. Returns in which lanes each level is proven.
+  PerLevel<LaneMask> prove(BlockBatch& batch, Level level, PerLevel<ErrorTable>& errors,
+                           double time = 0);
   /// Returns why a lane of that batch is not proven.
   ProofFailure failure(int lane) const;
   /// Returns the condition number of each block of that batch (Preconditioner::condition); 0 where
@@ -45,6 +46,7 @@ class BlockProof {
   };
 
   void gather(Level level, const ErrorTable& errors);
+  void add_homotopy(Level level, double time);
   LaneMask is_known(Level level) const;
   LaneMask prove_positions(PerLevel<ErrorTable>& errors, LaneMask lanes);
   LaneMask bound_rates(Level level, PerLevel<ErrorTable>& errors, LaneMask lanes);

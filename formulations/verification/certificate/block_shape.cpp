@@ -30,7 +30,7 @@ class Builder {
  public:
   Builder(const Model& m, const PartDefinition& part) : m_(m), part_(part) {}
 
-  ShapedBlock build() {
+  ShapedBlock build(InitialResidual initial) {
     for (std::size_t row = 0; row < part_.equations.size(); ++row)
       if (row == 0 || part_.equations[row].constraint != part_.equations[row - 1].constraint)
         add(part_.equations[row].constraint);
@@ -39,6 +39,9 @@ class Builder {
     for (const int state : block_.states)
       block_.remainders.push_back(
           state < m_.coordinates() ? Remainder() : m_.fixed_remainders[state - m_.coordinates()]);
+    if (!initial.empty())
+      for (const Equation& e : part_.equations)
+        block_.initial.push_back(initial[e.constraint][e.row]);
     return std::move(block_);
   }
 
@@ -136,8 +139,8 @@ std::vector<int> ShapedBlock::unknowns() const {
   return {coordinates.begin(), coordinates.begin() + shape.unknowns};
 }
 
-ShapedBlock shaped_block(const Model& model, const PartDefinition& block) {
-  return Builder(model, block).build();
+ShapedBlock shaped_block(const Model& model, const PartDefinition& block, InitialResidual initial) {
+  return Builder(model, block).build(initial);
 }
 
 }  // namespace desmo

@@ -6,6 +6,7 @@
 #include "cases/numbers/derived.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
+#include "formulations/verification/certificate/initial_residual.h"
 
 namespace desmo {
 
@@ -52,10 +53,12 @@ struct ShapedBlock {
   std::vector<int> coordinates;  ///< coordinate of each column
   std::vector<Derived> constants;
   std::vector<Remainder> remainders;  ///< of each local state; empty: none
+  std::vector<double> initial;        ///< Φ₀ of a homotopy (n); empty: none
 
   std::vector<int> unknowns() const;
 };
 
-ShapedBlock shaped_block(const Model& model, const PartDefinition& block);
+ShapedBlock shaped_block(const Model& model, const PartDefinition& block,
+                         InitialResidual initial = {});
 
 }  // namespace desmo

@@ -13,7 +13,7 @@ namespace desmo {
 /// The proof of one instant after the other, step by step.
 class Certifier::Proof {
  public:
-  Proof(const Model& model, std::span<const Level> levels);
+  Proof(const Model& model, std::span<const Level> levels, InitialResidual initial);
   Certificate certify(const Instant& instant, const LiveRow* drivers);
 
  private:
@@ -44,8 +44,8 @@ BlockProof::Sizes sizes_of(const BlockSchedule& schedule) {
 
 }  // namespace
 
-Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
-    : m_(m), schedule_(block_schedule(m, up_to)), proof_(sizes_of(schedule_)) {
+Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to, InitialResidual initial)
+    : m_(m), schedule_(block_schedule(m, up_to, initial)), proof_(sizes_of(schedule_)) {
   for (const Level level : all_levels) {
     ErrorTable& e = errors_[level];
     e.rows.resize(m.state_size() + schedule_.lent_rows);
@@ -117,7 +117,7 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
   for (CertificationStep& step : schedule_.steps) {
     if (step.link >= 0) load(schedule_.links[step.link]);
     for (BlockBatch& batch : step.batches) {
-      const PerLevel<LaneMask> proven = proof_.prove(batch, solved_.back(), errors_);
+      const PerLevel<LaneMask> proven = proof_.prove(batch, solved_.back(), errors_, instant.time);
       for (int lane = 0; lane < batch.blocks(); ++lane) {
         const BlockBatch::Member& member = batch.members[lane];
         if (const double condition = proof_.condition()[lane]; condition > result.condition) {
@@ -148,8 +148,8 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
   return result;
 }
 
-Certifier::Certifier(const Model& model, std::span<const Level> levels)
-    : proof_(std::make_unique<Proof>(model, levels)) {}
+Certifier::Certifier(const Model& model, std::span<const Level> levels, InitialResidual initial)
+    : proof_(std::make_unique<Proof>(model, levels, initial)) {}
 Certifier::~Certifier() = default;
 
 Certificate Certifier::certify(const Instant& instant) { return proof_->certify(instant, nullptr); }

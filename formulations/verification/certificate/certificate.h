@@ -7,6 +7,7 @@
 #include "formulations/base/observer.h"
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
+#include "formulations/verification/certificate/initial_residual.h"
 
 namespace desmo {
 
@@ -84,9 +85,12 @@ class Certifier {
  public:
   /// Cuts the model into blocks and allocates everything. levels: the level up to which each
   /// coordinate is solved (Plan::levels); empty: as far as the instant. The memory of both must
-  /// last as long as the certifier.
-  explicit Certifier(const Model& model, std::span<const Level> levels = {});
-  explicit Certifier(const Model&& model, std::span<const Level> levels = {}) = delete;
+  /// last as long as the certifier. initial: Φ₀ of a homotopy, in which the times of instants are
+  /// its parameter; it is copied.
+  explicit Certifier(const Model& model, std::span<const Level> levels = {},
+                     InitialResidual initial = {});
+  explicit Certifier(const Model&& model, std::span<const Level> levels = {},
+                     InitialResidual initial = {}) = delete;
   ~Certifier();
 
   /// Certifies an instant of all coordinates, up to the levels that it has, with the motions of the

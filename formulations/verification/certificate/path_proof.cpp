@@ -63,7 +63,7 @@ double size_of(const Polynomial5& c) {
 /// The tube of one step after the other.
 class PathProof::Tube {
  public:
-  explicit Tube(const Model& model);
+  Tube(const Model& model, InitialResidual initial);
 
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
   std::optional<double> first_knot(double from, double to) const;
@@ -78,6 +78,7 @@ class PathProof::Tube {
   void find_path(const CertifiedInstant& from, const CertifiedInstant& to);
   void find_drivers();
   void gather(const BlockBatch& batch);
+  void add_homotopy(const BlockBatch& batch);
   void find_image(const BlockBatch& batch, const PathEquations& equations);
   void contract(BlockBatch& batch, const PathEquations& equations);
   LaneMask prove(BlockBatch& batch, const PathEquations& equations);
@@ -103,7 +104,8 @@ class PathProof::Tube {
   const Preconditioner* y_ = nullptr;
 };
 
-PathProof::Tube::Tube(const Model& m) : m_(m), schedule_(block_schedule(m, {})) {
+PathProof::Tube::Tube(const Model& m, InitialResidual initial)
+    : m_(m), schedule_(block_schedule(m, {}, initial)) {
   path_.resize(m.coordinates());
   gap_.resize(m.coordinates());
   radius_.resize(m.coordinates());
@@ -208,11 +210,23 @@ void PathProof::Tube::gather(const BlockBatch& b) {
     slopes_[b.locals[j]].rest += errors_[j - shape.unknowns];
 }
 
+/// Makes Φ − (1 − t) Φ₀ of Φ along the path.
+void PathProof::Tube::add_homotopy(const BlockBatch& b) {
+  Value time(span_.middle), one(1);
+  time.c[1] = span_.half;
+  for (int r = 0; r < b.equations.shape().unknowns; ++r) {
+    Value initial;
+    initial.c[0] = b.initial[r];
+    phi_[r] = phi_[r] - (one - time) * initial;
+  }
+}
+
 /// Bounds −Y Φ − Y Φ_h δ for all s.
 void PathProof::Tube::find_image(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns, m = shape.inputs;
   equations.residual(states_.data(), phi_.data());
+  if (!b.initial.empty()) add_homotopy(b);
   for (int r = 0; r < n; ++r) {
     LaneNumbers sum = phi_[r].magnitude();
     for (int k = shape.input_begins[r]; k < shape.row_begins[r + 1]; ++k)
@@ -311,7 +325,8 @@ PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const Certi
   return {.proven = true};
 }
 
-PathProof::PathProof(const Model& model) : tube_(std::make_unique<Tube>(model)) {}
+PathProof::PathProof(const Model& model, InitialResidual initial)
+    : tube_(std::make_unique<Tube>(model, initial)) {}
 PathProof::~PathProof() = default;
 
 PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {

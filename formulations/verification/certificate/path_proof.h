@@ -6,6 +6,7 @@
 
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
+#include "formulations/verification/certificate/initial_residual.h"
 
 namespace desmo {
 
@@ -50,9 +51,10 @@ struct PathCertificate {
 /// Costs one to three steps of `global_automatic_klu`. One thread at a time may use it.
 class PathProof {
  public:
-  /// Cuts the model into blocks and allocates everything. The model must outlive this.
-  explicit PathProof(const Model& model);
-  explicit PathProof(const Model&& model) = delete;
+  /// Cuts the model into blocks and allocates everything. The model must outlive this. initial: as
+  /// in Certifier.
+  explicit PathProof(const Model& model, InitialResidual initial = {});
+  explicit PathProof(const Model&& model, InitialResidual initial = {}) = delete;
   ~PathProof();
 
   /// Proves the step between two instants of the model's motions, from.time < to.time. A step that

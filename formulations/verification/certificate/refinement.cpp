@@ -9,8 +9,8 @@
 
 namespace desmo {
 
-Refinement::Refinement(const Model& m, std::span<const Level> levels)
-    : m_(m), certifier_(m, levels) {
+Refinement::Refinement(const Model& m, std::span<const Level> levels, InitialResidual initial)
+    : m_(m), certifier_(m, levels, initial) {
   for (const Entity& e : m.entities)
     if (!e.fixed) kind_.insert(kind_.end(), e.size, is_length(e.kind) ? 0 : 1);
   for (Values* values : {&next_, &radius_, &best_, &best_radius_, &rest_})

@@ -27,8 +27,10 @@ class Refinement {
   static constexpr int max_passes = 4;
 
   /// Contract of Certifier.
-  explicit Refinement(const Model& model, std::span<const Level> levels = {});
-  explicit Refinement(const Model&& model, std::span<const Level> levels = {}) = delete;
+  explicit Refinement(const Model& model, std::span<const Level> levels = {},
+                      InitialResidual initial = {});
+  explicit Refinement(const Model&& model, std::span<const Level> levels = {},
+                      InitialResidual initial = {}) = delete;
 
   /// Refines an instant of all coordinates, up to the levels that it has. The result is valid until
   /// the next call. Allocates nothing.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/numbers/interval.h"
+
 namespace desmo {
 
 namespace {
@@ -25,8 +27,8 @@ bool are_apart(const CertifiedInstant& a, const CertifiedInstant& b) {
 
 }  // namespace
 
-BranchPath::BranchPath(const Model& m, int budget)
-    : m_(m), budget_(budget), path_(m), refinement_(m) {
+BranchPath::BranchPath(const Model& m, int budget, InitialResidual initial)
+    : m_(m), budget_(budget), path_(m, initial), refinement_(m, {}, initial) {
   for (Memory* memory : {&memory_, &predicted_}) {
     for (const Level level : all_levels) memory->values[level].resize(m.coordinates());
     memory->radius.resize(m.coordinates());
@@ -110,8 +112,9 @@ FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
 FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
   double step = time - present_.time;
+  const double shortest = step * Interval::unit;
   bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
-  while (result.tests < budget_ && present_.time + step > present_.time) {
+  while (result.tests < budget_ && step > shortest && present_.time + step > present_.time) {
     double next = step < time - present_.time ? present_.time + step : time;
     if (const std::optional<double> knot = path_.first_knot(present_.time, next)) next = *knot;
     if (next == time && to) {

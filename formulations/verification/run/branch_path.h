@@ -36,9 +36,11 @@ class BranchPath {
  public:
   static constexpr int max_tests = 1000;
 
-  /// budget: path proofs of one step, after which it counts as stuck. The model must outlive this.
-  explicit BranchPath(const Model& model, int budget = max_tests);
-  explicit BranchPath(const Model&& model, int budget = max_tests) = delete;
+  /// budget: path proofs of one step, after which it counts as stuck. initial: as in Certifier. The
+  /// model must outlive this.
+  explicit BranchPath(const Model& model, int budget = max_tests, InitialResidual initial = {});
+  explicit BranchPath(const Model&& model, int budget = max_tests,
+                      InitialResidual initial = {}) = delete;
 
   /// Begins at an instant, which it copies. Returns whether its positions and rates are proven, as
   /// follow() needs.

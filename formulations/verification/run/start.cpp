@@ -1,0 +1,97 @@
+#include "formulations/verification/run/start.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "cases/numbers/compensated.h"
+#include "formulations/constraints/constraints.h"
+#include "formulations/verification/run/branch_path.h"
+
+namespace desmo {
+
+namespace {
+
+using Stage = FoundStart::Stage;
+
+/// Returns Φ of the drawing.
+std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
+  std::vector<double> state = m.estimate;
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  std::vector<std::vector<double>> all;
+  for (const Constraint& c : m.constraints)
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
+      std::array<const double*, Kind::operand_sizes.size()> x;
+      for (std::size_t k = 0; k < x.size(); ++k) x[k] = state.data() + m.state_index(c.operands[k]);
+      std::vector<double> phi(Kind::rows);
+      Kind::residual(x.data(), c.constants.data(), phi.data());
+      all.push_back(std::move(phi));
+    });
+  return all;
+}
+
+/// Returns the motion from a value, at 0, to that of another motion at a time, at 1.
+Polynomial straight(double from, const Motion& motion, double time) {
+  using Number = Compensated<double>;
+  const Number way = sample(motion, Number(time)).position - Number(from);
+  return {{from, way.value}, {{}, {way.correction, way.radius}}};
+}
+
+/// Follows a way from 0 to 1. Returns whether it leads there. found: begins at its positions, which
+/// are overwritten by the last proven ones.
+bool follow(const Model& m, InitialResidual initial, FoundStart& found) {
+  BranchPath path(m, BranchPath::max_tests, initial);
+  found.share = 0;
+  if (!path.start_at({0, {found.q, {}, {}}})) return false;
+  const FollowedStep step = path.go_to(1);
+  const auto take_positions = [&] {
+    const std::span<const double> q = path.present().values.position;
+    found.q.assign(q.begin(), q.end());
+  };
+  take_positions();
+  found.share = path.present().time;
+  found.group = step.group;
+  if (step.end != PathEnd::same) return false;
+  // The last step may have ended with digits to correct.
+  if (path.start_at({1, {found.q, {}, {}}})) take_positions();
+  return true;
+}
+
+/// Brings angles that are not driven near the drawing. Equations read them as sines and cosines, so
+/// whole turns do not matter.
+void take_nearest_turns(const Model& m, std::vector<double>& q) {
+  const std::vector<bool> driven = independent_coordinates(m);
+  for (const Entity& e : m.entities) {
+    if (e.fixed || e.kind != EntityKind::angle || driven[e.first]) continue;
+    constexpr double turn = 2 * std::numbers::pi;
+    q[e.first] -= turn * std::round((q[e.first] - m.estimate[e.first]) / turn);
+  }
+}
+
+}  // namespace
+
+FoundStart find_start(const Model& m, double time) {
+  FoundStart found{.q = m.estimate};
+  Model at_drawing = m, going = m;
+  for (std::size_t k = 0; k < m.drivers.size(); ++k) {
+    const double drawn = m.estimate[m.entities[m.drivers[k].coordinate].first];
+    at_drawing.drivers[k].motion = Polynomial{{drawn}};
+    going.drivers[k].motion = straight(drawn, m.drivers[k].motion, time);
+  }
+  // A certificate of the drawing proves all of the homotopy. Its X is symmetric about the drawing,
+  // and the homotopy's image is the certificate's with λ times the center, which is inside, too.
+  const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
+  if (!drawing.proven) {
+    found.group = drawing.group;
+    if (!follow(at_drawing, residual_of_drawing(m), found)) {
+      found.stage = Stage::drawing;
+      return found;
+    }
+  }
+  if (!follow(going, {}, found)) found.stage = Stage::drivers;
+  take_nearest_turns(m, found.q);
+  return found;
+}
+
+}  // namespace desmo

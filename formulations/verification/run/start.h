@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/model/model.h"
+
+namespace desmo {
+
+/// Positions to which the drawing leads.
+struct FoundStart {
+  enum class Stage {
+    reached,  ///< the positions are proven to be on the branch of the drawing
+    drawing,  ///< the drawing cannot be led to positions that solve the equations
+    drivers,  ///< drivers cannot be led from where they are drawn to where they begin
+  };
+  Stage stage = Stage::reached;
+  double share = 1;             ///< of the way of the blocked stage: last proven, from 0 to 1
+  GroupId group = no_position;  ///< blocked: where the last proof failed, if it is known
+  /// All coordinates: at the start where it is reached, else where the last proof was.
+  std::vector<double> q;
+};
+
+/// Finds the positions at a time [s] on the branch that the model's estimate, the drawing,
+/// declares. Both parts of the way are followed in proven steps (BranchPath):
+///
+/// - the drawing may not solve the equations. With the drivers as drawn, Newton's homotopy Φ(q) =
+///   (1 − λ) Φ(drawing) leads from there to what it means; all groups have one λ.
+/// - then all drivers go straight from where they are drawn to their values at that time. Whole
+///   turns of driven angles are made.
+///
+/// Other angles are those nearest to the drawing, whole turns apart. Where a part is blocked, by a
+/// singular position or a fold, no other way is sought. It is blocked at 0, too, where a driver has
+/// no finite value. Positions are rounded: a Refinement at that time proves them, and finds rates.
+/// Allocates; keep it out of timed code.
+///
+///   const FoundStart start = find_start(model, grid.time(0));
+///   if (start.stage == FoundStart::Stage::reached) …   // start.q
+FoundStart find_start(const Model& model, double time);
+
+}  // namespace desmo

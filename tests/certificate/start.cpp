@@ -1,0 +1,329 @@
+// The start of a motion: the branch of the drawing, however rough it is and however far the drivers
+// go from there.
+
+#include "formulations/verification/run/start.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <random>
+
+#include "cases/generators/dyad_chain.h"
+#include "formulations/groupwise/double_solution.h"
+#include "formulations/verification/reference/continuation.h"
+#include "formulations/verification/reference/whole_system.h"
+#include "formulations/verification/run/branch_path.h"
+#include "tests/accuracy/scenes.h"
+#include "tests/dead_point.h"
+
+namespace desmo::start_test {
+namespace {
+
+using Stage = FoundStart::Stage;
+constexpr double turn = 2 * std::numbers::pi;
+
+double size_of(const Model& m) {
+  double size = 0;
+  for (const double q : m.estimate) size = std::max(size, std::abs(q));
+  return size;
+}
+
+/// Returns the largest distance of two positions, without whole turns of angles that are not
+/// driven.
+double distance(const Model& m, const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (const Entity& e : m.entities) {
+    if (e.fixed) continue;
+    for (int i = e.first; i < e.first + e.size; ++i) {
+      double off = a[i] - b[i];
+      if (e.kind == EntityKind::angle) off = std::remainder(off, turn);
+      largest = std::max(largest, std::abs(off));
+    }
+  }
+  return largest;
+}
+
+/// Follows drivers from the drawing straight to these values, in steps of `step` in each driver, by
+/// Newton's method alone. Empty: it did not converge.
+std::vector<double> in_short_steps(Model m, const std::vector<double>& to, double step) {
+  double longest = 0;
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    const double from = m.estimate[m.entities[m.drivers[k].coordinate].first];
+    longest = std::max(longest, std::abs(to[k] - from));
+  }
+  const double seconds = std::max(0.01, longest / step * 0.01);  // in steps of 10 ms
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    const double from = m.estimate[m.entities[m.drivers[k].coordinate].first];
+    m.drivers[k].motion = Polynomial{{from, (to[k] - from) / seconds}};
+  }
+  try {
+    return double_solution(m, std::vector{0.0, seconds}).back().q;
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+/// Sets constant drivers.
+Model held_at(Model m, const std::vector<double>& values) {
+  for (std::size_t k = 0; k < values.size(); ++k) m.drivers[k].motion = Polynomial{{values[k]}};
+  return m;
+}
+
+/// Returns whether the judge finds a regular way from the drawing to these values of the drivers.
+/// Nearer to a singular position than this condition number says nothing has to be proven.
+bool has_way(Model m, const std::vector<double>& to) {
+  constexpr double max_condition = 1e7;
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    const double from = m.estimate[m.entities[m.drivers[k].coordinate].first];
+    m.drivers[k].motion = Polynomial{{from, to[k] - from}};
+  }
+  Continuation way(m);
+  way.begin(motions_of(m), 0);
+  return way.go_to(1) && way.crossings() == 0 && way.max_condition() < max_condition;
+}
+
+/// All mechanisms from two turns before to two turns after the drawing. The arms of the delta are
+/// in line with its platform on the way of a turn.
+TEST(Start, IsOnTheBranchOfTheDrawing) {
+  int reached = 0, blocked = 0;
+  for (const auto& [m, grid] : every_motion()) {
+    const double end = grid.time(grid.instants - 1);
+    const std::vector<double> shifts =
+        DESMO_SANITIZED ? std::vector{0.3} : std::vector{0.0, 0.3, -0.45, 0.8, -1.6, 2.0};
+    for (const double turns : shifts)
+      for (const double time : {grid.start, grid.start + 0.37 * (end - grid.start)}) {
+        std::vector<double> to;
+        for (const Driver& d : m.drivers) {
+          to.push_back(sample(d.motion, time).position);
+          if (m.entities[d.coordinate].kind == EntityKind::angle) to.back() += turns * turn;
+        }
+        SCOPED_TRACE(m.name + ", " + std::to_string(turns) + " turns, " + std::to_string(time));
+        const Model held = held_at(m, to);
+        const FoundStart found = find_start(held, 0);
+        if (found.stage != Stage::reached) {
+          ++blocked;
+          EXPECT_EQ(found.stage, Stage::drivers);
+          EXPECT_FALSE(has_way(m, to)) << found.share;
+          continue;
+        }
+        ++reached;
+        EXPECT_EQ(found.share, 1);
+        const std::vector<double> right = in_short_steps(m, to, 0.01);
+        ASSERT_FALSE(right.empty());
+        EXPECT_LT(distance(m, found.q, right), 1e-9 * size_of(m));
+        for (const Entity& e : m.entities)
+          if (!e.fixed && e.kind == EntityKind::angle && !independent_coordinates(m)[e.first])
+            EXPECT_LE(std::abs(found.q[e.first] - m.estimate[e.first]), turn / 2 + 1e-9);
+      }
+  }
+  std::cout << reached << " reached, " << blocked << " blocked\n";
+  EXPECT_GE(reached, 10 * blocked);
+}
+
+Model four_bar(double coupler, double rocker, double base, double drawn) {
+  DyadChain chain{.crank = 1, .start = drawn, .dyads = {}};
+  chain.dyads.push_back(closed_dyad(crank_pin(chain), {base, 0, 0}, coupler, rocker, 1));
+  MechanismBuilder builder("four_bar", 2);
+  add(builder, chain);
+  return make_model({"four_bar", builder.release(), {Polynomial{{drawn}}}, {}, {}, {}});
+}
+
+/// Bars of 1, 3 and 4 on a base of 5.99 are nearly stretched at half a turn: from there Newton's
+/// method leads to the other branch.
+TEST(Start, GoesShortStepsFromANearlyStretchedDrawing) {
+  const Model m = four_bar(3, 4, 5.99, turn / 2);
+  for (const double turns : {0, 1, -2})
+    EXPECT_NEAR(m.value("dyad1/C.y", find_start(held_at(m, {2.5 + turns * turn}), 0).q), 1.127,
+                1e-3);
+}
+
+/// A parallelogram is at a change point at half a turn, where nothing says which way is meant.
+TEST(Start, SaysWhereAChangePointIsOnTheWay) {
+  const Model m = four_bar(4, 1, 4, turn / 4);
+  for (const auto& [to, at] : {std::pair{0.6, 0.5}, {0.3, 2.0}, {-0.1, 0.0}, {1.7, 0.5}}) {
+    const FoundStart found = find_start(held_at(m, {to * turn}), 0);
+    if (at == 2) {
+      EXPECT_EQ(found.stage, Stage::reached);
+      EXPECT_NEAR(m.value("dyad1/psi", found.q), to * turn, 1e-12);
+      continue;
+    }
+    EXPECT_EQ(found.stage, Stage::drivers);
+    EXPECT_NEAR(found.share, (at - 0.25) / (to - 0.25), 1e-6);
+    EXPECT_NEAR(m.value("dyad1/psi", found.q), m.value("crank/theta", found.q), 1e-9);
+    ASSERT_NE(found.group, no_position);
+    EXPECT_EQ(m.groups[found.group].name, "dyad1/SG-I");
+  }
+}
+
+TEST(Start, SaysWhereTheDriversAreBlocked) {
+  const double drawn = std::numbers::pi / 3, to = dead_point + 0.2;
+  const Model m = locking_four_bar();
+  const FoundStart found = find_start(held_at(m, {to}), 0);
+  EXPECT_EQ(found.stage, Stage::drivers);
+  EXPECT_NEAR(drawn + found.share * (to - drawn), dead_point, 1e-9);
+  EXPECT_NEAR(m.value("crank/theta", found.q), dead_point, 1e-9);
+  ASSERT_NE(found.group, no_position);
+  EXPECT_EQ(m.groups[found.group].name, "dyad1/SG-I");
+}
+
+TEST(Start, SaysThatADrawingIsSingular) {
+  const Model m = locking_four_bar(Polynomial{{dead_point}});
+  const FoundStart found = find_start(held_at(m, {1.0}), 0);
+  EXPECT_EQ(found.stage, Stage::drawing);
+  EXPECT_EQ(found.share, 0);
+  EXPECT_EQ(found.q, m.estimate);
+  ASSERT_NE(found.group, no_position);
+  EXPECT_EQ(m.groups[found.group].name, "dyad1/SG-I");
+}
+
+/// A coupler too short to close the loop: the way ends where crank pin, coupler and rocker are in
+/// line. There (1 − λ) Φ(drawing) is what the closure lacks.
+TEST(Start, SaysHowFarADrawingThatCannotCloseLeads) {
+  Model m = locking_four_bar();
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler")) c.set_dimension(0, 1);
+  const FoundStart found = find_start(m, 0);
+  EXPECT_EQ(found.stage, Stage::drawing);
+  // With the length l of coupler and rocker in line: l² = 1 + (1 − λ) (9 − 1).
+  const double line = std::hypot(8 - 2 * std::cos(std::numbers::pi / 3), std::sqrt(3.0)) - 6;
+  EXPECT_NEAR(found.share, 1 - (line * line - 1) / 8, 1e-6);
+}
+
+TEST(Start, HasNoWayToWhatIsNotFinite) {
+  const Model m = locking_four_bar();
+  for (const double bad : {NAN, INFINITY}) {
+    for (const FoundStart& found : {find_start(held_at(m, {bad}), 0), find_start(m, bad)}) {
+      EXPECT_EQ(found.stage, Stage::drivers);
+      EXPECT_EQ(found.share, 0);
+      for (const double q : found.q) EXPECT_TRUE(std::isfinite(q));
+    }
+  }
+}
+
+/// A bucket on its four-bar, driven by a cylinder, on an arm: an excavator's.
+constexpr const char* excavator = R"({"format": "desmo-scene", "version": 2,
+"mechanism": {"format": "desmo-mechanism", "version": 1, "name": "excavator", "dimension": 2,
+"points": {"C": [0.326, 1.156], "D": [0.8, 0.919], "E": [1.858, 1.842], "F": [2.491, 2.1],
+  "H": [4.171, 1.156], "G": [3.62, 1.303], "I": [4.411, 1.534], "K": [5.693, 1.221],
+  "M": [6.167, 1.156], "L": [6.546, 1.156], "J": [6.053, 1.501], "tip": [6.467, 0.556]},
+"ground": {"points": ["C", "D"]},
+"bodies": {"boom": {"points": ["C", "E", "F", "H"]}, "arm": {"points": ["H", "G", "I", "K", "M"]},
+  "bucket": {"points": ["M", "L", "tip"]}, "hlink": {"points": ["K", "J"], "length": 0.454},
+  "side": {"points": ["J", "L"], "length": 0.449}},
+"joints": [
+  {"type": "revolute", "bodies": ["ground", "boom"], "points": ["C"]},
+  {"type": "revolute", "bodies": ["boom", "arm"], "points": ["H"]},
+  {"type": "revolute", "bodies": ["arm", "bucket"], "points": ["M"]},
+  {"type": "revolute", "bodies": ["arm", "hlink"], "points": ["K"]},
+  {"type": "revolute", "bodies": ["hlink", "side"], "points": ["J"]},
+  {"type": "revolute", "bodies": ["side", "bucket"], "points": ["L"]}],
+"coordinates": {"c1": {"distance": ["D", "E"]}, "c2": {"distance": ["F", "G"]},
+  "c3": {"distance": ["I", "J"]}, "phi_boom": {"angle": ["C", "H"]},
+  "phi_arm": {"angle": ["H", "M"]}, "phi_bucket": {"angle": ["M", "L"]}},
+"drivers": ["c1", "c2", "c3"]},
+"motion": {"c1": {"type": "polynomial", "coefficients": [1.6, 0.25]},
+  "c2": {"type": "polynomial", "coefficients": [1.45, 0.5]},
+  "c3": {"type": "polynomial", "coefficients": [1.2, 0.05]}},
+"time": {"start": 0, "end": 1, "step": 0.01}})";
+
+TEST(Start, TakesARoughDrawingForWhatItIsNearest) {
+  const Model m = make_model(parse_scene(excavator, "excavator", {}));
+  const FoundStart drawn = find_start(m, 0);
+  EXPECT_EQ(drawn.stage, Stage::reached);
+  EXPECT_NEAR(m.value("L.x", drawn.q), 5.20201505293, 1e-10);
+  EXPECT_NEAR(m.value("L.y", drawn.q), 3.93970578587, 1e-10);
+  EXPECT_NEAR(m.value("phi_bucket", drawn.q), 2.57954545505, 1e-10);
+  std::mt19937 generator(1);
+  for (const double part : {0.01, 0.03, 0.1})  // of the shortest link
+    for (int i = 0; i < (DESMO_SANITIZED ? 5 : 40); ++i) {
+      std::normal_distribution<double> off(0, part * 0.449);
+      Model rough = m;
+      for (const Entity& e : m.entities)
+        if (!e.fixed && e.kind == EntityKind::point)
+          for (int k = e.first; k < e.first + e.size; ++k) rough.estimate[k] += off(generator);
+      const FoundStart found = find_start(rough, 0);
+      EXPECT_EQ(found.stage, Stage::reached) << part;
+      EXPECT_LT(distance(m, found.q, drawn.q), 1e-12) << part;
+    }
+}
+
+/// Random starts of the three cylinders: the answer is that of short steps, or a blocked way.
+TEST(Start, FollowsARoughDrawingToAnyStart) {
+  const Model m = make_model(parse_scene(excavator, "excavator", {}));
+  const Model drawn = [&] {  // as it closes
+    Model closed = m;
+    std::vector<double> as_drawn;
+    for (const Driver& d : m.drivers)
+      as_drawn.push_back(m.estimate[m.entities[d.coordinate].first]);
+    const FoundStart found = find_start(held_at(m, as_drawn), 0);
+    EXPECT_EQ(found.stage, Stage::reached);
+    closed.estimate = found.q;
+    return closed;
+  }();
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> boom(1.0, 2.2), arm(0.9, 2.2), bucket(1.0, 1.9);
+  int reached = 0, blocked = 0;
+  for (int i = 0; i < (DESMO_SANITIZED ? 10 : 120); ++i) {
+    const std::vector<double> to{boom(generator), arm(generator), bucket(generator)};
+    const FoundStart found = find_start(held_at(m, to), 0);
+    (found.stage == Stage::reached ? reached : blocked)++;
+    if (found.stage == Stage::reached) {
+      const std::vector<double> right = in_short_steps(drawn, to, 0.002);
+      ASSERT_FALSE(right.empty());
+      EXPECT_LT(distance(m, found.q, right), 1e-9) << to[0] << ' ' << to[1] << ' ' << to[2];
+    } else {
+      EXPECT_EQ(found.stage, Stage::drivers);
+      EXPECT_FALSE(has_way(drawn, to)) << to[0] << ' ' << to[1] << ' ' << to[2];
+    }
+  }
+  std::cout << reached << " reached, " << blocked << " blocked\n";
+  EXPECT_GT(reached, DESMO_SANITIZED ? 2 : 30);
+}
+
+/// Along the homotopy Φ, Φ̇ and Φ̈ are (1 − λ) Φ₀, −Φ₀ and 0.
+TEST(Start, KeepsTheHomotopysEquations) {
+  Model m = make_model(parse_scene(excavator, "excavator", {}));
+  for (Driver& d : m.drivers) d.motion = Polynomial{{m.estimate[m.entities[d.coordinate].first]}};
+  const WholeSystem system(m);
+  std::mt19937 generator(3);
+  std::normal_distribution<double> off(0, 0.02);
+  for (const Entity& e : m.entities)
+    if (!e.fixed && e.kind == EntityKind::point)
+      for (int i = e.first; i < e.first + e.size; ++i) m.estimate[i] += off(generator);
+  std::vector<double> drawn = m.estimate, residual(system.rows());
+  drawn.insert(drawn.end(), m.fixed_values.begin(), m.fixed_values.end());
+  system.residual<double>(drawn, residual);
+  std::vector<std::vector<double>> initial;
+  int next = 0;
+  for (const Constraint& c : m.constraints) {
+    initial.emplace_back();
+    for (int r = 0; r < rows(c); ++r)
+      initial.back().push_back(c.left_out >> r & 1 ? NAN : residual[next++]);
+  }
+  BranchPath path(m, BranchPath::max_tests, initial);
+  ASSERT_TRUE(path.start_at({0, {m.estimate, {}, {}}}));
+  for (const double time : {0.0, 0.3, 1.0}) {
+    if (time > 0) ASSERT_EQ(path.go_to(time).end, PathEnd::same);
+    const auto& [q, qd, qdd] = path.present().values;
+    std::vector<Jet<double>> state, phi(system.rows());
+    for (int i = 0; i < m.coordinates(); ++i) state.emplace_back(q[i], qd[i], qdd[i]);
+    for (const double x : m.fixed_values) state.emplace_back(x);
+    system.residual<Jet<double>>(state, phi);
+    int row = 0;
+    for (std::size_t c = 0; c < m.constraints.size(); ++c)
+      for (int r = 0; r < rows(m.constraints[c]); ++r) {
+        if (m.constraints[c].left_out >> r & 1) continue;
+        EXPECT_NEAR(phi[row].value, (1 - time) * initial[c][r], 1e-12);
+        EXPECT_NEAR(phi[row].first, -initial[c][r], 1e-12);
+        EXPECT_NEAR(phi[row].second, 0, 1e-11);
+        ++row;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace desmo::start_test
