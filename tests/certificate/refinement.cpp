@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <numbers>
 #include <random>
 
 #include "formulations/formulation.h"
@@ -204,6 +205,19 @@ TEST(Refinement, MakesAllFormulationsEqual) {
           EXPECT_LE(errors.share[level], 1) << name << ' ' << id << ' ' << tolerance;
       }
   }
+}
+
+/// Velocities are rounding of the drivers there, which no pass makes smaller.
+TEST(Refinement, CorrectsPositionsWhereAMotionRests) {
+  Model m = make_model(library_scene("slider_crank"));
+  m.drivers[0].motion = HarmonicSum{0.5, {{0.3, std::numbers::pi / 2, 0}}};
+  const double t = 1;
+  ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+  for (double& q : s.q) q += 1e-3;
+  Refinement refinement(m);
+  const RefinedInstant& r = refinement.refine(instant_of(s));
+  ASSERT_TRUE(r.proven);
+  for (const double radius : r.radius.position) EXPECT_LE(radius, 1e-15);
 }
 
 TEST(Refinement, LeavesWhatItCannotProve) {

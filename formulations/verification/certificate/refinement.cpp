@@ -29,7 +29,7 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     if (!given.acceleration.empty()) to.qdd = values.acceleration;
   };
   show(present, next_);
-  double least = INFINITY;
+  PerLevel<double> least{INFINITY, INFINITY, INFINITY};
   while (result_.passes < max_passes) {
     ++result_.passes;
     const Certificate c = certifier_.certify(present);
@@ -37,14 +37,19 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     result_.last = c;
     add_corrections(c);
     if (!c.proven) continue;
-    const double open = open_digits();
-    if (result_.proven && !(open < least)) break;
-    const bool halves = open < least / 2;
+    const PerLevel<double> open = open_digits();
+    // Each level counts by itself: where a motion rests, rates are nothing but rounding.
+    const auto falls_below = [&](double share) {
+      return std::ranges::any_of(levels_, [&](Level l) { return open[l] < share * least[l]; });
+    };
+    if (result_.proven && !falls_below(1)) break;
+    const bool halves = falls_below(0.5);
     least = open;
     result_.proven = true;
     best_ = next_;
     best_radius_ = radius_;
-    if (open <= 1 || !halves) break;
+    const bool is_right = std::ranges::all_of(levels_, [&](Level l) { return open[l] <= 1; });
+    if (is_right || !halves) break;
   }
   if (result_.proven) {
     show(result_.instant, best_);
@@ -71,10 +76,10 @@ void Refinement::add_corrections(const Certificate& c) {
     }
 }
 
-/// Returns what the corrections leave, in roundings of the largest number of its kind. Below one,
-/// nothing is left to correct. A kind that does not move has the size that the other's rates, or
-/// its velocity, give it (Scales).
-double Refinement::open_digits() const {
+/// Returns what the corrections leave at each level, in roundings of the largest number of its
+/// kind. Below one, nothing is left to correct. A kind that does not move has the size that the
+/// other's rates, or its velocity, give it (Scales).
+PerLevel<double> Refinement::open_digits() const {
   PerLevel<std::array<double, 2>> rest{}, size{};
   size.position[1] = 1;  // [rad]
   for (const Level level : levels_)
@@ -89,11 +94,12 @@ double Refinement::open_digits() const {
   if (v[1] == 0 && q[0] > 0) v[1] = v[0] / q[0];
   for (const int kind : {0, 1})
     if (q[kind] > 0) a[kind] = std::max(a[kind], v[kind] * (v[kind] / q[kind]));
-  double most = 0;
+  PerLevel<double> most{};
   for (const Level level : levels_)
     for (const int kind : {0, 1})
       if (size[level][kind] > 0)
-        most = std::max(most, rest[level][kind] / (Interval::unit * size[level][kind]));
+        most[level] =
+            std::max(most[level], rest[level][kind] / (Interval::unit * size[level][kind]));
   return most;
 }
 

@@ -40,7 +40,7 @@ class Refinement {
   using Values = PerLevel<std::vector<double>>;
 
   void add_corrections(const Certificate& certificate);
-  double open_digits() const;
+  PerLevel<double> open_digits() const;
 
   const Model& m_;
   Certifier certifier_;
