@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "formulations/verification/certificate/block_schedule.h"
+#include "formulations/verification/certificate/hermite.h"
 #include "formulations/verification/certificate/path_equations.h"
 
 namespace desmo {
@@ -15,7 +16,7 @@ constexpr int degree = PathEquations::degree;
 constexpr double unit = Interval::unit;
 /// Tests of a block, each with a larger X. A contraction of 0.8 needs ten.
 constexpr int max_attempts = 10;
-using Polynomial5 = std::array<double, degree + 1>;
+using Polynomial5 = Quintic<double>;
 
 /// Time along the path: middle + half s, with exact doubles whose range covers both ends.
 struct Span {
@@ -26,31 +27,6 @@ struct Span {
   }
   double s(double time) const { return (time - middle) / half; }
 };
-
-/// Value and derivatives with respect to s of a coordinate at an end of the path.
-struct EndValues {
-  double q, first = 0, second = 0;
-};
-
-/// Returns the polynomial of lowest degree through both ends, up to a level of derivatives.
-Polynomial5 hermite(const EndValues& a, const EndValues& b, Level level) {
-  // Half of sums and differences: even and odd parts of the polynomial.
-  const double mean = (a.q + b.q) / 2, rise = (b.q - a.q) / 2;
-  if (level == Level::position) return {mean, rise};
-  const double slope = (a.first + b.first) / 2, bend = (b.first - a.first) / 2;
-  if (level == Level::velocity)
-    return {mean - bend / 2, (3 * rise - slope) / 2, bend / 2, (slope - rise) / 2};
-  const double curvature = (a.second + b.second) / 2, twist = (b.second - a.second) / 2;
-  const double fourth = (curvature - bend) / 8, fifth = (twist - 3 * (slope - rise)) / 8;
-  const double second = bend / 2 - 2 * fourth, third = (slope - rise) / 2 - 2 * fifth;
-  return {mean - second - fourth, rise - third - fifth, second, third, fourth, fifth};
-}
-
-double value_at(const Polynomial5& c, double s) {
-  double sum = c[degree];
-  for (int k = degree; k-- > 0;) sum = sum * s + c[k];
-  return sum;
-}
 
 double size_of(const Polynomial5& c) {
   double sum = 0;
@@ -138,9 +114,9 @@ void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedIns
   for (int i = 0; i < m_.coordinates(); ++i) {
     const Level level = std::min(level_of(from, i), level_of(to, i));
     const auto end = [&](const CertifiedInstant& x) {
-      return EndValues{x.values.position[i],
-                       level >= Level::velocity ? x.values.velocity[i] * h : 0,
-                       level >= Level::acceleration ? x.values.acceleration[i] * h * h : 0};
+      return EndValues<double>{x.values.position[i],
+                               level >= Level::velocity ? x.values.velocity[i] * h : 0,
+                               level >= Level::acceleration ? x.values.acceleration[i] * h * h : 0};
     };
     path_[i] = hermite(end(from), end(to), level);
     // Horner's rule rounds twice a degree; s is off by two roundings, which counts up to the
