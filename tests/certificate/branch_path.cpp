@@ -92,6 +92,20 @@ TEST(BranchPath, GoesFromKnotToKnot) {
   EXPECT_EQ(step.sub_steps, 3);
 }
 
+TEST(BranchPath, GoesBack) {
+  Model m = make_model(library_scene("slider_crank"));
+  m.drivers[0].motion = make_spline({0, 1, 1.01, 2}, {0.5, 0.7, 0.71, 0.3}, SplineEnds::natural);
+  const auto solved = double_solution(m, std::vector{0.98, 1.03});
+  BranchPath path(m);
+  ASSERT_TRUE(path.start_at({1.03, {solved[1].q, {}, {}}, {}}));
+  const FollowedStep step = path.go_to(0.98);
+  EXPECT_EQ(step.end, PathEnd::same);
+  EXPECT_EQ(step.sub_steps, 3);
+  for (int i = 0; i < m.coordinates(); ++i)
+    EXPECT_NEAR(path.present().values.position[i], solved[0].q[i], 1e-14);
+  EXPECT_EQ(path.go_to(0.98).end, PathEnd::same);
+}
+
 /// A step of 0.5 rad that ends d rad before a dead point takes some sub-steps for each decade of d.
 TEST(BranchPath, ComesNearADeadPoint) {
   const Model m = locking_four_bar();

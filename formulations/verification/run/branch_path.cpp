@@ -104,6 +104,19 @@ const RefinedInstant& BranchPath::predict(double time) {
                              .qdd = predicted_.values.acceleration});
 }
 
+/// Proves the step from the present instant to another one, earlier or later.
+PathCertificate BranchPath::prove(const CertifiedInstant& to) {
+  return to.time < present_.time ? path_.prove(to, present_) : path_.prove(present_, to);
+}
+
+/// Returns that time, or the first knot on the way there.
+double BranchPath::up_to_knot(double time) const {
+  while (const std::optional<double> knot =
+             path_.first_knot(std::min(time, present_.time), std::max(time, present_.time)))
+    time = *knot;
+  return time;
+}
+
 FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time, &to); }
 
 FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
@@ -112,14 +125,16 @@ FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
 FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
   double step = time - present_.time;
-  const double shortest = step * Interval::unit;
+  const double shortest = std::abs(step) * Interval::unit;
   bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
-  while (result.tests < budget_ && step > shortest && present_.time + step > present_.time) {
-    double next = step < time - present_.time ? present_.time + step : time;
-    if (const std::optional<double> knot = path_.first_knot(present_.time, next)) next = *knot;
+  if (step == 0 && !to) result.end = PathEnd::same;
+  while (result.tests < budget_ && std::abs(step) > shortest &&
+         present_.time + step != present_.time) {
+    const double left = time - present_.time;
+    const double next = up_to_knot(std::abs(step) < std::abs(left) ? present_.time + step : time);
     if (next == time && to) {
       ++result.tests;
-      const PathCertificate c = path_.prove(present_, *to);
+      const PathCertificate c = prove(*to);
       result.group = c.group;
       if (c.proven) {
         ++result.sub_steps;
@@ -139,7 +154,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     bool proven = found.proven;
     if (proven) {
       ++result.tests;
-      const PathCertificate c = path_.prove(present_, certified(found));
+      const PathCertificate c = prove(certified(found));
       result.group = c.group;
       proven = c.proven;
     } else {

@@ -46,11 +46,11 @@ class BranchPath {
   /// follow() needs.
   bool start_at(const CertifiedInstant& instant);
 
-  /// Goes to the time of an instant, which is later. The next step begins there: at the instant if
-  /// that continues the motion, else at the end that was found; where the motion is stuck, at the
-  /// last proven instant.
+  /// Goes to the time of an instant, later or earlier. The next step begins there: at the instant
+  /// if that continues the motion, else at the end that was found; where the motion is stuck, at
+  /// the last proven instant.
   FollowedStep follow(const CertifiedInstant& to);
-  /// Goes to a later time, where present() then is (`same`), or as far as the motion leads
+  /// Goes to another time, where present() then is (`same`), or as far as the motion leads
   /// (`stuck`).
   FollowedStep go_to(double time);
 
@@ -64,6 +64,8 @@ class BranchPath {
   };
 
   FollowedStep go(double time, const CertifiedInstant* to);
+  PathCertificate prove(const CertifiedInstant& to);
+  double up_to_knot(double time) const;
   bool take(const CertifiedInstant& instant);
   void keep(const RefinedInstant& refined);
   void show(double time);
