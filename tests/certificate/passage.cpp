@@ -1,0 +1,399 @@
+// Change points that are passed, on the smooth continuation and on no other.
+
+#include "formulations/verification/run/passage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <optional>
+#include <random>
+
+#include "cases/extremes/rows.h"
+#include "formulations/groupwise/double_solution.h"
+#include "formulations/modelling/modelling.h"
+#include "tests/dead_point.h"
+#include "tests/safety/scott_russell.h"
+
+namespace desmo::passage_test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int scenes = DESMO_SANITIZED ? 8 : 100;
+
+/// A four-bar whose bars are in line where the crank is at `point`. Its lengths have few digits, so
+/// that they are so exactly.
+struct FourBar {
+  double crank, base, coupler, rocker, point;
+
+  double to_pivot(double theta) const {
+    return std::hypot(base - crank * std::cos(theta), crank * std::sin(theta));
+  }
+  bool closes_at(double theta) const {
+    const double distance = to_pivot(theta), margin = 0.05;
+    return distance < coupler + rocker - margin * theta_from_point(theta) &&
+           distance > std::abs(coupler - rocker) + margin * theta_from_point(theta);
+  }
+  double theta_from_point(double theta) const { return (theta - point) * (theta - point); }
+  /// Returns the joint of coupler and rocker. side: 1 or −1, left or right of the line from the
+  /// crank's pin to the rocker's pivot.
+  Mechanism::Vec joint(double theta, double side) const {
+    const double x = crank * std::cos(theta), y = crank * std::sin(theta), r = to_pivot(theta);
+    const double along = (r * r + coupler * coupler - rocker * rocker) / (2 * r);
+    const double above = side * std::sqrt(std::max(0.0, coupler * coupler - along * along));
+    const double ex = (base - x) / r, ey = -y / r;
+    return {x + along * ex - above * ey, y + along * ey + above * ex, 0};
+  }
+};
+
+/// Draws a four-bar of one of four kinds that moves for a radian on both sides of the point.
+FourBar drawn_four_bar(std::mt19937& generator) {
+  std::uniform_int_distribution<int> sixteenths(12, 64);
+  const auto length = [&] { return sixteenths(generator) / 16.0; };
+  for (int kind = static_cast<int>(generator() % 4);;) {
+    FourBar f{length(), length(), length(), 0, 0};
+    if (kind == 0) {  // stretched
+      f.point = pi;
+      f.rocker = f.crank + f.base - f.coupler;
+    } else if (kind == 1) {  // folded
+      f.rocker = f.coupler + (generator() % 2 ? f.base - f.crank : f.crank - f.base);
+    } else if (kind == 2) {  // parallelogram
+      f.coupler = f.base, f.rocker = f.crank;
+      f.point = generator() % 2 ? pi : 0;
+    } else {  // kite
+      f.base = f.crank, f.rocker = f.coupler;
+    }
+    bool moves = f.rocker > 0.25 && (kind == 3 || f.base != f.crank);
+    for (int i = 1; i <= 20; ++i)
+      for (const int sign : {-1, 1}) moves &= f.closes_at(f.point + sign * i / 20.0);
+    if (moves) return f;
+  }
+}
+
+Scene scene_of(const FourBar& f, double drawn_at, int side, const Motion& crank) {
+  DyadChain chain{.crank = f.crank, .start = drawn_at, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {f.base, 0, 0}, f.coupler, f.rocker, side)};
+  return extremes::case_of("drawn", {chain}, {crank}, {-1, 0.01, 201}).scene;
+}
+
+/// How a motion meets the point at t = 0.
+struct Way {
+  const char* name;
+  bool passes;
+  Motion (*motion)(double point, double sign);  ///< from −0.7 sign before the point at t = −1
+};
+
+const Way ways[] = {
+    {"goes on", true,
+     [](double p, double s) -> Motion {
+       return Polynomial{{p, 0.7 * s}};
+     }},
+    {"rests", true,
+     [](double p, double s) -> Motion {
+       return Polynomial{{p, 0, 0, 0.7 * s}};
+     }},
+    {"turns back", false,
+     [](double p, double s) -> Motion {
+       return Polynomial{{p, 0, -0.7 * s}};
+     }},
+    {"rests and turns back", false,
+     [](double p, double s) -> Motion {
+       return Polynomial{{p, 0, 0, 0, -0.7 * s}};
+     }},
+    {"swings across", true,
+     [](double p, double s) -> Motion {
+       return HarmonicSum{p, {{0.7 * s, pi / 2, 0}}};
+     }},
+    {"swings back", false,
+     [](double p, double s) -> Motion {
+       return HarmonicSum{p - 0.35 * s, {{0.35 * s, pi, pi / 2}}};
+     }},
+};
+
+double distance(const Model& m, std::span<const double> q, const Mechanism::Vec& joint) {
+  const int c = m.entities[m.find("dyad1/C")].first;
+  return std::hypot(q[c] - joint[0], q[c + 1] - joint[1]);
+}
+
+/// Starts at the model's estimate at a time.
+bool start(const Model& m, double time, BranchPath& path) {
+  const ReferenceInstant s = double_solution(m, std::span(&time, 1)).front();
+  return path.start_at({time, {s.q, {}, {}}, {}});
+}
+
+/// A four-bar before a change point.
+struct DrawnScene {
+  FourBar bars;
+  int side;
+  double sign;  ///< of the crank's way to the point
+
+  explicit DrawnScene(std::mt19937& generator) : bars(drawn_four_bar(generator)) {
+    side = generator() % 2 ? 1 : -1;
+    sign = generator() % 2 ? 1 : -1;
+  }
+  Model model(const Motion& motion) const {
+    return make_model(scene_of(bars, bars.point - 0.7 * sign, side, motion));
+  }
+  /// Returns the joint on the point, from the middles of positions about it.
+  Mechanism::Vec joint_on_point() const {
+    const auto middle = [&](double distance, int i) {
+      const double near = sign * distance;
+      return (bars.joint(bars.point - near, side)[i] + bars.joint(bars.point + near, -side)[i]) / 2;
+    };
+    const double h = 1e-4;
+    return {(4 * middle(h, 0) - middle(2 * h, 0)) / 3, (4 * middle(h, 1) - middle(2 * h, 1)) / 3,
+            0};
+  }
+  /// Goes on from a passed point, and compares with the closed form.
+  void expect_continued(const Model& m, const PassedPoint& point, bool passes) const {
+    EXPECT_LE(distance(m, point.positions(m, 0), joint_on_point()), 1e-9);
+    BranchPath path(m);
+    ASSERT_TRUE(path.start_at(point.beyond()));
+    for (const double t : {0.25, 0.5, 1.0}) {
+      EXPECT_EQ(path.go_to(t).end, PathEnd::same);
+      const double theta = sample(m.drivers[0].motion, t).position;
+      const Mechanism::Vec joint = bars.joint(theta, passes ? -side : side);
+      EXPECT_LE(distance(m, path.present().values.position, joint), 1e-10) << t;
+    }
+  }
+};
+
+TEST(Passage, ContinuesSmoothly) {
+  std::mt19937 generator(41);
+  int passed = 0;
+  for (int i = 0; i < scenes; ++i) {
+    const Way& way = ways[i % std::size(ways)];
+    const DrawnScene scene(generator);
+    SCOPED_TRACE(std::to_string(i) + ' ' + way.name);
+    const Model m = scene.model(way.motion(scene.bars.point, scene.sign));
+    BranchPath path(m);
+    ASSERT_TRUE(start(m, -1, path));
+    ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
+    const std::optional<PassedPoint> point = pass_change_point(m, path.present());
+    if (!point) continue;
+    ++passed;
+    EXPECT_EQ(point->after, path.present().time);
+    scene.expect_continued(m, *point, way.passes);
+  }
+  std::cout << passed << " of " << scenes << " passed\n";
+  EXPECT_GE(passed, scenes * 95 / 100);
+}
+
+/// The way from the drawing leads to the point; the motion goes on from there, or back.
+TEST(Passage, BeginsOnThePoint) {
+  std::mt19937 generator(42);
+  int passed = 0;
+  for (int i = 0; i < scenes / 4; ++i) {
+    const DrawnScene scene(generator);
+    const bool passes = i % 2 == 0;
+    SCOPED_TRACE(i);
+    const double away = passes ? scene.sign : -scene.sign, point = scene.bars.point;
+    const Motion motion = i % 4 < 2 ? Motion(Polynomial{{point, 0.7 * away}})
+                                    : Motion(Polynomial{{point, 0, 0.7 * away}});
+    const double direction = 0.7 * scene.sign;
+    const Model drawn = scene.model(Polynomial{{point, direction}}), m = scene.model(motion);
+    BranchPath path(drawn);
+    ASSERT_TRUE(start(drawn, -1, path));
+    ASSERT_EQ(path.go_to(0).end, PathEnd::stuck);
+    const auto passage = pass_change_point(m, path.present(), std::span(&direction, 1), 0);
+    if (!passage) continue;
+    ++passed;
+    scene.expect_continued(m, *passage, passes);
+  }
+  EXPECT_GE(passed, scenes / 4 * 95 / 100);
+}
+
+/// A motion that comes to rest there for good has positions and nothing beyond.
+TEST(Passage, EndsOnThePoint) {
+  std::mt19937 generator(43);
+  const DrawnScene scene(generator);
+  const double point = scene.bars.point, direction = scene.sign;
+  const Model drawn = scene.model(Polynomial{{point, 0.7 * direction}});
+  const Model rests = scene.model(Polynomial{{point}});
+  BranchPath path(drawn);
+  ASSERT_TRUE(start(drawn, -1, path));
+  ASSERT_EQ(path.go_to(0).end, PathEnd::stuck);
+  const auto passage = pass_change_point(rests, path.present(), std::span(&direction, 1), 0);
+  ASSERT_TRUE(passage);
+  EXPECT_EQ(passage->before, INFINITY);
+  EXPECT_LE(distance(rests, passage->positions(rests, 5), scene.joint_on_point()), 1e-9);
+}
+
+TEST(Passage, StopsAtADeadPoint) {
+  const double locks = dead_point - pi / 3;
+  for (const Motion& motion :
+       {Motion(Polynomial{{dead_point, 1}}), Motion(Polynomial{{dead_point, 0, 0, 1}}),
+        Motion(Polynomial{{dead_point, 0, -1}})}) {
+    Model m = locking_four_bar();
+    ASSERT_GT(locks, 0.5);
+    m.drivers[0].motion = Polynomial{{pi / 3, 1}};
+    BranchPath path(m);
+    ASSERT_TRUE(start(m, 0, path));
+    ASSERT_EQ(path.go_to(locks + 0.1).end, PathEnd::stuck);
+    m.drivers[0].motion = motion;
+    const double direction = 1;
+    EXPECT_FALSE(pass_change_point(m, path.present(), std::span(&direction, 1), 0));
+  }
+}
+
+TEST(Passage, LeadsOnBesideOtherBranches) {
+  const Scene scene = scott_russell(0.1);
+  const Model m = make_model(scene);
+  BranchPath path(m);
+  ASSERT_TRUE(start(m, 0, path));
+  ASSERT_EQ(path.go_to(5).end, PathEnd::stuck);
+  const auto point = pass_change_point(m, path.present());
+  ASSERT_TRUE(point);
+  EXPECT_NEAR(point->time, 2, 1e-6);
+  const int c = m.coordinate("C.x");
+  EXPECT_NEAR(point->positions(m, 2)[c], 0, 1e-12);
+  ASSERT_TRUE(path.start_at(point->beyond()));
+  ASSERT_EQ(path.go_to(4).end, PathEnd::same);
+  EXPECT_NEAR(path.present().values.position[c], 2 * std::cos(150 * pi / 180), 1e-12);
+}
+
+/// Returns a parallelogram on an arm that turns, too. Two angles are driven.
+Model on_arm(const Motion& arm, const Motion& crank) {
+  Scene scene = parse_scene(R"({
+    "format": "desmo-scene", "version": 2,
+    "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "on_arm", "dimension": 2,
+      "points": {"O": [0, 0], "D": [2, 0], "B": [0.8, -0.6], "C": [2.8, -0.6]},
+      "ground": {"points": ["O"]},
+      "bodies": {"arm": {"points": ["O", "D"]}, "crank": {"points": ["O", "B"]},
+                 "coupler": {"points": ["B", "C"]}, "rocker": {"points": ["D", "C"]}},
+      "joints": [
+        {"type": "revolute", "bodies": ["ground", "arm"], "points": ["O"]},
+        {"type": "revolute", "bodies": ["ground", "crank"], "points": ["O"]},
+        {"type": "revolute", "bodies": ["crank", "coupler"], "points": ["B"]},
+        {"type": "revolute", "bodies": ["coupler", "rocker"], "points": ["C"]},
+        {"type": "revolute", "bodies": ["arm", "rocker"], "points": ["D"]}],
+      "coordinates": {"alpha": {"angle": ["O", "D"]}, "theta": {"angle": ["O", "B"]}},
+      "drivers": ["alpha", "theta"]},
+    "motion": {"alpha": {"type": "polynomial", "coefficients": [0]},
+               "theta": {"type": "polynomial", "coefficients": [0]}},
+    "time": {"end": 1, "step": 0.01}})",
+                            "on_arm.scene.json", "");
+  scene.motions = {arm, crank};
+  return make_model(scene);
+}
+
+/// Returns how far the coupler of such a parallelogram is from being parallel to the arm.
+double skew(const Model& m, std::span<const double> q) {
+  const auto at = [&](const char* name) { return m.value(name, q); };
+  return std::hypot(at("C.x") - at("B.x") - at("D.x"), at("C.y") - at("B.y") - at("D.y"));
+}
+
+TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
+  const Model both = on_arm(Polynomial{{0, 0.3, 0.2}}, Polynomial{{0, 1, 0.2}});
+  BranchPath path(both);
+  ASSERT_TRUE(start(both, -1, path));
+  ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
+  const auto point = pass_change_point(both, path.present());
+  ASSERT_TRUE(point);
+  EXPECT_LE(skew(both, point->positions(both, 0)), 1e-12);
+  ASSERT_TRUE(path.start_at(point->beyond()));
+  ASSERT_EQ(path.go_to(1).end, PathEnd::same);
+  EXPECT_LE(skew(both, path.present().values.position), 1e-12);
+
+  // Both drivers rest on the point, and the arm turns on while the crank turns back.
+  const Model back = on_arm(Polynomial{{0.343, 0, 0, 1}}, Polynomial{{0.343, 0, -1.3, 1}});
+  BranchPath returning(back);
+  ASSERT_TRUE(start(back, -0.7, returning));
+  ASSERT_EQ(returning.go_to(0.7).end, PathEnd::stuck);
+  const auto turn = pass_change_point(back, returning.present());
+  ASSERT_TRUE(turn);
+  ASSERT_TRUE(returning.start_at(turn->beyond()));
+  ASSERT_EQ(returning.go_to(0.7).end, PathEnd::same);
+  EXPECT_LE(skew(back, returning.present().values.position), 1e-12);
+
+  const Model first = on_arm(Polynomial{{0}}, Polynomial{{0, 1}});
+  BranchPath arriving(first);
+  ASSERT_TRUE(start(first, -0.7, arriving));
+  ASSERT_EQ(arriving.go_to(0).end, PathEnd::stuck);
+  const std::vector<double> direction{0, 1};
+  EXPECT_TRUE(pass_change_point(first, arriving.present(), direction, 0));
+  const Model corner = on_arm(Polynomial{{0, 0.5}}, Polynomial{{0, 1.2}});
+  EXPECT_FALSE(pass_change_point(corner, arriving.present(), direction, 0));
+}
+
+/// Returns a parallelogram whose crank is the rocker of a four-bar, which turns back just where the
+/// parallelogram could become an antiparallelogram: there the branches touch. crank: its angle in
+/// the drawing and where the motion begins, at t = −1 s.
+Model touching_branches(double crank) {
+  constexpr double base = 4, rocker = 2.5;
+  const double phi = std::acos((16 + 16 - rocker * rocker) / 32);  // crank and coupler in line
+  const double ex = (4 * std::cos(phi) - base) / rocker, ey = 4 * std::sin(phi) / rocker;
+  DyadChain chain{.crank = 1, .start = crank, .dyads = {}};
+  chain.dyads.push_back(closed_dyad(crank_pin(chain), {base, 0, 0}, 3, rocker, 1));
+  const Mechanism::Vec pin = chain.dyads[0].joint;
+  const Mechanism::Vec end{pin[0] + 2 * ex, pin[1] + 2 * ey, 0};
+  chain.dyads.push_back(
+      {{base + 2 * ex, 2 * ey, 0}, 2, rocker, end, std::atan2(pin[1], pin[0] - base)});
+  return make_model(
+      extremes::case_of("touching", {chain}, {Polynomial{{crank + 0.7, 0.7}}}, {-1, 0.01, 201})
+          .scene);
+}
+
+/// Mirrors the joint of the last dyad: the position on the other branch.
+std::vector<double> on_other_branch(const Model& m, std::vector<double> q, const char* from,
+                                    const std::string& dyad) {
+  const auto at = [&](const std::string& name) { return m.value(name, q); };
+  const std::string start(from), pivot = dyad + "/D", joint = dyad + "/C";
+  const double bx = at(start + ".x"), by = at(start + ".y"), dx = at(pivot + ".x") - bx,
+               dy = at(pivot + ".y") - by, cx = at(joint + ".x") - bx, cy = at(joint + ".y") - by;
+  const double along = (cx * dx + cy * dy) / (dx * dx + dy * dy);
+  const double x = bx + 2 * along * dx - cx, y = by + 2 * along * dy - cy;
+  const double psi = std::atan2(y - at(pivot + ".y"), x - at(pivot + ".x"));
+  q[m.coordinate(joint + ".x")] = x, q[m.coordinate(joint + ".y")] = y;
+  double& angle = q[m.coordinate(dyad + "/psi")];
+  angle += std::remainder(psi - angle, 2 * pi);
+  return q;
+}
+
+TEST(Passage, IsToldByTheFall) {
+  std::mt19937 generator(44);
+  for (int i = 0; i < 8; ++i) {
+    const DrawnScene scene(generator);
+    SCOPED_TRACE(i);
+    const Model m = scene.model(Polynomial{{scene.bars.point, 0.7 * scene.sign}});
+    BranchPath path(m);
+    ASSERT_TRUE(start(m, -1, path));
+    ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
+    StraightCrossing crossing(m, path.present(), std::span(&scene.sign, 1));
+    ASSERT_TRUE(crossing.find());
+    int level = 0;
+    while (crossing.distance(level) > crossing.reach()) ++level;
+    const auto at = [&](int l) {
+      const std::span<const double> q = crossing.go_to(crossing.distance(l))->values.position;
+      return std::vector<double>(q.begin(), q.end());
+    };
+    const double right = crossing.fall(level, at(level));
+    EXPECT_GE(right, 32);  // it is 64, where h is small enough
+    EXPECT_LT(right, 320);
+    const double other = crossing.fall(level, on_other_branch(m, at(level), "crank/B", "dyad1"));
+    EXPECT_LT(other, 3.2);  // 2
+    std::cout << right << ' ' << other << '\n';
+  }
+  // Branches that touch differ in the second derivative only.
+  const double direction = 1;
+  const Model m = touching_branches(0);
+  BranchPath path(m);
+  ASSERT_TRUE(start(m, -1, path));
+  ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
+  StraightCrossing crossing(m, path.present(), std::span(&direction, 1));
+  for (const int level : {4, 5, 6}) {
+    const double driver = crossing.line().at(crossing.distance(level))[0];
+    const double time = -1;
+    const auto right = double_solution(touching_branches(driver), std::span(&time, 1)).front().q;
+    const double other = crossing.fall(level, on_other_branch(m, right, "dyad1/C", "dyad2"));
+    std::cout << other << '\n';
+    EXPECT_GT(other, 3.2);
+    EXPECT_LT(other, 32);
+  }
+}
+
+}  // namespace
+}  // namespace desmo::passage_test
