@@ -58,10 +58,18 @@ struct LaneNumbers {
 #endif
   }
   friend LaneNumbers sin(const LaneNumbers& a) {
-    return of_each([](double x) { return std::sin(x); }, a);
+    return a.are_same() ? LaneNumbers(std::sin(a[0]))
+                        : of_each([](double x) { return std::sin(x); }, a);
   }
   friend LaneNumbers cos(const LaneNumbers& a) {
-    return of_each([](double x) { return std::cos(x); }, a);
+    return a.are_same() ? LaneNumbers(std::cos(a[0]))
+                        : of_each([](double x) { return std::cos(x); }, a);
+  }
+
+  /// Returns whether all lanes have the same bits, as those of a single block have.
+  bool are_same() const {
+    const Bits bits = (Bits)v;
+    return ((bits[0] ^ bits[1]) | (bits[0] ^ bits[2]) | (bits[0] ^ bits[3])) == 0;
   }
 
   static LaneNumbers load(const double* from) {

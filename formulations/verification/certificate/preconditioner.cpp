@@ -41,9 +41,63 @@ void Preconditioner::resize(int n, int m) {
   rows_.resize(n);
 }
 
+/// Inverts the matrix of a single block, which all lanes have. A register has columns of a row.
+void Preconditioner::invert_single(const BlockShape& s, const LaneNumbers* jacobian) {
+  constexpr int count = LaneNumbers::count;
+  const int n = s.unknowns, width = (n + count - 1) / count;
+  LaneNumbers* a = work_.data();
+  const auto entry = [&](int i, int j) { return a[i * width + j / count][j % count]; };
+  std::fill_n(a, n * width, LaneNumbers(0));
+  for (int i = 0; i < n; ++i) {
+    double largest = 0x1p-1000;
+    for (int e = s.row_begins[i]; e < s.input_begins[i]; ++e) {
+      const int j = s.entries[e];
+      a[i * width + j / count].set(j % count, jacobian[e][0]);
+      largest = std::max(largest, std::abs(jacobian[e][0]));
+    }
+    scales_[i] = 1 / largest;
+  }
+  for (int k = 0; k < n; ++k) {
+    int pivot = k;
+    double best = -1;
+    for (int i = k; i < n; ++i)
+      if (const double score = std::abs(entry(i, k)) * scales_[i][0]; score > best)
+        best = score, pivot = i;
+    rows_[k] = pivot;
+    LaneNumbers* const row = a + k * width;
+    if (pivot != k) {
+      std::swap(scales_[k], scales_[pivot]);
+      std::swap_ranges(row, row + width, a + pivot * width);
+    }
+    const LaneNumbers scale = 1 / entry(k, k);
+    row[k / count].set(k % count, 1);
+    for (int j = 0; j < width; ++j) row[j] *= scale;
+    for (int i = 0; i < n; ++i) {
+      const double factor = -entry(i, k);
+      if (i == k || factor == 0) continue;
+      LaneNumbers* const to = a + i * width;
+      to[k / count].set(k % count, 0);
+      for (int j = 0; j < width; ++j) to[j] = fma(factor, row[j], to[j]);
+    }
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) inverse[i * n + j] = entry(i, j);
+  swap_columns(n, inverse.data());
+}
+
+/// Puts the columns of an inverse in their places, after rows were exchanged.
+void Preconditioner::swap_columns(int n, LaneNumbers* a) const {
+  for (int k = n; k-- > 0;)
+    if (rows_[k] != k)
+      for (int i = 0; i < n; ++i) std::swap(a[i * n + k], a[i * n + rows_[k]]);
+}
+
 /// Finds Y with pivots that are large in their rows in all these lanes.
 void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
   const int n = s.unknowns;
+  if (n > LaneNumbers::count &&
+      std::all_of(jacobian, jacobian + s.row_begins[n], [](auto& x) { return x.are_same(); }))
+    return invert_single(s, jacobian);
   LaneNumbers* a = work_.data();
   std::fill_n(a, n * n, LaneNumbers(0));
   for (int i = 0; i < n; ++i) {
@@ -68,9 +122,7 @@ void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, La
     }
     n == 3 ? eliminate<3>(a, n, k) : eliminate<0>(a, n, k);
   }
-  for (int k = n; k-- > 0;)
-    if (rows_[k] != k)
-      for (int i = 0; i < n; ++i) std::swap(a[i * n + k], a[i * n + rows_[k]]);
+  swap_columns(n, a);
   for (int i = 0; i < n * n; ++i) inverse[i] = select(lanes, a[i], inverse[i]);
 }
 

@@ -26,6 +26,8 @@ struct Preconditioner {
 
  private:
   void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
+  void invert_single(const BlockShape& shape, const LaneNumbers* jacobian);
+  void swap_columns(int n, LaneNumbers* a) const;
   void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int column, int one,
                 LaneNumbers* to, int stride) const;
   void find_remainder(const BlockShape& shape, const LaneNumbers* jacobian);

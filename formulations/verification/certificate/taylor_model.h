@@ -20,6 +20,8 @@ struct Coefficient {
     using std::abs;
     return abs(x);
   }
+  /// Returns whether a product with it is to be left out, which pays where numbers are expensive.
+  static constexpr bool is_none(const S&) { return false; }
   /// Returns by how much the function of a number that is f there may be off: sine and cosine are
   /// within one unit in the last place.
   static S uncertainty_of_turn(const S& f) { return magnitude(f) * S(2 * unit); }
@@ -29,6 +31,9 @@ struct Coefficient<Compensated<double>> {
   using Bound = double;
   static constexpr double unit = 0;
   static double magnitude(const Compensated<double>& x) { return x.enclosure().magnitude(); }
+  static bool is_none(const Compensated<double>& x) {
+    return x.value == 0 && x.correction == 0 && x.radius == 0;
+  }
   static double uncertainty_of_turn(const Compensated<double>&) { return 0; }
 };
 
@@ -89,8 +94,11 @@ struct TaylorModel {
   friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) { return a + (-b); }
   friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
     TaylorModel r;
-    for (int i = 0; i <= D; ++i)
-      for (int k = 0; i + k <= D; ++k) r.c[i + k] = r.c[i + k] + a.c[i] * b.c[k];
+    for (int i = 0; i <= D; ++i) {
+      if (Traits::is_none(a.c[i])) continue;
+      for (int k = 0; i + k <= D; ++k)
+        if (!Traits::is_none(b.c[k])) r.c[i + k] = r.c[i + k] + a.c[i] * b.c[k];
+    }
     // Terms above degree D are cut: aᵢ bₖ with i + k > D.
     Bound cut(0), of_b(0);
     for (int i = 1; i <= D; ++i) {
@@ -137,20 +145,20 @@ struct TaylorModel {
     Bound last(1);  // dᵏ/k!, and in the end k = D + 1
     for (int k = 1; k <= D + 1; ++k) last = last * far * Bound((1 + 0x1p-51) / k);
     TaylorModel sum;
-    for (int k = D; k >= 0; --k) {
-      TaylorModel f;
-      f.c[0] = derivatives[k % 4];
-      f.rest = Traits::uncertainty_of_turn(f.c[0]);
-      sum = sum * d + reciprocal_of_factorial(k) * f;
-    }
+    for (int k = D; k >= 0; --k) sum = sum * d + term(k, derivatives[k % 4]);
     sum.rest = with_rounding(sum.rest + last, Bound(0));
     return sum;
   }
-  static TaylorModel reciprocal_of_factorial(int k) {
+  /// Returns f/k!, a constant, of a sine or cosine f.
+  static TaylorModel term(int k, const S& f) {
     double factorial = 1;
     for (int i = 2; i <= k; ++i) factorial *= i;
-    TaylorModel r(1 / factorial);
-    if (k > 2) r.rest = Bound(0x1p-53 / factorial);  // the first three are exact
+    const Bound of_f = Traits::uncertainty_of_turn(f),
+                of_factor = k > 2 ? 0x1p-53 / factorial : 0;  // the first three are exact
+    TaylorModel r;
+    r.c[0] = S(1 / factorial) * f;
+    r.rest = with_rounding(of_f * Bound(1 / factorial) + of_factor * (Traits::magnitude(f) + of_f),
+                           Traits::magnitude(r.c[0]));
     return r;
   }
 };
