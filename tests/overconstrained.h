@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "cases/mechanism/builder.h"
+#include "cases/mechanism/directions.h"
 #include "cases/mechanism/scene.h"
 
 namespace desmo {
@@ -47,9 +49,12 @@ inline Scene bennett(long double start, int digits, long double size = 1,
   MechanismBuilder d("bennett", 3);
   Vec x{1, 0, 0}, z{0, 0, 1}, at{from_origin, from_origin, 0};
   std::array<int, 4> p, v, link;
+  std::array<std::array<Derived, 3>, 4> axes;
   for (int i = 0; i < 4; ++i) {
     p[i] = d.point("P" + std::to_string(i + 1), all_typed(at));
-    v[i] = d.vector("z" + std::to_string(i + 1), all_typed(z));
+    const Mechanism::Vec axis = all_typed(z);
+    v[i] = d.vector("z" + std::to_string(i + 1), *unit_vector(axis));
+    axes[i] = {axis[0], axis[1], axis[2]};
     x = turned(x, z, angles[i]);
     for (int k = 0; k < 3; ++k) at[k] += lengths[i % 2] * x[k];
     z = turned(z, x, twists[i % 2]);

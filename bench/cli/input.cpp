@@ -17,6 +17,7 @@
 #include "cases/io/text_file.h"
 #include "cases/library/library.h"
 #include "cases/mechanism/names.h"
+#include "formulations/modelling/contradiction_error.h"
 
 namespace desmo::cli {
 namespace {
@@ -155,6 +156,8 @@ void protect_input(const std::string& output, const Input& input, const std::str
 ModellingResult model_mechanism(const Input& input) {
   try {
     return desmo::model_mechanism(input.scene.mechanism, input.scene.motions);
+  } catch (const ContradictionError& error) {
+    throw InputError(input.source + ": " + error.text(input.units.length));
   } catch (const std::invalid_argument& error) {
     throw InputError(input.source + ": " + error.what());
   }

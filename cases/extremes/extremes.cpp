@@ -22,7 +22,7 @@ std::span<const Extreme> all_extremes() {
               "group and instant named, the rest right; goes on when it reopens", &lock_up},
       Extreme{5, "branches", "steps of 0.01 … 3 rad, starts from anywhere",
               "the declared branch or a failure", &branches},
-      Extreme{6, "over-constrained", "mobile with a surplus; contradictory by 1e-6",
+      Extreme{6, "over-constrained", "mobile with a surplus; contradictory by 0.01",
               "converges, the redundancy reported; refused", &redundant},
       Extreme{7, "scales", "lengths × 1e±9, both in one model, × 1e±150",
               "4 times the error at scale 1, as many iterations ± 1 a step", &scales},

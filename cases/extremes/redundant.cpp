@@ -136,8 +136,8 @@ std::vector<ExtremeCase> redundant(Extent) {
       bennett("Bennett's mechanism to rest there", 2, {{pi - 1, 2, -1}}),
       bennett("Bennett's mechanism to a tolerance of 1e-15", 1, {{1, 1}}, 1e-15)};
   for (ExtremeCase& c : all) c.is_redundant = true;
-  for (const ExtremeCase& c : {parallel_cranks("the cranks, contradictory by 1e-6", 1e-6),
-                               bricard("Bricard's mechanism, contradictory by 1e-6", 1e-6)}) {
+  for (const ExtremeCase& c : {parallel_cranks("the cranks, contradictory by 0.01", 0.01),
+                               bricard("Bricard's mechanism, contradictory by 0.01", 0.01)}) {
     all.push_back(c);
     all.back().is_refused = true;
   }

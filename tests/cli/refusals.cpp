@@ -77,6 +77,28 @@ TEST_F(Cli, SaysWhenRoundingLeavesMoreThanTheTolerance) {
       << err_;
 }
 
+/// Three cranks carry a coupler where two would do; the third is 2 mm too long for its drawing.
+TEST_F(Cli, SaysInTheUnitsOfTheFileHowConstraintsContradictEachOther) {
+  write("cranks.json", R"({"format": "desmo-mechanism", "version": 1, "dimension": 2,
+    "units": {"length": "mm"},
+    "points": {"A": [0, 0], "B": [40, 0], "C": [100, 0],
+               "D": [12, 16], "E": [52, 16], "F": [113.2, 17.6]},
+    "ground": {"points": ["A", "B", "C"]},
+    "bodies": {"first": {"points": ["A", "D"]}, "second": {"points": ["B", "E"]},
+               "third": {"points": ["C", "F"]}, "coupler": {"points": ["D", "E", "F"]}},
+    "joints": [
+      {"type": "revolute", "bodies": ["ground", "first"], "points": ["A"]},
+      {"type": "revolute", "bodies": ["ground", "second"], "points": ["B"]},
+      {"type": "revolute", "bodies": ["ground", "third"], "points": ["C"]},
+      {"type": "revolute", "bodies": ["first", "coupler"], "points": ["D"]},
+      {"type": "revolute", "bodies": ["second", "coupler"], "points": ["E"]},
+      {"type": "revolute", "bodies": ["third", "coupler"], "points": ["F"]}],
+    "coordinates": {"theta": {"angle": ["A", "D"]}}, "drivers": ["theta"]})");
+  EXPECT_EQ(desmo("inspect cranks.json"), 65);
+  EXPECT_TRUE(says("' is off by ")) << err_;
+  EXPECT_TRUE(says(" mm at best")) << err_;
+}
+
 TEST_F(Cli, FailedRunsNameThePlaceAndLeaveNothing) {
   write("locks.json", locks);
   EXPECT_EQ(desmo("solve locks.json -o out/motion.csv"), 1);

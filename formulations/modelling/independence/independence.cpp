@@ -18,28 +18,32 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Of natural magnitudes: far enough for what contradicts itself by a millionth to show, although
-/// other bodies give way to first order.
+/// Movement of the drivers, in natural magnitudes: far enough for equations that contradict each
+/// other to show it, although other bodies give way to first order.
 constexpr double moved = 0.1;
-/// Near enough, each, for Newton's method.
+/// Near enough, each, for Newton's method; an even number.
 constexpr int steps = 10;
-
-/// Rounding, beside that.
-constexpr double agrees = 1e-10;
 
 /// Φ where Gauss and Newton's method, over the unknowns alone, ends; the state with it.
 VectorXd min_residual(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int most = 50;
+  constexpr double vanishes = 1e-12;
   for (int iteration = 0;; ++iteration) {
     const Linearisation now = lineariser.at(state, s);
     const VectorXd off = now.relative_phi();
-    if (iteration == most || !off.allFinite() || !(off.lpNorm<Eigen::Infinity>() > agrees / 100))
+    if (iteration == most || !off.allFinite() || !(off.lpNorm<Eigen::Infinity>() > vanishes))
       return off;
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));
-    step.head(s.unknowns) = -smallest_correction(now.jacobian.leftCols(s.unknowns), now.phi);
+    step.head(s.unknowns) = -smallest_correction(s, now.jacobian.leftCols(s.unknowns), now.phi);
     if (!(step.norm() > 1e-14)) return off;
     lineariser.move(state, s, step);
   }
+}
+
+/// Returns the misfit after a movement by one natural magnitude, from that after `moved` and half
+/// of it: it grows with the movement and its square.
+VectorXd extrapolated(const VectorXd& half, const VectorXd& whole) {
+  return (4 * half - whole) / moved + (2 * whole - 4 * half) / (moved * moved);
 }
 
 /// The length that an equation's points are judged by, or 1.
@@ -50,7 +54,8 @@ double unit_of(const Model& m, const Constraint& c) {
 }
 
 /// Moves a group's drivers a little from an assembled position, first forwards, then backwards.
-/// Returns nullopt when all its candidates, dependent ones included, can follow in one direction.
+/// Returns nullopt when all its candidates, dependent ones included, can follow in one direction
+/// but for max_misfit, extrapolated to a movement by one natural magnitude.
 std::optional<Contradiction> find_contradiction(const Model& m, const GroupSystem& s,
                                                 const std::vector<double>& position,
                                                 Lineariser& lineariser) {
@@ -60,14 +65,16 @@ std::optional<Contradiction> find_contradiction(const Model& m, const GroupSyste
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));
     step.tail(s.drivers()).setConstant(way / steps);
     std::vector<double> state = position;
-    VectorXd phi;
-    for (int i = 0; i < steps; ++i) {
+    VectorXd half, whole;
+    for (int i = 1; i <= steps; ++i) {
       lineariser.move(state, s, step);
-      phi = min_residual(state, s, lineariser);
+      whole = min_residual(state, s, lineariser);
+      if (i == steps / 2) half = whole;
     }
     Eigen::Index worst = 0;
-    const double off = phi.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);
-    if (off <= agrees) return {};
+    const double off = whole.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);
+    const VectorXd far = extrapolated(half, whole);
+    if (off <= max_misfit && far.cwiseAbs().maxCoeff() <= max_misfit) return {};
     const int constraint = s.rows[worst].first;
     found = {constraint, off * unit_of(m, m.constraints[constraint]), way};
   }
@@ -97,7 +104,7 @@ std::vector<std::string> sources(const Model& m, const GroupSystem& s, const Sel
 }
 
 /// Marks what was not selected in the mechanism.
-void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected, bool redundant,
+void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
                    std::vector<LeftOut>& left_out) {
   for (std::size_t i = 0; i < selected.taken.size(); ++i) {
     if (selected.taken[i]) continue;
@@ -105,7 +112,7 @@ void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
     m.constraints[c].left_out |= 1u << row;
     const bool another_row = !left_out.empty() && left_out.back().group == s.group &&
                              left_out.back().equation == m.constraints[c].name;
-    if (!another_row) left_out.push_back({m.constraints[c].name, {}, s.group, {}, redundant});
+    if (!another_row) left_out.push_back({m.constraints[c].name, {}, s.group, {}, s.redundant});
     left_out.back().rows.push_back(row);
     for (const std::string& name : sources(m, s, selected, static_cast<int>(i)))
       if (std::ranges::find(left_out.back().follows_from, name) ==
@@ -119,6 +126,7 @@ void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
 std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus) {
   Model& m = candidates.model;
   std::vector<GroupSystem> systems = group_systems(m);
+  for (GroupSystem& s : systems) s.redundant = surplus[s.group] > 0;
   Linearisers linearisers(m);
   const JudgedPositions positions = assemble_positions(m, systems, linearisers);
   RowSelector selector(candidates, positions, linearisers);
@@ -126,12 +134,12 @@ std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vect
   for (GroupSystem& s : systems) {
     SelectedRows selected = selector.select(s);
     std::optional<Contradiction> contradiction;
-    if (surplus[s.group] > 0 && s.drivers() > 0)
+    if (s.redundant && s.drivers() > 0)
       contradiction = find_contradiction(m, s, positions[1], linearisers.usual);
     // Of whole definitions: parts of them contradict nothing.
     require_determined(m, s, selected, contradiction);
     selector.shorten(s, selected);
-    mark_left_out(m, s, selected, surplus[s.group] > 0, left_out);
+    mark_left_out(m, s, selected, left_out);
   }
   return left_out;
 }

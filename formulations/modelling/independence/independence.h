@@ -9,19 +9,21 @@
 namespace desmo {
 
 /// Leaves out dependent scalar equations (sets Constraint::left_out), so that each group has as
-/// many equations as unknowns. BranchMonitor checks the equations left out.
+/// many equations as unknowns. LeftOutEquations checks those left out.
 ///
 /// Equations are selected in this order: linear ones first, then by number of entries, by Origin,
 /// by position. An equation is left out if its gradient by the group's unknowns depends on those
 /// selected before. Rank may be lower at a special position. Therefore the nominal and two
-/// perturbed positions are assembled, and the one of highest rank decides. A definition of several
+/// perturbed positions are assembled, and the one of highest rank decides. In a group that closes
+/// only to the digits of its file, equations depend that differ by no more. A definition of several
 /// equations with only one selected is replaced by its ScalarDefinition.
 ///
 /// surplus: for each group, restrictions minus freedoms.
 /// Throws std::invalid_argument, naming group, bodies and equations, when
 /// - the nominal position cannot be assembled,
 /// - a group is under-constrained,
-/// - a group cannot follow its drivers (too many drivers or contradictory constraints).
+/// - a group cannot follow its drivers (too many drivers, or constraints that contradict each other
+///   by more than 1e-4 of its size).
 std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus);
 
 }  // namespace desmo

@@ -122,14 +122,15 @@ bool RowSpace::add(Eigen::VectorXd row, double uncertain) {
   for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding left
     row -= basis_.leftCols(rank_) * (basis_.leftCols(rank_).transpose() * row);
   const double remaining = row.norm();
-  if (!(remaining > std::max(dependent_below, uncertainty_margin * uncertain))) return false;
+  if (!(remaining > std::max(dependent_below_, uncertainty_margin * uncertain))) return false;
   basis_.col(rank_++) = row / remaining;
   return true;
 }
 
-Eigen::MatrixXd smallest_correction(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& phi) {
+Eigen::MatrixXd smallest_correction(const GroupSystem& s, const Eigen::MatrixXd& jacobian,
+                                    const Eigen::MatrixXd& phi) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(dependent_below);
+  decomposition.setThreshold(s.dependent_below);
   return decomposition.compute(jacobian).solve(phi);
 }
 

@@ -8,6 +8,15 @@
 
 namespace desmo {
 
+/// A row of length 1 depends on others when its component orthogonal to them is not longer than
+/// this.
+inline constexpr double dependent_below = 1e-6;
+/// The same in a group that closes only to the digits of its file. These may leave a misfit of as
+/// much, over its lengths; what closes less is refused.
+inline constexpr double max_misfit = 1e-4;
+/// The same of a row whose derivatives are uncertain, times that.
+inline constexpr double uncertainty_margin = 10;
+
 /// The system of a group: its candidate equations are rows; its unknowns, then drivers, are
 /// columns.
 struct GroupSystem {
@@ -16,7 +25,10 @@ struct GroupSystem {
   std::vector<int> columns;               ///< coordinates
   int unknowns = 0;                       ///< number of columns that are unknowns
   std::vector<std::pair<int, int>> rows;  ///< constraint and its row
+  bool redundant = false;                 ///< the group has more restrictions than freedoms
+  double dependent_below = desmo::dependent_below;
 
+  bool closes_nearly() const { return dependent_below == max_misfit; }
   int drivers() const { return static_cast<int>(columns.size()) - unknowns; }
 };
 
@@ -66,16 +78,11 @@ class Lineariser {
   std::vector<int> column_;    // column of each component in the current system, or -1
 };
 
-/// A row of length 1 depends on others when its component orthogonal to them is not longer than
-/// this.
-inline constexpr double dependent_below = 1e-6;
-/// The same of a row whose derivatives are uncertain, times that.
-inline constexpr double uncertainty_margin = 10;
-
 /// The span of independent rows, added one by one.
 class RowSpace {
  public:
-  explicit RowSpace(int columns) : basis_(columns, columns) {}
+  explicit RowSpace(const GroupSystem& system, int columns)
+      : basis_(columns, columns), dependent_below_(system.dependent_below) {}
 
   /// Adds a row of length ≤ 1 if it is independent of the rows before. Returns whether it was.
   /// uncertain: by how much its derivatives may be off, relative to the largest.
@@ -84,11 +91,13 @@ class RowSpace {
 
  private:
   Eigen::MatrixXd basis_;
+  double dependent_below_;
   int rank_ = 0;
 };
 
 /// Returns the minimum-norm least-squares solution x of J x = φ, which also serves dependent
 /// equations. phi: one φ or several, side by side.
-Eigen::MatrixXd smallest_correction(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& phi);
+Eigen::MatrixXd smallest_correction(const GroupSystem& system, const Eigen::MatrixXd& jacobian,
+                                    const Eigen::MatrixXd& phi);
 
 }  // namespace desmo

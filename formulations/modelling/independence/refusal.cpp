@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
-#include "formulations/scaling/characteristic_lengths.h"
+#include "cases/mechanism/formatted.h"
+#include "formulations/modelling/contradiction_error.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo {
@@ -37,22 +37,11 @@ std::string counted(int n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-/// Freedoms that the candidates leave to a group, drivers free, at the most general position.
-int mobility(const GroupSystem& s, const SelectedRows& selected) {
-  int rank = 0;
-  for (const MatrixXd& jacobian : selected.jacobians) {
-    RowSpace space(static_cast<int>(s.columns.size()));
-    for (int i = 0; i < jacobian.rows(); ++i) space.add(jacobian.row(i).transpose());
-    rank = std::max(rank, space.rank());
-  }
-  return static_cast<int>(s.columns.size()) - rank;
-}
-
 /// The entity that moves most when all candidates and drivers hold.
 std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& selected) {
   const MatrixXd j = selected.jacobians[1].leftCols(s.unknowns);
   MatrixXd moves = MatrixXd::Identity(s.unknowns, s.unknowns);  // by one unknown each
-  if (j.size() > 0) moves -= smallest_correction(j, j);
+  if (j.size() > 0) moves -= smallest_correction(s, j, j);
   Eigen::Index loosest = 0;
   moves.colwise().norm().maxCoeff(&loosest);
   Eigen::Index largest = 0;
@@ -60,26 +49,20 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
   return m.entities[entity_of_coordinate(m)[s.columns[largest]]].name;
 }
 
-/// "with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best"
-std::string described(const Contradiction& c, const Model& m, const GroupSystem& s) {
-  char moved[24], amount[24];
-  std::snprintf(moved, sizeof moved, "%g", c.moved);
-  std::snprintf(amount, sizeof amount, "%.1e", c.amount);
+/// "…: with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best"
+[[noreturn]] void refuse(const std::string& text, const Contradiction& c, const Model& m,
+                         const GroupSystem& s) {
   const Constraint& constraint = m.constraints[c.constraint];
-  const bool has_unit =
-      m.length_unit != "1" && std::ranges::any_of(constraint.operands, [&](EntityId e) {
-        return is_length(m.entities[e].kind);
-      });
-  return "with its drivers (" + driver_names(m, s) + ") moved by " + moved + ", '" +
-         constraint.name + "' is off by " + amount + (has_unit ? " " + m.length_unit : "") +
-         " at best";
+  const bool is_of_length = std::ranges::any_of(
+      constraint.operands, [&](EntityId e) { return is_length(m.entities[e].kind); });
+  throw ContradictionError(text + ": with its drivers (" + driver_names(m, s) + ") moved by " +
+                               formatted("%g", c.moved) + ", '" + constraint.name + "' is off by ",
+                           c.amount, " at best", is_of_length ? m.length_unit : "1");
 }
 
 /// "rounding of its positions is 2e-06 of the shortest of its lengths"
 std::string unclear(double uncertain) {
-  char share[16];
-  std::snprintf(share, sizeof share, "%.0e", uncertain);
-  return std::string("rounding of its positions is ") + share + " of the shortest of its lengths";
+  return formatted("rounding of its positions is %.0e of the shortest of its lengths", uncertain);
 }
 
 }  // namespace
@@ -98,17 +81,18 @@ void require_determined(const Model& m, const GroupSystem& s, const SelectedRows
   const int count = static_cast<int>(std::ranges::count(selected.taken, true));
   const bool some_left = count < static_cast<int>(selected.taken.size());
   if (count == s.unknowns && (!some_left || s.drivers() == 0)) return;
-  const int freedoms = mobility(s, selected);
-  if (freedoms < s.drivers())
-    throw std::invalid_argument(
+  const int freedoms = mobility(s, selected.jacobians);
+  if (freedoms < s.drivers()) {
+    const std::string text =
         where(m, s) + "over-constrained: " + counted(freedoms, "freedom") + " for " +
         counted(s.drivers(), "driver") + " (" + driver_names(m, s) +
-        "); too many drivers, or constraints that contradict each other as it moves" +
-        (contradiction ? ": " + described(*contradiction, m, s) : ""));
+        "); too many drivers, or constraints that contradict each other as it moves";
+    if (contradiction) refuse(text, *contradiction, m, s);
+    throw std::invalid_argument(text);
+  }
   if (count == s.unknowns && contradiction)
-    throw std::invalid_argument(where(m, s) +
-                                "inconsistent: constraints contradict each other as it moves: " +
-                                described(*contradiction, m, s));
+    refuse(where(m, s) + "inconsistent: constraints contradict each other as it moves",
+           *contradiction, m, s);
   if (count == s.unknowns) return;
   if (uncertainty_margin * selected.uncertain > dependent_below)
     throw std::invalid_argument(

@@ -25,6 +25,7 @@ using Eigen::VectorXd;
 bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int most = 100;
   constexpr double vanishes = 1e-9;
+  const double closes = s.closes_nearly() ? max_misfit : vanishes;
   double largest = INFINITY;
   for (int iteration = 0; iteration < most; ++iteration) {
     const Linearisation now = lineariser.at(state, s);
@@ -32,11 +33,11 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
     if (now.phi.size() == 0) return true;
     const double before = std::exchange(largest, now.relative_phi().lpNorm<Eigen::Infinity>());
     if (largest < 1e-13 || (largest < vanishes && !(largest < before / 2))) return true;
-    const VectorXd step = smallest_correction(now.jacobian, now.phi);
+    const VectorXd step = smallest_correction(s, now.jacobian, now.phi);
     lineariser.move(state, s, -step);
     if (!(step.norm() > 1e-14)) break;
   }
-  return largest < vanishes;
+  return largest < closes;
 }
 
 /// Assembles a group by the longest lengths. Where these lose small bodies on large ones, assembles
@@ -52,19 +53,34 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Linearisers& lin
   return assemble(state, s, linearisers.of_small);
 }
 
-/// Moves every group a little along its freedoms and assembles it anew.
+/// Assembles a redundant group, at least to the digits of its file.
+bool assemble_nearly(std::vector<double>& state, GroupSystem& s, Linearisers& linearisers) {
+  const std::vector<double> estimate = state;
+  if (assemble(state, s, linearisers)) return true;
+  if (!s.redundant || s.closes_nearly()) return false;
+  GroupSystem nearly = s;
+  nearly.dependent_below = max_misfit;
+  state = estimate;
+  if (!assemble(state, nearly, linearisers)) return false;
+  s = nearly;
+  return true;
+}
+
+/// Moves every group a little along its freedoms and assembles it anew. nearly: redundant groups
+/// may close only to the digits of their file.
 std::optional<std::vector<double>> perturb(std::vector<double> state, double amount, int seed,
-                                           const std::vector<GroupSystem>& systems,
-                                           Linearisers& linearisers) {
+                                           std::vector<GroupSystem>& systems,
+                                           Linearisers& linearisers, bool nearly) {
   Lineariser& lineariser = linearisers.usual;
   std::mt19937 random(seed);
-  for (const GroupSystem& s : systems) {
+  for (GroupSystem& s : systems) {
     const Eigen::MatrixXd jacobian = lineariser.at(state, s).jacobian;
     VectorXd step(s.columns.size());
     for (double& x : step) x = amount * (random() / 2147483648.0 - 1);
-    if (jacobian.size() > 0) step -= smallest_correction(jacobian, jacobian * step);
+    if (jacobian.size() > 0) step -= smallest_correction(s, jacobian, jacobian * step);
     lineariser.move(state, s, step);
-    if (!assemble(state, s, linearisers)) return std::nullopt;
+    if (!(nearly ? assemble_nearly(state, s, linearisers) : assemble(state, s, linearisers)))
+      return std::nullopt;
   }
   return state;
 }
@@ -108,6 +124,14 @@ bool make_scalar(Constraint& constraint) {
   return shorter;
 }
 
+JudgedJacobians judged_jacobians(const GroupSystem& s, const JudgedPositions& positions,
+                                 Linearisers& linearisers) {
+  JudgedJacobians jacobians;
+  for (std::size_t p = 0; p < positions.size(); ++p)
+    jacobians[p] = linearisers.usual.at(positions[p], s).jacobian;
+  return jacobians;
+}
+
 }  // namespace
 
 RowSelector::RowSelector(Candidates& candidates, const JudgedPositions& positions,
@@ -142,14 +166,13 @@ void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
 /// special one.
 SelectedRows RowSelector::select(const GroupSystem& s) {
   SelectedRows selected;
-  for (std::size_t p = 0; p < positions_.size(); ++p)
-    selected.jacobians[p] = linearisers_.usual.at(positions_[p], s).jacobian;
+  selected.jacobians = judged_jacobians(s, positions_, linearisers_);
   const std::vector<int> order = preference(s);
   int best_rank = -1;
   const auto take_rows = [&](const Eigen::MatrixXd& jacobian, const std::vector<bool>& among,
                              const VectorXd& uncertain) {
     std::vector<bool> taken(s.rows.size(), false);
-    RowSpace space(s.unknowns);
+    RowSpace space(s, s.unknowns);
     for (const int i : order)
       if (among[i])
         taken[i] = space.add(jacobian.row(i).head(s.unknowns).transpose(), uncertain[i]);
@@ -214,25 +237,61 @@ bool RowSelector::shorten_definitions(const GroupSystem& s, const std::vector<bo
   return any;
 }
 
-JudgedPositions assemble_positions(const Model& m, const std::vector<GroupSystem>& systems,
-                                   Linearisers& linearisers) {
+int mobility(const GroupSystem& s, const JudgedJacobians& jacobians) {
+  const int columns = static_cast<int>(s.columns.size());
+  int rank = 0;
+  for (const Eigen::MatrixXd& jacobian : jacobians) {
+    RowSpace space(s, columns);
+    for (int i = 0; i < jacobian.rows(); ++i) space.add(jacobian.row(i).transpose());
+    rank = std::max(rank, space.rank());
+  }
+  return columns - rank;
+}
+
+namespace {
+
+JudgedPositions assembled(const Model& m, std::vector<GroupSystem>& systems,
+                          Linearisers& linearisers) {
   JudgedPositions positions;
   std::vector<double>& nominal = positions[0];
   nominal = m.estimate;
   nominal.insert(nominal.end(), m.fixed_values.begin(), m.fixed_values.end());
-  for (const GroupSystem& s : systems) {
-    if (!assemble(nominal, s, linearisers))
+  for (GroupSystem& s : systems) {
+    if (!assemble_nearly(nominal, s, linearisers))
       refuse_assembly(m, s, linearisers.of_small.at(nominal, s).relative_phi());
   }
-  for (std::size_t p = 1; p < positions.size(); ++p) {
-    positions[p] = nominal;
-    for (double amount = 0.02; amount > 0.002; amount /= 2)
-      if (auto state = perturb(nominal, amount, static_cast<int>(p), systems, linearisers)) {
-        positions[p] = std::move(*state);
-        break;
-      }
-  }
+  const auto perturbed = [&](int seed) -> std::optional<std::vector<double>> {
+    for (const bool nearly : {false, true})
+      for (double amount = 0.02; amount > 0.002; amount /= 2)
+        if (auto state = perturb(nominal, amount, seed, systems, linearisers, nearly)) return state;
+    return {};
+  };
+  for (std::size_t p = 1; p < positions.size(); ++p)
+    positions[p] = perturbed(static_cast<int>(p)).value_or(nominal);
   return positions;
+}
+
+/// Returns whether a group follows its drivers.
+bool follows(const GroupSystem& s, const JudgedJacobians& jacobians) {
+  return mobility(s, jacobians) >= s.drivers();
+}
+
+}  // namespace
+
+JudgedPositions assemble_positions(const Model& m, std::vector<GroupSystem>& systems,
+                                   Linearisers& linearisers) {
+  const JudgedPositions positions = assembled(m, systems, linearisers);
+  bool again = false;
+  for (GroupSystem& s : systems) {
+    if (!s.redundant || s.closes_nearly() || s.drivers() == 0) continue;
+    const JudgedJacobians jacobians = judged_jacobians(s, positions, linearisers);
+    GroupSystem nearly = s;
+    nearly.dependent_below = max_misfit;
+    if (follows(s, jacobians) || !follows(nearly, jacobians)) continue;
+    s = nearly;
+    again = true;
+  }
+  return again ? assembled(m, systems, linearisers) : positions;
 }
 
 }  // namespace desmo

@@ -23,10 +23,19 @@ struct Linearisers {
 };
 
 /// Assembles these positions. Each group may move its unknowns and its drivers. A perturbed
-/// position that cannot be assembled is replaced by the nominal one. Throws std::invalid_argument,
-/// naming group, bodies and constraint, when the nominal position cannot be assembled.
-JudgedPositions assemble_positions(const Model& model, const std::vector<GroupSystem>& systems,
+/// position that cannot be assembled is replaced by the nominal one. Where a redundant group cannot
+/// be assembled, or not move with its drivers, but for max_misfit, sets what its equations depend
+/// below. Throws std::invalid_argument, naming group, bodies and constraint, when the nominal
+/// position cannot be assembled.
+JudgedPositions assemble_positions(const Model& model, std::vector<GroupSystem>& systems,
                                    Linearisers& linearisers);
+
+/// Scaled Jacobians of all rows (rows × columns), at each judged position.
+using JudgedJacobians = std::array<Eigen::MatrixXd, std::tuple_size_v<JudgedPositions>>;
+
+/// Returns the freedoms that the candidates leave to a group, drivers free, at the most general
+/// position.
+int mobility(const GroupSystem& system, const JudgedJacobians& jacobians);
 
 /// The independent equations of a group.
 struct SelectedRows {
@@ -34,8 +43,7 @@ struct SelectedRows {
   /// Largest uncertainty of a row's derivatives by rounding of positions, where too few rows are
   /// selected: relative, in the shortest lengths.
   double uncertain = 0;
-  /// Scaled Jacobians of all rows (rows × columns), at each judged position.
-  std::array<Eigen::MatrixXd, std::tuple_size_v<JudgedPositions>> jacobians;
+  JudgedJacobians jacobians;
 };
 
 /// A selector of independent equations among a group's candidates; see leave_out_dependent.
