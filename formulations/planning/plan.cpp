@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -22,6 +23,7 @@ class Upstream {
         constraint_kept(m.constraints.size(), false),
         serves(m.entities.size(), -1),
         m_(m),
+        group_needed_(m.groups.size(), false),
         owner_(entity_of_coordinate(m)),
         block_of_coordinate_(m.coordinates(), -1),
         blocks_of_constraint_(m.constraints.size()) {
@@ -39,6 +41,7 @@ class Upstream {
       waiting_.pop_back();
       if (block_level[b] && *block_level[b] >= level) continue;
       block_level[b] = level;
+      group_needed_[blocks[b].groups.front()] = true;
       for (const int i : blocks[b].unknowns) need(owner_[i], level, output.entity);
       for (const Equation& e : blocks[b].equations) {
         constraint_kept[e.constraint] = true;
@@ -48,6 +51,19 @@ class Upstream {
           need(operand, level, output.entity);
       }
     }
+  }
+
+  void need_mechanism() {
+    for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
+      need_output({e, Level::position});
+  }
+
+  /// Needs what is read by the left-out equations of groups that are needed. Groups upstream come
+  /// after those that need them.
+  void need_left_out_equations() {
+    for (auto c = m_.constraints.rbegin(); c != m_.constraints.rend(); ++c)
+      if (c->left_out && group_needed_[c->group])
+        for (const EntityId operand : c->operands) need_output({operand, Level::position});
   }
 
   /// Keeps the constraints left out whole that speak of what is kept: they can be checked.
@@ -81,6 +97,7 @@ class Upstream {
   }
 
   const Model& m_;
+  std::vector<bool> group_needed_;
   std::vector<EntityId> owner_;
   std::vector<int> block_of_coordinate_;  // -1: driven
   std::vector<std::vector<int>> blocks_of_constraint_;
@@ -130,18 +147,38 @@ std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstrea
   return {std::move(m), std::move(entity)};
 }
 
+/// Returns whether a block may have no solution: it determines more than scalars that are measured,
+/// by equations that are not linear.
+bool may_lock(const Model& m, const PartDefinition& block, const std::vector<EntityId>& owner) {
+  const auto is_geometric = [&](int coordinate) {
+    const EntityKind kind = m.entities[owner[coordinate]].kind;
+    return kind == EntityKind::point || kind == EntityKind::vector;
+  };
+  const auto is_linear = [&](const Equation& e) {
+    bool linear = false;
+    visit_kind(m.constraints[e.constraint].kind, [&](auto kind) { linear = kind.linear; });
+    return linear;
+  };
+  return std::ranges::any_of(block.unknowns, is_geometric) &&
+         !std::ranges::all_of(block.equations, is_linear);
+}
+
 std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
                                          std::span<const Output> outputs) {
   std::vector<Plan::GroupUse> uses(whole.groups.size());
   for (std::size_t g = 0; g < uses.size(); ++g) uses[g].name = whole.groups[g].name;
   std::vector<bool> is_output(whole.entities.size(), false);
   for (const Output& output : outputs) is_output[output.entity] = true;
+  const std::vector<EntityId> owner = entity_of_coordinate(whole);
   for (std::size_t b = 0; b < up.blocks.size(); ++b) {
     Plan::GroupUse& use = uses[up.blocks[b].groups.front()];
     const int n = static_cast<int>(up.blocks[b].unknowns.size());
     use.unknowns += n;
     ++use.blocks;
-    if (!up.block_level[b]) continue;
+    if (!up.block_level[b]) {
+      use.may_lock |= may_lock(whole, up.blocks[b], owner);
+      continue;
+    }
     use.kept_unknowns += n;
     ++use.kept_blocks;
     use.level = std::max(use.level, *up.block_level[b]);
@@ -165,7 +202,14 @@ Level Plan::level() const {
   return highest;
 }
 
-Plan make_plan(const Model& whole, std::span<const Output> outputs) {
+std::vector<GroupId> Plan::unseen_groups() const {
+  std::vector<GroupId> unseen;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (groups[g].may_lock) unseen.push_back(static_cast<GroupId>(g));
+  return unseen;
+}
+
+Plan make_plan(const Model& whole, std::span<const Output> outputs, PlanExtent extent) {
   std::vector<Output> everything;
   if (outputs.empty()) {
     for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
@@ -178,6 +222,8 @@ Plan make_plan(const Model& whole, std::span<const Output> outputs) {
                                   ", which the model does not have");
   Upstream up(whole);
   for (const Output& output : outputs) up.need_output(output);
+  if (extent == PlanExtent::left_out_equations) up.need_left_out_equations();
+  if (extent == PlanExtent::mechanism) up.need_mechanism();
   up.keep_consequences();
 
   Plan plan;

@@ -19,10 +19,11 @@ struct Output {
 struct Plan {
   /// Use of one group of the whole model.
   struct GroupUse {
-    std::string name;                        ///< of the group
-    int unknowns = 0, kept_unknowns = 0;     ///< unknowns of the group, and those still solved for
-    int blocks = 0, kept_blocks = 0;         ///< irreducible blocks, and those still solved
-    Level level = Level::position;           ///< highest level that is needed of it
+    std::string name;                     ///< of the group
+    int unknowns = 0, kept_unknowns = 0;  ///< unknowns of the group, and those still solved for
+    int blocks = 0, kept_blocks = 0;      ///< irreducible blocks, and those still solved
+    Level level = Level::position;        ///< highest level that is needed of it
+    bool may_lock = false;  ///< a dropped block may have no solution, whatever the kept ones have
     std::vector<std::string> kept, dropped;  ///< names of its entities
     /// Name of the requested entity for which the first entity is kept that was not requested
     /// itself; empty: all that is kept was requested.
@@ -36,15 +37,26 @@ struct Plan {
 
   /// Returns the highest level of the outputs.
   Level level() const;
+  /// Returns the groups of the whole model whose positions nobody looks at, in all or in part,
+  /// though they might lock: what is kept cannot be where they do.
+  std::vector<GroupId> unseen_groups() const;
+};
+
+/// What a plan solves besides what its outputs need.
+enum class PlanExtent {
+  outputs,             ///< nothing
+  left_out_equations,  ///< positions that left-out equations of its groups read
+  mechanism,           ///< positions of all else
 };
 
 /// Reduces a model to what outputs need. Keeps the irreducible blocks upstream of the outputs, with
 /// the entities that they determine or read and their drivers. Entities and constraints are kept as
 /// a whole. Needed levels propagate upstream: an acceleration needs the accelerations it depends
 /// on. Without outputs everything is kept, at the level of acceleration. An entity that is named
-/// twice is solved to the higher level, and is in Plan::outputs twice. Throws std::invalid_argument
-/// for an entity that the model does not have.
-Plan make_plan(const Model& whole, std::span<const Output> outputs);
+/// twice is solved to the higher level, and is in Plan::outputs twice. Left-out equations of what
+/// is kept are kept. Throws std::invalid_argument for an entity that the model does not have.
+Plan make_plan(const Model& whole, std::span<const Output> outputs,
+               PlanExtent extent = PlanExtent::outputs);
 
 /// Returns the outputs that a scene requests, in terms of its whole model.
 std::vector<Output> outputs_of(const Scene& scene, const Model& whole);

@@ -14,6 +14,7 @@
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
+#include "tests/overconstrained.h"
 
 namespace desmo::plan_test {
 namespace {
@@ -262,6 +263,69 @@ TEST(Plan, SaysWhatBecameOfEachGroup) {
     EXPECT_TRUE(g.kept.empty()) << g.name;
     EXPECT_EQ(g.serves, "") << g.name;
   }
+}
+
+/// Names of the groups that nobody looks at.
+std::set<std::string> unseen(const Plan& plan) {
+  std::set<std::string> result;
+  for (const GroupId g : plan.unseen_groups()) result.insert(plan.groups[g].name);
+  return result;
+}
+
+TEST(Plan, NamesGroupsThatMightLockUnseen) {
+  const auto plan = [](const char* entity) {
+    return make_plan(whole(), asked_of(whole(), {"", {{entity, Level::position}}}));
+  };
+  EXPECT_TRUE(unseen(make_plan(whole(), {})).empty());
+  const std::set<std::string> beside_axle = unseen(plan("axle1/WL"));
+  EXPECT_TRUE(beside_axle.contains("axle1/SG-II"));
+  EXPECT_TRUE(beside_axle.contains("axle2/SG-I"));
+  EXPECT_TRUE(unseen(plan("axle1/zL")).contains("axle1/SG-I"));
+
+  // A dyad is solved as a whole, or not at all.
+  const Model chain = four_bar_model(3);
+  const Plan second = make_plan(chain, std::vector{Output{chain.find("dyad2/C"), Level::position}});
+  EXPECT_EQ(unseen(second).size(), 1u);
+  EXPECT_TRUE(make_plan(chain, std::vector{Output{chain.find("dyad3/C"), Level::position}})
+                  .unseen_groups()
+                  .empty());
+}
+
+TEST(Plan, OfTheMechanismSolvesPositionsOfAllElse) {
+  using enum Level;
+  const std::vector<Output> asked = asked_of(whole(), {"", {{"axle1/s10", acceleration}}});
+  const Plan plan = make_plan(whole(), asked, PlanExtent::mechanism);
+  EXPECT_EQ(names(plan.model), names(whole()));
+  EXPECT_EQ(plan.outputs.size(), 1u);
+  EXPECT_TRUE(plan.unseen_groups().empty());
+  const auto level_of = [&](const char* name) {
+    return plan.levels[plan.model.entities[plan.model.find(name)].first];
+  };
+  EXPECT_EQ(level_of("axle1/s10"), acceleration);
+  EXPECT_EQ(level_of("axle1/WL"), acceleration);
+  EXPECT_EQ(level_of("axle2/WL"), position);
+  EXPECT_EQ(level_of("axle2/s10"), position);
+}
+
+TEST(Plan, KeepsWhatLeftOutEquationsRead) {
+  const Model m = make_model(parallel_cranks(1, 17, true));
+  const auto left_out = [](const Model& of) {
+    return std::ranges::count_if(of.constraints, [](const Constraint& c) { return c.left_out; });
+  };
+  const std::vector<Output> asked{{m.find("B2"), Level::velocity}};
+  const Plan needed = make_plan(m, asked);
+  const Plan checked = make_plan(m, asked, PlanExtent::left_out_equations);
+  EXPECT_LT(left_out(needed.model), left_out(m));
+  EXPECT_EQ(left_out(checked.model), left_out(m));
+  const auto level_of = [&](const char* name) {
+    return checked.levels[checked.model.entities[checked.model.find(name)].first];
+  };
+  EXPECT_EQ(level_of("B2"), Level::velocity);
+  EXPECT_EQ(level_of("B3"), Level::position);
+  // Of groups that nobody needs, nothing is kept.
+  const Plan truck = make_plan(whole(), asked_of(whole(), {"", {{"axle1/WL", Level::position}}}),
+                               PlanExtent::left_out_equations);
+  EXPECT_FALSE(names(truck.model).contains("axle2/WL"));
 }
 
 TEST(Plan, AsksUpstreamForTheLevelOfWhatDependsOnIt) {
