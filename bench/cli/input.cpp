@@ -8,11 +8,13 @@
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "bench/cli/errors.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/io/json_document.h"
+#include "cases/io/readers.h"
 #include "cases/io/scene_file.h"
 #include "cases/io/text_file.h"
 #include "cases/library/library.h"
@@ -71,7 +73,8 @@ Input from_text(const std::string& text, const std::string& source, const std::s
   if (!mechanism_will_do)
     throw InputError(source + ": /format: a mechanism says nothing of motion and time; give a " +
                      "scene that names it (an example: desmo show slider_crank --scene)");
-  return {source, file, "", {}, at_rest(parse_mechanism(text, source))};
+  ReadMechanism read = mechanism_from(document.root());
+  return {source, file, "", std::move(read.units), at_rest(std::move(read.mechanism))};
 }
 
 Input from_file(const std::string& name, bool mechanism_will_do) {

@@ -79,8 +79,8 @@ TEST_F(Cli, SaysWhenRoundingLeavesMoreThanTheTolerance) {
 
 /// Three cranks carry a coupler where two would do; the third is 2 mm too long for its drawing.
 TEST_F(Cli, SaysInTheUnitsOfTheFileHowConstraintsContradictEachOther) {
-  write("cranks.json", R"({"format": "desmo-mechanism", "version": 1, "dimension": 2,
-    "units": {"length": "mm"},
+  write("cranks.json", R"({"format": "desmo-mechanism", "version": 1, "name": "cranks",
+    "dimension": 2, "units": {"length": "mm"},
     "points": {"A": [0, 0], "B": [40, 0], "C": [100, 0],
                "D": [12, 16], "E": [52, 16], "F": [113.2, 17.6]},
     "ground": {"points": ["A", "B", "C"]},
