@@ -1,5 +1,6 @@
 #include "formulations/groupwise/double_solution.h"
 
+#include "formulations/groupwise/drawn_start.h"
 #include "formulations/groupwise/groupwise_solver_impl.h"
 
 namespace desmo {
@@ -9,6 +10,7 @@ template class GroupwiseSolver<double>;
 std::vector<ReferenceInstant> double_solution(const Model& m, std::span<const double> times) {
   std::vector<ReferenceInstant> result;
   GroupwiseSolver<double> solver(m);
+  if (!times.empty()) begin_on_drawn_branch(solver, m, times.front());
   follow_motion(
       times, [&](double t) { solver.solve_positions(t); },
       [&](double t) {

@@ -11,9 +11,9 @@
 namespace desmo {
 
 /// Solves a motion at ascending instants [s] in double precision, group by group with dense
-/// matrices: reference_solution() with Precision::standard, for programs without quadruple
-/// precision. Throws std::runtime_error, naming the group and the instant, when Newton's method
-/// does not converge.
+/// matrices, on the branch of the drawing (DrawnStart): reference_solution() with
+/// Precision::standard, for programs without quadruple precision. Throws std::runtime_error, naming
+/// the group and the instant, when Newton's method does not converge.
 std::vector<ReferenceInstant> double_solution(const Model& model, std::span<const double> times);
 
 /// Steps from an assembly at times.front() [s] to each time in turn, in steps of at most 10 ms.

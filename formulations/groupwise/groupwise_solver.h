@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "formulations/groupwise/part_system.h"
@@ -24,6 +27,16 @@ class GroupwiseSolver {
     for (int i = 0; i < m_.coordinates(); ++i) state_.q[i] = other.state().q[i];
   }
 
+  /// Sets all coordinates.
+  void place(const std::vector<S>& q) { std::ranges::copy(q, state_.q.begin()); }
+  /// Sets the positions of the drivers, in the model's order, and nothing else.
+  void drive(std::span<const S> drivers);
+  /// Solves Φ = share × Φ₀ from now on. Φ₀: Φ at the first call.
+  void set_homotopy(double share);
+  /// Makes one correction by Newton's method, group after group. Returns its largest component
+  /// relative to the natural magnitude.
+  double correct_positions();
+
   /// Solves the positions at time t [s] as accurately as S allows, from the present ones. Throws
   /// std::runtime_error, naming the group and the instant, when Newton's method does not converge.
   void solve_positions(double t);
@@ -38,7 +51,8 @@ class GroupwiseSolver {
   const WideState<S>& state() const { return state_; }
 
  private:
-  void solve_positions(const PartDefinition& part, double t);
+  void solve_positions(std::size_t part, double t);
+  double correct(std::size_t part);
 
   std::vector<S> coordinates(const std::vector<S>& values) const {
     return {values.begin(), values.begin() + m_.coordinates()};
@@ -46,7 +60,9 @@ class GroupwiseSolver {
 
   const Model& m_;
   std::vector<PartDefinition> parts_;
-  std::vector<double> magnitude_;  // by coordinate
+  std::vector<double> magnitude_;        // by coordinate
+  std::vector<std::vector<S>> initial_;  // Φ₀ of each part; empty: none
+  double share_ = 0;                     // of Φ₀
   WideState<S> state_;
 };
 

@@ -36,7 +36,31 @@ void GroupwiseSolver<S>::solve_positions(double t) {
     state_.qd[i] = z.velocity;
     state_.qdd[i] = z.acceleration;
   }
-  for (const PartDefinition& part : parts_) solve_positions(part, t);
+  for (std::size_t part = 0; part < parts_.size(); ++part) solve_positions(part, t);
+}
+
+template <class S>
+void GroupwiseSolver<S>::drive(std::span<const S> drivers) {
+  for (std::size_t k = 0; k < drivers.size(); ++k)
+    state_.q[m_.entities[m_.drivers[k].coordinate].first] = drivers[k];
+}
+
+template <class S>
+void GroupwiseSolver<S>::set_homotopy(double share) {
+  if (initial_.empty())
+    for (const PartDefinition& part : parts_)
+      initial_.push_back(PartSystem<S>(m_, part, state_).phi);
+  share_ = share;
+}
+
+template <class S>
+double GroupwiseSolver<S>::correct_positions() {
+  double largest = 0;
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const double correction = correct(part);
+    if (!(correction <= largest)) largest = correction;  // NaN stays
+  }
+  return largest;
 }
 
 template <class S>
@@ -53,23 +77,31 @@ void GroupwiseSolver<S>::solve_rates() {
 }
 
 template <class S>
-void GroupwiseSolver<S>::solve_positions(const PartDefinition& part, double t) {
+void GroupwiseSolver<S>::solve_positions(std::size_t part, double t) {
   Settling<S> settled;
-  for (int iteration = 0; iteration < 50; ++iteration) {
-    PartSystem<S> system(m_, part, state_);
-    const std::vector<S> step =
-        DenseLu<S>(std::move(system.jacobian), system.n).solve(std::move(system.phi));
-    double correction = 0;
-    for (std::size_t j = 0; j < step.size(); ++j) {
-      const int i = part.unknowns[j];
-      state_.q[i] -= step[j];
-      const double relative_step = std::abs(static_cast<double>(step[j])) / magnitude_[i];
-      if (!(relative_step <= correction)) correction = relative_step;  // NaN stays
-    }
-    if (settled(correction)) return;
-  }
-  throw std::runtime_error(m_.name + ", group '" + m_.groups[part.groups.front()].name +
+  for (int iteration = 0; iteration < 50; ++iteration)
+    if (settled(correct(part))) return;
+  throw std::runtime_error(m_.name + ", group '" + m_.groups[parts_[part].groups.front()].name +
                            "': no reference solution at t = " + std::to_string(t) + " s");
+}
+
+/// Corrects the positions of a part once. Returns the largest correction, relative to magnitudes.
+template <class S>
+double GroupwiseSolver<S>::correct(std::size_t index) {
+  const PartDefinition& part = parts_[index];
+  PartSystem<S> system(m_, part, state_);
+  if (share_ != 0)
+    for (std::size_t j = 0; j < system.n; ++j) system.phi[j] -= share_ * initial_[index][j];
+  const std::vector<S> step =
+      DenseLu<S>(std::move(system.jacobian), system.n).solve(std::move(system.phi));
+  double correction = 0;
+  for (std::size_t j = 0; j < step.size(); ++j) {
+    const int i = part.unknowns[j];
+    state_.q[i] -= step[j];
+    const double relative_step = std::abs(static_cast<double>(step[j])) / magnitude_[i];
+    if (!(relative_step <= correction)) correction = relative_step;  // NaN stays
+  }
+  return correction;
 }
 
 }  // namespace desmo

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
+#include <numbers>
 
+#include "cases/generators/dyad_chain.h"
 #include "formulations/groupwise/groupwise_solver.h"
 #include "formulations/verification/reference/disagreement.h"
 #include "formulations/verification/reference/global_solver.h"
@@ -62,6 +65,32 @@ TEST(Reference, TwoFormulationsAgreeWhateverTheUnit) {
   for (const double factor : {1e-9, 1e9}) {
     const Scene scene = enlarged(library_scene("slider_crank"), factor);
     expect_agreement(make_model(scene), scene.grid, 9);
+  }
+}
+
+/// A four-bar of bars 1, 3 and 4 on a base of 5.99, drawn with its crank at 180°, nearly stretched:
+/// Newton's method leads from there to the other branch at 2.5 rad.
+TEST(Reference, StartsOnTheBranchOfTheDrawing) {
+  const double base = 5.99, begins = 2.5;
+  DyadChain chain{.crank = 1, .start = std::numbers::pi, .dyads = {}};
+  chain.dyads.push_back(closed_dyad(crank_pin(chain), {base, 0, 0}, 3, 4, 1));
+  MechanismBuilder builder("four_bar", 2);
+  add(builder, chain);
+  for (const double turns : {0, 1, -2}) {
+    const double angle = begins + turns * 2 * std::numbers::pi;
+    const Model m = make_model(
+        {"four_bar", MechanismBuilder(builder).release(), {Polynomial{{angle, 1}}}, {}, {}, {}});
+    const double x = base - std::cos(begins), y = -std::sin(begins), length = std::hypot(x, y);
+    const double along = (length * length + 9 - 16) / (2 * length);
+    const double c =
+        std::sin(begins) + (along * y + std::sqrt(9 - along * along) * x) / length;  // 1.127
+    const std::vector<double> times{0, 0.1};
+    const Reference r = make_reference(m, times);
+    EXPECT_LE(r.floor.position, agreement);
+    EXPECT_NEAR(m.value("dyad1/C.y", r.instants[0].q), c, 1e-12) << turns;
+    const auto standard = reference_solution(m, times, Precision::standard);
+    EXPECT_NEAR(m.value("dyad1/C.y", standard[0].q), c, 1e-12) << turns;
+    EXPECT_EQ(standard[0].q[m.coordinate("crank/theta")], angle);
   }
 }
 

@@ -55,6 +55,22 @@ void GlobalSolver<S>::drive(std::span<const MotionSample<S>> drivers) {
 }
 
 template <class S>
+void GlobalSolver<S>::drive(std::span<const S> drivers) {
+  for (std::size_t k = 0; k < drivers.size(); ++k)
+    state_[m_.entities[m_.drivers[k].coordinate].first].value = drivers[k];
+}
+
+template <class S>
+void GlobalSolver<S>::set_homotopy(double share) {
+  if (initial_.empty()) {
+    std::ranges::transform(state_, positions_.begin(), &Jet<S>::value);
+    initial_.resize(phi_.size());
+    system_.template residual<S>(positions_, initial_);
+  }
+  share_ = share;
+}
+
+template <class S>
 void GlobalSolver<S>::predict(const S& step) {
   for (const int i : system_.unknowns()) {
     Jet<S>& x = state_[i];
@@ -66,6 +82,9 @@ template <class S>
 double GlobalSolver<S>::correct_positions() {
   factor();
   system_.template residual<S>(positions_, {linear_->residual.data(), phi_.size()});
+  if (share_ != 0)
+    for (std::size_t r = 0; r < initial_.size(); ++r)
+      linear_->residual[static_cast<Eigen::Index>(r)] -= share_ * initial_[r];
   return correct(&Jet<S>::value);
 }
 
@@ -136,6 +155,8 @@ template class GlobalSolver<Quadruple>;
 template GlobalSolver<double>::GlobalSolver(const Model&);
 template GlobalSolver<double>::~GlobalSolver();
 template void GlobalSolver<double>::drive(std::span<const MotionSample<double>>);
+template void GlobalSolver<double>::drive(std::span<const double>);
+template void GlobalSolver<double>::set_homotopy(double);
 template double GlobalSolver<double>::correct_positions();
 template void GlobalSolver<double>::solve_positions(double);
 

@@ -28,8 +28,16 @@ class GlobalSolver {
     for (int i = 0; i < m_.coordinates(); ++i) state_[i].value = S(other.state()[i].value);
   }
 
+  /// Sets the positions of all coordinates.
+  void place(const std::vector<S>& q) {
+    for (int i = 0; i < m_.coordinates(); ++i) state_[i].value = q[i];
+  }
   /// Sets the drivers, in the model's order, and nothing else.
   void drive(std::span<const MotionSample<S>> drivers);
+  /// Likewise their positions alone.
+  void drive(std::span<const S> drivers);
+  /// Lets correct_positions() solve Φ = share × Φ₀ from now on. Φ₀: Φ at the first call.
+  void set_homotopy(double share);
   /// Moves the unknowns along their Taylor polynomials of second degree.
   void predict(const S& step);
   /// Makes one correction by Newton's method. Returns its largest component relative to the natural
@@ -71,6 +79,8 @@ class GlobalSolver {
   std::vector<Jet<S>> state_;
   std::vector<S> positions_;
   std::vector<Jet<S>> phi_;
+  std::vector<S> initial_;  // Φ₀; empty: none
+  double share_ = 0;        // of Φ₀
   std::unique_ptr<Linear> linear_;
   double time_ = 0;  // present time [s], for messages
 };

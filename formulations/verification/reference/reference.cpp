@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "formulations/groupwise/double_solution.h"
+#include "formulations/groupwise/drawn_start.h"
 #include "formulations/groupwise/groupwise_solver.h"
 #include "formulations/verification/reference/disagreement.h"
 #include "formulations/verification/reference/global_solver.h"
@@ -17,6 +18,7 @@ template <template <class> class Solver>
 std::vector<WideInstant> quadruple_solution(const Model& m, std::span<const double> times) {
   Solver<double> walker(m);
   Solver<Quadruple> solver(m);
+  if (!times.empty()) begin_on_drawn_branch(walker, m, times.front());
   std::vector<WideInstant> result;
   follow_motion(
       times, [&](double t) { walker.solve_positions(t); },

@@ -15,9 +15,10 @@ enum class Precision { standard, quadruple };
 /// Returns positions, velocities and accelerations at ascending times [s], solved group by group.
 /// The code shares with the formulations only the constraint kinds, the motions and the list of
 /// parts. It uses dense matrices, pivoting, Newton's method, and steps of at most 10 ms from an
-/// assembly at times.front(). With quadruple precision each instant is solved again in that
-/// precision, and has remainders. Iterations end when the precision is exhausted, whatever the
-/// units. Throws std::runtime_error, naming the group and the instant, when one does not converge.
+/// assembly at times.front(), on the branch of the drawing (DrawnStart). With quadruple precision
+/// each instant is solved again in that precision, and has remainders. Iterations end when the
+/// precision is exhausted, whatever the units. Throws std::runtime_error, naming the group and the
+/// instant, when one does not converge.
 std::vector<ReferenceInstant> reference_solution(const Model& model, std::span<const double> times,
                                                  Precision precision);
 
