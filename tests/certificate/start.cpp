@@ -193,6 +193,18 @@ TEST(Start, SaysHowFarADrawingThatCannotCloseLeads) {
   EXPECT_NEAR(found.share, 1 - (line * line - 1) / 8, 1e-6);
 }
 
+/// After 16,667 turns of the crank. Nobody follows them all.
+TEST(Start, LeavesOutManyTurns) {
+  Model m = make_model(library_scene("slider_crank"));
+  m.drivers[0].motion = Polynomial{{0, 10.473}};
+  const double time = 1e4;
+  const FoundStart found = find_start(m, time);
+  EXPECT_EQ(found.stage, Stage::reached);
+  EXPECT_EQ(m.value("theta", found.q), 10.473 * time);
+  const std::vector<double> right = in_short_steps(m, {std::remainder(10.473 * time, turn)}, 0.01);
+  EXPECT_LT(std::abs(m.value("s", found.q) - m.value("s", right)), 1e-10 * size_of(m));
+}
+
 TEST(Start, HasNoWayToWhatIsNotFinite) {
   const Model m = locking_four_bar();
   for (const double bad : {NAN, INFINITY}) {

@@ -14,6 +14,7 @@ namespace desmo {
 namespace {
 
 using Stage = FoundStart::Stage;
+constexpr double turn = 2 * std::numbers::pi;
 
 /// Returns Φ of the drawing.
 std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
@@ -31,19 +32,21 @@ std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
   return all;
 }
 
-/// Returns the motion from a value, at 0, to that of another motion at a time, at 1.
-Polynomial straight(double from, const Motion& motion, double time) {
+/// Returns the motion from a value, at 0, to that of another motion at a time, at 1. turn: whole
+/// ones of it are left out.
+Polynomial straight(double from, const Motion& motion, double time, double turn) {
   using Number = Compensated<double>;
   const Number way = sample(motion, Number(time)).position - Number(from);
-  return {{from, way.value}, {{}, {way.correction, way.radius}}};
+  const double short_way = std::remainder(way.value, turn);
+  return {{from, short_way}, {{}, {way.correction, way.radius}}};
 }
 
-/// Follows a way from 0 to 1. Returns whether it leads there. found: begins at its positions, which
-/// are overwritten by the last proven ones.
-bool follow(const Model& m, InitialResidual initial, FoundStart& found) {
+/// Follows a way from 0 to 1. found: begins at its positions, which are overwritten by the last
+/// proven ones.
+FollowedStep follow(const Model& m, InitialResidual initial, FoundStart& found) {
   BranchPath path(m, BranchPath::max_tests, initial);
   found.share = 0;
-  if (!path.start_at({0, {found.q, {}, {}}})) return false;
+  if (!path.start_at({0, {found.q, {}, {}}})) return {};
   const FollowedStep step = path.go_to(1);
   const auto take_positions = [&] {
     const std::span<const double> q = path.present().values.position;
@@ -52,10 +55,24 @@ bool follow(const Model& m, InitialResidual initial, FoundStart& found) {
   take_positions();
   found.share = path.present().time;
   found.group = step.group;
-  if (step.end != PathEnd::same) return false;
   // The last step may have ended with digits to correct.
-  if (path.start_at({1, {found.q, {}, {}}})) take_positions();
-  return true;
+  if (step.end == PathEnd::same && path.start_at({1, {found.q, {}, {}}})) take_positions();
+  return step;
+}
+
+/// Leads the drivers from the drawing to their values at a time.
+FollowedStep lead_drivers(const Model& m, double time, bool with_turns, FoundStart& found) {
+  Model going = m;
+  for (Driver& d : going.drivers) {
+    const Entity& e = m.entities[d.coordinate];
+    const bool whole = with_turns || e.kind != EntityKind::angle;
+    d.motion = straight(m.estimate[e.first], d.motion, time, whole ? INFINITY : turn);
+  }
+  const FollowedStep step = follow(going, {}, found);
+  if (step.end == PathEnd::same)
+    for (const Driver& d : m.drivers)
+      found.q[m.entities[d.coordinate].first] = sample(d.motion, time).position;
+  return step;
 }
 
 /// Brings angles that are not driven near the drawing. Equations read them as sines and cosines, so
@@ -64,7 +81,6 @@ void take_nearest_turns(const Model& m, std::vector<double>& q) {
   const std::vector<bool> driven = independent_coordinates(m);
   for (const Entity& e : m.entities) {
     if (e.fixed || e.kind != EntityKind::angle || driven[e.first]) continue;
-    constexpr double turn = 2 * std::numbers::pi;
     q[e.first] -= turn * std::round((q[e.first] - m.estimate[e.first]) / turn);
   }
 }
@@ -73,23 +89,26 @@ void take_nearest_turns(const Model& m, std::vector<double>& q) {
 
 FoundStart find_start(const Model& m, double time) {
   FoundStart found{.q = m.estimate};
-  Model at_drawing = m, going = m;
-  for (std::size_t k = 0; k < m.drivers.size(); ++k) {
-    const double drawn = m.estimate[m.entities[m.drivers[k].coordinate].first];
-    at_drawing.drivers[k].motion = Polynomial{{drawn}};
-    going.drivers[k].motion = straight(drawn, m.drivers[k].motion, time);
-  }
+  Model at_drawing = m;
+  for (Driver& d : at_drawing.drivers)
+    d.motion = Polynomial{{m.estimate[m.entities[d.coordinate].first]}};
   // A certificate of the drawing proves all of the homotopy. Its X is symmetric about the drawing,
   // and the homotopy's image is the certificate's with λ times the center, which is inside, too.
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;
-    if (!follow(at_drawing, residual_of_drawing(m), found)) {
+    if (follow(at_drawing, residual_of_drawing(m), found).end != PathEnd::same) {
       found.stage = Stage::drawing;
       return found;
     }
   }
-  if (!follow(going, {}, found)) found.stage = Stage::drivers;
+  const FoundStart nominal = found;
+  FollowedStep way = lead_drivers(m, time, true, found);
+  if (way.tests >= BranchPath::max_tests) {
+    found = nominal;
+    way = lead_drivers(m, time, false, found);
+  }
+  if (way.end != PathEnd::same) found.stage = Stage::drivers;
   take_nearest_turns(m, found.q);
   return found;
 }

@@ -25,8 +25,8 @@ struct FoundStart {
 ///
 /// - the drawing may not solve the equations. With the drivers as drawn, Newton's homotopy Φ(q) =
 ///   (1 − λ) Φ(drawing) leads from there to what it means; all groups have one λ.
-/// - then all drivers go straight from where they are drawn to their values at that time. Whole
-///   turns of driven angles are made.
+/// - then all drivers go straight from where they are drawn to their values at that time. Driven
+///   angles make their whole turns; where these are more than a path has tests for, none of them.
 ///
 /// Other angles are those nearest to the drawing, whole turns apart. Where a part is blocked, by a
 /// singular position or a fold, no other way is sought. It is blocked at 0, too, where a driver has
