@@ -22,9 +22,9 @@ std::optional<DoubleRoot> DoubleRootSearch::add(const Point& point, double lengt
   // The middle of three points tells nothing where it lies next to one of them.
   if (last_.size() > 1 && since_ < last_.back().length / 2) return {};
   Sample sample{point, std::exchange(since_, 0), {}, {}};
-  sample.signs.assign(system_.orientation().begin(), system_.orientation().end());
-  for (std::size_t b = 0; b < system_.orientation().size(); ++b)
-    sample.roots.push_back(std::exp(system_.log_determinant(static_cast<int>(b)) / 2));
+  sample.signs.assign(determinants_.signs().begin(), determinants_.signs().end());
+  for (int b = 0; b < determinants_.blocks(); ++b)
+    sample.roots.push_back(std::exp(determinants_.log(b) / 2));
   last_.push_back(std::move(sample));
   if (last_.size() < 3) return {};
   std::optional<DoubleRoot> found;
@@ -32,7 +32,7 @@ std::optional<DoubleRoot> DoubleRootSearch::add(const Point& point, double lengt
     const int block = static_cast<int>(b);
     if (!may_have_root(block)) continue;
     if (const auto value = value_of_root(block, least(block)))
-      found = DoubleRoot{*value, system_.group_of_block(block)};
+      found = DoubleRoot{*value, determinants_.group(block)};
   }
   last_.erase(last_.begin());
   return found;
@@ -51,7 +51,7 @@ bool DoubleRootSearch::may_have_root(int block) const {
 /// Returns √|det| a distance from the middle point; 0 where no position is found.
 double DoubleRootSearch::root_at(int block, double distance) {
   const std::optional<Point> p = curve_.step(last_[1].point, distance);
-  return p && system_.factor(p->state) ? std::exp(system_.log_determinant(block) / 2) : 0;
+  return p && determinants_.evaluate(p->state) ? std::exp(determinants_.log(block) / 2) : 0;
 }
 
 /// Returns the distance from the middle point at which a determinant is least, by golden section.
@@ -82,9 +82,9 @@ std::optional<double> DoubleRootSearch::value_of_root(int block, double about) {
     for (const int i : {-3, -2, -1, 1, 2, 3}) {
       const double distance = about + i * wide;
       const std::optional<Point> p = curve_.step(last_[1].point, distance);
-      if (!p || !system_.factor(p->state)) break;
-      if (system_.orientation()[block] != last_[1].signs[block]) break;  // another branch
-      determinants.push_back(std::exp(system_.log_determinant(block)));
+      if (!p || !determinants_.evaluate(p->state)) break;
+      if (determinants_.signs()[block] != last_[1].signs[block]) break;  // another branch
+      determinants.push_back(std::exp(determinants_.log(block)));
       roots.push_back(std::copysign(std::sqrt(determinants.back()), i));
       distances.push_back(distance);
       values.push_back(curve_.value(*p));

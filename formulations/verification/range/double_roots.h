@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/verification/assessment/scaled_system.h"
+#include "formulations/verification/range/block_determinants.h"
 #include "formulations/verification/range/solution_curve.h"
 
 namespace desmo {
@@ -21,16 +21,17 @@ struct DoubleRoot {
 class DoubleRootSearch {
  public:
   /// Both must outlive the search.
-  DoubleRootSearch(SolutionCurve& curve, ScaledSystem& system) : curve_(curve), system_(system) {}
+  DoubleRootSearch(SolutionCurve& curve, BlockDeterminants& determinants)
+      : curve_(curve), determinants_(determinants) {}
 
   void restart() {
     last_.clear();
     since_ = 0;
   }
 
-  /// Adds the point that lies a length after the last one; the system has its factors, and loses
-  /// them. No determinant has changed its sign since the last point. Returns the first double root
-  /// around the last point, to 1e-9 rad or characteristic lengths.
+  /// Adds the point that lies a length after the last one; the determinants are evaluated there,
+  /// and elsewhere afterwards. No determinant has changed its sign since the last point. Returns
+  /// the first double root around the last point, to 1e-9 rad or characteristic lengths.
   std::optional<DoubleRoot> add(const SolutionCurve::Point& point, double length);
 
  private:
@@ -47,7 +48,7 @@ class DoubleRootSearch {
   std::optional<double> value_of_root(int block, double about);
 
   SolutionCurve& curve_;
-  ScaledSystem& system_;
+  BlockDeterminants& determinants_;
   std::vector<Sample> last_;  // three at most
   double since_ = 0;          // length since the last of them
 };

@@ -1,12 +1,16 @@
 #include "formulations/verification/range/driver_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "formulations/constraints/constraints.h"
+#include "formulations/scaling/characteristic_lengths.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/range/singular_points.h"
+#include "formulations/verification/run/misfit.h"
 
 namespace desmo {
 
@@ -31,8 +35,8 @@ bool is_positive(const Model& m, EntityId driver) {
 
 /// Returns the signs of the determinants of all blocks; none where one is singular.
 DriverSweep::Signs DriverSweep::signs(const Point& point) {
-  if (!system_.factor(point.state)) return {};
-  return {system_.orientation().begin(), system_.orientation().end()};
+  if (!determinants_.evaluate(point.state)) return {};
+  return {determinants_.signs().begin(), determinants_.signs().end()};
 }
 
 std::vector<int> DriverSweep::changed_blocks(const Signs& before, const Signs& after) const {
@@ -42,9 +46,28 @@ std::vector<int> DriverSweep::changed_blocks(const Signs& before, const Signs& a
   return changed;
 }
 
-bool DriverSweep::is_violated(const Point& point) {
-  const std::span<const double> state = point.state;
-  return monitor_.violated({0, 0, state.first(m_.coordinates()), {}, {}}) >= 0;
+/// Returns whether an equation that was left out as dependent does not hold: on another branch, or
+/// where the others allow what it forbids.
+bool DriverSweep::is_violated(const Point& point) const {
+  constexpr double max_misfit = 1e-6;  // over the lengths of its points; more than digits of a file
+  const CharacteristicLengths lengths(m_);
+  for (int c = 0; c < static_cast<int>(m_.constraints.size()); ++c) {
+    const Constraint& constraint = m_.constraints[c];
+    if (constraint.left_out == 0) continue;
+    std::array<double, 3> phi{};
+    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+      std::array<const double*, Kind::operand_sizes.size()> x;
+      for (std::size_t k = 0; k < x.size(); ++k)
+        x[k] = point.state.data() + m_.state_index(constraint.operands[k]);
+      Kind::residual(x.data(), constraint.constants.data(), phi.data());
+    });
+    for (int row = 0; row < rows(constraint); ++row) {
+      if (!(constraint.left_out >> row & 1)) continue;
+      const Misfit misfit = misfit_of(m_, c, row, phi[row], point.state);
+      if (misfit.amount > max_misfit * (misfit.is_length ? lengths.of(constraint) : 1)) return true;
+    }
+  }
+  return false;
 }
 
 bool DriverSweep::is_start(const Point& point) const {
@@ -105,7 +128,6 @@ void DriverSweep::look_for_double_root(const Point& next, double length) {
 }
 
 RangeEnd DriverSweep::run_from(Point point) {
-  is_violated(start_);  // the declared position; angles are followed from it
   double length = max_step / 8;
   double_roots_.restart();
   Signs before = signs(point);
@@ -144,7 +166,7 @@ RangeEnd DriverSweep::run_from(Point point) {
       if (is_positive(m_, driver_) && std::abs(value) < same * curve_.scale())
         return {.stop = RangeStop::zero_length};
       change_points_.push_back(
-          {value, changed.empty() ? no_position : system_.group_of_block(changed.front())});
+          {value, changed.empty() ? no_position : determinants_.group(changed.front())});
     }
     if (is_violated(*next)) {
       if (again()) continue;

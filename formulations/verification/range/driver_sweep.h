@@ -3,8 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "formulations/verification/assessment/scaled_system.h"
-#include "formulations/verification/monitor/branch_monitor.h"
+#include "formulations/verification/range/block_determinants.h"
 #include "formulations/verification/range/double_roots.h"
 #include "formulations/verification/range/driver_range.h"
 #include "formulations/verification/range/solution_curve.h"
@@ -22,9 +21,8 @@ class DriverSweep {
               double direction)
       : m_(m),
         curve_(curve),
-        system_(m),
-        monitor_(m, {}, 1e-12),
-        double_roots_(curve, system_),
+        determinants_(m),
+        double_roots_(curve, determinants_),
         driver_(m.drivers[driver].coordinate),
         start_(start),
         direction_(direction) {}
@@ -47,7 +45,7 @@ class DriverSweep {
   void look_for_double_root(const Point& next, double length);
   std::vector<int> changed_blocks(const Signs& before, const Signs& after) const;
   double forward(const Point& p) const { return direction_ * p.speed(); }
-  bool is_violated(const Point& point);
+  bool is_violated(const Point& point) const;
   bool is_start(const Point& point) const;
   bool turns_twice(const Point& from, const Point& to, double length) const;
   std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
@@ -55,8 +53,7 @@ class DriverSweep {
 
   const Model& m_;
   SolutionCurve& curve_;
-  ScaledSystem system_;
-  BranchMonitor monitor_;
+  BlockDeterminants determinants_;
   DoubleRootSearch double_roots_;
   EntityId driver_;
   const Point& start_;

@@ -1,0 +1,43 @@
+#include "formulations/verification/range/block_determinants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "formulations/groupwise/dense_lu.h"
+#include "formulations/groupwise/part_system.h"
+#include "formulations/scaling/characteristic_lengths.h"
+
+namespace desmo {
+
+BlockDeterminants::BlockDeterminants(const Model& m)
+    : m_(m),
+      blocks_(make_partition(m, Partition::block)),
+      logs_(blocks_.size()),
+      signs_(blocks_.size()) {
+  const std::vector<double> lengths = CharacteristicLengths(m).of_coordinates();
+  for (const PartDefinition& block : blocks_) {
+    double log = 0;
+    for (const int i : block.unknowns) log += std::log(lengths[i]);
+    unit_.push_back(log);
+  }
+}
+
+bool BlockDeterminants::evaluate(std::span<const double> state) {
+  WideState<double> at(m_.state_size());
+  std::ranges::copy(state, at.q.begin());
+  std::vector<double> logs;
+  std::vector<signed char> signs;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    PartSystem<double> system(m_, blocks_[b], at);
+    const auto determinant = DenseLu(std::move(system.jacobian), system.n).determinant();
+    logs.push_back(determinant.log + unit_[b]);
+    signs.push_back(static_cast<signed char>(determinant.sign));
+    if (!std::isfinite(logs.back())) return false;
+  }
+  logs_ = std::move(logs);
+  signs_ = std::move(signs);
+  return true;
+}
+
+}  // namespace desmo
