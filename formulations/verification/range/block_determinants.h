@@ -8,8 +8,8 @@
 
 namespace desmo {
 
-/// Determinants of Φ_φ of the irreducible blocks of a model. A continuous motion changes the sign of
-/// one only by passing a singular position.
+/// Determinants of Φ_φ of the irreducible blocks of a model. A continuous motion changes the sign
+/// of one only by passing a singular position.
 class BlockDeterminants {
  public:
   /// The model must outlive this object.

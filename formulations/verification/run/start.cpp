@@ -3,11 +3,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/run/branch_path.h"
+#include "formulations/verification/run/passage.h"
 
 namespace desmo {
 
@@ -41,13 +44,22 @@ Polynomial straight(double from, const Motion& motion, double time, double turn)
   return {{from, short_way}, {{}, {way.correction, way.radius}}};
 }
 
-/// Follows a way from 0 to 1. found: begins at its positions, which are overwritten by the last
-/// proven ones.
+/// Follows a way from 0 to 1, past change points but for those of a homotopy. found: begins at its
+/// positions, which are overwritten by the last proven ones.
 FollowedStep follow(const Model& m, InitialResidual initial, FoundStart& found) {
   BranchPath path(m, BranchPath::max_tests, initial);
   found.share = 0;
   if (!path.start_at({0, {found.q, {}, {}}})) return {};
-  const FollowedStep step = path.go_to(1);
+  FollowedStep step = path.go_to(1);
+  int tests = step.tests;
+  while (initial.empty() && step.end == PathEnd::stuck && tests < BranchPath::max_tests) {
+    const std::optional<PassedPoint> point = pass_change_point(m, path.present());
+    if (!point || !(point->before < 1) || !path.start_at(point->beyond())) break;
+    found.passed.push_back(point->time);
+    step = path.go_to(1);
+    tests += step.tests;
+  }
+  step.tests = tests;
   const auto take_positions = [&] {
     const std::span<const double> q = path.present().values.position;
     found.q.assign(q.begin(), q.end());

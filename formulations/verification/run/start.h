@@ -14,8 +14,9 @@ struct FoundStart {
     drivers,  ///< drivers cannot be led from where they are drawn to where they begin
   };
   Stage stage = Stage::reached;
-  double share = 1;             ///< of the way of the blocked stage: last proven, from 0 to 1
-  GroupId group = no_position;  ///< blocked: where the last proof failed, if it is known
+  double share = 1;              ///< of the way of the blocked stage: last proven, from 0 to 1
+  GroupId group = no_position;   ///< blocked: where the last proof failed, if it is known
+  std::vector<double> passed{};  ///< change points that the drivers passed, as shares of their way
   /// All coordinates: at the start where it is reached, else where the last proof was.
   std::vector<double> q;
 };
@@ -27,6 +28,7 @@ struct FoundStart {
 ///   (1 − λ) Φ(drawing) leads from there to what it means; all groups have one λ.
 /// - then all drivers go straight from where they are drawn to their values at that time. Driven
 ///   angles make their whole turns; where these are more than a path has tests for, none of them.
+///   Change points on the way are passed on the smooth continuation (pass_change_point()).
 ///
 /// Other angles are those nearest to the drawing, whole turns apart. Where a part is blocked, by a
 /// singular position or a fold, no other way is sought. It is blocked at 0, too, where a driver has
