@@ -43,7 +43,7 @@ class Departure {
   /// so the time is doubled.
   double time_at(double distance) const {
     const auto is_away = [&](double t) {
-      return !(line_.distance(drivers_at(m_, t).position, 0) < distance);
+      return line_.distance(drivers_at(m_, t).position, 0) >= distance;
     };
     if (is_away(start_)) return start_;
     double begin = start_, inside = start_, step = 0;
@@ -104,8 +104,9 @@ bool lead(Model m, std::span<const double> from, std::span<const double> to,
 }
 
 /// Proves the instant of the motion at a time, on the branch to which the line leads, and that the
-/// motion goes on from there.
-bool prove_beyond(const Model& m, StraightCrossing& crossing, double time, PassedPoint& point) {
+/// motion goes on from there to a later time.
+bool prove_beyond(const Model& m, StraightCrossing& crossing, double time, double later,
+                  PassedPoint& point) {
   const PerLevel<std::vector<double>> z = drivers_at(m, time);
   const double s = crossing.line().arc(z.position);
   const CertifiedInstant* on_line = crossing.go_to(s);
@@ -125,7 +126,6 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, double time, Passe
       {.index = 0, .time = time, .q = x.position, .qd = x.velocity, .qdd = x.acceleration});
   if (!r.proven) return false;
   BranchPath path(m);
-  const double later = time + (time - point.after);
   if (!path.start_at({time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position}) ||
       path.go_to(later).end != PathEnd::same)
     return false;
@@ -168,7 +168,9 @@ std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInst
     const double time = departure.time_at(d);
     if (time == infinity) return point;
     if (departure.has_corner(d, crossing.reach())) return {};
-    if (!prove_beyond(m, crossing, time, point)) continue;
+    const double far = departure.time_at(crossing.reach());
+    const double later = far < infinity ? far : time + (time - start);
+    if (!prove_beyond(m, crossing, time, later, point)) continue;
     point.time = start + (time - start) / 2;
     return point;
   }

@@ -37,6 +37,9 @@ struct PassedPoint {
 /// drivers has a corner.
 /// - last: the last proven instant, where BranchPath::present() is
 ///
+/// A path that is stuck for want of tests may be before the point still when it has passed, and
+/// then be stuck again.
+///
 ///   const FollowedStep step = path.go_to(time);
 ///   if (step.end == PathEnd::stuck)
 ///     if (const auto point = pass_change_point(model, path.present()))

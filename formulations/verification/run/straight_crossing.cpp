@@ -167,48 +167,73 @@ Quintic<Interval> StraightCrossing::polynomial(const Node& a, const Node& b, int
   return hermite(end(a), end(b), Level::acceleration);
 }
 
+/// Compares the continuation at a level with an instant beyond: its miss of each coordinate.
+StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) const {
+  const Node &far = nodes_[level], &near = nodes_[level + 1];
+  Miss result;
+  for (int i = 0; i < model_.coordinates(); ++i) {
+    const Interval extended = value_at(polynomial(far, near, i), Interval(extension));
+    result.amount.push_back(std::abs(extended.mid - beyond.values.position[i]));
+    result.rounding.push_back(extended.radius + beyond.radius.position[i]);
+    // Rounding at most halves the fall of what is more than twice as much.
+    result.is_hidden &= result.amount[i] <= 2 * result.rounding[i];
+    result.shows_jumps &= result.rounding[i] < magnitudes_[i] * std::pow(beyond.s, 5);
+  }
+  return result;
+}
+
+/// Returns the largest miss in units of its rounding.
+double StraightCrossing::Miss::over(const std::vector<double>& unit) const {
+  double largest = 0;
+  for (std::size_t i = 0; i < unit.size(); ++i) largest = std::max(largest, amount[i] / unit[i]);
+  return largest;
+}
+
 double StraightCrossing::fall(int level, std::span<const double> positions) {
   if (!beyond_.start_at({distance(level), {positions, {}, {}}, {}})) return 0;
-  const int n = model_.coordinates();
-  std::vector<double> last(n), miss(n), radius(n);
-  double least = INFINITY;
+  Miss last;
+  double least = INFINITY, bottom = 0, deepest = 0;
+  bool falls = true;
   for (int k = level;; ++k) {
-    if (!reach_nodes(k + 2) || beyond_.go_to(distance(k)).end != PathEnd::same) return 0;
-    const Node &far = nodes_[k], &near = nodes_[k + 1];
-    const std::optional<Node> end = node(beyond_.present());
-    if (!end) return 0;
-    double coarse = 0, fine = 0;  // the last miss and this one, in roundings
-    bool shows_jumps = true;      // of the fifth derivative
-    for (int i = 0; i < n; ++i) {
-      const Interval extended = value_at(polynomial(far, near, i), Interval(extension));
-      miss[i] = std::abs(extended.mid - end->values.position[i]);
-      radius[i] = extended.radius + end->radius.position[i];
-      fine = std::max(fine, miss[i] / radius[i]);
-      coarse = std::max(coarse, last[i] / radius[i]);
-      shows_jumps &= radius[i] < magnitudes_[i] * std::pow(end->s, 5);
-    }
+    const bool is_led = reach_nodes(k + 2) && beyond_.go_to(distance(k)).end == PathEnd::same;
+    const std::optional<Node> end = is_led ? node(beyond_.present()) : std::nullopt;
+    // Where lengths are in line but for their rounding, the branches pass each other by, and the
+    // miss grows again towards the point. That of another branch falls all the way.
+    if (!end) return !falls && deepest >= bottom ? least : 0;
+    const Miss now = miss(k, *end);
     if (k == level) {
-      about_ = {near.values.position, end->values.position};
+      about_ = {nodes_[k + 1].values.position, end->values.position};
       reach_ = end->s;
     }
-    // Rounding makes up to one: it at most halves the fall of what is more.
-    const bool is_hidden = fine <= 2;
+    if (!falls) {
+      deepest = now.over(last.rounding);
+      continue;
+    }
     // What is a quintic itself is extended without a miss.
-    if (is_hidden && k == level && !(level == 0 && shows_jumps)) return 0;
-    if (k > level && !(is_hidden && k > level + 1)) {
-      least = std::min(least, coarse / std::max(fine, 2.0));
-      if (!(least >= min_fall)) return least;
+    if (now.is_hidden && k == level && !(level == 0 && now.shows_jumps)) return 0;
+    const double coarse = k > level ? last.over(now.rounding) : 0;
+    const double fine = std::max(now.over(now.rounding), 2.0);
+    if (k > level && coarse / fine < min_fall && !(now.is_hidden && k > level + 1)) {
+      if (k == level + 1) return coarse / fine;
+      falls = false;
+      bottom = std::min(last.over(now.rounding), fine);
+      last = now;
+      continue;
     }
-    if (is_hidden) {
-      width_ = end->s;
-      positions_.resize(n);
-      for (int i = 0; i < n; ++i) {
-        const Quintic<Interval> across = polynomial(near, *end, i);
-        std::ranges::transform(across, positions_[i].begin(), &Interval::mid);
-      }
-      return least;
-    }
-    last.swap(miss);
+    if (k > level && !now.is_hidden) least = std::min(least, coarse / fine);
+    join(nodes_[k + 1], *end);
+    if (now.is_hidden) return std::max(least, min_fall);
+    last = now;
+  }
+}
+
+/// Lays the polynomials across the point.
+void StraightCrossing::join(const Node& before, const Node& beyond) {
+  width_ = beyond.s;
+  positions_.resize(model_.coordinates());
+  for (int i = 0; i < model_.coordinates(); ++i) {
+    const Quintic<Interval> across = polynomial(before, beyond, i);
+    std::ranges::transform(across, positions_[i].begin(), &Interval::mid);
   }
 }
 

@@ -60,8 +60,9 @@ class StraightCrossing {
   bool find();
 
   /// Returns the least factor by which the miss falls, from one halving to the next until rounding
-  /// hides it, or the first one that is less than min_fall. 0: positions beyond are not proven, or
-  /// their branch does not lead to the point.
+  /// hides it, or the first one where that is less than min_fall. Rounding of lengths counts as
+  /// rounding: branches that meet but for it pass each other by, and the miss grows again towards
+  /// the point. 0: positions beyond are not proven, or nothing is seen of their branch's miss.
   /// - level: number of halvings before the first
   /// - beyond: positions at the distance h that belongs to the level, or near them
   double fall(int level, std::span<const double> beyond);
@@ -89,7 +90,18 @@ class StraightCrossing {
     PerLevel<std::vector<double>> values, radius;
   };
 
+  /// By how much a continuation misses an instant beyond.
+  struct Miss {
+    std::vector<double> amount, rounding;  ///< of each coordinate
+    bool is_hidden = true;                 ///< no coordinate's miss is more than rounding
+    bool shows_jumps = true;  ///< those of fifth derivatives, of the coordinates' magnitudes, are
+
+    double over(const std::vector<double>& unit) const;
+  };
+
   void find_nodes(const CertifiedInstant& last);
+  Miss miss(int level, const Node& beyond) const;
+  void join(const Node& before, const Node& beyond);
   bool leads_to(const Node& end, double nearest);
   std::optional<Node> node(const CertifiedInstant& instant);
   bool reach_nodes(int count);
