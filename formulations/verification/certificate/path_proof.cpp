@@ -156,19 +156,28 @@ void PathProof::Tube::gather(const BlockBatch& b) {
     return b.members[lane < b.blocks() ? lane : 0];
   };
   for (int i = 0; i < shape.states(); ++i) {
-    Value& x = states_[i] = Value();
-    if (shape.columns[i] == BlockShape::unread) continue;
-    for (int lane = 0; lane < LaneNumbers::count; ++lane) {
-      const int at = member(lane).block.states[i];
-      if (at >= m_.coordinates()) {
-        const TaylorModel<double, 1> fixed(m_.fixed_value(at - m_.coordinates()));
-        x.c[0].set(lane, fixed.c[0]);
-        x.rest.set(lane, fixed.rest);
-      } else {
-        for (int k = 0; k <= degree; ++k) x.c[k].set(lane, path_[at][k]);
-      }
+    Value& x = states_[i];
+    x.rest = 0;
+    if (shape.columns[i] == BlockShape::unread) {
+      x.c.fill(0);
+      continue;
     }
-    Slope& slope = slopes_[i] = Slope();
+    if (shape.columns[i] == BlockShape::fixed) {
+      x.c.fill(0);
+      for (int lane = 0; lane < LaneNumbers::count; ++lane) {
+        const int at = member(lane).block.states[i] - m_.coordinates();
+        const TaylorModel<double, 1> number(m_.fixed_value(at));
+        x.c[0].set(lane, number.c[0]);
+        x.rest.set(lane, number.rest);
+      }
+    } else {
+      const auto path = [&](int lane) { return path_[member(lane).block.states[i]].data(); };
+      const double *const p0 = path(0), *const p1 = path(1), *const p2 = path(2),
+                          *const p3 = path(3);
+      for (int k = 0; k <= degree; ++k)
+        x.c[k] = LaneNumbers(LaneNumbers::Numbers{p0[k], p1[k], p2[k], p3[k]});
+    }
+    Slope& slope = slopes_[i];
     slope.c = {x.c[0], x.c[1]};
     LaneNumbers rest = x.rest;
     for (int k = 2; k <= degree; ++k) rest += abs(x.c[k]);
