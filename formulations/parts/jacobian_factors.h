@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "formulations/algebra/equilibration.h"
+#include "formulations/algebra/iterative_refinement.h"
 #include "formulations/algebra/linear_solver.h"
-#include "formulations/algebra/refinement.h"
 #include "formulations/base/settings.h"
 #include "formulations/equations/equations.h"
 
@@ -22,8 +22,9 @@ namespace desmo {
 /// - step: at the solved position. The next step iterates with them, and converges linearly. Steps
 ///   that end at the level of positions make them in their first iteration.
 /// - chord: where the factors at hand have become too slow. Velocity and acceleration are solved
-///   with old factors, refined with the Jacobian of the solved position (Refinement) until they are
-///   as accurate. Where that would take more sweeps than new factors cost, it is factorised.
+///   with old factors, refined with the Jacobian of the solved position (IterativeRefinement) until
+///   they are as accurate. Where that would take more sweeps than new factors cost, it is
+///   factorised.
 ///
 /// Old factors are watched by the rate ρ = ‖Φ‖ / ‖Φ‖ before. They are replaced where
 /// LinearSolver::break_even_solves more corrections at that rate would not meet the tolerance.
@@ -184,7 +185,7 @@ class JacobianFactors {
   Factors factors_ = Factors::none;
   Correction last_correction_ = Correction::none;
   double last_residual_ = 0;  // ‖Φ‖ an iteration ago
-  Refinement<Real> refinement_;
+  IterativeRefinement<Real> refinement_;
 };
 
 }  // namespace desmo

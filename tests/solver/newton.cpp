@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "formulations/algebra/refinement.h"
+#include "formulations/algebra/iterative_refinement.h"
 #include "formulations/parts/jacobian_factors.h"
 #include "formulations/parts/newton_solver.h"
 
@@ -168,7 +168,7 @@ class RefinementOfOneEntry : public testing::Test {
         equations.pattern(), values, [](double* b) { *b /= 2.2; }, sweeps, x_);
   }
   const Eigen::VectorXd weights_ = Eigen::VectorXd::Ones(1);
-  Refinement<double> refinement_{weights_, true};
+  IterativeRefinement<double> refinement_{weights_, true};
   Eigen::VectorXd x_ = Eigen::VectorXd::Constant(1, 3);
 };
 

@@ -13,12 +13,12 @@ namespace desmo {
 /// Φ_φ x| / max w (|b| + |Φ_φ| |x|), in the norm that accepts positions. The weight w is
 /// 1/magnitude of each equation, so that units do not matter.
 template <class Real>
-class Refinement {
+class IterativeRefinement {
  public:
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
   /// weights: w, referenced for the lifetime of this object. used: false allocates nothing.
-  Refinement(const Vector& weights, bool used)
+  IterativeRefinement(const Vector& weights, bool used)
       : weights_(weights),
         right_(used ? weights.size() : 0),
         residual_(right_.size()),
