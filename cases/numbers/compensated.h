@@ -104,16 +104,16 @@ struct Compensated {
     return fma(S(unit), rounded, radius);
   }
 
-  /// Returns value + rest/d for a small rest. d: divisor, but for a relative error of at most
-  /// `relative`. Nothing is known where this is not small.
+  /// Returns value + rest/d. d: divisor, but for a relative error of at most `relative`, which 1/d
+  /// is off by `relative` / (1 − relative) for. Nothing is known where d may be half the divisor.
   static Compensated quotient(const S& value, const Compensated& rest, const S& divisor,
                               const S& relative) {
-    constexpr double small = 0x1p-43;  // 1/(1 − small) is within what enclosure() adds
+    constexpr double half = 0.5;
     const S sum = rest.value + rest.correction;
     const S correction = sum / divisor;
     const S rounded = (rest.radius + S(unit) * size(sum)) / size(divisor);
-    const S radius = rounded + size(correction) * (relative + S(unit));
-    return {value, correction, relative < small ? radius : S(INFINITY)};
+    const S radius = (rounded + size(correction) * (relative + S(unit))) / (S(1) - relative);
+    return {value, correction, relative < half ? radius : S(INFINITY)};
   }
 
   /// Returns cosine and sine of an angle in extended precision.

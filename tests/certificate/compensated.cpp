@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/float128.hpp>
+#include <cmath>
 #include <random>
 
 #include "cases/mechanism/motion.h"
@@ -170,6 +171,21 @@ TEST(Compensated, HoldsProductsOfUncertainNumbers) {
 }
 
 /// Radii of many numbers: each is lost beside the first.
+TEST(Compensated, HoldsQuotientsAndRootsOfUncertainNumbers) {
+  // Of numbers of a file far from the origin not even ten digits are certain (file_variation.h).
+  for (const double off : {1e-14, 1e-12, 1e-3, 0.4}) {
+    const Number quotient = Number(1) / Number(1, 0, off);
+    const double of_quotient = off / (1 - off), of_root = off / (1 + std::sqrt(1 - off));
+    EXPECT_LE(of_quotient, quotient.radius * (1 + 1e-12));
+    EXPECT_GE(1.5 * of_quotient + 1e-15, quotient.radius);
+    const Number root = sqrt(Number(1, 0, off));
+    EXPECT_LE(of_root, root.radius * (1 + 1e-12));
+    EXPECT_GE(1.5 * of_root + 1e-15, root.radius);
+  }
+  EXPECT_EQ((Number(1) / Number(1, 0, 0.6)).radius, INFINITY);
+  EXPECT_EQ((Number(1) / Number(1, 0, 2)).radius, INFINITY);
+}
+
 TEST(Compensated, CountsRoundingOfItsRadius) {
   constexpr int terms = 1000;
   constexpr double lost = 0x1.fp-54;

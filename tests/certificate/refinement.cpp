@@ -107,6 +107,24 @@ TEST(Refinement, FindsRatesFromPositionsAlone) {
   }
 }
 
+/// Rows between solved ones (Settings::stride) are far off where steps are long: digits double in
+/// each pass, the first one has none.
+TEST(Refinement, FindsPositionsThatAreFarOff) {
+  const Model m = locking_four_bar(Polynomial{{dead_point - 1, 1}});
+  const double t = 0;
+  const auto exact = reference_solution(m, std::span(&t, 1), Precision::quadruple);
+  ReferenceInstant far = exact.front();
+  const std::vector<bool> driven = independent_coordinates(m);
+  for (int i = 0; i < m.coordinates(); ++i)
+    if (!driven[i]) far.q[i] += 0.2 * (i % 2 == 0 ? 1 : -1);
+  Refinement refinement(m);
+  Errors errors;
+  errors.add(m, refinement.refine(instant_of(far)), exact.front(), make_scales(m, exact), 10);
+  EXPECT_EQ(errors.proven, 1);
+  EXPECT_GT(errors.passes, 4);
+  for (const Level level : all_levels) EXPECT_LE(errors.share[level], 2);
+}
+
 TEST(Refinement, HoldsUpToADeadPoint) {
   for (const double distance : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});

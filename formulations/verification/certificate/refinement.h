@@ -24,7 +24,8 @@ struct RefinedInstant {
 ///   const RefinedInstant r = refinement.refine(instant);   // in an observer, for example
 class Refinement {
  public:
-  static constexpr int max_passes = 4;
+  /// Digits double in each pass: six lead from one to 53 bits, and two more to the first one.
+  static constexpr int max_passes = 8;
 
   /// Contract of Certifier.
   explicit Refinement(const Model& model, std::span<const Level> levels = {},
