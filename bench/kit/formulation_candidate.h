@@ -54,7 +54,7 @@ class FormulationCandidate : public Candidate {
   Checked compare_with(const std::function<std::span<const ReferenceInstant>()>& reference,
                        VerifyingRun& found);
 
-  /// Runs the whole motion, which is what is verified and timed; by default without monitors.
+  /// Runs the whole motion, which is what is verified and timed; by default without checks.
   virtual Summary run(Formulation& formulation, Observer& observer) const;
 
   std::unique_ptr<Formulation> make_formulation() const;

@@ -28,8 +28,10 @@ std::span<const Extreme> all_extremes() {
               "4 times the error at scale 1, as many iterations ± 1 a step", &scales},
       Extreme{8, "long runs", "10⁶ steps, times up to 1e7 s",
               "at the end at most twice the error of the beginning", &long_runs},
-      Extreme{9, "bad starts", "estimates 0, 10, 50, 200 % off",
-              "the declared branch or a failure; an exact start is not made worse", &bad_starts},
+      Extreme{
+          9, "bad starts", "estimates 0, 10, 50, 200 % off",
+          "the branch that the homotopy from it means, or a flag; an exact start is not made worse",
+          &bad_starts},
       Extreme{10, "bad input", "NaN, infinities, lengths of zero; drivers that stop being numbers",
               "refused, or failed at that time with all earlier results right", &bad_input},
       Extreme{11, "reused pivots", "10,000 steps through a nearly singular position",

@@ -10,9 +10,9 @@ set(settings_h formulations/base/settings.h)
 set(summary_h formulations/base/summary.h)
 set(observer_h formulations/base/observer.h)
 set(formulation_h formulations/formulation.h formulations/variants.h formulations/id.h)
-set(monitored_run_h formulations/verification/monitor/monitored_run.h)
+set(checked_run_h formulations/verification/run/checked_run.h)
 set(certificate_h formulations/verification/certificate/certificate.h)
-set(live_run_h formulations/verification/monitor/live_run.h)
+set(live_run_h formulations/verification/run/live_run.h)
 set(range_h formulations/verification/range/driver_range.h)
 set(generated_code_h formulations/runtime/generated_code.h)
 set(reference_h formulations/verification/condition.h formulations/verification/error.h
@@ -21,13 +21,16 @@ set(reference_h formulations/verification/condition.h formulations/verification/
 set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbers/derived.h
   formulations/base/live_row.h formulations/base/output.h formulations/base/per_level.h
   formulations/base/reference_instant.h formulations/scaling/scales.h
-  formulations/verification/assessment/assembly_error.h
-  formulations/verification/assessment/assessment.h
-  formulations/verification/run/misfit.h)
+  formulations/verification/certificate/initial_residual.h
+  formulations/verification/certificate/path_proof.h
+  formulations/verification/certificate/refinement.h
+  formulations/verification/run/assembly_error.h formulations/verification/run/branch_path.h
+  formulations/verification/run/check_options.h formulations/verification/run/misfit.h
+  formulations/verification/run/start.h)
 
 set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)
 foreach(name mechanism scene files cases model settings summary observer formulation
-    monitored_run certificate live_run range generated_code reference)
+    checked_run certificate live_run range generated_code reference)
   list(APPEND installed_headers ${${name}_h})
   list(JOIN ${name}_h "\"\n#include \"" includes)
   set(header ${PROJECT_BINARY_DIR}/include/desmo/${name}.h)

@@ -15,7 +15,7 @@ struct Profile;  // parts/profile.h
 struct Variant;  // variants.h
 
 /// The steps of a formulation whose driver values are handed in. LiveRun is made of them; it also
-/// checks the rows and assesses the results.
+/// checks the rows and proves the results.
 class LiveSteps {
  public:
   virtual ~LiveSteps() = default;

@@ -9,11 +9,11 @@
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
 #include "bench/cli/range/ranges.h"
-#include "bench/cli/solve/run_notes.h"
+#include "bench/cli/solve/check_notes.h"
 #include "cases/io/new_files.h"
 #include "cases/mechanism/names.h"
 #include "formulations/variants.h"
-#include "formulations/verification/monitor/monitored_run.h"
+#include "formulations/verification/run/checked_run.h"
 
 namespace desmo::cli {
 namespace {
@@ -65,25 +65,28 @@ NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
   return named;
 }
 
-struct Ignored final : Observer {
-  Flow observe(const Instant&) noexcept override { return Flow::go_on; }
+/// Keeps the positions of one instant.
+struct Positions final : Observer {
+  Flow observe(const Instant& instant) noexcept override {
+    q.assign(instant.q.begin(), instant.q.end());
+    return Flow::go_on;
+  }
+  std::vector<double> q;
 };
 
-/// The position at the start, and the outcome of its assembly. At a dead point nothing can be
-/// assembled, but the estimate may be near enough.
+/// The position at the start, on the branch of the drawing, and what is proven of it. At a dead
+/// point nothing can be assembled, but the estimate may be near enough.
 struct Start {
-  MonitoredSummary summary;
+  CheckedSummary summary;
   std::vector<double> q;
 };
 
 Start start_at(const Model& m, double time, double tolerance) {
   const auto formulation =
       make_formulation(find_variant("block_automatic_klu"), m, Settings{.tolerance = tolerance});
-  Ignored observer;
-  Start start{run_monitored(*formulation, {time, 1, 1}, Request{Level::position}, observer),
-              m.estimate};
-  if (start.summary.outcome() != Outcome::failed)
-    start.q.assign(formulation->q().begin(), formulation->q().end());
+  Positions found;
+  Start start{run_checked(*formulation, {time, 1, 1}, Request{Level::position}, found), m.estimate};
+  if (start.summary.outcome() != Outcome::failed) start.q = found.q;
   for (const Driver& driver : m.drivers)
     start.q[m.entities[driver.coordinate].first] = sample(driver.motion, time).position;
   return start;
@@ -95,11 +98,7 @@ void range(const RangeOptions& options) {
   const Model m = model_mechanism(input).model;
   Ranges ranges{m, input.scene.grid.time(0), {}};
   const Start start = start_at(m, ranges.time, input.scene.tolerance);
-  if (start.summary.violated >= 0)
-    throw CommandError(not_solved,
-                       input.source + ": " + failure_text(start.summary, m, input.units));
-  if (start.summary.crossing)
-    std::fputs(note_on_accuracy(start.summary, Level::position, m, input.units).c_str(), stderr);
+  std::fputs(note_on_flags(start.summary, m, input.units).c_str(), stderr);
   for (int i = 0; i < m.degrees_of_freedom(); ++i) {
     const Entity& driven = m.entities[m.drivers[i].coordinate];
     NamedRange& named = ranges.drivers.emplace_back();

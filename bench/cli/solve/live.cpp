@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <utility>
 
 #include "bench/cli/errors.h"
+#include "bench/cli/solve/check_notes.h"
 #include "bench/cli/solve/driver_rows.h"
-#include "bench/cli/solve/run_notes.h"
 #include "bench/cli/text.h"
 #include "cases/mechanism/formatted.h"
-#include "formulations/verification/assessment/limits.h"
-#include "formulations/verification/monitor/live_run.h"
+#include "formulations/verification/run/live_run.h"
 
 namespace desmo::cli {
 namespace {
@@ -22,33 +20,30 @@ std::string_view outcome_name(const LiveSummary& s) {
                                             : "failed";
 }
 
-/// The row and the rows before it, in the words of a motion known in advance.
-MonitoredSummary as_motion(const LiveSummary& s) {
-  MonitoredSummary motion;
-  static_cast<BasicSummary&>(motion) = s;
-  motion.condition = s.assessment.condition;
-  motion.bound = s.assessment.bound;
-  if (s.degraded) motion.first_degraded = Degradation{0, s.time, s.assessment};
-  motion.crossing = s.first_crossing;
-  motion.violated = s.violated;
-  const Limit limit = s.assessment.limit;
-  if (s.outcome() == Outcome::failed && limit != Limit::singular_position &&
-      limit != Limit::rounding)
-    motion.limit = limit;
-  return motion;
+/// Adds a row that was solved to those before it, in the words of a motion known in advance.
+void add(const LiveSummary& s, const Scales& scales, CheckedSummary& total) {
+  total.add(s);
+  total.condition = std::max(total.condition, s.condition);
+  total.scales = scales;
+  if (s.flag) ++total.flagged;
+  if (!total.first_flag) total.first_flag = s.flag;
+  if (s.flag && s.flag->kind == RowFlag::Kind::unproven) return;
+  for (const Level l : all_levels) total.radius[l] = std::max(total.radius[l], s.radius[l]);
 }
 
-std::string reason_of(const LiveSummary& s, const LiveRow& row, const LiveRun& run,
-                      const Plan& plan, const DisplayUnits& units) {
-  if (s.fault == RowFault::not_finite) return "a number is not finite; leave such rows out";
-  if (s.fault == RowFault::time_not_later)
-    return formatted(
-        "t = %.9g s is not after the last row that was solved, t = %.9g s; let time go on", s.time,
-        run.time());
-  if (s.outcome() != Outcome::failed) return refusal_text(as_motion(s), plan.level(), plan.model);
-  MonitoredSummary failure = as_motion(s);
+std::string failure_of(const LiveSummary& s, const LiveRow& row, const LiveRun& run,
+                       const Plan& plan, const DisplayUnits& units) {
+  if (s.is_unreached() && s.status == Status::singular)
+    return flag_text({.kind = RowFlag::Kind::branch,
+                      .time = s.time,
+                      .after = s.path.time,
+                      .before = s.time,
+                      .group = s.path.group},
+                     plan.model, units) +
+           "; choose rows that keep away from it";
+  CheckedSummary failure;
+  static_cast<BasicSummary&>(failure) = s;
   failure.instants = run.has_position();
-  if (s.violated >= 0) return failure_text(failure, plan.model, units);
   const LiveRun::Obstacle obstacle = run.explain();
   if (s.status == Status::not_converged) failure.assembly_error = obstacle.assembly_error;
   if (obstacle.group >= 0) {
@@ -58,17 +53,37 @@ std::string reason_of(const LiveSummary& s, const LiveRow& row, const LiveRun& r
   return failure_text(failure, plan.model, units, row.z);
 }
 
+/// Returns why a row was refused or failed or, in a strict run, is flagged.
+std::string reason_of(const LiveSummary& s, const LiveRow& row, const LiveRun& run,
+                      const Plan& plan, const DisplayUnits& units) {
+  if (s.fault == RowFault::not_finite) return "a number is not finite; leave such rows out";
+  if (s.fault == RowFault::time_not_later)
+    return formatted(
+        "t = %.9g s is not after the last row that was solved, t = %.9g s; let time go on", s.time,
+        run.time());
+  if (s.outcome() == Outcome::failed) return failure_of(s, row, run, plan, units);
+  return flag_text(*s.flag, plan.model, units) +
+         "; choose rows that avoid it, or solve without --strict";
+}
+
+std::string notes_on(const CheckedSummary& total, const LiveRequest& request) {
+  const Model& m = request.plan.model;
+  if (total.instants == 0) return "";
+  if (request.quiet) return note_on_flags(total, m, request.units);
+  return request.check == CheckMode::none
+             ? "note: nothing is proven (--check none)\n"
+             : note_on_proofs(total, request.plan.level(), m, request.units);
+}
+
 }  // namespace
 
 void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
                 const SeriesFormat& format, OutputFile& output) {
   const Plan& plan = request.plan;
-  LiveOptions options{.level = plan.level(), .levels = plan.levels};
-  options.assesses_all = request.strict;
-  LiveRun run(formulation, options);
+  LiveRun run(formulation, {.level = plan.level(), .levels = plan.levels, .check = request.check});
   DriverRows rows(request.drivers, request.whole, plan.model, plan.level(), request.units);
   output.write(format.heading(heading));
-  MonitoredSummary total;
+  CheckedSummary total;
   long failed = 0;
   std::string text;
   for (LiveRow row{}; rows.next(row);) {
@@ -79,7 +94,7 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
       ++failed;
       const std::string what = rows.place() + ": " + reason_of(s, row, run, plan, request.units);
       if (!request.past_failures) {
-        std::fputs(note_on_flags(total, plan.level(), plan.model).c_str(), stderr);
+        std::fputs(note_on_flags(total, plan.model, request.units).c_str(), stderr);
         throw CommandError(not_solved, request.source + ": " + what);
       }
       if (!request.quiet) std::fprintf(stderr, "note: %s\n", what.c_str());
@@ -89,20 +104,9 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     if (is_solved) instant.q = run.q(), instant.qd = run.qd(), instant.qdd = run.qdd();
     format.append(heading, instant, text, outcome_name(s));
     output.write(text);
-    if (!is_solved) continue;
-    const MonitoredSummary one = as_motion(s);
-    total.add(s);
-    total.condition = std::max(total.condition, one.condition);
-    rescale(total.bound, std::exchange(total.scales, run.scales()), run.scales());
-    for (const Level l : all_levels) total.bound[l] = std::max(total.bound[l], one.bound[l]);
-    total.degraded += s.degraded;
-    if (!total.first_degraded) total.first_degraded = one.first_degraded;
-    if (!total.crossing) total.crossing = one.crossing;
+    if (is_solved) add(s, run.scales(), total);
   }
-  std::string note;
-  if (total.instants > 0)
-    note = request.quiet ? note_on_flags(total, plan.level(), plan.model)
-                         : note_on_accuracy(total, plan.level(), plan.model, request.units);
+  std::string note = notes_on(total, request);
   if (failed > 0) note += "accuracy: not solved: " + count(failed, "row") + "\n";
   std::fputs(note.c_str(), stderr);
 }

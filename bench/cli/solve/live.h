@@ -7,6 +7,7 @@
 #include "cases/io/new_files.h"
 #include "formulations/formulation.h"
 #include "formulations/planning/plan.h"
+#include "formulations/verification/run/check_options.h"
 
 namespace desmo::cli {
 
@@ -15,11 +16,12 @@ struct LiveRequest {
   const Model& whole;           ///< the model of the scene
   const Plan& plan;             ///< its part that is solved
   const DisplayUnits& units;    ///< of rows, answers and messages
+  CheckMode check;
   bool strict, past_failures, quiet;
 };
 
 /// Answers each row at once, with its outcome. Throws what DriverRows and OutputFile throw, and
-/// Error (not_solved) at the first row that fails or, being strict, is degraded; past failures,
+/// Error (not_solved) at the first row that fails or, being strict, is flagged; past failures,
 /// says on standard error what they are.
 void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
                 const SeriesFormat& format, OutputFile& output);

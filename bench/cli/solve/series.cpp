@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bench/cli/solve/run_notes.h"
+#include "bench/cli/solve/check_notes.h"
 
 namespace desmo::cli {
 namespace {
@@ -27,8 +27,9 @@ void append_word(std::string_view word, std::string& text) {
     text.append(",\"").append(word).append("\"");
 }
 
+/// On a change point there are no rates.
 bool is_known(const Column& column, const Instant& instant) {
-  return column.coordinate < 0 || !instant.q.empty();
+  return column.coordinate < 0 || (!instant.q.empty() && !std::isnan(column.value(instant)));
 }
 
 /// As RFC 4180 has it.
@@ -106,7 +107,12 @@ SeriesWriter::SeriesWriter(SeriesHeading heading, std::unique_ptr<SeriesFormat> 
       text_(format_->heading(heading_)) {}
 
 Flow SeriesWriter::observe(const Instant& instant) noexcept try {
-  const auto finite = [&](const Column& column) { return std::isfinite(column.value(instant)); };
+  const bool may_lack = !remark_.empty();  // rates, on a change point
+  const auto finite = [&](const Column& column) {
+    const double value = column.value(instant);
+    return std::isfinite(value) ||
+           (may_lack && column.level > Level::position && std::isnan(value));
+  };
   if (const auto c = std::ranges::find_if_not(heading_.columns, finite);
       c != heading_.columns.end()) {
     overflow_ = overflow_text(c->name, instant.time);

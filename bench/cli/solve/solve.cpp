@@ -14,13 +14,15 @@
 #include "bench/cli/input.h"
 #include "bench/cli/interruption.h"
 #include "bench/cli/own_code.h"
+#include "bench/cli/solve/check_notes.h"
+#include "bench/cli/solve/check_option.h"
 #include "bench/cli/solve/live.h"
-#include "bench/cli/solve/proof.h"
 #include "bench/cli/solve/run_notes.h"
 #include "cases/mechanism/names.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
-#include "formulations/verification/monitor/live_run.h"
+#include "formulations/verification/run/checked_run.h"
+#include "formulations/verification/run/live_run.h"
 
 namespace desmo::cli {
 namespace {
@@ -30,8 +32,8 @@ constexpr const char* default_formulation = "block_symbolic_inlined";
 struct SolveOptions {
   std::string scene, output, format, formulation, drivers;
   UnitSystem units = UnitSystem::file;
-  bool explain = false, quiet = false, flags = false, strict = false, past_failures = false,
-       certify = false;
+  bool explain = false, quiet = false, flags = false, strict = false, past_failures = false;
+  CheckOptions check;
   GenerationOptions own_code;
 };
 
@@ -75,6 +77,12 @@ void say(const std::string& text) {
   std::fflush(stderr);
 }
 
+PlanExtent extent_of(CheckMode mode) {
+  return mode == CheckMode::none        ? PlanExtent::outputs
+         : mode == CheckMode::mechanism ? PlanExtent::mechanism
+                                        : PlanExtent::left_out_equations;
+}
+
 /// What is solved, how, and where the answers go.
 struct Task {
   const SolveOptions& options;
@@ -104,28 +112,32 @@ void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading&
   const SolveOptions& o = task.options;
   if (const std::string reason = unsupported_live_reason(formulation); !reason.empty())
     throw CommandError(usage_error, "--drivers with " + heading.formulation + ": " + reason);
-  solve_live({task.input.source, o.drivers, task.whole, task.plan, task.input.units, o.strict,
-              o.past_failures, o.quiet},
+  if (o.check.mode != CheckMode::proof && o.check.mode != CheckMode::none)
+    throw CommandError(usage_error,
+                       "--check with --drivers: proof or none, for each row is "
+                       "answered at once");
+  solve_live({task.input.source, o.drivers, task.whole, task.plan, task.input.units, o.check.mode,
+              o.strict, o.past_failures, o.quiet},
              formulation, heading, format, task.output);
   task.output.finish();
 }
 
-/// Runs through the motion, writes its rows, and has them certified where there is a proof.
-MonitoredSummary run_through(const Task& task, Formulation& formulation, SeriesWriter& writer,
-                             std::optional<Proof>& proof) {
+/// Runs through the motion and writes its rows.
+CheckedSummary run_through(const Task& task, Formulation& formulation, SeriesWriter& writer) {
   const SolveOptions& o = task.options;
-  MonitoredRunOptions monitoring{
-      .levels = task.plan.levels, .strict = o.strict, .past_failures = o.past_failures};
-  if (proof) monitoring.refined = [&](const Instant& i) { return proof->refine(i); };
-  monitoring.monitored = [&](const MonitoredInstant& i) { writer.remark_next(flag_of(i)); };
-  return run_monitored(formulation, task.input.scene.grid, Request{task.plan.level()}, writer,
-                       monitoring);
+  CheckOptions check = o.check;
+  check.levels = task.plan.levels;
+  check.strict = o.strict;
+  check.past_failures = o.past_failures;
+  check.checked = [&](const CheckedInstant& i) {
+    if (i.flag) writer.remark_next(word_of(*i.flag));
+  };
+  return run_checked(formulation, task.input.scene.grid, Request{task.plan.level()}, writer, check);
 }
 
 /// Throws where the run failed or strict rules refuse it. Before, rows go to standard output, which
 /// may have any number of them; a file is written whole or not at all.
-void require_success(const Task& task, const MonitoredSummary& summary, SeriesWriter& writer,
-                     const std::optional<Proof>& proof) {
+void require_success(const Task& task, const CheckedSummary& summary, SeriesWriter& writer) {
   const auto fail = [&](const std::string& what, long instants) {
     std::string text = task.input.source + ": " + what;
     if (task.output.is_standard_output())
@@ -138,44 +150,39 @@ void require_success(const Task& task, const MonitoredSummary& summary, SeriesWr
   const bool all = summary.outcome() != Outcome::failed && overflow.empty();
   if (all || task.output.is_standard_output()) writer.flush();
   if (!all && !summary.refused)
-    say(note_on_gaps(summary, m, units) + note_on_flags(summary, task.plan.level(), m));
+    say(note_on_gaps(summary, m, units) + note_on_flags(summary, m, units));
   if (!overflow.empty()) fail(overflow, summary.instants - 1);
-  if (summary.refused) fail(refusal_text(summary, task.plan.level(), m), summary.instants);
+  if (summary.refused) fail(refusal_text(summary, m, units), summary.instants);
   if (!all) fail(failure_text(summary, m, units), summary.instants);
-  if (task.options.strict && proof && !proof->is_complete())
-    fail(proof->reason() + "; solve without --strict", summary.instants);
 }
 
 /// Returns what is said of a motion; of a quiet run, what is flagged alone.
 std::string notes_on(const Task& task, const Formulation& formulation,
-                     const MonitoredSummary& summary, const std::optional<Proof>& proof) {
+                     const CheckedSummary& summary) {
   const Model& m = task.plan.model;
   const DisplayUnits& units = task.input.units;
-  const Level level = task.plan.level();
-  if (task.options.quiet)
-    return note_on_gaps(summary, m, units) + note_on_flags(summary, level, m) +
-           (proof && !proof->is_complete() ? proof->note(level) : "");
+  const std::string gaps = note_on_gaps(summary, m, units);
+  if (task.options.quiet) return gaps + note_on_flags(summary, m, units);
   return note_on_tolerance(formulation, task.chosen.settings.tolerance) +
-         note_on_refusals(formulation, task.named) + note_on_steps(formulation) +
-         note_on_stride(summary, formulation) + note_on_gaps(summary, m, units) +
-         note_on_accuracy(summary, level, m, units) + (proof ? proof->note(level) : "");
+         note_on_refusals(formulation, task.named) + note_on_steps(formulation) + gaps +
+         note_on_unseen(task.plan, task.whole) +
+         (task.options.check.mode == CheckMode::none
+              ? "note: nothing is proven (--check none)\n"
+              : note_on_proofs(summary, task.plan.level(), m, units));
 }
 
 void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading,
                   std::unique_ptr<SeriesFormat> format) {
-  const Plan& plan = task.plan;
   const TimeGrid& grid = task.input.scene.grid;
   const bool in_the_way = task.output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   std::optional<bench::Progress> progress;
   if (!task.options.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
   SeriesWriter writer(heading, std::move(format), task.output, progress ? &*progress : nullptr);
-  std::optional<Proof> proof;
-  if (task.options.certify) proof.emplace(plan.model, grid, plan.levels);
-  const MonitoredSummary summary = run_through(task, formulation, writer, proof);
+  const CheckedSummary summary = run_through(task, formulation, writer);
   progress.reset();
-  require_success(task, summary, writer, proof);
+  require_success(task, summary, writer);
   task.output.finish();
-  say(notes_on(task, formulation, summary, proof));
+  say(notes_on(task, formulation, summary));
 }
 
 void solve(const SolveOptions& options) {
@@ -189,7 +196,7 @@ void solve(const SolveOptions& options) {
   protect_input(options.output, input, options.drivers);
   OutputFile output(options.output, remove_when_interrupted);
   const Model whole = model_mechanism(input).model;
-  const Plan plan = make_plan(whole, outputs_of(input.scene, whole));
+  const Plan plan = make_plan(whole, outputs_of(input.scene, whole), extent_of(options.check.mode));
   if (options.explain) say(explain(plan, whole));
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
   const Task task{options, input, chosen, whole, plan, output, named};
@@ -236,26 +243,19 @@ void add_solve(CLI::App& program) {
                    "instant, answered at once, of t, then z of each driver, dz/dt of each and "
                    "d2z/dt2 of each; the scene's own motion and time are not used")
       ->check(refuse_empty);
-  add_choice(*command, "--columns", options->flags, {{"flag", true}},
-             "Further columns: flag, which says of each row whether it is degraded, crossing a "
-             "singular position, or on another branch; JSON lines have it anyway")
+  add_choice(
+      *command, "--columns", options->flags, {{"flag", true}},
+      "Further columns: flag, which says of each row why it is not proven, or that it is beyond "
+      "a change point; JSON lines have it anyway")
       ->excludes("--drivers");
-  command
-      ->add_flag(
-          "--certify", options->certify,
-          "Correct every instant to the last digits and prove an error bound of it, all rounding "
-          "included; with --strict, fail where there is no proof")
-      ->excludes("--drivers");
+  add_check(*command, options->check);
   add_options(*command, options->own_code);
   command->add_flag("--explain", options->explain,
                     "Say on standard error what has to be solved for what is asked, and why");
   CLI::Option* past_failures = command->add_flag(
       "--past-failures", options->past_failures,
       "Go on after an interval that cannot be assembled, and say from when to when");
-  command
-      ->add_flag("--strict", options->strict,
-                 "Assess every instant, and fail where conditioning lets one be no better than "
-                 "degraded")
+  command->add_flag("--strict", options->strict, "Fail at the first row that is flagged")
       ->excludes(past_failures);
   command->add_flag("--quiet", options->quiet, "No progress, and no notes but flags");
   command->footer(

@@ -178,8 +178,7 @@ function writeAbout(data, player) {
   const script = frames > 30
       ? ` Script a frame: ${median.toFixed(1)} ms in the median of the last ${frames}, at most ${longest.toFixed(1)} ms.` : '';
   get('about').textContent = `Solved by ${data.formulation}; ${data.accuracy}. The picture shows solved positions only; all ` +
-      `numbers have seven digits. Condition and bounds are estimates; between assessed ` +
-      `instants they are expectations with a margin.${script}`;
+      `numbers have seven digits. Radii are proven, all rounding included.${script}`;
 }
 
 // Says what is flagged at the time of the slider, and marks in the picture what does not close.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/cli/solve/run_notes.h"
+#include "bench/cli/solve/check_notes.h"
 
 namespace desmo::cli {
 
@@ -15,12 +15,12 @@ MotionRecorder::MotionRecorder(const Model& model, const DisplayUnits& units, co
       max_kept_(std::max<std::size_t>(max_kept, 4)),
       progress_(progress) {}
 
-MonitoredSummary MotionRecorder::run(Formulation& formulation) {
-  MonitoredRunOptions options;
+CheckedSummary MotionRecorder::run(Formulation& formulation) {
+  CheckOptions options;
   options.past_failures = true;
-  options.monitored = [this](const MonitoredInstant& instant) { record(instant); };
-  const MonitoredSummary summary =
-      run_monitored(formulation, grid_, {Level::acceleration}, *this, options);
+  options.checked = [this](const CheckedInstant& instant) { record(instant); };
+  const CheckedSummary summary =
+      run_checked(formulation, grid_, {Level::acceleration}, *this, options);
   for (RecordedInstant& last : passed_) instants_.push_back(std::move(last));
   passed_.clear();
   if (instants_.empty()) {
@@ -28,7 +28,6 @@ MonitoredSummary MotionRecorder::run(Formulation& formulation) {
     state.resize(3 * state.size());
     instants_.push_back({0, std::move(state), 0, {}});
   }
-  drop_outgrown_flags(summary);
   flag_failures(summary);
   std::ranges::stable_sort(flags_, {}, &Flag::from);
   return summary;
@@ -39,8 +38,10 @@ Flow MotionRecorder::observe(const Instant&) noexcept {
   return overflowed_ ? Flow::stop : Flow::go_on;
 }
 
-void MotionRecorder::record(const MonitoredInstant& monitored) {
-  const Instant& instant = monitored.instant;
+void MotionRecorder::record(const CheckedInstant& checked) {
+  const Instant& instant = checked.instant;
+  flag(checked);
+  if (checked.flag && checked.flag->kind == RowFlag::Kind::on_point) return;  // it has no rates
   const auto n = static_cast<std::size_t>(model_.coordinates());
   std::vector<double> state;
   state.reserve(3 * n);
@@ -49,11 +50,10 @@ void MotionRecorder::record(const MonitoredInstant& monitored) {
   overflowed_ = !std::ranges::all_of(state, [](double x) { return std::isfinite(x); });
   if (overflowed_) return;
   ++solved_;
-  flag(monitored);
-  condition_ = std::max(condition_, monitored.assessment.condition);
+  condition_ = std::max(condition_, checked.condition);
   for (const Level level : all_levels)
-    bound_[level] = std::max(bound_[level], monitored.assessment.bound[level]);
-  keep({instant.index, std::move(state), condition_, bound_});
+    radius_[level] = std::max(radius_[level], checked.relative_radius[level]);
+  keep({instant.index, std::move(state), condition_, radius_});
 }
 
 /// Keeps every instant of the stride; holds the others until the next one comes.
@@ -67,11 +67,11 @@ void MotionRecorder::keep(RecordedInstant instant) {
   }
   instants_.push_back(std::move(instant));
   condition_ = 0;
-  bound_ = {};
+  radius_ = {};
   if (instants_.size() > max_kept_) drop_every_second();
 }
 
-/// Doubles the stride. What is left out hands its condition and bounds to the next one kept.
+/// Doubles the stride. What is left out hands its condition and radii to the next one kept.
 void MotionRecorder::drop_every_second() {
   stride_ *= 2;
   std::vector<RecordedInstant> kept;
@@ -81,47 +81,36 @@ void MotionRecorder::drop_every_second() {
         i + 1 < instants_.size() && instants_[i + 1].index > instant.index + stride_;
     condition_ = std::max(condition_, instant.condition);
     for (const Level level : all_levels)
-      bound_[level] = std::max(bound_[level], instant.bound[level]);
+      radius_[level] = std::max(radius_[level], instant.radius[level]);
     if (instant.index % stride_ != 0 && !before_gap) continue;
     instant.condition = std::exchange(condition_, 0);
-    instant.bound = std::exchange(bound_, {});
+    instant.radius = std::exchange(radius_, {});
     kept.push_back(std::move(instant));
   }
   instants_ = std::move(kept);
 }
 
-void MotionRecorder::flag(const MonitoredInstant& monitored) {
-  const Instant& instant = monitored.instant;
-  if (monitored.crossing) {
-    const SingularityCrossing& c = *monitored.crossing;
-    flags_.push_back(
-        {c.kind == SingularityCrossing::Kind::passed ? Flag::Kind::crossing : Flag::Kind::branch,
-         std::max(c.after, grid_.start), c.before, crossing_text(c, model_)});
-  }
-  if (!monitored.degraded) return;
-  const auto is_degraded = [](const Flag& f) { return f.kind == Flag::Kind::degraded; };
-  if (last_degraded_ + 1 == instant.index) {
-    std::find_if(flags_.rbegin(), flags_.rend(), is_degraded)->to = instant.time;
-  } else {
-    flags_.push_back({Flag::Kind::degraded, instant.time, instant.time,
-                      degradation_text({instant.index, instant.time, monitored.assessment},
-                                       Level::acceleration, model_)});
-  }
-  last_degraded_ = instant.index;
+/// Flags an interval; one that lasts grows with the row.
+void MotionRecorder::flag(const CheckedInstant& checked) {
+  if (!checked.flag) return;
+  const RowFlag& f = *checked.flag;
+  const bool passes = f.kind == RowFlag::Kind::crossing || f.kind == RowFlag::Kind::on_point;
+  const Flag::Kind kind = passes                            ? Flag::Kind::crossing
+                          : f.kind == RowFlag::Kind::branch ? Flag::Kind::branch
+                                                            : Flag::Kind::degraded;
+  const int index = checked.instant.index;
+  const bool lasts = !passes && last_flagged_ + 1 == index && flags_.back().kind == kind;
+  if (lasts)
+    flags_.back().to = f.time;
+  else
+    flags_.push_back({kind, passes ? std::max(f.after, grid_.start) : f.time,
+                      passes ? f.before : f.time, flag_text(f, model_, units_)});
+  last_flagged_ = index;
 }
 
-/// Removes flags of instants that are not degraded compared with the whole motion: its rates have
-/// grown.
-void MotionRecorder::drop_outgrown_flags(const MonitoredSummary& summary) {
-  const double first = summary.first_degraded ? summary.first_degraded->time : INFINITY;
-  std::erase_if(flags_, [&](const Flag& flag) {
-    return flag.kind == Flag::Kind::degraded && flag.to < first;
-  });
-}
-
-void MotionRecorder::flag_failures(const MonitoredSummary& summary) {
+void MotionRecorder::flag_failures(const CheckedSummary& summary) {
   for (const Gap& gap : summary.gaps) {
-    MonitoredSummary failure;
+    CheckedSummary failure;
     static_cast<BasicSummary&>(failure) = gap.failure;
     failure.assembly_error = gap.assembly_error;
     Flag& flag = flags_.emplace_back(Flag::Kind::failed, gap.from, gap.to,
@@ -130,10 +119,6 @@ void MotionRecorder::flag_failures(const MonitoredSummary& summary) {
         gap.assembly_error ? gap.assembly_error->constraint : gap.failure.constraint;
     if (constraint >= 0) flag.open = model_.constraints[constraint].operands;
   }
-  if (summary.violated < 0) return;
-  flags_.push_back({Flag::Kind::failed, summary.time, grid_.time(grid_.instants - 1),
-                    failure_text(summary, model_, units_),
-                    model_.constraints[summary.violated].operands});
 }
 
 }  // namespace desmo::cli

@@ -1,4 +1,4 @@
-// Records the data of a page from a monitored run: instants, their accuracy, and where they are
+// Records the data of a page from a checked run: instants, their accuracy, and where they are
 // flagged.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 #include "bench/kit/process/progress.h"
 #include "cases/io/units.h"
-#include "formulations/verification/monitor/monitored_run.h"
+#include "formulations/verification/run/checked_run.h"
 
 namespace desmo::cli {
 
@@ -16,7 +16,7 @@ struct RecordedInstant {
   int index;                  ///< in the grid
   std::vector<double> state;  ///< q, q̇, q̈, of all coordinates each
   double condition;           ///< largest since the instant kept before
-  PerLevel<double> bound;     ///< error bounds
+  PerLevel<double> radius;    ///< largest over its scale (CheckedInstant)
 };
 
 /// An interval that is flagged, and why.
@@ -38,7 +38,7 @@ class MotionRecorder final : public Observer {
 
   /// Runs the formulation over the motion, and past intervals that cannot be assembled. Where no
   /// instant can be solved, the initial estimate is kept, at rest.
-  MonitoredSummary run(Formulation& formulation);
+  CheckedSummary run(Formulation& formulation);
 
   Flow observe(const Instant& instant) noexcept override;
 
@@ -49,12 +49,11 @@ class MotionRecorder final : public Observer {
   bool overflowed() const { return overflowed_; }            ///< a number is not finite
 
  private:
-  void record(const MonitoredInstant& instant);
+  void record(const CheckedInstant& instant);
   void keep(RecordedInstant instant);
   void drop_every_second();
-  void flag(const MonitoredInstant& instant);
-  void drop_outgrown_flags(const MonitoredSummary& summary);
-  void flag_failures(const MonitoredSummary& summary);
+  void flag(const CheckedInstant& instant);
+  void flag_failures(const CheckedSummary& summary);
 
   const Model& model_;
   const DisplayUnits& units_;  // of messages
@@ -63,10 +62,10 @@ class MotionRecorder final : public Observer {
   bench::Progress* progress_;
   std::vector<RecordedInstant> instants_, passed_;  // passed_: the last one, where it is not kept
   std::vector<Flag> flags_;
-  int stride_ = 1, last_degraded_ = -2;
+  int stride_ = 1, last_flagged_ = -2;
   long solved_ = 0;
   double condition_ = 0;
-  PerLevel<double> bound_{};
+  PerLevel<double> radius_{};
   bool overflowed_ = false;
 };
 

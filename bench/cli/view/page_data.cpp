@@ -113,13 +113,13 @@ class Writer {
   }
 
   void write_about() {
-    const MonitoredSummary& s = motion_.summary;
+    const CheckedSummary& s = motion_.summary;
     json_["mechanism"] = Json::parse(write_mechanism(scene_.mechanism));
     json_["title"] = scene_.mechanism.title;
     json_["scene"] = scene_.name;
     json_["formulation"] = motion_.formulation;
     json_["coordinates"] = m_.coordinates();
-    json_["accuracy"] = describe_accuracy(s.condition, s.bound, Level::acceleration);
+    json_["accuracy"] = describe_radius(s, Level::acceleration);
     for (const Level level : all_levels)
       json_["units"].push_back(unit_of(motion_.units, EntityKind::point, level).name);
     const DisplayUnit& angle = motion_.units.angle;
@@ -204,10 +204,9 @@ class Writer {
     json_["condition"] = pack({{"name", "condition number"}, {"unit", "1"}},
                               [](const RecordedInstant& i) { return i.condition; });
     for (const Level level : all_levels)
-      json_["bounds"].push_back(
-          pack({{"name", std::string("error bound, ") + level_names[static_cast<int>(level)]},
-                {"unit", "1"}},
-               [&](const RecordedInstant& i) { return i.bound[level]; }));
+      json_["radii"].push_back(pack(
+          {{"name", std::string("radius, ") + level_names[static_cast<int>(level)]}, {"unit", "1"}},
+          [&](const RecordedInstant& i) { return i.radius[level]; }));
   }
 
   const Scene& scene_;

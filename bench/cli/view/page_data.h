@@ -14,7 +14,7 @@ struct ShownMotion {
   const DisplayUnits& units;  ///< of the numbers that people read
   const Model& model;
   const MotionRecorder& recording;
-  const MonitoredSummary& summary;
+  const CheckedSummary& summary;
   std::string formulation;
 };
 

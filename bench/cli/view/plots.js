@@ -122,7 +122,7 @@ export class Plots {
       }]);
     const accuracy = true;
     list.push([[data.condition], {x, x_title, over_time, accuracy, log: true, title: '', y_title: 'condition'}]);
-    list.push([data.bounds, {x, x_title, over_time, accuracy, log: true, title: '', y_title: 'relative'}]);
+    list.push([data.radii, {x, x_title, over_time, accuracy, log: true, title: '', y_title: 'relative'}]);
     return list;
   }
 

@@ -93,7 +93,7 @@ void view(const ViewOptions& options) {
   if (!options.quiet) progress.emplace("instants", grid.instants, true);
   MotionRecorder recording(model, input.units, grid, std::min(max_instants, fitting),
                            progress ? &*progress : nullptr);
-  const MonitoredSummary summary = recording.run(*formulation);
+  const CheckedSummary summary = recording.run(*formulation);
   progress.reset();
   if (recording.overflowed())
     throw CommandError(not_solved,

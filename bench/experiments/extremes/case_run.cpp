@@ -15,7 +15,6 @@
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
-#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes {
 
@@ -96,19 +95,22 @@ class Record final : public Observer {
   /// The runs to come begin with that instant, or start.
   void begin(std::size_t first) { first_ = first; }
 
-  void note(const MonitoredInstant& m) {
-    degraded_ = m.degraded;
-    stated_ = {m.assessment.condition, m.assessment.bound};
+  void note(const CheckedInstant& row) {
+    using Kind = RowFlag::Kind;
+    flag_ = !row.flag ? CaseRun::Flag::none
+            : row.flag->kind == Kind::unproven || row.flag->kind == Kind::misfit
+                ? CaseRun::Flag::degraded
+                : CaseRun::Flag::doubtful;
+    stated_ = {row.condition, row.relative_radius};
   }
 
   Flow observe(const Instant& instant) noexcept override {
     const std::size_t i = first_ + instant.index;
     weigh(i);
     run_.steps.resize(i, {CaseRun::Flag::failed});  // those that were passed over
-    run_.steps.push_back(
-        {degraded_ ? CaseRun::Flag::degraded : CaseRun::Flag::none,
-         unknowns_ > 0 ? static_cast<double>(instant.updates) / static_cast<double>(unknowns_)
-                       : 0});
+    run_.steps.push_back({flag_, unknowns_ > 0 ? static_cast<double>(instant.updates) /
+                                                     static_cast<double>(unknowns_)
+                                               : 0});
     const auto& compared = case_.compared;
     const auto found = std::ranges::lower_bound(compared, static_cast<int>(i));
     if (found == compared.end() || *found != static_cast<int>(i)) return Flow::go_on;
@@ -121,22 +123,16 @@ class Record final : public Observer {
   }
 
   /// A run is over that was to last so many instants.
-  void end(const MonitoredSummary& summary, const TimeGrid& grid, const Model& m) {
+  void end(const CheckedSummary& summary, const TimeGrid& grid, const Model& m) {
     const std::size_t last = first_ + grid.instants;
     auto& steps = run_.steps;
     if (steps.size() < last) {
       const bool went_on = !summary.gaps.empty();
       steps.resize(went_on ? last : steps.size() + 1, {CaseRun::Flag::failed});
     }
-    if (summary.crossing)
-      for (std::size_t i = first_; i < steps.size(); ++i)
-        if (const double t = grid.time(static_cast<int>(i - first_));
-            steps[i].flag != CaseRun::Flag::failed &&
-            (t > summary.crossing->after || t >= summary.crossing->before))
-          steps[i].flag = CaseRun::Flag::doubtful;
     run_.max.condition = std::max(run_.max.condition, summary.condition);
     for (const Level l : all_levels)
-      run_.max.bound[l] = std::max(run_.max.bound[l], summary.bound[l]);
+      run_.max.radius[l] = std::max(run_.max.radius[l], summary.radius[l]);
     run_.gaps.insert(run_.gaps.end(), summary.gaps.begin(), summary.gaps.end());
     note_flag(summary, m);
   }
@@ -150,31 +146,22 @@ class Record final : public Observer {
           static_cast<std::int64_t>(bench::heap_in_use()) - static_cast<std::int64_t>(early_heap_);
   }
 
-  void note_flag(const MonitoredSummary& s, const Model& m) {
+  void note_flag(const CheckedSummary& s, const Model& m) {
     if (!run_.message.empty() || s.outcome() == desmo::Outcome::converged) return;
     const Summary failure = s.gaps.empty() ? Summary{s} : s.gaps.front().failure;
     run_.failed_group = failure.group;
-    run_.message = !failure.ok() ? desmo::describe(failure, m)
-                   : s.crossing  ? describe(*s.crossing)
-                                 : describe(*s.first_degraded);
+    run_.message = !failure.ok() ? desmo::describe(failure, m) : describe(*s.first_flag);
   }
 
-  static std::string describe(const SingularityCrossing& c) {
-    static constexpr const char* what[] = {"passes a singular position", "jumps",
-                                           "not assembled as declared"};
-    return formatted("%s between t = %.9g s and %.9g s", what[static_cast<int>(c.kind)], c.after,
-                     c.before);
-  }
-  static std::string describe(const Degradation& d) {
-    return formatted("degraded from t = %.9g s on: ", d.time) +
-           describe_accuracy(d.assessment.condition, d.assessment.bound, Level::acceleration);
+  static std::string describe(const RowFlag& flag) {
+    return formatted("%s from t = %.9g s on", std::string(word_of(flag)).c_str(), flag.time);
   }
 
   const KnownCase& case_;
   CaseRun& run_;
   std::size_t first_ = 0, early_heap_ = 0;
   long unknowns_ = 0;
-  bool degraded_ = false;
+  CaseRun::Flag flag_ = CaseRun::Flag::none;
   CaseRun::Stated stated_{};
 };
 
@@ -189,7 +176,7 @@ CaseOutcome CaseRun::outcome() const {
                                : CaseOutcome::degraded;
 }
 
-CaseRun run_case(const KnownCase& known, const Configuration& configuration, unsigned without) {
+CaseRun run_case(const KnownCase& known, const Configuration& configuration) {
   CaseRun a;
   const auto stop = [&](CaseOutcome outcome, std::string why) {
     a.unsolved = outcome;
@@ -214,16 +201,16 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
     return stop(CaseOutcome::not_applicable, std::move(why));
 
   Record record(known, *f, a);
-  MonitoredRunOptions options;
+  CheckOptions options;
   options.past_failures = c.goes_on;
-  options.monitored = [&](const MonitoredInstant& instant) { record.note(instant); };
+  options.checked = [&](const CheckedInstant& row) { record.note(row); };
   const std::size_t runs = c.starts ? known.starts.size() : 1;
   const TimeGrid grid =
       c.starts ? TimeGrid{c.scene.grid.start, c.scene.grid.step, 1} : c.scene.grid;
   for (std::size_t i = 0; i < runs; ++i) {
     if (started) started->estimate = known.starts[i];
     record.begin(i);
-    record.end(run_monitored_without(without, *f, grid, {}, record, options), grid, m);
+    record.end(run_checked(*f, grid, {}, record, options), grid, m);
   }
   return a;
 }

@@ -7,13 +7,13 @@
 
 #include "bench/experiments/extremes/known_case.h"
 #include "formulations/id.h"
-#include "formulations/verification/monitor/monitored_run.h"
+#include "formulations/verification/run/checked_run.h"
 
 namespace desmo::extremes {
 
 enum class CaseOutcome {
   converged,       ///< numbers everywhere, without a flag
-  degraded,        ///< with one: no better than their bounds, or in doubt
+  degraded,        ///< with one: not proven, or in doubt
   failed,          ///< no numbers at one instant at least
   refused,         ///< before anything was solved
   not_applicable,  ///< not tried: the formulation cannot do it
@@ -23,7 +23,7 @@ enum class CaseOutcome {
 struct CaseRun {
   enum class Flag {
     none,
-    degraded,  ///< numbers, said to be no better than their bounds
+    degraded,  ///< numbers, said to be not proven
     doubtful,  ///< numbers, said to be after a singular position or on another branch
     failed,    ///< no numbers
   };
@@ -31,10 +31,10 @@ struct CaseRun {
     Flag flag = Flag::none;
     double iterations = 0;  ///< of Newton's method, the mean over all unknowns
   };
-  /// Statements of the monitors about an instant.
+  /// Statements of the proof about an instant.
   struct Stated {
     double condition;
-    PerLevel<double> bound;
+    PerLevel<double> radius;  ///< CheckedInstant::relative_radius
   };
 
   /// Returns the worst of the flags, or why there are none.
@@ -55,9 +55,8 @@ struct CaseRun {
   std::int64_t heap_growth = 0;
 };
 
-/// Solves the case as `desmo solve` does (run_monitored), to the first failure or, where the case
-/// says so, past it; or from every start. without: Monitor bits
-/// (AccuracyMonitorOptions) that are left out.
-CaseRun run_case(const KnownCase& known, const Configuration& configuration, unsigned without = 0);
+/// Solves the case as `desmo solve` does (run_checked), to the first failure or, where the case
+/// says so, past it; or from every start.
+CaseRun run_case(const KnownCase& known, const Configuration& configuration);
 
 }  // namespace desmo::extremes

@@ -69,7 +69,7 @@ double Allowed::operator()(Level level, std::size_t part, std::size_t next) cons
     case Bound::fixed:
       return is_position ? c.factor : 10 * floor;
     case Bound::estimates:
-      return run_.stated[next] ? run_.stated[next]->bound[level] : 0;
+      return run_.stated[next] ? run_.stated[next]->radius[level] : 0;
     case Bound::first_part:
       if (next < case_.compared.size() / 2) return 10 * std::max(c.scene.tolerance, floor);
       [[fallthrough]];
@@ -107,7 +107,7 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const Yardsticks& ya
         WorstError& worst = (*found.worst)[level];
         if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
         if (!(e.error > e.allowed)) continue;
-        const double stated = flag == Flag::degraded ? a.stated[next]->bound[level] : 0;
+        const double stated = flag == Flag::degraded ? a.stated[next]->radius[level] : 0;
         const bool wrong = p.definition->bound == Bound::estimates ||
                            is_wrong(e, p.definition->scene.tolerance, stated);
         std::string& first = wrong ? found.defect : found.inexact;

@@ -102,17 +102,12 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
   ChainSolution solution(chain, a.model);
   std::vector<double> conditions;
   std::vector<ReferenceInstant> motion;  // what is said of errors is relative to all of it
-  std::vector<double> start(a.model.coordinates());
   std::size_t next = 0;
   bool before = true;
   for (std::size_t i = 0; i < p.solvable.size(); ++i) {
-    if (c.starts) {
-      for (std::size_t j = 0; j < start.size(); ++j) start[j] = p.starts[i][a.coordinate[j]];
-      solution.declare(start);
-    }
-    const double t = c.scene.grid.time(c.starts ? 0 : static_cast<int>(i));
+    const double t = c.scene.grid.time(static_cast<int>(i));
     const bool solved = solution.solve(t);
-    if (!c.starts && i > 0 && solved != before) {
+    if (i > 0 && solved != before) {
       p.ends.push_back(end_between(solution, c.scene.grid.time(static_cast<int>(i) - 1), t));
       solution.solve(t);
     }
@@ -140,14 +135,33 @@ Answers reference_answers(const KnownCase& p) {
   std::iota(a.coordinate.begin(), a.coordinate.end(), 0);
   std::vector<double> times;
   for (const int i : p.compared)
-    if (p.solvable[i]) times.push_back(c.scene.grid.time(c.starts ? 0 : i));
-  if (c.starts) times.resize(1);
+    if (p.solvable[i]) times.push_back(c.scene.grid.time(i));
   const Reference reference = make_reference(a.model, times);
   if (!(reference.floor.position < 1e-20))
     throw std::runtime_error("the two references differ by more than 1e-20");
   a.right = reference.instants;
-  if (c.starts) a.right.resize(p.compared.size(), reference.instants.front());
   a.right.resize(p.compared.size(), {c.scene.grid.time(p.compared.back()), {}, {}, {}});
+  add_floors(a, {});
+  return a;
+}
+
+/// Returns the answers to each start: the branch that it means is where the references' homotopy
+/// leads. None where they do not converge or do not agree.
+Answers answers_to_starts(const KnownCase& p) {
+  Answers a{.model = p.modelled->model};
+  a.coordinate.resize(a.model.coordinates());
+  std::iota(a.coordinate.begin(), a.coordinate.end(), 0);
+  const double time = p.definition->scene.grid.time(0);
+  Model started = a.model;
+  for (const int i : p.compared) {
+    started.estimate = p.starts[i];
+    ReferenceInstant& right = a.right.emplace_back(ReferenceInstant{time, {}, {}, {}});
+    try {
+      const Reference reference = make_reference(started, {&time, 1});
+      if (reference.floor.position < 1e-20) right = reference.instants.front();
+    } catch (const std::runtime_error&) {  // no answer
+    }
+  }
   add_floors(a, {});
   return a;
 }
@@ -205,8 +219,11 @@ KnownCase make_known_case(const ExtremeCase& c) {
   if (c.starts) p.starts = make_starts(p.modelled->model, *c.starts);
   if (c.is_refused) return p;  // there is none
   try {
-    for (std::size_t i = 0; i < c.chains.size(); ++i) p.answers.push_back(chain_answers(p, i));
-    if (c.chains.empty() && p.modelled->model.coordinates() > 0)
+    if (c.starts)
+      p.answers.push_back(answers_to_starts(p));
+    else
+      for (std::size_t i = 0; i < c.chains.size(); ++i) p.answers.push_back(chain_answers(p, i));
+    if (!c.starts && c.chains.empty() && p.modelled->model.coordinates() > 0)
       p.answers.push_back(reference_answers(p));
   } catch (const std::exception& error) {
     p.no_answer = error.what();

@@ -13,10 +13,9 @@
 
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
-#include "bench/kit/monitored_run.h"
+#include "bench/kit/checked_run.h"
 #include "bench/kit/process/progress.h"
 #include "cases/generators/cases.h"
-#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes {
 
@@ -62,7 +61,6 @@ Json result_json(const Result& r) {
 
 struct Options : bench::CommonOptions {
   std::string cases;
-  unsigned without = 0;  // monitors
   std::vector<int> rows;
 };
 
@@ -75,11 +73,11 @@ std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
 }
 
 /// Returns the formulations that are tried: in a quick run, unless they are chosen, those whose
-/// monitored runs are timed, too, one of each kind.
+/// checked runs are timed, too, one of each kind.
 std::regex chosen_formulations(const Options& options) {
   if (!options.quick || !options.filter.empty()) return std::regex(options.filter);
   std::string ids;
-  for (const std::string_view id : bench::monitored_ids)
+  for (const std::string_view id : bench::checked_ids)
     ids += (ids.empty() ? "^(" : "|") + std::string(id);
   return std::regex(ids + ")$");
 }
@@ -89,8 +87,7 @@ bool measure(const Options& options, const bench::CommandLine& line) {
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
   Selection selection{.extent = options.quick ? Extent::brief : Extent::full,
                       .formulations = chosen_formulations(options),
-                      .cases = std::regex(options.cases),
-                      .without = options.without};
+                      .cases = std::regex(options.cases)};
   bench::RecordWriter recording = begin_record(options, line);
   Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   std::size_t defects = 0;
@@ -128,17 +125,6 @@ int run(const bench::CommandLine& line) {
       .add_option("--case", options.cases,
                   "Only where this regular expression is found in the name of the case")
       ->type_name("REGEX");
-  std::map<std::string, unsigned> monitors;
-  for (const auto& [monitor, name] : monitor_names)
-    monitors.emplace(name, static_cast<unsigned>(monitor));
-  parser
-      .add_option_function<std::vector<std::string>>(
-          "--without",
-          [&](const std::vector<std::string>& names) {
-            for (const std::string& name : names) options.without |= monitors.at(name);
-          },
-          "Leave a monitor out, to see what it finds")
-      ->check(CLI::IsMember(monitors));
   if (!bench::read(parser, line.arguments)) return 0;
   return measure(options, line) ? 0 : 1;
 }

@@ -8,7 +8,6 @@
 #include "bench/experiments/extremes/known_case.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/id.h"
-#include "formulations/verification/monitor/accuracy_monitor.h"
 
 namespace desmo::extremes {
 
@@ -46,14 +45,6 @@ Configuration configuration(const Variant& v, const ExtremeCase& c) {
   return {&v, settings};
 }
 
-/// ", without sensitivity"
-std::string note_on(unsigned without) {
-  std::string note;
-  for (const auto& [monitor, name] : monitor_names)
-    if (without & static_cast<unsigned>(monitor)) note += ", without " + std::string(name);
-  return note;
-}
-
 }  // namespace
 
 std::vector<Result> row_results(const Extreme& row, const Selection& selection) {
@@ -68,15 +59,13 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
     for (const Variant* v : chosen) {
       const Variant& other = with_new_pivots(*v);
       if (c.bound == Bound::new_pivots && !anew.contains(&other))
-        anew.emplace(
-            &other, run_case(known, {&other, {.tolerance = c.scene.tolerance}}, selection.without));
+        anew.emplace(&other, run_case(known, {&other, {.tolerance = c.scene.tolerance}}));
       const Configuration tried = configuration(*v, c);
-      CaseRun a = run_case(known, tried, selection.without);
+      CaseRun a = run_case(known, tried);
       const auto before = first.find(v);
       const Yardsticks yardsticks{before == first.end() ? nullptr : &before->second,
                                   anew.contains(&other) ? &anew.at(&other) : nullptr};
-      results.push_back({&row, c.name + note_on(selection.without), id_with(*v, tried.settings),
-                         verify(known, a, yardsticks)});
+      results.push_back({&row, c.name, id_with(*v, tried.settings), verify(known, a, yardsticks)});
       if (before == first.end()) first.emplace(v, std::move(a));
     }
     if (selection.done) selection.done(1.0 / static_cast<double>(cases.size()));

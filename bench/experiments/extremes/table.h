@@ -24,8 +24,6 @@ struct Selection {
   Extent extent = Extent::full;
   /// To be found in ids, and in the names of cases; by default they are in all.
   std::regex formulations{""}, cases{""};
-  /// Monitor bits (AccuracyMonitorOptions) that are left out; Result::case_name then lists them.
-  unsigned without = 0;
   /// Called after each case with its share of the row; may be empty.
   std::function<void(double)> done = {};
 };

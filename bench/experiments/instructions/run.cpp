@@ -12,7 +12,7 @@
 
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/instructions/step_counts.h"
-#include "bench/kit/monitored_run.h"
+#include "bench/kit/checked_run.h"
 #include "bench/kit/process/callgrind.h"
 #include "cases/generators/cases.h"
 
@@ -36,13 +36,13 @@ void print(const std::vector<StepCount>& counts) {
   for (const StepCount& c : counts)
     std::printf("%-18s %-68s %12lld\n", c.case_name.c_str(), c.id.c_str(),
                 static_cast<long long>(c.instructions));
-  std::printf("\nWhat monitors add to a step:\n");
+  std::printf("\nWhat checks add to a step:\n");
   for (const StepCount& c : counts)
-    if (bench::is_monitored(c.id))
-      std::printf("%-18s %-68s %12lld %5.1f %%\n", c.case_name.c_str(), c.id.c_str(),
-                  static_cast<long long>(c.monitors),
-                  100.0 * static_cast<double>(c.monitors) /
-                      static_cast<double>(c.instructions - c.monitors));
+    if (bench::check_of(c.id) != CheckMode::none)
+      std::printf(
+          "%-18s %-68s %12lld %5.1f %%\n", c.case_name.c_str(), c.id.c_str(),
+          static_cast<long long>(c.checks),
+          100.0 * static_cast<double>(c.checks) / static_cast<double>(c.instructions - c.checks));
 }
 
 nlohmann::ordered_json counts_json(const std::vector<StepCount>& counts, const std::string& tool) {

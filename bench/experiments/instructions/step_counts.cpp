@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "bench/experiments/paper/extended_ids.h"
-#include "bench/kit/monitored_run.h"
+#include "bench/kit/checked_run.h"
 #include "bench/kit/process/callgrind.h"
 #include "bench/kit/variant_costs.h"
 #include "cases/generators/cases.h"
@@ -17,8 +17,8 @@ namespace desmo::instructions {
 namespace {
 
 constexpr int steps = 50;
-/// Steps where more than one instant is solved at once, or a run is monitored: assembly and entry
-/// are counted, too, and a long motion less a shorter one leaves steps. What monitors take is the
+/// Steps where more than one instant is solved at once, or a run is checked: assembly and entry
+/// are counted, too, and a long motion less a shorter one leaves steps. What checks take is the
 /// difference of two such, so that both are of the same steps.
 constexpr int short_motion = 100, long_motion = 300;
 
@@ -42,8 +42,9 @@ std::vector<std::string> counted_ids() {
     ids.push_back(id);
   for (const std::string_view id : paper::extended_ids)
     if (is_counted(id)) ids.emplace_back(id);
-  for (const std::string_view id : bench::monitored_ids)
-    ids.push_back(std::string(id).append(bench::monitored_suffix));
+  for (const std::string_view id : bench::checked_ids)
+    for (const auto& [suffix, mode] : bench::check_suffixes)
+      ids.push_back(std::string(id).append(suffix));
   return ids;
 }
 
@@ -61,9 +62,9 @@ void count(StepCount& one, const std::string& desmo_steps) {
   const std::string bare(bench::formulation_of(one.id));
   const Settings settings = parse_id(bare).settings;
   one.steps = long_motion - short_motion;
-  if (bench::is_monitored(one.id)) {
-    one.monitors = (more(one.id) - more(bare)) / one.steps;
-    one.instructions = step(bare) + one.monitors;
+  if (bench::check_of(one.id) != CheckMode::none) {
+    one.checks = (more(one.id) - more(bare)) / one.steps;
+    one.instructions = step(bare) + one.checks;
   } else if (settings.segments > 1 || settings.stride > 1) {
     one.instructions = more(one.id) / one.steps;
   } else {

@@ -14,16 +14,16 @@ inline constexpr int uncounted_steps = 5;
 struct StepCount {
   std::string case_name;
   int coordinates;
-  std::string id;                 ///< with bench::monitored_suffix where the run is monitored
+  std::string id;                 ///< with one of bench::check_suffixes where the run is checked
   std::int64_t instructions = 0;  ///< per step, with as many Newton iterations as it takes
-  std::int64_t monitors = 0;      ///< of these, what monitoring takes
+  std::int64_t checks = 0;        ///< of these, what checks take
   int steps = 0;                  ///< number of counted steps
 
   std::string name() const;  ///< <case>/<coordinates>/<id>
 };
 
 /// Returns what is to be counted of both cases: all formulations but blocks, dense global solves
-/// and SPQR; the extended ids; and monitored runs. coordinates: 0 means the largest of the paper's
+/// and SPQR; the extended ids; and checked runs. coordinates: 0 means the largest of the paper's
 /// sizes. Throws std::invalid_argument, which names the sizes, where a case has no such size.
 std::vector<StepCount> to_be_counted(int coordinates);
 

@@ -5,8 +5,8 @@
 
 #include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
+#include "bench/kit/checked_run.h"
 #include "bench/kit/digests.h"
-#include "bench/kit/monitored_run.h"
 #include "bench/kit/record/record.h"
 #include "bench/kit/variant_costs.h"
 #include "formulations/modelling/modelling.h"
@@ -88,12 +88,12 @@ void CaseCandidate::profile() {
   phases_ = measure_phases(variant(), settings(), problem().plan.model, first);
 }
 
-MonitoredCandidate::MonitoredCandidate(const Case& d, int n, const Variant& v,
-                                       const Options& options)
-    : CaseCandidate(d, n, v, options, {}, Clock::cpu, bench::monitored_suffix) {}
+CheckedCandidate::CheckedCandidate(const Case& d, int n, const Variant& v, const Options& options,
+                                   CheckMode mode)
+    : CaseCandidate(d, n, v, options, {}, Clock::cpu, bench::suffix_of(mode)), mode_(mode) {}
 
-Summary MonitoredCandidate::run(Formulation& formulation, Observer& observer) const {
-  return bench::run_under_monitors(formulation, grid(), asked_, observer);
+Summary CheckedCandidate::run(Formulation& formulation, Observer& observer) const {
+  return bench::run_under_check(formulation, grid(), asked_, observer, mode_);
 }
 
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {
@@ -109,9 +109,9 @@ std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& 
       for (const Variant& v : variants())
         if (runs_at_extra_sizes(v)) make(n, v);
     for (const TimedConfiguration& t : beyond_the_table())
-      if (t.is_monitored)
+      if (t.check != CheckMode::none)
         candidates.push_back(
-            std::make_unique<MonitoredCandidate>(c, c.sizes.back(), *t.variant, options));
+            std::make_unique<CheckedCandidate>(c, c.sizes.back(), *t.variant, options, t.check));
       else
         make(c.sizes.back(), *t.variant, t.settings, t.clock);
     for (const std::string& id : options.formulations)

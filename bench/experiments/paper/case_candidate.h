@@ -10,6 +10,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
+#include "formulations/verification/run/check_options.h"
 
 namespace desmo::paper {
 
@@ -40,14 +41,16 @@ class CaseCandidate : public FormulationCandidate {
   mutable std::optional<Problem> problem_;
 };
 
-/// A case at one size with one formulation, under all monitors.
-class MonitoredCandidate final : public CaseCandidate {
+/// A case at one size with one formulation, in a checked run.
+class CheckedCandidate final : public CaseCandidate {
  public:
-  MonitoredCandidate(const Case& definition, int coordinates, const Variant& variant,
-                     const Options& options);
+  CheckedCandidate(const Case& definition, int coordinates, const Variant& variant,
+                   const Options& options, CheckMode mode);
 
  private:
   Summary run(Formulation& formulation, Observer& observer) const override;
+
+  const CheckMode mode_;
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "bench/kit/monitored_run.h"
+#include "bench/kit/checked_run.h"
 
 namespace desmo::paper {
 
@@ -19,8 +19,9 @@ std::vector<TimedConfiguration> beyond_the_table() {
   for (const std::string_view id : extended_ids)
     for (TimedConfiguration& c : with_counterpart(id)) all.push_back(std::move(c));
   all.push_back({parse_id(reference_of_one_block)});
-  for (const std::string_view id : bench::monitored_ids)
-    all.push_back({{&find_variant(id), {}}, bench::Clock::cpu, true});
+  for (const std::string_view id : bench::checked_ids)
+    for (const auto& [suffix, mode] : bench::check_suffixes)
+      all.push_back({{&find_variant(id), {}}, bench::Clock::cpu, mode});
   return all;
 }
 

@@ -6,13 +6,14 @@
 
 #include "bench/kit/time/clock.h"
 #include "formulations/id.h"
+#include "formulations/verification/run/check_options.h"
 
 namespace desmo::paper {
 
 /// A formulation with settings, and how it is run and timed.
 struct TimedConfiguration : Configuration {
   bench::Clock clock = bench::Clock::cpu;
-  bool is_monitored = false;  ///< runs under all monitors
+  CheckMode check = CheckMode::none;
 };
 
 /// Ids beyond the paper's, measured at the largest of its sizes: the reference with its own best
@@ -45,7 +46,7 @@ inline constexpr std::string_view reference_of_one_block = "global_automatic_klu
 std::vector<TimedConfiguration> with_counterpart(std::string_view id);
 
 /// Returns what is measured of one size beyond the table of variants: the extended ids, KLU as one
-/// block, and runs under monitors.
+/// block, and checked runs.
 std::vector<TimedConfiguration> beyond_the_table();
 
 /// The request that they are timed with, too.

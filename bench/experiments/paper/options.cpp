@@ -20,7 +20,8 @@ Options take_options(std::vector<std::string>& arguments) {
   CLI::App parser(
       "desmo_bench paper: verifies, then times, every case, size and formulation.\n"
       "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
-      "<case>/<coordinates>/<id>/monitored is run under all monitors, as by desmo solve.\n"
+      "<case>/<coordinates>/<id>/check:proof is proven, as by desmo solve; /check:sample at "
+      "intervals.\n"
       "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n"
       "<case>/<coordinates>/peer:<name> is solved by a peer: by hand, or, where built\n"
       "(DESMO_PEERS), by a library.");

@@ -11,8 +11,8 @@
 
 #include "bench/experiments/paper/case_candidate.h"
 #include "bench/experiments/paper/entry_json.h"
+#include "bench/kit/checked_run.h"
 #include "bench/kit/digests.h"
-#include "bench/kit/monitored_run.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/io/text_file.h"
@@ -88,10 +88,9 @@ SceneCandidate::SceneCandidate(std::shared_ptr<MeasuredScene> scene, const Timed
                                const Options& options)
     : FormulationCandidate(
           scene->problem().grid, scene->name(), scene->problem().plan.model.coordinates(),
-          id_with(*c.variant, c.settings).append(c.is_monitored ? bench::monitored_suffix : ""), c,
-          c.clock, {}),
+          id_with(*c.variant, c.settings).append(bench::suffix_of(c.check)), c, c.clock, {}),
       scene_(std::move(scene)),
-      is_monitored_(c.is_monitored) {
+      check_(c.check) {
   if (std::string reason = too_costly(variant(), coordinates(), options); !reason.empty())
     refuse(not_run(std::move(reason)));
 }
@@ -113,8 +112,8 @@ std::unique_ptr<ComparingObserver> SceneCandidate::comparing(
 }
 
 Summary SceneCandidate::run(Formulation& formulation, Observer& observer) const {
-  if (!is_monitored_) return FormulationCandidate::run(formulation, observer);
-  return bench::run_under_monitors(formulation, grid(), asked_, observer);
+  if (check_ == CheckMode::none) return FormulationCandidate::run(formulation, observer);
+  return bench::run_under_check(formulation, grid(), asked_, observer, check_);
 }
 
 void SceneCandidate::add_to(nlohmann::ordered_json& lists) const {

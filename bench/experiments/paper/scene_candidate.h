@@ -55,7 +55,7 @@ class SceneCandidate final : public FormulationCandidate {
   Summary run(Formulation& formulation, Observer& observer) const override;
 
   const std::shared_ptr<MeasuredScene> scene_;
-  const bool is_monitored_;
+  const CheckMode check_;
 };
 
 /// Returns every scene of the options with every formulation, with settings beyond the paper's, and

@@ -117,6 +117,13 @@ double BranchPath::up_to_knot(double time) const {
   return time;
 }
 
+bool BranchPath::contains(double time, std::span<const double> q,
+                          std::span<const double> slack) const {
+  for (int i = 0; i < m_.coordinates(); ++i)
+    if (!(std::abs(q[i] - path_.centre(i, time)) <= path_.radius()[i] + slack[i])) return false;
+  return true;
+}
+
 FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time, &to); }
 
 FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
@@ -124,10 +131,14 @@ FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
 /// to: the instant at that time; null: there is none.
 FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
+  if (time == present_.time) {
+    result.time = time;
+    result.end = to && are_apart(*to, present_) ? PathEnd::other : PathEnd::same;
+    return result;
+  }
   double step = time - present_.time;
   const double shortest = std::abs(step) * Interval::unit;
   bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
-  if (step == 0 && !to) result.end = PathEnd::same;
   while (result.tests < budget_ && std::abs(step) > shortest &&
          present_.time + step != present_.time) {
     const double left = time - present_.time;

@@ -48,11 +48,15 @@ class BranchPath {
 
   /// Goes to the time of an instant, later or earlier. The next step begins there: at the instant
   /// if that continues the motion, else at the end that was found; where the motion is stuck, at
-  /// the last proven instant.
+  /// the last proven instant. At the present time it says whether the instant is the present one.
   FollowedStep follow(const CertifiedInstant& to);
   /// Goes to another time, where present() then is (`same`), or as far as the motion leads
   /// (`stuck`).
   FollowedStep go_to(double time);
+
+  /// Returns whether positions lie in the tube of the last step, which was proven at the first try,
+  /// or no farther from it than `slack` (coordinates) says.
+  bool contains(double time, std::span<const double> q, std::span<const double> slack) const;
 
   /// Returns the instant where the next step begins, up to its accelerations.
   const CertifiedInstant& present() const { return present_; }

@@ -44,15 +44,15 @@ Polynomial straight(double from, const Motion& motion, double time, double turn)
   return {{from, short_way}, {{}, {way.correction, way.radius}}};
 }
 
-/// Follows a way from 0 to 1, past change points but for those of a homotopy. found: begins at its
-/// positions, which are overwritten by the last proven ones.
-FollowedStep follow(const Model& m, InitialResidual initial, FoundStart& found) {
+/// Follows a way from 0 to 1. found: begins at its positions, which are overwritten by the last
+/// proven ones.
+FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, FoundStart& found) {
   BranchPath path(m, BranchPath::max_tests, initial);
   found.share = 0;
   if (!path.start_at({0, {found.q, {}, {}}})) return {};
   FollowedStep step = path.go_to(1);
   int tests = step.tests;
-  while (initial.empty() && step.end == PathEnd::stuck && tests < BranchPath::max_tests) {
+  while (may_pass && step.end == PathEnd::stuck && tests < BranchPath::max_tests) {
     const std::optional<PassedPoint> point = pass_change_point(m, path.present());
     if (!point || !(point->before < 1) || !path.start_at(point->beyond())) break;
     found.passed.push_back(point->time);
@@ -73,14 +73,15 @@ FollowedStep follow(const Model& m, InitialResidual initial, FoundStart& found) 
 }
 
 /// Leads the drivers from the drawing to their values at a time.
-FollowedStep lead_drivers(const Model& m, double time, bool with_turns, FoundStart& found) {
+FollowedStep lead_drivers(const Model& m, double time, bool with_turns, bool may_pass,
+                          FoundStart& found) {
   Model going = m;
   for (Driver& d : going.drivers) {
     const Entity& e = m.entities[d.coordinate];
     const bool whole = with_turns || e.kind != EntityKind::angle;
     d.motion = straight(m.estimate[e.first], d.motion, time, whole ? INFINITY : turn);
   }
-  const FollowedStep step = follow(going, {}, found);
+  const FollowedStep step = follow(going, {}, may_pass, found);
   if (step.end == PathEnd::same)
     for (const Driver& d : m.drivers)
       found.q[m.entities[d.coordinate].first] = sample(d.motion, time).position;
@@ -99,7 +100,7 @@ void take_nearest_turns(const Model& m, std::vector<double>& q) {
 
 }  // namespace
 
-FoundStart find_start(const Model& m, double time) {
+FoundStart find_start(const Model& m, double time, bool may_pass) {
   FoundStart found{.q = m.estimate};
   Model at_drawing = m;
   for (Driver& d : at_drawing.drivers)
@@ -109,16 +110,16 @@ FoundStart find_start(const Model& m, double time) {
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;
-    if (follow(at_drawing, residual_of_drawing(m), found).end != PathEnd::same) {
+    if (follow(at_drawing, residual_of_drawing(m), false, found).end != PathEnd::same) {
       found.stage = Stage::drawing;
       return found;
     }
   }
   const FoundStart nominal = found;
-  FollowedStep way = lead_drivers(m, time, true, found);
+  FollowedStep way = lead_drivers(m, time, true, may_pass, found);
   if (way.tests >= BranchPath::max_tests) {
     found = nominal;
-    way = lead_drivers(m, time, false, found);
+    way = lead_drivers(m, time, false, may_pass, found);
   }
   if (way.end != PathEnd::same) found.stage = Stage::drivers;
   take_nearest_turns(m, found.q);

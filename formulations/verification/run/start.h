@@ -32,11 +32,12 @@ struct FoundStart {
 ///
 /// Other angles are those nearest to the drawing, whole turns apart. Where a part is blocked, by a
 /// singular position or a fold, no other way is sought. It is blocked at 0, too, where a driver has
-/// no finite value. Positions are rounded: a Refinement at that time proves them, and finds rates.
-/// Allocates; keep it out of timed code.
+/// no finite value. may_pass: change points are passed, else they block the way, since with other
+/// equations of an overconstrained group they may be none. Positions are rounded: a Refinement at
+/// that time proves them, and finds rates. Allocates; keep it out of timed code.
 ///
 ///   const FoundStart start = find_start(model, grid.time(0));
 ///   if (start.stage == FoundStart::Stage::reached) …   // start.q
-FoundStart find_start(const Model& model, double time);
+FoundStart find_start(const Model& model, double time, bool may_pass = true);
 
 }  // namespace desmo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "formulations/verification/run/checked_run.h"
+
+namespace desmo::bench {
+
+/// Ends of the id of a formulation whose run is checked, as in `desmo solve --check`: what that
+/// costs is part of what is timed or counted.
+inline constexpr std::array<std::pair<std::string_view, CheckMode>, 2> check_suffixes{
+    {{"/check:proof", CheckMode::proof}, {"/check:sample", CheckMode::sample}}};
+
+/// Formulations with which the cost of checks is measured.
+inline constexpr std::array<std::string_view, 4> checked_ids{
+    "global_automatic_klu", "group_symbolic_inlined", "block_symbolic_inlined",
+    "group_symbolic_explicit"};
+
+/// Returns how a run of that id is checked.
+inline CheckMode check_of(std::string_view id) {
+  for (const auto& [suffix, mode] : check_suffixes)
+    if (id.ends_with(suffix)) return mode;
+  return CheckMode::none;
+}
+
+/// Returns the suffix of a mode; empty where nothing is checked.
+inline std::string_view suffix_of(CheckMode mode) {
+  for (const auto& [suffix, m] : check_suffixes)
+    if (m == mode) return suffix;
+  return {};
+}
+
+/// Returns the id of the formulation itself.
+inline std::string_view formulation_of(std::string_view id) {
+  return id.substr(0, id.size() - suffix_of(check_of(id)).size());
+}
+
+/// Runs a motion under a check. Throws std::runtime_error where a row is flagged: that is not the
+/// motion whose cost is asked for.
+inline Summary run_under_check(Formulation& formulation, const TimeGrid& grid, const Request& asked,
+                               Observer& observer, CheckMode mode) {
+  const CheckedSummary s = run_checked(formulation, grid, asked, observer, {.mode = mode});
+  if (s.ok() && s.outcome() != Outcome::converged)
+    throw std::runtime_error("the motion is not an ordinary one: " +
+                             describe(s, formulation.model()));
+  return Summary{s};
+}
+
+}  // namespace desmo::bench

@@ -1,0 +1,247 @@
+#include "formulations/verification/run/checked_motion.h"
+
+#include <cmath>
+#include <utility>
+
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/run/chosen_equations.h"
+
+namespace desmo {
+
+CheckedMotion::Follower::Follower(std::unique_ptr<const Model> c, const Model& m,
+                                  std::span<const Level> levels)
+    : chosen(std::move(c)), model(chosen ? *chosen : m), refinement(model, levels), path(model) {}
+
+CheckedMotion::CheckedMotion(const Model& m, std::span<const Level> levels, double tolerance)
+    : m_(m),
+      levels_(levels),
+      follower_(std::make_unique<Follower>(nullptr, m, levels)),
+      left_out_(m),
+      no_rates_(m.coordinates(), NAN),
+      tolerances_(natural_magnitudes(m)),
+      slack_(tolerances_) {
+  for (double& t : tolerances_) t *= tolerance;
+}
+
+CertifiedInstant CheckedMotion::certified(const RefinedInstant& r) const {
+  return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position, levels_};
+}
+
+void CheckedMotion::begin(double time) {
+  point_.reset();
+  lost_.reset();
+  on_path_ = false;
+  // What is regular by other equations is no change point.
+  const bool has_others = has_other_equations(m_);
+  FoundStart start = find_start(follower_->model, time, !has_others);
+  const auto is_blocked = [&] { return start.stage != FoundStart::Stage::reached; };
+  if (is_blocked() && choose_other_equations(start.q))
+    start = find_start(follower_->model, time, false);
+  if (is_blocked() && has_others) start = find_start(follower_->model, time);
+  start_ = start.stage;
+  first_flag_.reset();
+  if (!start.passed.empty())
+    first_flag_ = {
+        .kind = RowFlag::Kind::crossing, .after = time, .before = time, .group = start.group};
+  if (start.stage == FoundStart::Stage::reached) {
+    const Instant at{.index = 0, .time = time, .q = start.q};
+    const RefinedInstant& r = follower_->refinement.refine(at);
+    on_path_ = r.proven && follower_->path.start_at({time, {r.instant.q}, r.radius.position});
+  }
+  if (!on_path_)
+    lost_ = {.kind = RowFlag::Kind::branch, .after = time, .before = time, .group = start.group};
+}
+
+void CheckedMotion::keep_last() {
+  const CertifiedInstant& present = follower_->path.present();
+  last_.on_path = on_path_;
+  last_.lost = lost_;
+  if (!on_path_) return;
+  last_.time = present.time;
+  for (const Level level : all_levels)
+    last_.values[level].assign(present.values[level].begin(), present.values[level].end());
+  last_.radius.assign(present.radius.begin(), present.radius.end());
+}
+
+void CheckedMotion::return_to_last() {
+  lost_ = last_.lost;
+  point_.reset();
+  const auto& [q, qd, qdd] = last_.values;
+  on_path_ = last_.on_path && follower_->path.start_at({last_.time, {q, qd, qdd}, last_.radius});
+}
+
+bool CheckedMotion::is_on_step(const Instant& instant) const {
+  if (step_.end != PathEnd::same || step_.sub_steps != 1) return false;
+  // So far may a position be from the exact one that meets the tolerance of the equations.
+  for (std::size_t i = 0; i < slack_.size(); ++i) slack_[i] = result_.condition * tolerances_[i];
+  return follower_->path.contains(instant.time, instant.q, slack_);
+}
+
+const CheckedInstant& CheckedMotion::check(const Instant& solved) {
+  elsewhere_ = false;
+  keep_last();
+  // What is regular by other equations is no change point.
+  for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
+    result_ = {};
+    const RefinedInstant& r = follower_->refinement.refine(solved);
+    const RefinedInstant* const found = r.proven ? &r : nullptr;
+    if (reach(solved, found, may_pass)) break;
+    if (!may_pass) {
+      choose_other_equations(on_path_ ? follower_->path.present().values.position : solved.q);
+      continue;
+    }
+    if (!found) {
+      deliver_unproven(solved, r);
+      break;
+    }
+    // Proven, but not to continue the motion. What comes after it continues it.
+    if (!lost_)
+      lost_ = {.kind = RowFlag::Kind::branch,
+               .after = step_.time,
+               .before = solved.time,
+               .group = step_.group};
+    point_.reset();
+    on_path_ = follower_->path.start_at(certified(r));
+    deliver(r);
+    break;
+  }
+  complete_flag();
+  return result_;
+}
+
+const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
+  elsewhere_ = true;
+  for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
+    result_ = {};
+    if (reach(wanted, nullptr, may_pass)) break;
+    if (may_pass || !on_path_) return nullptr;
+    choose_other_equations(follower_->path.present().values.position);
+  }
+  complete_flag();
+  return &result_;
+}
+
+/// Follows the motion to an instant, through change points, and makes it the result, or the end
+/// that was found. found: what the formulation has found, if that is proven. Returns false where
+/// the motion cannot be followed. may_pass: change points are passed.
+bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool may_pass) {
+  if (!on_path_) return false;
+  BranchPath& path = follower_->path;
+  for (;;) {
+    if (point_) {
+      if (at.time < point_->before) {
+        deliver_point(at);
+        return true;
+      }
+      if (!path.start_at(point_->beyond())) return false;
+      point_.reset();
+    }
+    step_ = found ? path.follow(certified(*found)) : path.go_to(at.time);
+    if (step_.end == PathEnd::same && found) {
+      deliver(*found);
+      return true;
+    }
+    if (step_.end != PathEnd::stuck) {
+      deliver_path(at);
+      return true;
+    }
+    if (may_pass) point_ = pass_change_point(follower_->model, path.present());
+    if (!point_) return false;
+    result_.flag = {.kind = RowFlag::Kind::crossing,
+                    .after = point_->after,
+                    .before = point_->before,
+                    .group = step_.group};
+  }
+}
+
+/// Takes other equations of overconstrained groups, where those that are kept are nearly dependent
+/// at positions q. Returns false where there are none that are better.
+bool CheckedMotion::choose_other_equations(std::span<const double> q) {
+  if (!has_other_equations(m_)) return false;
+  auto chosen = with_chosen_equations(follower_->model, q);
+  if (!chosen) return false;
+  auto other = std::make_unique<Follower>(std::move(chosen), m_, levels_);
+  if (on_path_) {  // both choices have to agree on the last instant
+    const CertifiedInstant& present = follower_->path.present();
+    const RefinedInstant& r = other->refinement.refine({.index = 0,
+                                                        .time = present.time,
+                                                        .q = present.values.position,
+                                                        .qd = present.values.velocity,
+                                                        .qdd = present.values.acceleration});
+    if (!r.proven || !other->path.start_at(certified(r))) return false;
+  }
+  follower_ = std::move(other);
+  return true;
+}
+
+void CheckedMotion::deliver(const RefinedInstant& r) {
+  result_.instant = r.instant;
+  result_.radius = r.radius;
+  result_.condition = r.last.condition;
+  if (r.proven) {
+    find_misfit(r);
+    return;
+  }
+  result_.flag = {.kind = RowFlag::Kind::unproven,
+                  .after = step_.time,
+                  .before = r.instant.time,
+                  .group = r.last.group,
+                  .failure = r.last.failure};
+}
+
+/// Delivers the end of the path, with the levels of an instant.
+void CheckedMotion::deliver_path(const Instant& at) {
+  elsewhere_ = true;
+  const CertifiedInstant& present = follower_->path.present();
+  Instant end = at;
+  end.q = present.values.position;
+  if (!at.qd.empty()) end.qd = present.values.velocity;
+  if (!at.qdd.empty()) end.qdd = present.values.acceleration;
+  deliver(follower_->refinement.refine(end));
+}
+
+/// Delivers the position on the change point, which has no rates.
+void CheckedMotion::deliver_point(const Instant& at) {
+  elsewhere_ = true;
+  result_.instant = at;
+  on_point_ = point_->positions(m_, at.time);
+  result_.instant.q = on_point_;
+  if (!at.qd.empty()) result_.instant.qd = no_rates_;
+  if (!at.qdd.empty()) result_.instant.qdd = no_rates_;
+  result_.condition = INFINITY;
+  result_.flag = {.kind = RowFlag::Kind::on_point,
+                  .after = point_->after,
+                  .before = point_->before,
+                  .group = step_.group};
+}
+
+void CheckedMotion::deliver_unproven(const Instant& solved, const RefinedInstant& r) {
+  deliver(r);
+  result_.instant = solved;
+}
+
+/// Flags a proven result where an equation that was left out does not hold. A flag that it has
+/// stays, with the misfit.
+void CheckedMotion::find_misfit(const RefinedInstant& r) {
+  if (!left_out_.any()) return;
+  const std::optional<Misfit> misfit = left_out_.check(r);
+  if (!misfit) return;
+  if (!result_.flag)
+    result_.flag = {.kind = RowFlag::Kind::misfit,
+                    .group = m_.constraints[misfit->constraint].group};
+  result_.flag->misfit = misfit;
+}
+
+/// Flags the result where its branch is unknown.
+void CheckedMotion::complete_flag() {
+  if (lost_ && !(result_.flag && result_.flag->kind == RowFlag::Kind::unproven)) {
+    const std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
+    result_.flag = lost_;
+    result_.flag->misfit = misfit;
+  }
+  if (first_flag_ && !result_.flag) result_.flag = first_flag_;
+  first_flag_.reset();
+  if (result_.flag) result_.flag->time = result_.instant.time;
+}
+
+}  // namespace desmo

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/verification/certificate/refinement.h"
+#include "formulations/verification/run/branch_path.h"
+#include "formulations/verification/run/checked_run.h"
+#include "formulations/verification/run/left_out_equations.h"
+#include "formulations/verification/run/passage.h"
+#include "formulations/verification/run/start.h"
+
+namespace desmo {
+
+/// The motion of a checked run, without the formulation that solves it: corrects instants, follows
+/// the steps between them, and says what is proven of each.
+class CheckedMotion {
+ public:
+  /// levels: up to which each coordinate is solved (Plan::levels). Model and levels must outlive
+  /// this.
+  /// tolerance: Formulation::tolerance(), of the instants that it is asked about.
+  CheckedMotion(const Model& model, std::span<const Level> levels, double tolerance);
+
+  /// Goes from the drawing to a time, where the motion begins. The next instant is the one there.
+  void begin(double time);
+
+  /// Checks the next instant, which a formulation has solved. The result is valid until the next
+  /// call.
+  const CheckedInstant& check(const Instant& solved);
+  /// Solves the next instant, which no formulation has found; null where the motion does not lead
+  /// there. wanted: its index, time and, by the sizes of their spans, its levels.
+  const CheckedInstant* solve(const Instant& wanted);
+
+  /// Returns whether an instant lies on the last step, which was proven as a whole.
+  bool is_on_step(const Instant& instant) const;
+  /// Returns to where the last check() began.
+  void return_to_last();
+
+  /// Returns where the way from the drawing is blocked, if it is.
+  FoundStart::Stage start() const { return start_; }
+
+  /// Returns whether the last instant is another than the one that was handed in: the formulation
+  /// is elsewhere.
+  bool is_elsewhere() const { return elsewhere_; }
+
+ private:
+  /// What follows the motion, with one choice of equations.
+  struct Follower {
+    Follower(std::unique_ptr<const Model> chosen, const Model& model,
+             std::span<const Level> levels);
+
+    std::unique_ptr<const Model> chosen;  ///< equations that were chosen anew; null: the model's
+    const Model& model;
+    Refinement refinement;
+    BranchPath path;
+  };
+
+  bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);
+  bool choose_other_equations(std::span<const double> q);
+  void deliver(const RefinedInstant& refined);
+  void deliver_path(const Instant& at);
+  void deliver_point(const Instant& at);
+  void deliver_unproven(const Instant& solved, const RefinedInstant& refined);
+  void complete_flag();
+  void keep_last();
+  void find_misfit(const RefinedInstant& refined);
+  CertifiedInstant certified(const RefinedInstant& refined) const;
+
+  const Model& m_;
+  const std::span<const Level> levels_;
+  std::unique_ptr<Follower> follower_;
+  LeftOutEquations left_out_;
+  /// Where the last check began.
+  struct {
+    double time = 0;
+    PerLevel<std::vector<double>> values;
+    std::vector<double> radius;
+    bool on_path = false;
+    std::optional<RowFlag> lost;
+  } last_;
+  FoundStart::Stage start_ = FoundStart::Stage::reached;
+  bool on_path_ = false;               // the path begins at the last proven instant
+  FollowedStep step_;                  // the last one
+  std::optional<RowFlag> lost_;        // since then the branch is unknown
+  std::optional<RowFlag> first_flag_;  // of the first row, whose way from the drawing crosses
+  std::optional<PassedPoint> point_;   // a change point, beyond which the path has not begun
+  std::vector<double> on_point_, no_rates_;
+  std::vector<double> tolerances_;  // of each coordinate
+  mutable std::vector<double> slack_;
+  CheckedInstant result_;
+  bool elsewhere_ = false;
+};
+
+}  // namespace desmo

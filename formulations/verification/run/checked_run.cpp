@@ -1,0 +1,280 @@
+#include "formulations/verification/run/checked_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "formulations/base/output_writer.h"
+#include "formulations/stepping/formulation_core.h"
+#include "formulations/stepping/strided_steps.h"
+#include "formulations/verification/run/checked_motion.h"
+#include "formulations/verification/run/gap_search.h"
+#include "formulations/verification/run/kept_instants.h"
+#include "formulations/verification/run/running_scales.h"
+
+namespace desmo {
+
+namespace {
+
+/// A radius of this part of a scale proves no digit.
+constexpr double no_digit = 0.5;
+/// Covers the few roundings of a norm, and of a ratio.
+constexpr double above = 1 + 0x1p-48;
+
+/// One run, in spans between the intervals that cannot be assembled. As an observer of the
+/// formulation it hands on what is checked, and stops the run where the formulation is elsewhere.
+class CheckedRun final : Observer {
+  using From = StridedSteps::From;
+
+ public:
+  CheckedRun(Formulation& formulation, const TimeGrid& grid, const Request& request,
+             Observer& observer, const CheckOptions& options)
+      : formulation_(formulation),
+        grid_(grid),
+        request_(request),
+        options_(options),
+        motion_(formulation.model(), options.levels, formulation.tolerance()),
+        scales_(formulation.model(), grid),
+        steps_(formulation, grid, request.level, *this),
+        output_(request, formulation.model().coordinates()),
+        next_(observer),
+        waiting_(options.mode == CheckMode::sample ? options.sample - 1 : 0,
+                 formulation.model().coordinates()) {}
+
+  CheckedSummary operator()() {
+    motion_.begin(grid_.time(0));
+    const Summary ran = formulation_.run(grid_, request_, *this);
+    summary_.iterations = ran.iterations;
+    if (!ran.stopped && !ran.ok()) {
+      check_waiting();
+      if (!elsewhere_) take_failure(ran);
+    }
+    summary_.start = motion_.start();
+    if (elsewhere_ || (!summary_.ok() && solves(tried_))) go_on(From::last);
+    measure_assembly_error();
+    for (; !summary_.ok() && options_.past_failures; measure_assembly_error())
+      if (pass_gap()) go_on(From::estimate);
+    summary_.scales = scales_.current();
+    const auto share = [](double radius, double scale) { return scale > 0 ? radius / scale : 0; };
+    for (const Level l : all_levels)
+      summary_.radius[l] = above * std::max(share(length_[l], summary_.scales.length[l]),
+                                            share(rotation_[l], summary_.scales.rotation[l]));
+    return summary_;
+  }
+
+ private:
+  Flow observe(const Instant& instant) noexcept override {
+    if (waits(instant.index)) {
+      waiting_.add(instant);
+      return Flow::go_on;
+    }
+    if (waiting_.empty()) return check(instant);
+    const CheckedInstant& end = motion_.check(instant);
+    bool holds = !end.flag && !motion_.is_elsewhere();
+    for (int i = 0; holds && i < waiting_.size(); ++i) holds = motion_.is_on_step(waiting_[i]);
+    if (!holds) {  // one by one
+      motion_.return_to_last();
+      return check_waiting() == Flow::stop ? Flow::stop : check(instant);
+    }
+    Flow flow = Flow::go_on;
+    for (int i = 0; flow == Flow::go_on && i < waiting_.size(); ++i)
+      flow = hand_on({.instant = waiting_[i]});
+    waiting_.clear();
+    return flow == Flow::go_on ? hand_on(end) : flow;
+  }
+
+  /// Returns whether an instant is only to lie in the step between two that are checked.
+  bool waits(int index) const {
+    return options_.mode == CheckMode::sample && index % options_.sample != 0 &&
+           index + 1 < grid_.instants;
+  }
+
+  Flow check(const Instant& instant) {
+    const CheckedInstant& checked = motion_.check(instant);
+    elsewhere_ = motion_.is_elsewhere();
+    const Flow flow = hand_on(checked);
+    return elsewhere_ ? Flow::stop : flow;
+  }
+
+  Flow check_waiting() {
+    Flow flow = Flow::go_on;
+    for (int i = 0; flow == Flow::go_on && i < waiting_.size(); ++i) flow = check(waiting_[i]);
+    waiting_.clear();
+    return flow;
+  }
+
+  Flow hand_on(CheckedInstant row) {
+    scales_.take(row.instant);
+    summary_.time = row.instant.time;
+    take_radius(row);
+    if (row.flag) take_flag(*row.flag);
+    summary_.refused = options_.strict && row.flag;
+    if (summary_.refused) return Flow::stop;
+    summary_.condition = std::max(summary_.condition, row.condition);
+    summary_.updates += row.instant.updates;
+    max_residual_ = std::max(max_residual_, row.instant.residual);
+    if (summary_.ok()) summary_.residual = max_residual_;
+    if (options_.checked) options_.checked(row);
+    if (elsewhere_) last_.assign(row.instant.q.begin(), row.instant.q.end());
+    const Flow flow = output_.hand_over(row.instant, next_);
+    summary_.steps += summary_.instants > 0;
+    ++summary_.instants;
+    tried_ = row.instant.index + 1;
+    summary_.stopped = flow == Flow::stop;
+    return flow;
+  }
+
+  /// Includes a proven row in the largest radii. Flags it where they leave no digit.
+  void take_radius(CheckedInstant& row) {
+    if (row.flag && row.flag->kind == RowFlag::Kind::unproven) return;
+    PerLevel<double> length{}, rotation{};
+    const Model& m = formulation_.model();
+    for (const Level level : all_levels)
+      for (const Entity& e : m.entities) {
+        if (e.fixed || row.radius[level].empty()) continue;
+        double squares = 0;
+        for (const double x : row.radius[level].subspan(e.first, e.size)) squares += x * x;
+        if (!std::isfinite(squares)) continue;  // of a level that is not solved
+        const double radius = std::sqrt(squares) * above;
+        const double scale = scales_.current().of(e.kind, level);
+        double& largest = (is_length(e.kind) ? length : rotation)[level];
+        largest = std::max(largest, radius);
+        if (scale == 0) continue;  // nothing moves
+        row.relative_radius[level] = std::max(row.relative_radius[level], radius / scale);
+        if (radius <= no_digit * scale) continue;
+        row.flag = {.kind = RowFlag::Kind::unproven,
+                    .time = row.instant.time,
+                    .group = e.group,
+                    .failure = ProofFailure::singular};
+        return;
+      }
+    for (const Level level : all_levels) {
+      length_[level] = std::max(length_[level], length[level]);
+      rotation_[level] = std::max(rotation_[level], rotation[level]);
+    }
+  }
+
+  void take_flag(const RowFlag& flag) {
+    ++summary_.flagged;
+    if (!summary_.first_flag) summary_.first_flag = flag;
+    if (flag.kind == RowFlag::Kind::crossing || flag.kind == RowFlag::Kind::on_point) {
+      ++summary_.crossings;
+      if (!summary_.first_crossing) summary_.first_crossing = flag;
+    }
+    if (flag.misfit && (!summary_.misfit || flag.misfit->amount > summary_.misfit->amount))
+      summary_.misfit = flag.misfit;
+  }
+
+  void take_failure(const Summary& failed) {
+    summary_.status = failed.status;
+    summary_.group = failed.group;
+    summary_.constraint = failed.constraint;
+    summary_.residual = failed.residual;
+    summary_.time = grid_.time(tried_);
+  }
+  void withdraw_failure() {
+    summary_.status = Status::solved;
+    summary_.group = summary_.constraint = no_position;
+    summary_.residual = max_residual_;
+    summary_.assembly_error.reset();
+  }
+
+  /// Solves an instant where the formulation could not.
+  bool solves(int index) {
+    const std::span<const double> wanted = formulation_.q();
+    Instant at{.index = index, .time = grid_.time(index), .q = wanted};
+    if (request_.level >= Level::velocity) at.qd = wanted;
+    if (request_.level >= Level::acceleration) at.qdd = wanted;
+    const CheckedInstant* const found = motion_.solve(at);
+    if (!found) return false;
+    elsewhere_ = true;
+    withdraw_failure();
+    hand_on(*found);
+    return true;
+  }
+
+  void go_on(From from) {
+    steps_.restart();
+    while (tried_ + waiting_.size() < grid_.instants && summary_.ok() && !summary_.refused &&
+           !summary_.stopped) {
+      if (std::exchange(elsewhere_, false)) return_to_last();
+      const int index = tried_ + waiting_.size();
+      const auto [s, instant] = steps_.solve(index, std::exchange(from, From::last));
+      summary_.iterations += s.iterations;
+      if (s.ok()) {
+        steps_.hand_on(instant);
+      } else if (instant.index > index) {
+        steps_.halve();
+        steps_.restart();
+      } else if (check_waiting(); !elsewhere_) {
+        take_failure(s);
+        if (!solves(index)) return;
+      }
+    }
+  }
+
+  /// Takes the formulation to the last row.
+  void return_to_last() {
+    const Model& m = formulation_.model();
+    std::vector<double> state(last_);
+    state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+    steps_.restart();
+    core_of(formulation_).start_at(state, summary_.time);
+  }
+
+  void measure_assembly_error() {
+    if (summary_.status == Status::not_converged)
+      summary_.assembly_error = assembly_error_at(formulation_, summary_.time);
+  }
+
+  /// Goes from the instant that failed to the first that can be assembled again. Returns whether
+  /// there is one.
+  bool pass_gap() {
+    const auto [gap, again] =
+        find_gap(formulation_, grid_, tried_, summary_, summary_.assembly_error);
+    summary_.gaps.push_back(gap);
+    withdraw_failure();
+    tried_ = again;
+    if (again == grid_.instants) return false;
+    motion_.begin(grid_.time(again));
+    return true;
+  }
+
+  Formulation& formulation_;
+  const TimeGrid grid_;
+  const Request request_;
+  const CheckOptions options_;
+  CheckedMotion motion_;
+  RunningScales scales_;
+  StridedSteps steps_;
+  const OutputWriter output_;
+  Observer& next_;
+  KeptInstants waiting_;  // CheckMode::sample: rows since the last one that was checked
+  CheckedSummary summary_;
+  PerLevel<double> length_{}, rotation_{};  // largest radii of proven rows
+  double max_residual_ = 0;
+  int tried_ = 0;             // rows handed on, or left out
+  bool elsewhere_ = false;    // the formulation is not where the last row is
+  std::vector<double> last_;  // positions of that row
+};
+
+}  // namespace
+
+CheckedSummary run_checked(Formulation& formulation, const TimeGrid& grid, const Request& request,
+                           Observer& observer, const CheckOptions& options) {
+  if (!request.coordinates.empty())
+    throw std::invalid_argument("a checked run needs all coordinates; the request names some");
+  const int n = formulation.model().coordinates();
+  if (!options.levels.empty() && std::ssize(options.levels) != n)
+    throw std::invalid_argument("a checked run is not given one level for each coordinate");
+  if (!options.levels.empty()) formulation.solve_only(options.levels);
+  if (options.mode == CheckMode::none) {
+    CheckedSummary summary;
+    static_cast<BasicSummary&>(summary) = formulation.run(grid, request, observer);
+    return summary;
+  }
+  return CheckedRun(formulation, grid, request, observer, options)();
+}
+
+}  // namespace desmo

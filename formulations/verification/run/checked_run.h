@@ -1,0 +1,131 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formulations/formulation.h"
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/certificate/certificate.h"
+#include "formulations/verification/run/assembly_error.h"
+#include "formulations/verification/run/check_options.h"
+#include "formulations/verification/run/misfit.h"
+#include "formulations/verification/run/start.h"
+
+namespace desmo {
+
+/// Outcome of a checked run.
+enum class Outcome {
+  converged,  ///< every row is proven
+  degraded,   ///< a row is flagged, or an interval that cannot be assembled was left out
+  failed,     ///< there is no position at the time that the summary names
+};
+
+/// Reason why a row is no proven number of the motion in the file.
+struct RowFlag {
+  enum class Kind {
+    unproven,  ///< the instant has no proof: `failure` says why
+    branch,    ///< proven, but on an unknown branch since the interval from `after` to `before`
+    misfit,    ///< an equation that was left out does not hold: there is no exact motion
+    crossing,  ///< the step passes a change point, on its smooth continuation
+    on_point,  ///< the row lies on a change point: it has a position and no rates
+  };
+  Kind kind = Kind::unproven;
+  double time = 0;               ///< of the row [s]
+  double after = 0, before = 0;  ///< branch, crossing: ends of the interval [s]
+  GroupId group = no_position;   ///< of the test that failed, if known
+  ProofFailure failure = ProofFailure::none;
+  std::optional<Misfit> misfit{};
+};
+
+/// Returns a word for a flag, as columns have it: "unproven", "branch", "misfit", "crossing".
+std::string_view word_of(const RowFlag& flag);
+
+/// A row and what is proven of it.
+struct CheckedInstant {
+  Instant instant;  ///< with corrections; valid until the next row
+  /// Bounds on |instant − exact| of each coordinate, as in Certificate; infinite where there are
+  /// none.
+  PerLevel<std::span<const double>> radius{};
+  /// The largest radius of a length or a rotation over its scale so far.
+  PerLevel<double> relative_radius{};
+  double condition = 0;           ///< of the instant (Certificate::condition)
+  std::optional<RowFlag> flag{};  ///< none: proven
+};
+
+/// Interval in which a mechanism could not be assembled. Its ends are accurate to 1e-9 s or, where
+/// that is more, to what rounding of time and of the drivers leaves.
+struct Gap {
+  double from, to;  ///< [s]
+  bool ends;        ///< false: the interval lasts until the end of the run
+  Summary failure;  ///< failure at the interval's first grid instant
+  std::optional<AssemblyError> assembly_error;
+};
+
+/// Outcome of a checked run. outcome() says whether its answers may be used.
+struct [[nodiscard]] CheckedSummary : BasicSummary {
+  bool refused = false;  ///< a strict run ended at a row that is flagged: `first_flag`
+  FoundStart::Stage start = FoundStart::Stage::reached;  ///< of the way from the drawing
+  long flagged = 0;                                      ///< rows
+  long steps = 0;  ///< steps between rows that were followed, proven or not
+  std::optional<RowFlag> first_flag{};
+  long crossings = 0;  ///< change points passed
+  std::optional<RowFlag> first_crossing{};
+  std::optional<Misfit> misfit{};                 ///< the largest
+  PerLevel<double> radius{};                      ///< largest of proven rows, relative to `scales`
+  Scales scales{};                                ///< of the motion
+  double condition = 0;                           ///< largest of the rows
+  std::optional<AssemblyError> assembly_error{};  ///< on failure, where no position was found
+  std::vector<Gap> gaps{};                        ///< after which the run went on
+
+  bool ok() const { return status == Status::solved; }  ///< there was a position at every instant
+  Outcome outcome() const {
+    return !ok() || refused               ? Outcome::failed
+           : flagged > 0 || !gaps.empty() ? Outcome::degraded
+                                          : Outcome::converged;
+  }
+};
+
+/// Settings of a checked run.
+struct CheckOptions {
+  CheckMode mode = CheckMode::proof;
+  int sample = 16;  ///< CheckMode::sample: N, 1 or more
+  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. The memory must
+  /// last until run_checked() returns.
+  std::span<const Level> levels{};
+  bool strict = false;         ///< ends at the first row that is flagged
+  bool past_failures = false;  ///< continues after an interval that cannot be assembled
+  /// Callback that receives each row before the observer does; empty: none. It must not throw: it
+  /// is called through Observer::observe(), where an exception ends the program.
+  std::function<void(const CheckedInstant&)> checked{};
+};
+
+/// Runs a motion like Formulation::run() and proves it: every number that the observer receives is
+/// within its radius of the exact motion of the mechanism in the file, on the branch of the
+/// drawing, continued smoothly through change points that are flagged. Or the row's flag says why
+/// not. An instant (Certifier) is corrected, a step (PathProof) is followed; where the formulation
+/// is elsewhere, or finds nothing, the path is what counts, and the formulation goes on from there.
+///
+/// The run ends, as a failure, where there is no position. All instants before it were delivered.
+/// With `past_failures` it continues at the next instant to which a way leads from the drawing.
+/// Throws std::invalid_argument for a request that names coordinates, since the proofs need all,
+/// and where `levels` is not empty and has not one level for each coordinate.
+///
+///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
+///   const CheckedSummary s = run_checked(*formulation, grid, {Level::acceleration}, observer);
+///   if (s.outcome() != Outcome::converged) std::cerr << describe(s, model);
+CheckedSummary run_checked(Formulation& formulation, const TimeGrid& grid, const Request& request,
+                           Observer& observer, const CheckOptions& options = {});
+
+/// Returns the outcome in a line: what failed when and where, and what was flagged before; or what
+/// was flagged first, and the radii.
+std::string describe(const CheckedSummary& summary, const Model& model);
+
+/// Returns the largest radii in words, up to a level, rounded up: "condition 4.1e+02, errors at
+/// most 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration".
+std::string describe_radius(const CheckedSummary& summary, Level level);
+
+}  // namespace desmo

@@ -1,0 +1,73 @@
+// A checked run in a line.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "cases/mechanism/formatted.h"
+#include "formulations/verification/run/checked_run.h"
+
+namespace desmo {
+
+namespace {
+
+/// Returns a bound with two digits, not below it.
+std::string rounded_up(double bound) {
+  for (double shown = bound;; shown *= 1.01) {
+    std::string text = formatted("%.1e", shown);
+    if (!(std::strtod(text.c_str(), nullptr) < bound)) return text;
+  }
+}
+
+std::string flags_of(const CheckedSummary& s) {
+  std::string flags;
+  const auto add = [&](const std::string& what, double time) {
+    flags += (flags.empty() ? "" : "; ") + what + formatted(" at t = %.9g s", time);
+  };
+  if (s.first_flag)
+    add(std::to_string(s.flagged) + " rows, the first " + std::string(word_of(*s.first_flag)),
+        s.first_flag->time);
+  if (!s.gaps.empty())
+    add("intervals that cannot be assembled " + std::to_string(s.gaps.size()) + ", the first",
+        s.gaps.front().from);
+  return flags;
+}
+
+}  // namespace
+
+std::string_view word_of(const RowFlag& flag) {
+  switch (flag.kind) {
+    case RowFlag::Kind::unproven:
+      return "unproven";
+    case RowFlag::Kind::branch:
+      return "branch";
+    case RowFlag::Kind::misfit:
+      return "misfit";
+    case RowFlag::Kind::crossing:
+    case RowFlag::Kind::on_point:
+      break;
+  }
+  return "crossing";
+}
+
+std::string describe(const CheckedSummary& s, const Model& m) {
+  const std::string flags = flags_of(s);
+  if (s.status != Status::solved)
+    return describe(Summary{s}, m) + (flags.empty() ? "" : "; degraded before: " + flags);
+  const char* const outcome = s.outcome() == Outcome::failed     ? "refused: "
+                              : s.outcome() == Outcome::degraded ? "degraded: "
+                                                                 : "converged: ";
+  return outcome + flags + (flags.empty() ? "" : "; ") + std::to_string(s.instants) +
+         " instants in all, " + describe_radius(s, Level::acceleration);
+}
+
+std::string describe_radius(const CheckedSummary& s, Level level) {
+  std::string text = "condition " + formatted("%.1e", s.condition) + ", errors at most " +
+                     rounded_up(s.radius.position);
+  if (level >= Level::velocity) text += ", " + rounded_up(s.radius.velocity) + " in velocity";
+  if (level >= Level::acceleration)
+    text += ", " + rounded_up(s.radius.acceleration) + " in acceleration";
+  return text;
+}
+
+}  // namespace desmo

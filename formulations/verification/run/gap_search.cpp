@@ -1,0 +1,50 @@
+#include "formulations/verification/run/gap_search.h"
+
+#include <cmath>
+
+#include "formulations/prediction/driver_source.h"
+
+namespace desmo {
+
+namespace {
+
+/// To which the ends of an interval that cannot be assembled are found, s.
+constexpr double bracket = 1e-9;
+
+/// The last time that can be solved on the way from one where the formulation is to one where it
+/// cannot.
+double last_solved(Formulation& formulation, double good, double bad) {
+  while (std::abs(bad - good) > bracket) {
+    const double middle = good + (bad - good) / 2;
+    if (middle == good || middle == bad) break;
+    (formulation.step(middle, Level::position).ok() ? good : bad) = middle;
+  }
+  return good;
+}
+
+}  // namespace
+
+std::optional<AssemblyError> assembly_error_at(const Formulation& formulation, double time) {
+  const Model& m = formulation.model();
+  State state;
+  state.q.assign(formulation.q().begin(), formulation.q().end());
+  state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
+  state.qd = state.qdd = state.q;
+  write_drivers(m, time, state);
+  return find_assembly_error(m, state.q, {.tolerance = formulation.settings().tolerance});
+}
+
+FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,
+                  const BasicSummary& failure, const std::optional<AssemblyError>& assembly_error) {
+  const double end = grid.time(grid.instants - 1);
+  Gap gap{failure.time, end, false, Summary{failure}, assembly_error};
+  if (failed > 0) gap.from = last_solved(formulation, grid.time(failed - 1), gap.from);
+  int next = failed + 1;
+  const auto assembled = [&] { return formulation.assemble(grid.time(next)).ok(); };
+  while (next < grid.instants && !assembled()) ++next;
+  gap.ends = next < grid.instants;
+  if (gap.ends) gap.to = last_solved(formulation, grid.time(next), grid.time(next - 1));
+  return {gap, next};
+}
+
+}  // namespace desmo

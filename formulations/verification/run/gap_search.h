@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "formulations/formulation.h"
+#include "formulations/verification/run/checked_run.h"
+
+namespace desmo {
+
+/// Returns the assembly error at a time [s] at which a formulation could not be assembled. The
+/// search begins at the formulation's positions.
+std::optional<AssemblyError> assembly_error_at(const Formulation& formulation, double time);
+
+/// A gap and the first grid instant after it, or the number of instants.
+struct FoundGap {
+  Gap gap;
+  int next;
+};
+
+/// Finds the ends of a gap. Leaves the formulation at a position near its end.
+/// - failed: the grid instant that could not be assembled
+/// - failure: the summary of the run, which ended there
+/// - assembly_error: its own
+FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,
+                  const BasicSummary& failure, const std::optional<AssemblyError>& assembly_error);
+
+}  // namespace desmo

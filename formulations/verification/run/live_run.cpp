@@ -1,0 +1,342 @@
+#include "formulations/verification/run/live_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "cases/mechanism/formatted.h"
+#include "formulations/stepping/diagnosis.h"
+#include "formulations/stepping/formulation_core.h"
+#include "formulations/verification/certificate/refinement.h"
+#include "formulations/verification/run/branch_path.h"
+#include "formulations/verification/run/left_out_equations.h"
+#include "formulations/verification/run/row_motions.h"
+#include "formulations/verification/run/running_scales.h"
+#include "formulations/verification/run/start.h"
+
+namespace desmo {
+
+namespace {
+
+LiveSteps& steps_of(Formulation& f) { return *core_of(f).live(); }
+
+/// Largest radii over scales, and the group of the largest of all.
+struct RelativeRadius {
+  PerLevel<double> largest{};
+  double worst = 0;
+  GroupId group = no_position;
+
+  /// A radius of this part of a scale proves no digit.
+  bool proves_no_digit() const { return worst > 0.5; }
+};
+
+RelativeRadius relative_radius(const Model& m, const PerLevel<std::span<const double>>& radius,
+                               const Scales& scales) {
+  constexpr double above = 1 + 0x1p-48;  // covers the few roundings of a norm, and of a ratio
+  RelativeRadius result;
+  for (const Level level : all_levels)
+    for (const Entity& e : m.entities) {
+      if (e.fixed) continue;
+      double squares = 0;
+      for (const double x : radius[level].subspan(e.first, e.size)) squares += x * x;
+      if (!std::isfinite(squares)) continue;  // of a level that is not solved
+      const double scale = scales.of(e.kind, level);
+      if (scale == 0) continue;  // nothing has moved so far
+      const double size = std::sqrt(squares) * above / scale;
+      result.largest[level] = std::max(result.largest[level], size);
+      if (size > result.worst) result.worst = size, result.group = e.group;
+    }
+  return result;
+}
+
+/// Returns an instant of numbers up to a level.
+Instant instant_of(double time, const PerLevel<std::span<const double>>& values, Level level) {
+  Instant instant{.index = 0, .time = time, .q = values.position, .qd = {}, .qdd = {}};
+  if (level >= Level::velocity) instant.qd = values.velocity;
+  if (level >= Level::acceleration) instant.qdd = values.acceleration;
+  return instant;
+}
+
+}  // namespace
+
+/// What proves the rows.
+struct LiveRun::Checks {
+  RowMotions motions;
+  std::vector<Level> levels;  // of each coordinate
+  std::optional<RunningScales> scales{};
+  std::optional<Refinement> refinement{};
+  std::optional<BranchPath> path{};
+  std::optional<LeftOutEquations> left_out{};
+  PerLevel<std::vector<double>> begin{};  // values of the last proven row
+  std::vector<double> begin_radius{}, zeros{};
+  std::optional<RowFlag> lost{};  // since that row the branch is unknown
+
+  /// Lets the path begin at a row from now on.
+  void begin_at(const LiveRow& row, const Instant& instant, std::span<const double> radius) {
+    motions.begin_at(row);
+    std::ranges::copy(instant.q, begin.position.begin());
+    std::ranges::copy(instant.qd, begin.velocity.begin());
+    std::ranges::copy(instant.qdd, begin.acceleration.begin());
+    std::ranges::copy(radius, begin_radius.begin());
+  }
+  /// Returns the row where the path begins, at a time.
+  CertifiedInstant beginning(double time, Level level) const {
+    const Instant i = instant_of(time, {begin.position, begin.velocity, begin.acceleration}, level);
+    return {time, {i.q, i.qd, i.qdd}, begin_radius, levels};
+  }
+};
+
+std::string unsupported_live_reason(const Formulation& f) {
+  if (!core_of(f).needs_known_motion()) return {};
+  return "segments, threads and a stride need a motion known in advance; live drivers are known "
+         "one step at a time";
+}
+
+LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
+    : formulation_(f), options_(options), tried_(f.model().drivers.size()) {
+  if (const std::string reason = unsupported_live_reason(f); !reason.empty())
+    throw std::invalid_argument(reason);
+  if (options.max_sub_steps < 0)
+    throw std::invalid_argument("the number of sub-steps must not be negative");
+  if (options.check != CheckMode::none && options.check != CheckMode::proof)
+    throw std::invalid_argument("live rows are checked by a proof of each, or not at all");
+  for (const Level level : all_levels)
+    if (options.scales && level <= options.level &&
+        !(options.scales->length[level] > 0 && options.scales->rotation[level] > 0))
+      throw std::invalid_argument("scales must be positive, for radii are relative to them");
+  const std::size_t n = f.model().coordinates();
+  if (!options.levels.empty() && options.levels.size() != n)
+    throw std::invalid_argument("a live run is not given one level for each coordinate");
+  checks_ =
+      std::make_unique<Checks>(RowMotions(f.model(), options.level),
+                               std::vector<Level>(options.levels.begin(), options.levels.end()));
+  checks_->levels.resize(n, options.level);
+  if (!options.levels.empty()) f.solve_only(checks_->levels);
+  options_.levels = {};  // the caller's memory may be gone from here on
+  for (const Level level : all_levels) {
+    radius_[level].resize(n, INFINITY);
+    checks_->begin[level].resize(n);
+    if (level <= options.level) good_[level].resize(n);
+  }
+  checks_->begin_radius.resize(n);
+  checks_->zeros.resize(n);
+  if (options.check == CheckMode::proof) {
+    checks_->refinement.emplace(checks_->motions.model(), checks_->levels);
+    checks_->path.emplace(checks_->motions.model(), options.max_sub_steps + 1);
+    checks_->left_out.emplace(checks_->motions.model());
+  }
+  restart();
+}
+
+LiveRun::~LiveRun() = default;
+
+RowFault LiveRun::fault_of(const LiveRow& row) const {
+  if (!std::isfinite(row.time)) return RowFault::not_finite;
+  const auto fault = [&](std::span<const double> values, Level level) {
+    if (level > options_.level) return RowFault::none;
+    return values.size() != tried_.size() ? RowFault::wrong_size
+           : std::ranges::all_of(values, [](double x) { return std::isfinite(x); })
+               ? RowFault::none
+               : RowFault::not_finite;
+  };
+  for (const RowFault f : {fault(row.z, Level::position), fault(row.zd, Level::velocity),
+                           fault(row.zdd, Level::acceleration)})
+    if (f != RowFault::none) return f;
+  return has_position_ && row.time <= time_ ? RowFault::time_not_later : RowFault::none;
+}
+
+std::string describe(const LiveSummary& s, const Model& m) {
+  switch (s.fault) {
+    case RowFault::none:
+      return s.is_unreached()
+                 ? describe(Summary{s}, m) +
+                       formatted("; the motion to it is not proven beyond t = %.9g s", s.path.time)
+                 : describe(Summary{s}, m);
+    case RowFault::wrong_size:
+      return "refused: there is not one value for each driver";
+    case RowFault::not_finite:
+      return "refused: a value or the time is not a finite number";
+    case RowFault::time_not_later:
+      return "refused: the time is not after the last good row";
+  }
+  return {};
+}
+
+LiveSummary LiveRun::step(const LiveRow& row) {
+  LiveSummary summary;
+  summary.time = row.time;
+  summary.fault = fault_of(row);
+  if (summary.fault != RowFault::none) {
+    summary.status =
+        summary.fault == RowFault::not_finite ? Status::not_finite : Status::not_converged;
+    return summary;
+  }
+  std::ranges::copy(row.z, tried_.begin());
+  static_cast<BasicSummary&>(summary) =
+      steps_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
+  const bool is_solved = summary.status == Status::solved;
+  if (options_.check == CheckMode::proof)
+    check(row, summary);
+  else if (is_solved)
+    keep(row.time, solved(row.time));
+  if (is_solved && summary.status != Status::solved) go_back();
+  return summary;
+}
+
+/// Returns the instant that the formulation has solved.
+Instant LiveRun::solved(double time) const {
+  return instant_of(time, {formulation_.q(), formulation_.qd(), formulation_.qdd()},
+                    options_.level);
+}
+
+/// Checks a row that was solved or not, and makes it the last good one if it is good. A row has
+/// time 0 in what it is checked with.
+void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
+  Checks& c = *checks_;
+  const double begin = c.motions.lead_to(row);
+  const RefinedInstant* found = c.motions.has_begun() ? follow(row, begin, summary)
+                                : has_position_       ? go_on_lost(row, summary)
+                                                      : start(row, summary);
+  if (!found) return;
+  summary.condition = found->last.condition;
+  c.scales->take(found->instant);
+  keep(row.time, found->instant);
+  for (const Level level : all_levels)
+    std::ranges::copy(found->radius[level], radius_[level].begin());
+  if (found->proven) {
+    c.begin_at(row, found->instant, found->radius.position);
+    const RelativeRadius radius =
+        relative_radius(formulation_.model(), found->radius, c.scales->current());
+    summary.radius = radius.largest;
+    if (radius.proves_no_digit())
+      summary.flag = {.kind = RowFlag::Kind::unproven,
+                      .group = radius.group,
+                      .failure = ProofFailure::singular};
+    else if (c.lost)
+      summary.flag = c.lost;
+    else if (const std::optional<Misfit> misfit = c.left_out->check(*found, &row))
+      summary.flag = {.kind = RowFlag::Kind::misfit,
+                      .group = formulation_.model().constraints[misfit->constraint].group,
+                      .misfit = misfit};
+  } else {
+    summary.radius = {INFINITY, INFINITY, INFINITY};
+    summary.flag = {.kind = RowFlag::Kind::unproven,
+                    .group = found->last.group,
+                    .failure = found->last.failure};
+  }
+  if (summary.flag) summary.flag->time = row.time;
+}
+
+/// Goes from the drawing to the first row. Where no way leads there, the answer is what the
+/// formulation has found; null: it has found nothing, either.
+const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
+  Checks& c = *checks_;
+  c.lost.reset();
+  const FoundStart way = find_start(c.motions.model(), 0);
+  if (way.stage == FoundStart::Stage::reached) {
+    const PerLevel<std::span<const double>> values{way.q, c.zeros, c.zeros};
+    const RefinedInstant& found = c.refinement->refine(instant_of(0, values, options_.level));
+    if (!way.passed.empty())
+      summary.flag = {.kind = RowFlag::Kind::crossing,
+                      .time = row.time,
+                      .after = row.time,
+                      .before = row.time,
+                      .group = way.group};
+    if (found.proven) return return_to(row.time, found, summary);
+  } else {
+    c.lost = {
+        .kind = RowFlag::Kind::branch, .after = row.time, .before = row.time, .group = way.group};
+  }
+  return summary.status == Status::solved ? &c.refinement->refine(solved(0)) : nullptr;
+}
+
+/// Takes what the formulation has found after rows without a proof. On which branch it is, nobody
+/// knows.
+const RefinedInstant* LiveRun::go_on_lost(const LiveRow& row, const LiveSummary& summary) {
+  Checks& c = *checks_;
+  if (summary.status != Status::solved) return nullptr;
+  if (!c.lost) c.lost = {.kind = RowFlag::Kind::branch, .after = time_, .before = row.time};
+  return &c.refinement->refine(solved(0));
+}
+
+/// Follows the motion from the last proven row to this one. Where the formulation is elsewhere, or
+/// has found nothing, the end of the path is the answer; null: the motion does not lead there.
+const RefinedInstant* LiveRun::follow(const LiveRow& row, double begin, LiveSummary& summary) {
+  Checks& c = *checks_;
+  const bool is_solved = summary.status == Status::solved;
+  const RefinedInstant* found = is_solved ? &c.refinement->refine(solved(0)) : nullptr;
+  if (c.path->start_at(c.beginning(begin, options_.level)))
+    summary.path = found && found->proven
+                       ? c.path->follow({0,
+                                         {found->instant.q, found->instant.qd, found->instant.qdd},
+                                         found->radius.position,
+                                         c.levels})
+                       : c.path->go_to(0);
+  summary.path.time += row.time;
+  if (summary.path.end == PathEnd::stuck) {
+    if (summary.group < 0) summary.group = summary.path.group;
+    if (is_solved) summary.status = Status::singular;
+    summary.instants = 0;
+    return nullptr;
+  }
+  if (summary.path.end == PathEnd::same && found && found->proven) return found;
+  const PerLevel<std::span<const double>>& end = c.path->present().values;
+  return return_to(row.time, c.refinement->refine(instant_of(0, end, options_.level)), summary);
+}
+
+/// Lets the formulation go on from what the path has found, which is the answer.
+const RefinedInstant* LiveRun::return_to(double time, const RefinedInstant& found,
+                                         LiveSummary& summary) {
+  steps_of(formulation_).return_to(found.instant.q, time);
+  summary.status = Status::solved;
+  summary.group = summary.constraint = no_position;
+  summary.instants = 1;
+  return &found;
+}
+
+/// Makes an instant the last good row.
+void LiveRun::keep(double time, const Instant& instant) {
+  std::ranges::copy(instant.q, good_.position.begin());
+  std::ranges::copy(instant.qd, good_.velocity.begin());
+  std::ranges::copy(instant.qdd, good_.acceleration.begin());
+  time_ = time;
+  has_position_ = true;
+}
+
+void LiveRun::go_back() {
+  const std::span<const double> none;
+  steps_of(formulation_).return_to(has_position_ ? good_.position : none, time_);
+}
+
+void LiveRun::set_time(double t) {
+  if (!has_position_) return;
+  checks_->motions.shift_time(t - time_);
+  time_ = t;
+  go_back();
+}
+
+const Scales& LiveRun::scales() const { return checks_->scales->current(); }
+
+void LiveRun::restart() {
+  has_position_ = false;
+  time_ = 0;
+  checks_->motions.forget();
+  checks_->scales.emplace(checks_->motions.model(), TimeGrid{}, options_.scales);
+  go_back();
+}
+
+LiveRun::Obstacle LiveRun::explain() const {
+  const Model& m = formulation_.model();
+  std::vector<double> state = has_position_ ? good_.position : m.estimate;
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  for (std::size_t d = 0; d < tried_.size(); ++d)
+    state[m.entities[m.drivers[d].coordinate].first] = tried_[d];
+  std::vector<GroupId> groups(m.groups.size());
+  std::iota(groups.begin(), groups.end(), 0);
+  const Settings& settings = formulation_.settings();
+  const Culprit culprit = find_culprit(m, groups, state, settings);
+  return {culprit.group, culprit.constraint, find_assembly_error(m, state, settings)};
+}
+
+}  // namespace desmo

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "formulations/base/live_row.h"
+#include "formulations/formulation.h"
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/run/branch_path.h"
+#include "formulations/verification/run/check_options.h"
+#include "formulations/verification/run/checked_run.h"
+
+namespace desmo {
+
+struct RefinedInstant;
+
+struct LiveOptions {
+  Level level = Level::acceleration;  ///< highest level that is solved and proven
+  /// Level asked for of each coordinate (Plan::levels); empty: `level`. The memory must last until
+  /// the constructor of LiveRun returns, which calls the formulation's solve_only(): that lasts.
+  std::span<const Level> levels{};
+  /// The velocities and accelerations that radii are relative to, which only the caller can know
+  /// in advance; empty: the largest so far, which at the beginning may be small.
+  std::optional<Scales> scales{};
+  /// Shorter steps that one row may take to be solved, and path proofs beyond the first that it may
+  /// take to be followed.
+  int max_sub_steps = 64;
+  CheckMode check = CheckMode::proof;  ///< none or proof
+};
+
+/// A fault that keeps a row from being tried.
+enum class RowFault {
+  none,
+  wrong_size,      ///< z, ż or z̈ has not one value for each driver
+  not_finite,      ///< a value or the time is not a finite number
+  time_not_later,  ///< the time is that of the last good position, or before it
+};
+
+/// The outcome of one row of driver values; LiveRun itself has the coordinates that it led to.
+/// outcome() says whether they may be used. It is no Summary, whose ok() tells no flagged rows.
+struct [[nodiscard]] LiveSummary : BasicSummary {
+  RowFault fault = RowFault::none;  ///< not none: the row was refused before anything was tried
+  std::optional<RowFlag> flag{};    ///< of a row that was solved; none: proven, or not checked
+  PerLevel<double> radius{};        ///< largest of the row, relative to LiveRun::scales()
+  double condition = 0;             ///< Certificate::condition; 0: not checked
+  /// How the drivers' way from the last proven row was followed. time: as far as that is proven.
+  FollowedStep path{};
+
+  /// Returns whether the row was solved, but not reached along the motion: it was refused.
+  bool is_unreached() const {
+    return status != Status::solved && path.tests > 0 && path.end == PathEnd::stuck;
+  }
+  Outcome outcome() const {
+    return status != Status::solved ? Outcome::failed
+           : flag                   ? Outcome::degraded
+                                    : Outcome::converged;
+  }
+};
+
+/// Returns a sentence for people, like that of a Summary; of a row that was refused, why.
+std::string describe(const LiveSummary& summary, const Model& model);
+
+/// A run whose driver values are handed in at every step, for a controller, a simulator in a loop
+/// or an optimiser:
+///
+///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
+///   LiveRun run(*formulation, {.scales = scales});
+///   while (read(t, z, zd, zdd)) {
+///     const LiveSummary answer = run.step({t, z, zd, zdd});
+///     if (answer.outcome() != Outcome::failed) use(run.q(), run.qd(), run.qdd());
+///   }
+///
+/// The motions of the model's drivers are not used: any will do. The values of a row are exact.
+/// Every answer is proven like those of run_checked(), or flagged. The first row is reached from
+/// the drawing (find_start). Between rows the drivers follow the polynomial of lowest degree
+/// through both (RowMotions): the proof is that this motion leads from the last proven row to the
+/// answer. Where the formulation is elsewhere, or finds nothing, the end of the path is the answer,
+/// and the formulation goes on from there.
+///
+/// Outcomes of unusual rows:
+/// - NaN, infinity or a wrong size: failed, with a `fault`; nothing was tried
+/// - a time that repeats or goes back: failed, with a `fault`; set_time() allows it
+/// - values that jump: solved, in sub-steps
+/// - values out of reach, in a singular position, beyond one or beyond a change point: failed,
+///   since the motion is not proven to lead there
+/// - a first row to which no proven way leads from the drawing: degraded, like all until restart();
+///   one to which the way passes a change point: degraded alone
+/// - a first row in a singular position, or where rounding leaves too few digits: degraded
+///
+/// After a failure the values are those of the last good row, and the next row starts there. From
+/// the second good row on nothing is taken from the heap, but by libraries of linear algebra.
+/// explain() does, for it is not for the loop. A row of 558 coordinates takes some 0.2 ms.
+class LiveRun {
+ public:
+  /// The formulation outlives the run, which is the only one to use it. Throws
+  /// std::invalid_argument where the formulation needs a motion known in advance
+  /// (unsupported_live_reason), for options that are out of range, and where `levels` is not empty
+  /// and has not one level for each coordinate.
+  explicit LiveRun(Formulation& formulation, const LiveOptions& options = {});
+  ~LiveRun();
+
+  /// Solves and proves one row.
+  LiveSummary step(const LiveRow& row);
+
+  /// Sets the time of the last good position [s]: the next row may have any later one.
+  void set_time(double t);
+  /// Forgets all rows: the next is reached from the drawing.
+  void restart();
+
+  /// Returns whether there is a good row.
+  bool has_position() const { return has_position_; }
+  /// The last good row: time [s] and values in coordinate order (Model::coordinates()). Those that
+  /// the options leave out are unspecified.
+  double time() const { return time_; }
+  std::span<const double> q() const { return good_.position; }
+  std::span<const double> qd() const { return good_.velocity; }
+  std::span<const double> qdd() const { return good_.acceleration; }
+  /// Bounds on |value − exact| of the last good row, in units of the coordinates; infinite where
+  /// there are none.
+  const PerLevel<std::vector<double>>& radius() const { return radius_; }
+  /// Returns the scales that radii are relative to: those given, or the motion's so far.
+  const Scales& scales() const;
+
+  /// The obstacle to a row that could not be solved.
+  struct Obstacle {
+    GroupId group = no_position;   ///< group that could not be solved, if known
+    int constraint = no_position;  ///< constraint most concerned, if known
+    std::optional<AssemblyError> assembly_error;
+  };
+  /// Finds what kept the row that failed last from being solved. Allocates, and takes long.
+  Obstacle explain() const;
+
+ private:
+  struct Checks;
+
+  RowFault fault_of(const LiveRow& row) const;
+  Instant solved(double time) const;
+  void check(const LiveRow& row, LiveSummary& summary);
+  const RefinedInstant* start(const LiveRow& row, LiveSummary& summary);
+  const RefinedInstant* go_on_lost(const LiveRow& row, const LiveSummary& summary);
+  const RefinedInstant* follow(const LiveRow& row, double begin, LiveSummary& summary);
+  const RefinedInstant* return_to(double time, const RefinedInstant& found, LiveSummary& summary);
+  void keep(double time, const Instant& instant);
+  void go_back();
+
+  Formulation& formulation_;
+  LiveOptions options_;  // without levels
+  std::unique_ptr<Checks> checks_;
+  PerLevel<std::vector<double>> good_, radius_;  // of the last good row
+  std::vector<double> tried_;                    // z of the row tried last
+  double time_ = 0;                              // s, of the last good row
+  bool has_position_ = false;
+};
+
+/// Returns why a formulation cannot be driven live, in a sentence without a full stop; empty when
+/// it can.
+std::string unsupported_live_reason(const Formulation& formulation);
+
+}  // namespace desmo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "formulations/base/live_row.h"
+#include "formulations/base/per_level.h"
+#include "formulations/model/model.h"
+
+namespace desmo {
+
+/// Motions of drivers that are known in rows alone. Between two rows they are polynomials: quintics
+/// where the rows have accelerations, cubics where they have velocities, else straight lines. The
+/// later row has time 0, where the polynomial has the row's numbers exactly. At the earlier one the
+/// remainder of the last coefficient covers what rounding leaves.
+class RowMotions {
+ public:
+  /// Copies the model, whose own motions do not count. level: the highest one that rows have.
+  RowMotions(const Model& model, Level level);
+
+  /// Returns the model with the present motions.
+  const Model& model() const { return model_; }
+
+  /// Forgets the earlier row: motions are then Taylor's polynomials of the later one.
+  void forget() { has_begun_ = false; }
+  /// Makes a row the earlier one.
+  void begin_at(const LiveRow& row);
+  bool has_begun() const { return has_begun_; }
+  /// Lets the earlier row be later by a time [s].
+  void shift_time(double later) { time_ += later; }
+
+  /// Sets the motions from the earlier row to a later one. Returns the time of the earlier one as
+  /// the motions count it, negative [s]; 0 where there is none.
+  double lead_to(const LiveRow& row);
+
+ private:
+  void lead_driver(std::size_t driver, const LiveRow& row, double begin);
+
+  Model model_;
+  Level level_;
+  PerLevel<std::vector<double>> from_;  // of each driver at the earlier row
+  double time_ = 0;
+  bool has_begun_ = false;
+};
+
+}  // namespace desmo

@@ -1,0 +1,107 @@
+#include "formulations/verification/run/running_scales.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace desmo {
+
+namespace {
+
+/// Instants at which drivers are looked at beforehand.
+constexpr int looks = 64;
+/// What unknowns do at least of what drivers do, before they have been seen.
+constexpr double min_scale = 0.01;
+
+/// The largest of drivers at one level, of lengths or of rotations.
+struct Largest {
+  double velocity = 0, acceleration = 0;
+
+  /// What is no number will end the motion before it.
+  void take(double v, double a) {
+    if (!std::isfinite(v) || !std::isfinite(a)) return;
+    velocity = std::max(velocity, std::abs(v));
+    acceleration = std::max(acceleration, std::abs(a));
+  }
+};
+
+}  // namespace
+
+std::vector<double> looks_ahead(const TimeGrid& grid) {
+  std::vector<double> times;
+  for (int i = 0; i <= looks; ++i)
+    times.push_back(grid.start + i * (grid.step * std::max(0, grid.instants - 1) / looks));
+  return times;
+}
+
+RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
+                             const std::optional<Scales>& given, bool of_motion)
+    : are_given_(given), are_of_motion_(of_motion) {
+  for (const Entity& e : m.entities)
+    if (!e.fixed) moving_.push_back({e.first, e.size, is_length(e.kind)});
+  const double size = nominal_size(m);
+  Largest length, rotation;
+  for (const Driver& d : m.drivers)
+    for (const double t : of_motion ? looks_ahead(grid) : std::vector<double>()) {
+      const MotionSample<double> z = sample(d.motion, t);
+      (is_length(m.entities[d.coordinate].kind) ? length : rotation)
+          .take(z.velocity, z.acceleration);
+    }
+  seen_.length = {size, std::max(length.velocity, min_scale * size * rotation.velocity),
+                  std::max(length.acceleration, min_scale * size * rotation.acceleration)};
+  seen_.rotation = {1, std::max(rotation.velocity, min_scale * length.velocity / size),
+                    std::max(rotation.acceleration, min_scale * length.acceleration / size)};
+  scales_ = given ? *given : completed(seen_);
+}
+
+bool RunningScales::take(const Instant& instant) {
+  if (!are_of_motion_ && !are_given_) {
+    scales_ = with(instant);
+    return true;
+  }
+  if (instant.time != last_time_) before_ = seen_;
+  last_time_ = instant.time;
+  const bool grows = grow(seen_, instant);
+  if (grows) scales_ = completed(seen_);
+  return grows;
+}
+
+void RunningScales::take_back(double time) {
+  if (are_given_ || time != last_time_) return;
+  seen_ = before_;
+  scales_ = completed(seen_);
+}
+
+Scales RunningScales::with(const Instant& instant) const {
+  Scales seen = seen_;
+  return grow(seen, instant) || !are_of_motion_ ? completed(seen) : scales_;
+}
+
+bool RunningScales::grow(Scales& seen, const Instant& instant) const {
+  if (are_given_) return false;
+  const auto largest = [&](std::span<const double> values, double& length, double& rotation) {
+    if (values.empty()) return false;
+    bool grows = false;
+    for (const auto& [first, size, is_length] : moving_) {
+      double squares = 0;
+      for (int i = first; i < first + size; ++i) squares += values[i] * values[i];
+      double& largest = is_length ? length : rotation;
+      if (!(squares > largest * largest)) continue;
+      largest = std::sqrt(squares);
+      grows = true;
+    }
+    return grows;
+  };
+  const bool v = largest(instant.qd, seen.length.velocity, seen.rotation.velocity);
+  const bool a = largest(instant.qdd, seen.length.acceleration, seen.rotation.acceleration);
+  return v || a;
+}
+
+/// What does not accelerate is judged by its speed.
+Scales RunningScales::completed(Scales seen) {
+  for (PerLevel<double>* of : {&seen.length, &seen.rotation})
+    of->acceleration =
+        std::max(of->acceleration, min_scale * of->velocity * of->velocity / of->position);
+  return seen;
+}
+
+}  // namespace desmo
