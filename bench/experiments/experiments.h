@@ -71,6 +71,3 @@ int run(const bench::CommandLine& line);
 namespace desmo::extremes {
 int run(const bench::CommandLine& line);
 }
-namespace desmo::promise {
-int run(const bench::CommandLine& line);
-}

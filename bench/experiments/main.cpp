@@ -34,7 +34,6 @@ constexpr Experiment all_experiments[] = {
     {"size", "How time grows with the size of a mechanism", desmo::size::run},
     {"instructions", "Instructions a step, counted by callgrind", desmo::instructions::run},
     {"extremes", "Every formulation where most go wrong", desmo::extremes::run},
-    {"promise", "Random and aimed scenes: is every number right, or flagged?", desmo::promise::run},
 };
 
 /// bad_input, unreadable_input: of a scene file. not_completed: something cannot be measured or

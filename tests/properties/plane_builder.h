@@ -8,7 +8,7 @@
 
 #include "cases/mechanism/builder.h"
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 inline double length_between(const Mechanism::Vec& a, const Mechanism::Vec& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
@@ -110,4 +110,4 @@ class PlaneBuilder {
   std::map<std::string, Mechanism::Vec> at_;
 };
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/experiments/promise/random.h"
 #include "cases/mechanism/mechanism.h"
+#include "tests/properties/random.h"
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 /// A mechanism with random dimensions.
 struct Drawn {
@@ -27,10 +27,15 @@ struct Family {
 std::span<const Family> plane_families();
 std::span<const Family> spatial_families();
 
-/// Returns all families: those drawn, then those of the library.
+/// Overconstrained ones, of which the first contradicts itself by a relative 1e-16 to 1e-5.
+std::span<const Family> overconstrained_families();
+
+/// Returns the families of the plane and of space, then those of the library.
 const std::vector<Family>& families();
+/// Chooses one of them.
+const Family& chosen_family(Random& random);
 
 /// Returns a mechanism of the family, at a random place and of a random size (1e-3 to 1e6).
 Drawn draw(const Family& family, Random& random);
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

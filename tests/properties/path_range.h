@@ -3,10 +3,10 @@
 #include <array>
 #include <vector>
 
-#include "bench/experiments/promise/mechanisms.h"
 #include "formulations/model/model.h"
+#include "tests/properties/mechanisms.h"
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 /// Ranges of drivers that go straight from the nominal position.
 struct PathRange {
@@ -18,8 +18,8 @@ struct PathRange {
   std::array<End, 2> ends;      ///< backwards, forwards
 };
 
-/// Follows the path in quadruple precision to the first singular position on both sides. Throws
-/// std::runtime_error when there is no nominal position.
+/// Follows the path in quadruple precision to the first singular position on both sides, from the
+/// model's estimate. Throws std::runtime_error where that is no position.
 PathRange find_range(const Model& model, const Drawn& drawn);
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

@@ -1,8 +1,8 @@
-#include "bench/experiments/promise/path_range.h"
+#include "tests/properties/path_range.h"
 
 #include "formulations/verification/reference/continuation.h"
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 namespace {
 
@@ -39,4 +39,4 @@ PathRange find_range(const Model& m, const Drawn& drawn) {
   return range;
 }
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

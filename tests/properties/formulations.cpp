@@ -1,9 +1,10 @@
+#include "tests/properties/formulations.h"
+
 #include <sstream>
 
-#include "bench/experiments/promise/tally.h"
 #include "formulations/variants.h"
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 namespace {
 
@@ -33,7 +34,7 @@ constexpr Additions additions[] = {
 
 }  // namespace
 
-std::vector<std::string> canonical_ids() {
+std::vector<std::string> drawn_ids() {
   std::vector<std::string> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   for (const auto& [id, suffixes] : additions) {
@@ -43,4 +44,4 @@ std::vector<std::string> canonical_ids() {
   return ids;
 }
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 /// Generator of the same numbers on every machine (SplitMix64, Steele et al. 2014).
 class Random {
@@ -30,4 +30,4 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

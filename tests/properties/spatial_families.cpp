@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/promise/mechanisms.h"
 #include "cases/mechanism/builder.h"
+#include "tests/properties/mechanisms.h"
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 namespace {
 
@@ -184,4 +184,4 @@ std::span<const Family> spatial_families() {
   return all;
 }
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

@@ -1,4 +1,4 @@
-#include "bench/experiments/promise/mechanisms.h"
+#include "tests/properties/mechanisms.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "cases/io/files.h"
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 namespace {
 
@@ -119,10 +119,18 @@ const std::vector<Family>& families() {
   return all;
 }
 
+const Family& chosen_family(Random& random) {
+  const std::vector<Family>& all = families();
+  const auto drawn = static_cast<int>(
+      std::ranges::count_if(all, [](const Family& f) { return f.draw != nullptr; }));
+  const int library = static_cast<int>(all.size()) - drawn;
+  return random.chance(0.7) ? all[random.below(drawn)] : all[drawn + random.below(library)];
+}
+
 Drawn draw(const Family& family, Random& random) {
   Drawn d = family.draw ? family.draw(random) : of_library(family, random);
   place(d, draw_placement(d, random));
   return d;
 }
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

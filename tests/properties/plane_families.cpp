@@ -2,11 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/promise/mechanisms.h"
-#include "bench/experiments/promise/plane_builder.h"
 #include "cases/generators/dyad_chain.h"
+#include "tests/properties/mechanisms.h"
+#include "tests/properties/plane_builder.h"
 
-namespace desmo::promise {
+namespace desmo::properties {
 
 namespace {
 
@@ -248,4 +248,4 @@ std::span<const Family> plane_families() {
   return all;
 }
 
-}  // namespace desmo::promise
+}  // namespace desmo::properties

@@ -11,10 +11,10 @@
 #include "cases/mechanism/builder.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
-#include "formulations/verification/monitor/monitored_run.h"
+#include "formulations/verification/run/checked_run.h"
 #include "tests/discard.h"
 
-namespace desmo::promise::regular_test {
+namespace desmo::properties::regular_test {
 namespace {
 
 using Vec = Mechanism::Vec;
@@ -72,8 +72,8 @@ TEST(Regular, BricardIsAtARightAngle) {
     const Model m = model_mechanism(bricard(drawn_at), std::vector{through}).model;
     for (const char* id : ids) {
       Discard observer;
-      const MonitoredSummary s = run_monitored(*make_formulation(find_variant(id), m),
-                                               {-0.375, 1. / 64, 49}, {}, observer);
+      const CheckedSummary s =
+          run_checked(*make_formulation(find_variant(id), m), {-0.375, 1. / 64, 49}, {}, observer);
       EXPECT_EQ(s.outcome(), Outcome::converged) << id << ": " << describe(s, m);
       EXPECT_EQ(s.instants, 49) << id;
     }
@@ -116,12 +116,12 @@ TEST(Regular, AFourBarIsOnALongArm) {
     const Model m = model_mechanism(on_an_arm(arm), motions).model;
     for (const char* id : ids) {
       Discard observer;
-      const MonitoredSummary s =
-          run_monitored(*make_formulation(find_variant(id), m), {0, 1. / 16, 49}, {}, observer);
+      const CheckedSummary s =
+          run_checked(*make_formulation(find_variant(id), m), {0, 1. / 16, 49}, {}, observer);
       EXPECT_EQ(s.outcome(), Outcome::converged) << arm << ", " << id << ": " << describe(s, m);
     }
   }
 }
 
 }  // namespace
-}  // namespace desmo::promise::regular_test
+}  // namespace desmo::properties::regular_test

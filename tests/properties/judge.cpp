@@ -1,0 +1,188 @@
+#include "tests/properties/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "formulations/id.h"
+#include "tests/discard.h"
+
+namespace desmo::properties {
+
+namespace {
+
+constexpr double unit_roundoff = 0x1p-53;
+/// Misfit over κ u from which on no rounding of the numbers in the file explains it. A group has
+/// some ten to a hundred of them; bounds on the sum of their effects are some ten times wider.
+constexpr double max_explained = 1000;
+/// Misfit over the largest radius of a coordinate that this radius explains: an equation has up to
+/// nine of them.
+constexpr double max_slopes = 9;
+/// Misfit over u below which one rounding explains it.
+constexpr double min_misfit = 0.125;
+/// Sizes in a mechanism from which on rounding may decide.
+constexpr double max_size_ratio = 1e6;
+
+/// Compares the numbers of a row with the answer; keeps the worst.
+class Comparison {
+ public:
+  explicit Comparison(const DrawnScene& s)
+      : s_(s), entity_(entity_of_coordinate(s.plan.model)), asked_(entity_.size()) {
+    if (s.plan.outputs.empty()) std::ranges::fill(asked_, std::pair(true, Level::acceleration));
+    for (const Output& o : s.plan.outputs) {
+      const Entity& e = s.plan.model.entities[o.entity];
+      if (e.fixed) continue;
+      for (int i = e.first; i < e.first + e.size; ++i)
+        asked_[i] = {true, std::max(asked_[i].second, o.level)};
+    }
+  }
+
+  void compare(const CheckedRow& row, const TrueInstant& truth) {
+    for (const Level level : all_levels)
+      for (std::size_t i = 0; i < row.values[level].size(); ++i) {
+        const auto& [asked, highest] = asked_[i];
+        if (!asked || level > highest) continue;
+        compare(row, truth, level, i);
+      }
+  }
+
+  void note(const CheckedRow& row, std::string what, double error = 0) {
+    const TrueInstant& t = s_.truth.instants[row.index];
+    take({std::move(what), {}, Level::position, t.instant.time, error, 0, t.condition}, INFINITY);
+  }
+  const std::optional<Finding>& worst() const { return worst_; }
+
+ private:
+  void compare(const CheckedRow& row, const TrueInstant& truth, Level level, std::size_t i) {
+    const Model& m = s_.plan.model;
+    const Entity& e = m.entities[entity_[i]];
+    const ReferenceInstant& t = truth.instant;
+    const std::vector<double>& right = level == Level::position   ? t.q
+                                       : level == Level::velocity ? t.qd
+                                                                  : t.qdd;
+    const std::vector<double>& rest = level == Level::position   ? t.remainder.q
+                                      : level == Level::velocity ? t.remainder.qd
+                                                                 : t.remainder.qdd;
+    const Quadruple difference = Quadruple(row.values[level][i]) - right[i] - rest[i];
+    const double error = std::abs(static_cast<double>(difference));
+    const double radius = row.radius[level].empty() ? INFINITY : row.radius[level][i];
+    const double floor = floor_of(s_.truth, truth)[level] * s_.truth.scales.of(e.kind, level);
+    const bool has_radius = std::isfinite(radius);
+    if (has_radius && error <= radius + floor) return;
+    take({has_radius ? "outside its radius" : "without a radius",
+          coordinate_name(m, entity_[i], static_cast<int>(i)), level, t.time, error, radius,
+          truth.condition},
+         has_radius ? error / (radius + floor) : INFINITY);
+  }
+
+  void take(Finding finding, double ratio) {
+    if (worst_ && !(ratio > ratio_)) return;
+    ratio_ = ratio;
+    worst_ = std::move(finding);
+  }
+
+  const DrawnScene& s_;
+  std::vector<EntityId> entity_;
+  std::vector<std::pair<bool, Level>> asked_;  // of each coordinate: whether, and up to where
+  std::optional<Finding> worst_;
+  double ratio_ = 0;
+};
+
+/// Returns whether a row claims that its numbers are right.
+bool claims(const CheckedRow& row) {
+  return !row.flag || row.flag->kind == RowFlag::Kind::crossing;
+}
+
+bool is_finite(const CheckedRow& row) {
+  return std::ranges::all_of(row.values.position, [](double x) { return std::isfinite(x); });
+}
+
+/// Returns the largest radius of a row's positions over the mechanism's size, or over one radian; 0
+/// where the row has none.
+double largest_radius(const Model& m, const CheckedRow& row) {
+  if (row.radius.position.empty()) return 0;
+  const double size = nominal_size(m);
+  double largest = 0;
+  for (const Entity& e : m.entities)
+    for (int i = e.first; !e.fixed && i < e.first + e.size; ++i)
+      largest = std::max(largest, row.radius.position[i] / (is_length(e.kind) ? size : 1));
+  return largest;
+}
+
+void judge_row(Comparison& comparison, const DrawnScene& s, const CheckedRow& row) {
+  const TrueInstant& truth = s.truth.instants[row.index];
+  const double misfit = largest_misfit(s.plan.model, row.values.position);
+  const double explained = max_explained * truth.condition * s.truth.far * unit_roundoff +
+                           max_slopes * largest_radius(s.plan.model, row);
+  if (!is_finite(row)) comparison.note(row, "not finite");
+  if (claims(row)) {
+    if (!has_answer(truth))
+      comparison.note(row, "no answer");
+    else if (misfit > explained && !(row.flag && row.flag->misfit))
+      comparison.note(row, "a contradiction", misfit);
+    else if (s.truth.misfit[row.index] <= explained)
+      comparison.compare(row, truth);
+    // Else the equations that are kept lead to where others fail, past a singular position that
+    // all of them together do not have.
+  } else if (row.flag->kind == RowFlag::Kind::misfit && has_answer(truth) &&
+             misfit < min_misfit * unit_roundoff) {
+    comparison.note(row, "no misfit", misfit);
+  }
+}
+
+}  // namespace
+
+Judgement judge(const DrawnScene& s, const CheckedMotionRows& run) {
+  Judgement j;
+  Comparison comparison(s);
+  std::vector<const CheckedRow*> row_of(s.scene.grid.instants);
+  for (const CheckedRow& row : run.rows) {
+    judge_row(comparison, s, row);
+    row_of[row.index] = &row;
+  }
+  j.wrong = comparison.worst();
+  for (std::size_t i = 0; i < row_of.size(); ++i) {
+    const CheckedRow* const row = row_of[i];
+    const bool regular = s.truth.regular[i] && s.truth.size_ratio < max_size_ratio;
+    ++j.rows;
+    j.regular += regular;
+    if (row && !row->flag) continue;
+    const std::string word(row ? word_of(*row->flag) : "missing");
+    ++j.flags[word];
+    if (!regular || word == "misfit") continue;  // a misfit was judged above
+    ++j.regular_flags[word];
+    if (!row || j.first_regular_flag) continue;
+    j.first_regular_flag = row->flag;
+    j.condition = s.truth.instants[i].path_condition;
+  }
+  return j;
+}
+
+std::optional<CheckedMotionRows> solve_checked(const DrawnScene& s, const std::string& id) {
+  std::unique_ptr<Formulation> f;
+  try {
+    const Configuration c = parse_id(id, {.tolerance = s.scene.tolerance});
+    f = make_formulation(*c.variant, s.plan.model, c.settings);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+  CheckedMotionRows run;
+  CheckOptions options{.mode = s.mode, .levels = s.plan.levels};
+  options.checked = [&](const CheckedInstant& row) {
+    const auto copy = [](std::span<const double> x) { return std::vector(x.begin(), x.end()); };
+    const Instant& i = row.instant;
+    run.rows.push_back(
+        {i.index,
+         {copy(i.q), copy(i.qd), copy(i.qdd)},
+         {copy(row.radius.position), copy(row.radius.velocity), copy(row.radius.acceleration)},
+         row.flag});
+  };
+  Discard observer;
+  run.summary = run_checked(*f, s.scene.grid, {s.plan.level()}, observer, options);
+  return run;
+}
+
+}  // namespace desmo::properties

@@ -1,0 +1,65 @@
+// Scenes whose drawings do not close: the lengths of links are stated.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "cases/mechanism/formatted.h"
+#include "tests/properties/scene_kinds.h"
+
+namespace desmo::properties {
+
+namespace {
+
+Draft draw_redrawn(Random& r, const std::string& aim, void (*change)(Mechanism&, Random&)) {
+  const auto plane = plane_families();
+  const Family& family = plane[r.below(static_cast<int>(plane.size()))];
+  Drawn drawn = draw(family, r);
+  change(drawn.mechanism, r);
+  drawn.exact = false;
+  Draft d = draft_inside(r, family.name, path_of(std::move(drawn)));
+  d.aim = aim;
+  return d;
+}
+
+double size_of(const Mechanism& m) {
+  double size = 0;
+  for (const Mechanism::Point& a : m.points)
+    for (const Mechanism::Point& b : m.points)
+      for (int i = 0; i < 3; ++i) size = std::max(size, std::abs(a.position[i] - b.position[i]));
+  return size;
+}
+
+}  // namespace
+
+double with_digits(double x, int digits) {
+  return std::strtod(formatted("%.*g", digits, x).c_str(), nullptr);
+}
+
+void round_numbers(Mechanism& m, int digits) {
+  for (Mechanism::Point& p : m.points)
+    for (double& x : p.position) x = with_digits(x, digits);
+  for (Mechanism::Vector& v : m.vectors)
+    for (double& x : v.direction) x = with_digits(x, digits);
+  for (Mechanism::Body& b : m.bodies)
+    if (b.length) b.length = with_digits(*b.length, digits);
+  for (Mechanism::Coordinate& c : m.coordinates)
+    if (c.estimate) c.estimate = with_digits(*c.estimate, digits);
+}
+
+Draft draw_rough(Random& r) {
+  return draw_redrawn(r, "rough drawing", [](Mechanism& m, Random& random) {
+    const double off = random.log_uniform(1e-6, 0.1) * size_of(m);
+    const std::vector<int>& ground = m.bodies.front().points;
+    for (std::size_t i = 0; i < m.points.size(); ++i)
+      if (std::ranges::find(ground, static_cast<int>(i)) == ground.end())
+        for (int k = 0; k < m.dimension; ++k) m.points[i].position[k] += random.uniform(-off, off);
+  });
+}
+
+Draft draw_decimal(Random& r) {
+  return draw_redrawn(r, "decimal lengths",
+                      [](Mechanism& m, Random& random) { round_numbers(m, 2 + random.below(4)); });
+}
+
+}  // namespace desmo::properties

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/model/model.h"
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/reference/continuation.h"
+
+namespace desmo::properties {
+
+/// What is right of a scene: answers of the numbers in the file, in quadruple precision.
+struct Truth {
+  /// (instants) No q: there is no position, or it is singular in double precision.
+  std::vector<TrueInstant> instants;
+  std::vector<double> misfit;  ///< (instants) largest_misfit() of the answer
+  /// (instants) Whether the way from the drawing to here is well-conditioned.
+  std::vector<bool> regular;
+  Scales scales;          ///< of the answers
+  double far = 1;         ///< largest coordinate over the mechanism's size, at least 1
+  double size_ratio = 1;  ///< of the largest coordinate or length to the least length, at least 1
+};
+
+/// κ below which every instant is to be proven.
+inline constexpr double well_conditioned = 1e6;
+
+/// Follows the drawing to the first instant of the grid and through the others, smoothly past
+/// singular positions. Throws std::runtime_error where the drawing means no position.
+Truth true_answers(const Model& model, const TimeGrid& grid);
+
+bool has_answer(const TrueInstant& instant);
+
+/// Returns the largest misfit of an equation that was left out, |Φ| over its steepest slope, over
+/// the mechanism's size.
+double largest_misfit(const Model& model, std::span<const double> q);
+
+/// Returns the error that an answer itself may have, of each coordinate's scale.
+PerLevel<double> floor_of(const Truth& truth, const TrueInstant& instant);
+
+}  // namespace desmo::properties
