@@ -21,7 +21,7 @@ std::vector<Section> paper_sections(const Record& record) {
   add(std::move(times));
   add(threads(record));
   add(requests(record));
-  add(monitors(record));
+  add(checks(record));
   if (!record.peers.empty()) add(peers(record));
   if (!record.profiles.empty()) add({sentence("time_split.section"), {}, {time_split(record)}});
   return sections;

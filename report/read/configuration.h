@@ -13,10 +13,10 @@ struct Configuration {
   std::string formulation;  ///< <partition>_<equations>_<algebra>
   std::string guess = "previous", jacobian = "newton", factorisation = "shared", scalar = "double";
   std::string iterations, tolerance;  ///< end of a step; both empty: the usual tolerance
-  std::vector<std::string> others;    ///< any other suffixes, "lanes:8", "monitored"
+  std::vector<std::string> others;    ///< any other suffixes, "lanes:8", "check:proof"
 
   /// Returns whether nothing differs from the paper but settings of the iteration: guess, Jacobian,
-  /// and where a step stops. A run that is monitored, several instants at once, or an option of the
+  /// and where a step stops. A run that is checked, several instants at once, or an option of the
   /// linear solver is something else.
   bool has_papers_algorithm() const;
   /// Returns whether all but where a step stops is as in the paper.
@@ -30,8 +30,8 @@ struct Configuration {
   bool operator==(const Configuration&) const = default;
 };
 
-/// Returns nothing when a suffix is neither "/key:value" nor a mark, "/monitored", or is given
-/// twice. The keys of the settings above make no marks.
+/// Returns nothing when a suffix is neither "/key:value" nor a mark, such as "/monitored" in older
+/// records, or is given twice. The keys of the settings above make no marks.
 std::optional<Configuration> parse_configuration(std::string_view id);
 
 }  // namespace desmo::report

@@ -66,8 +66,8 @@ Section threads(const Record& record);
 /// Shows what it costs to solve only what is asked: a table for each case and size.
 Section requests(const Record& record);
 
-/// Shows what it costs to monitor a run: a step, and the start. No table where none was monitored.
-Section monitors(const Record& record);
+/// Shows what it costs to check a run: a step, and the start. No table where none was checked.
+Section checks(const Record& record);
 
 /// Shows what peers take next to the formulations that start from the same guess: a table for each
 /// case.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/experiments/instructions/step_counts.h"
-#include "bench/kit/monitored_run.h"
+#include "bench/kit/checked_run.h"
 #include "formulations/id.h"
 
 namespace desmo::instructions::instructions_test {
@@ -30,7 +30,7 @@ TEST(Counts, AreOfThePapersAnalysesAndOfWhatGoesBeyond) {
          {"global_automatic_klu", "group_automatic_klu", "group_automatic_lapack",
           "group_symbolic_klu", "group_symbolic_lapack", "group_symbolic_inlined",
           "group_symbolic_explicit", "group_symbolic_explicit/lanes:4",
-          "group_symbolic_explicit/segments:4", "group_symbolic_explicit/monitored"})
+          "group_symbolic_explicit/segments:4", "group_symbolic_explicit/check:proof"})
       EXPECT_TRUE(names.contains(std::string(name) + "/558/" + id)) << name << id;
   EXPECT_EQ(to_be_counted(114).front().coordinates, 114);
 }
@@ -43,7 +43,8 @@ TEST(InstructionsRecord, IsReadByTheReport) {
                     quiet = " >/dev/null 2>&1";
   const std::string filter =
       " --filter "
-      "'truck.*/(global_automatic_klu|group_symbolic_explicit(/(lanes|segments):4|/monitored)?)$'";
+      "'truck.*/(global_automatic_klu|group_symbolic_explicit(/(lanes|segments):4|/"
+      "check:proof)?)$'";
   ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
   const auto is_reported = [&](const std::string& line) {
     return std::system(
@@ -53,7 +54,7 @@ TEST(InstructionsRecord, IsReadByTheReport) {
   EXPECT_TRUE(is_reported(" global_automatic_klu *TS-G_klu *[1-9][0-9]{5} *1.00 reference"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit *[1-9][0-9]{3,4} *[1-9][0-9.]* *50"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit/segments:4 *[1-9][0-9]{3} *[1-9][0-9.]* *200"));
-  EXPECT_TRUE(is_reported(" group_symbolic_explicit/monitored *[1-9][0-9]{3,4} *[0-9.]* *200"));
+  EXPECT_TRUE(is_reported(" group_symbolic_explicit/check:proof *[1-9][0-9]{3,4} *[0-9.]* *200"));
   EXPECT_EQ(
       WEXITSTATUS(std::system((DESMO_BENCH " instructions --coordinates 113" + quiet).c_str())),
       64);

@@ -70,11 +70,11 @@ class OwnScene : public testing::Test {
 // It has a type of groups that the program was not built with.
 TEST_F(OwnScene, IsVerifiedAndTimedInEveryFormulation) {
   const Ended ended =
-      measure(slider_crank_, "'--filter=_(klu|inlined|explicit)(/monitored)?$|lanes:4'");
+      measure(slider_crank_, "'--filter=_(klu|inlined|explicit)(/check:proof)?$|lanes:4'");
   ASSERT_EQ(ended.code, 0) << ended.text;
   for (const char* id :
        {"global_automatic_klu", "global_symbolic_klu", "group_symbolic_klu",
-        "group_symbolic_inlined", "block_symbolic_explicit", "group_symbolic_explicit/monitored",
+        "group_symbolic_inlined", "block_symbolic_explicit", "group_symbolic_explicit/check:proof",
         "group_symbolic_explicit/guess:adams8/lanes:4/tolerance:1e-10"}) {
     const Json found = cell(id);
     ASSERT_FALSE(found.is_null()) << id;

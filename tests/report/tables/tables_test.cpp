@@ -252,10 +252,10 @@ TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
             std::string::npos);
 }
 
-/// An option of the solver is no setting of the paper's, nor is a run under monitors: neither is
+/// An option of the solver is no setting of the paper's, nor is a checked run: neither is
 /// the reference, even where it is faster, and both are held against it.
 TEST(EveryFormulation, ReferencesNothingButThePapersAlgorithm) {
-  for (const std::string other : {"/btf:off", "/monitored"}) {
+  for (const std::string other : {"/btf:off", "/check:proof"}) {
     Json json = complete_record();
     for (const char* family : {"cholmod", "umfpack", "klu"})
       set_samples(json, 558, "global_automatic_" + std::string(family), {0.3, 0.3, 0.3});

@@ -1,0 +1,72 @@
+// What it costs to check a run.
+#include <algorithm>
+#include <numeric>
+
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
+#include "report/tables/tables.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
+
+namespace desmo::report {
+namespace {
+
+/// Ends of ids of checked runs; the last is that of older records.
+constexpr std::string_view suffixes[] = {"/check:proof", "/check:sample", "/monitored"};
+
+/// Returns the end of an id that says how its run is checked; empty: it is not.
+std::string_view suffix_of(std::string_view id) {
+  const auto found = std::ranges::find_if(suffixes, [&](auto s) { return id.ends_with(s); });
+  return found == std::end(suffixes) ? "" : *found;
+}
+
+/// Returns "proof", "sample" or "monitored".
+std::string word_of(std::string_view suffix) {
+  return std::string(suffix.substr(suffix.find_last_of("/:") + 1));
+}
+
+/// What a checked run takes more than a bare one.
+struct Price {
+  std::optional<double> step, share, start;  // µs, % of the bare step, ms
+};
+
+/// Tells whether a time has too few repetitions for the small difference of two.
+bool is_of_few(const Measured& time) { return time.seconds && !time.seconds->has_interval(); }
+
+/// Takes the first of the timing windows, in which checks are prepared and begin, for the start.
+Price price_of(const Record& record, const Measured& bare, const Measured& checked) {
+  if (!bare.seconds || !checked.seconds) return {};
+  const std::vector<double>&without = bare.seconds->windows, &with = checked.seconds->windows;
+  if (with.size() < 2 || without.size() != with.size()) return {};
+  const double windows = static_cast<double>(with.size() - 1),
+               before = std::accumulate(without.begin() + 1, without.end(), 0.0) / windows,
+               after = std::accumulate(with.begin() + 1, with.end(), 0.0) / windows;
+  const double steps = static_cast<double>(record.settings.instants) / (windows + 1);
+  return {1e6 * (after - before) / steps, 100 * (after / before - 1),
+          1e3 * (with[0] - without[0] - (after - before))};
+}
+
+}  // namespace
+
+Section checks(const Record& record) {
+  Section section = headed_section("checks_section");
+  const std::int64_t windows = record.settings.windows.value_or(1);
+  Table table = headed_table("checks", timed_words(record, {{"windows", windows}}));
+  for (const auto& [key, candidate] : record.candidates) {
+    const std::string_view suffix = suffix_of(key.id);
+    if (suffix.empty()) continue;
+    CandidateKey without = key;
+    without.id.resize(key.id.size() - suffix.size());
+    const Measured bare = measured(record, without), checked = measured(candidate);
+    if (is_of_few(bare) || is_of_few(checked)) continue;
+    const Price price = price_of(record, bare, checked);
+    table.rows.push_back({key.case_name, key.coordinates, without.id, word_of(suffix),
+                          instant_entry(record, bare), instant_entry(record, checked),
+                          number_entry(price.step, 2), number_entry(price.share, 2),
+                          number_entry(price.start, 2), remark(candidate)});
+  }
+  if (!table.rows.empty()) section.tables.push_back(std::move(table));
+  return section;
+}
+
+}  // namespace desmo::report
