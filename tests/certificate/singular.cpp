@@ -12,7 +12,7 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"
 #include "tests/dead_point.h"
-#include "tests/safety/scott_russell.h"
+#include "tests/scott_russell.h"
 
 namespace desmo::certified_singular_test {
 namespace {

@@ -52,7 +52,7 @@ TEST_F(Cli, SolvesWhatIsFixed) {
       "request": [{"points": ["A"], "level": ")" +
                             std::string(level) + R"("}]})");
     write("rows", "0 0 1 0\n0.5 0 1 0\n1 0 1 0\n");
-    for (const char* how : {"", " --strict", " --past-failures", " --certify --strict",
+    for (const char* how : {"", " --strict", " --past-failures", " --check mechanism --strict",
                             " --drivers rows --strict", " --formulation global_automatic_klu",
                             " --formulation group_symbolic_explicit/lanes:4"}) {
       ASSERT_EQ(desmo("solve fixed.json" + std::string(how)), 0) << level << how << err_;

@@ -2,13 +2,13 @@
 // installed headers; here they only compile.
 #include <desmo/cases.h>
 #include <desmo/certificate.h>
+#include <desmo/checked_run.h>
 #include <desmo/files.h>
 #include <desmo/formulation.h>
 #include <desmo/generated_code.h>
 #include <desmo/live_run.h>
 #include <desmo/mechanism.h>
 #include <desmo/model.h>
-#include <desmo/monitored_run.h>
 #include <desmo/observer.h>
 #include <desmo/range.h>
 #include <desmo/reference.h>
@@ -56,8 +56,8 @@ void formulation_example(const Scene& scene) {
 void summary_example(const std::unique_ptr<Formulation>& formulation, const Model& model) {
 #include "summary.inc"
 }
-void monitored_run_example(const Model& model, const TimeGrid& grid, Observer& observer) {
-#include "monitored_run.inc"
+void checked_run_example(const Model& model, const TimeGrid& grid, Observer& observer) {
+#include "checked_run.inc"
 }
 void live_run_example(const Model& model, const Scales& scales) {
   double t = 0;

@@ -1,9 +1,9 @@
 // Solves a scene file and writes a point's motion: solve_file SCENE.json MOTION.csv
+#include <desmo/checked_run.h>
 #include <desmo/files.h>
 #include <desmo/formulation.h>
 #include <desmo/generated_code.h>
 #include <desmo/model.h>
-#include <desmo/monitored_run.h>
 
 #include <cmath>
 #include <cstdio>
@@ -44,8 +44,7 @@ int solve(const char* scene_file, const char* motion_file) {
   std::FILE* const file = std::fopen(motion_file, "w");
   if (!file) return 1;
   Table table(file, model.coordinate("C.x"));
-  const desmo::MonitoredSummary summary =
-      desmo::run_monitored(*formulation, scene.grid, {}, table, {});
+  const desmo::CheckedSummary summary = desmo::run_checked(*formulation, scene.grid, {}, table);
   std::fclose(file);
   std::printf("%s; x up to %.3f m\n", desmo::describe(summary, model).c_str(), table.highest());
   const bool is_right = summary.outcome() == desmo::Outcome::converged &&

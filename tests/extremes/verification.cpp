@@ -31,7 +31,7 @@ class CaseVerification : public testing::Test {
   /// As a run says of an instant that it is no better than that, at all levels.
   void degrade(int instant, double bound) {
     run.steps[instant].flag = CaseRun::Flag::degraded;
-    run.stated[instant]->bound = {bound, bound, bound};
+    run.stated[instant]->radius = {bound, bound, bound};
   }
   ExtremeVerdict verdict() const { return verify(known, run, {}).verdict; }
   std::string reason() const { return verify(known, run, {}).reason; }
@@ -104,13 +104,13 @@ TEST_F(CaseVerification, EstimatesAreJudgedThemselves) {
   c.bound = Bound::estimates;
   c.factor = 1000;
   ran(1e-12);
-  for (auto& stated : run.stated) stated->bound = {2e-12, 2e-12, 2e-12};
+  for (auto& stated : run.stated) stated->radius = {2e-12, 2e-12, 2e-12};
   run.max = {known.answers[0].condition, {2e-12, 2e-12, 2e-12}};
   EXPECT_EQ(verdict(), ExtremeVerdict::as_expected) << reason();
-  run.stated[2]->bound.velocity = 1e-13;
+  run.stated[2]->radius.velocity = 1e-13;
   EXPECT_EQ(verdict(), ExtremeVerdict::defect);
-  run.stated[2]->bound.velocity = 2e-12;
-  run.max.bound.position = 1e-6;
+  run.stated[2]->radius.velocity = 2e-12;
+  run.max.radius.position = 1e-6;
   EXPECT_TRUE(reason().starts_with("position said to be wrong by up to 1.0e-06")) << reason();
   run.max.condition *= 20;
   EXPECT_TRUE(reason().starts_with("condition")) << reason();

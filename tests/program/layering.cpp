@@ -74,8 +74,6 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
                                           "formulations/verification",
                                           "formulations/verification/certificate",
                                           "formulations/verification/run",
-                                          "formulations/verification/assessment",
-                                          "formulations/verification/monitor",
                                           "formulations/verification/range",
                                           "formulations/runtime",
                                           "bench/kit",

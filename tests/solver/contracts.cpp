@@ -16,7 +16,8 @@
 #include "formulations/verification/certificate/certificate.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/error.h"
-#include "formulations/verification/monitor/live_run.h"
+#include "formulations/verification/run/checked_run.h"
+#include "formulations/verification/run/live_run.h"
 
 namespace desmo::contracts_test {
 namespace {
@@ -28,7 +29,7 @@ concept Formulated = requires(const Variant& v, Model&& m) {
 using Instants = std::vector<ReferenceInstant>;
 
 // No verdict of a Summary on what it cannot judge.
-static_assert(!std::is_convertible_v<MonitoredSummary&, const Summary&>);
+static_assert(!std::is_convertible_v<CheckedSummary&, const Summary&>);
 static_assert(!std::is_convertible_v<LiveSummary&, const Summary&>);
 // What must outlive an object is no temporary.
 static_assert(Formulated<const Model&> && !Formulated<Model>);

@@ -1,0 +1,342 @@
+// Rows are on the branch of the drawing, or say that it is unknown: whatever the formulation finds,
+// however long a step is, and wherever a run begins.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formulations/verification/reference/reference.h"
+#include "formulations/verification/run/checked_motion.h"
+#include "tests/checked/motions.h"
+#include "tests/dead_point.h"
+
+namespace desmo::branches_test {
+namespace {
+
+using std::numbers::pi;
+
+// ---- a formulation that is elsewhere ----
+
+/// Returns an instant of the four-bar of dead_point.h at a crank angle that does not move.
+std::vector<double> at_rest(double theta) { return locking_four_bar(Polynomial{{theta}}).estimate; }
+
+/// Mirrors the pin of coupler and rocker at the line from B to D.
+std::vector<double> mirrored(const Model& m, std::vector<double> q) {
+  const auto at = [&](const char* name) { return m.entities[m.find(name)].first; };
+  const double bx = q[at("crank/B")], by = q[at("crank/B") + 1];
+  double &cx = q[at("dyad1/C")], &cy = q[at("dyad1/C") + 1];
+  const double ex = 8 - bx, ey = -by;
+  const double along = ((cx - bx) * ex + (cy - by) * ey) / (ex * ex + ey * ey);
+  cx = 2 * (bx + along * ex) - cx;
+  cy = 2 * (by + along * ey) - cy;
+  q[at("dyad1/psi")] = std::atan2(cy, cx - 8);
+  return q;
+}
+
+/// Turns the rocker's angle by a whole turn.
+std::vector<double> turned(const Model& m, std::vector<double> q) {
+  q[m.entities[m.find("dyad1/psi")].first] += 2 * pi;
+  return q;
+}
+
+TEST(Branches, AreThoseOfTheDrawingWhateverIsHandedIn) {
+  const Model m = locking_four_bar(Polynomial{{1, 0.1}});
+  for (const auto& spoilt : {&mirrored, &turned})
+    for (const int first_spoilt : {0, 1, 5}) {
+      CheckedMotion motion(m, {}, 1e-10);
+      motion.begin(0);
+      for (int i = 0; i < 8; ++i) {
+        const std::vector<double> right = at_rest(1 + 0.1 * i);
+        const bool is_spoilt = i >= first_spoilt;
+        const std::vector<double> q = is_spoilt ? spoilt(m, right) : right;
+        const CheckedInstant& row = motion.check({i, 1. * i, q, {}, {}});
+        EXPECT_FALSE(row.flag) << i;
+        EXPECT_EQ(motion.is_elsewhere(), is_spoilt) << i;
+        for (int k = 0; k < m.coordinates(); ++k)
+          EXPECT_NEAR(row.instant.q[k], right[k], 1e-14) << i << ", " << k;
+      }
+    }
+}
+
+TEST(Branches, AreFollowedWhereNothingIsHandedIn) {
+  const Model m = locking_four_bar(Polynomial{{1, 0.1}});
+  CheckedMotion motion(m, {}, 1e-10);
+  motion.begin(0);
+  const std::vector<double> any(m.coordinates());
+  for (int i = 0; i < 8; ++i) {
+    const CheckedInstant* row = motion.solve({i, 1. * i, any, any, {}});
+    ASSERT_TRUE(row) << i;
+    EXPECT_FALSE(row->flag);
+    EXPECT_TRUE(motion.is_elsewhere());
+    EXPECT_EQ(row->instant.qd.size(), any.size());
+    EXPECT_TRUE(row->instant.qdd.empty());
+    const std::vector<double> right = at_rest(1 + 0.1 * i);
+    for (int k = 0; k < m.coordinates(); ++k) EXPECT_NEAR(row->instant.q[k], right[k], 1e-14);
+  }
+  EXPECT_FALSE(motion.solve({8, 20, any, {}, {}}));  // beyond the dead point
+}
+
+/// One iteration a step leads them astray.
+TEST(Branches, AreRightOrFlaggedWhereNewtonsMethodIsCutShort) {
+  for (const auto& [name, id] :
+       {std::pair("stewart_iterations1", "group_symbolic_explicit/iterations:1"),
+        std::pair("antiparallelogram_iterations1", "group_automatic_eigen/iterations:1")}) {
+    const Scene scene = scene_file(name);
+    const Model m = make_model(scene);
+    const CheckedRows r = solve_checked(m, scene.grid, id);
+    EXPECT_NE(r.summary.outcome(), Outcome::converged) << name;
+    std::vector<double> times;
+    for (const CheckedRow& row : r.rows)
+      if (!row.flag) times.push_back(row.time);
+    if (times.empty()) continue;
+    const Reference reference = make_reference(m, times);
+    EXPECT_EQ(expect_within_radii(m, r.rows, reference.instants), std::ssize(times)) << name;
+  }
+}
+
+// ---- steps ----
+
+struct Steps {
+  const char* name;
+  std::function<Model()> model;
+  TimeGrid grid;
+  std::vector<const char*> ids = {"global_automatic_klu", "group_symbolic_explicit"};
+};
+
+void PrintTo(const Steps& steps, std::ostream* out) { *out << steps.name; }
+
+Model of_file(const char* name) { return make_model(scene_file(name)); }
+Model of_library(const char* name) { return make_model(library_scene(name)); }
+const HarmonicSum rocking{pi - 0.501, {{0.5, pi, pi / 2}}};
+
+const Steps all_steps[] = {
+    {"third of a radian", [] { return four_bar_model(1); }, {0, 0.3, 21}},
+    {"radian", [] { return four_bar_model(1); }, {0, 1, 21}},
+    {"spatial, long", [] { return of_library("rssr"); }, {0, 0.125, 25}},
+    {"sixth of a turn, whole turns of an angle",
+     [] { return of_library("whitworth"); },
+     {0, 1. / 6, 19},
+     {"group_automatic_klu"}},
+    {"half a radian", [] { return of_file("drag_link"); }, {0, 1. / 60, 61}},
+    {"from rest as t^5",
+     [] {
+       return locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 1}});
+     },
+     {0, 0.01, 101}},
+    {"through rest",
+     [] {
+       return locking_four_bar(HarmonicSum{0.5, {{0.5, 2 * pi, -pi / 8}}});
+     },
+     {5. / 16, 1. / 128, 129}},
+    {"turning back near a dead point",
+     [] {
+       return locking_four_bar(HarmonicSum{dead_point - 1e-6 - 0.5, {{0.5, 2 * pi, 0}}});
+     },
+     {0, 0.01, 101},
+     {"global_automatic_klu/stride:2", "group_symbolic_explicit/stride:16"}},
+    {"turning back between two instants",
+     [] {
+       return locking_four_bar(Polynomial{{dead_point - 0.02 - 0.84, 0.41, -0.05}});
+     },
+     {0, 1, 9}},
+    {"slider near a dead point",
+     [] { return driven_slider(1e-4); },
+     {0, 0.01, 101},
+     {"global_automatic_klu/stride:2", "group_automatic_lapack/stride:7"}},
+    {"slider nearer", [] { return driven_slider(1e-10); }, {0, 1. / 37, 38}},
+    {"stride of many radians",
+     [] { return of_library("andrews"); },
+     {0, 0.5 / pi, 33},
+     {"global_automatic_klu/stride:16", "block_symbolic_explicit/stride:16"}},
+    {"millimetres on 100 m", [] { return make_model(small_dyad(100)); }, {0, 0.1, 11}},
+    {"fast arm",
+     [] { return make_model(four_bar_on_arm("60 mm on an arm of 20 m, fast")); },
+     {0, 0.05, 61}},
+    {"rocking next to a change point",
+     [] {
+       return make_model(parallelogram(rocking, {0, 1, 1}));
+     },
+     {0, 1. / 128, 513}},
+};
+
+class LongSteps : public testing::TestWithParam<Steps> {};
+
+TEST_P(LongSteps, IsFollowed) {
+  const Steps& steps = GetParam();
+  const Model m = steps.model();
+  const Reference reference = make_reference(
+      m, times_of(solve_checked(m, steps.grid, steps.ids[0], Level::position).rows, 17));
+  for (const char* id : steps.ids)
+    for (const Level level : all_levels) {
+      SCOPED_TRACE(id);
+      const CheckedRows r = solve_checked(m, steps.grid, id, level);
+      EXPECT_EQ(r.summary.outcome(), Outcome::converged) << describe(r.summary, m);
+      EXPECT_EQ(expect_within_radii(m, r.rows, reference.instants), std::ssize(reference.instants));
+      EXPECT_LE(r.summary.radius.position, 1e-10);
+    }
+}
+
+std::string step_name(const testing::TestParamInfo<Steps>& info) {
+  std::string name = info.param.name;
+  std::ranges::replace_if(
+      name, [](char c) { return !std::isalnum(c); }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, LongSteps, testing::ValuesIn(all_steps), step_name);
+
+/// A crank of 1 and a rod of 1.05, whose crank swings by whole turns in steps of up to 0.7 rad. The
+/// first instant is far from the drawing, at a time of which 1e-13 s are left.
+TEST(Branches, AreThoseOfTheDrawingAtLateTimes) {
+  const Scene scene = scene_file("short_rod");
+  const Model m = make_model(scene);
+  const int x = m.coordinate("S.x"), theta = m.coordinate("theta");
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"})
+    for (const Level level : all_levels) {
+      const CheckedRows r = solve_checked(m, scene.grid, id, level);
+      EXPECT_EQ(r.summary.outcome(), Outcome::converged) << id << ": " << describe(r.summary, m);
+      for (const CheckedRow& row : r.rows) {
+        const std::vector<double>& q = row.values.position;
+        const double across = std::sin(q[theta]);
+        EXPECT_NEAR(q[x], std::cos(q[theta]) + std::sqrt(1.05 * 1.05 - across * across), 1e-13);
+      }
+    }
+}
+
+/// A crank that turns 0.1 s after the instant at 4 s, 5e-4 rad beyond its dead point.
+TEST(Branches, AreUnknownAfterATurnOutOfReach) {
+  const Model m = locking_four_bar(Polynomial{{dead_point - 1e-10 - 0.04 - 0.8, 0.41, -0.05}});
+  for (const char* id : {"global_automatic_klu", "block_symbolic_explicit",
+                         "global_automatic_klu/stride:2", "global_automatic_klu/guess:hermite5"}) {
+    const CheckedRows r = solve_checked(m, {0, 1, 9}, id);
+    EXPECT_NE(r.summary.outcome(), Outcome::converged) << id;
+    for (const CheckedRow& row : r.rows) {
+      EXPECT_EQ(row.flag.has_value(), row.time > 4) << id << ", " << row.time;
+      if (!row.flag) continue;
+      EXPECT_EQ(row.flag->kind, RowFlag::Kind::branch) << id;
+      EXPECT_LE(row.flag->after, 4.1) << id;
+      EXPECT_GE(row.flag->before, 4) << id;
+    }
+  }
+}
+
+// ---- small parts that large ones carry ----
+
+/// Returns a four-bar with links of 60 mm at the end of an arm [m] that turns [rad/s].
+Scene on_arm(double arm, double rate) {
+  Scene scene = four_bar_on_arm("60 mm on an arm of 10 km");
+  for (Mechanism::Point& p : scene.mechanism.points)
+    if (p.name != "O") p.position[0] += arm - 1e4;
+  scene.motions[0] = Polynomial{{0, rate}};
+  return scene;
+}
+
+/// A step moves the arm by many links. Assembled from there, they may be their mirror image.
+TEST(CarriedParts, StayOnTheirBranch) {
+  for (const double arm : {1e2, 1e4})
+    for (const double rate : {0.1, 0.01}) {
+      const Scene scene = on_arm(arm, rate);
+      const Model m = make_model(scene);
+      const int b = m.coordinate("B.x"), c = m.coordinate("C.x"), d = m.coordinate("D.x");
+      for (const char* id :
+           {"global_automatic_klu", "group_symbolic_explicit", "block_automatic_eigen"}) {
+        const CheckedRows r = solve_checked(m, scene.grid, id);
+        EXPECT_EQ(r.summary.outcome(), Outcome::converged) << id << ", " << arm << " m, " << rate;
+        for (const CheckedRow& row : r.rows) {
+          const std::vector<double>& q = row.values.position;
+          const double across =
+              (q[d] - q[b]) * (q[c + 1] - q[b + 1]) - (q[d + 1] - q[b + 1]) * (q[c] - q[b]);
+          EXPECT_GT(across, 0) << id << ", " << arm << " m, " << row.time;
+        }
+      }
+    }
+}
+
+/// The whole equation of a distance vanishes where its points meet, though no unknown moves fast.
+TEST(CarriedParts, MayAllButMeet) {
+  std::vector<std::pair<Scene, TimeGrid>> motions{{scene_file("boom"), {0.45, 0.001, 81}}};
+  for (const double gap : {1e-6, 1e-4, 1e-2}) {
+    Scene scene = scene_file("passing_slider");
+    std::ranges::find(scene.mechanism.points, "G", &Mechanism::Point::name)->position[0] = 2 - gap;
+    motions.emplace_back(scene, TimeGrid{0.44, 0.001, 25});
+  }
+  for (const auto& [scene, grid] : motions) {
+    const Model m = make_model(scene);
+    const Reference reference = make_reference(
+        m, times_of(solve_checked(m, grid, "global_automatic_klu").rows, grid.instants));
+    for (const char* id :
+         {"block_symbolic_inlined", "block_automatic_klu/guess:hermite5", "group_automatic_klu"}) {
+      const CheckedRows r = solve_checked(m, grid, id);
+      EXPECT_EQ(r.summary.outcome(), Outcome::converged) << id << ": " << describe(r.summary, m);
+      EXPECT_EQ(expect_within_radii(m, r.rows, reference.instants), grid.instants) << id;
+    }
+  }
+}
+
+// ---- starts ----
+
+std::vector<std::string> names() {
+  std::vector<std::string> result;
+  for (const LibraryMechanism& l : library()) result.emplace_back(l.name);
+  return result;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
+
+class FarStarts : public testing::TestWithParam<std::string> {};
+
+/// Takes whole turns by which angles differ from the exact ones.
+void take_turns(const Model& m, CheckedRow& row, const ReferenceInstant& exact) {
+  for (const Entity& e : m.entities) {
+    if (e.fixed || e.kind != EntityKind::angle) continue;
+    double& angle = row.values.position[e.first];
+    const double turns = std::round((angle - exact.q[e.first]) / (2 * pi));
+    if (turns == 0) continue;
+    EXPECT_NEAR(angle - 2 * pi * turns, exact.q[e.first], 1e-13) << e.name;
+    angle = exact.q[e.first];
+  }
+}
+
+/// A start far from the drawing is where the motion that begins there comes to, but for whole turns
+/// of angles that are not driven: those are the nearest to the drawing.
+TEST_P(FarStarts, LieOnTheBranchOfTheDrawing) {
+  const Scene scene = library_scene(GetParam());
+  const Model m = make_model(scene);
+  const Reference reference = make_reference(m, sampled(scene.grid, 9));
+  for (const char* id :
+       {"global_automatic_klu", "block_automatic_lapack", "group_symbolic_explicit"})
+    for (const ReferenceInstant& exact : reference.instants) {
+      CheckedRows r = solve_checked(m, {exact.time, scene.grid.step, 2}, id);
+      EXPECT_EQ(r.summary.outcome(), Outcome::converged) << describe(r.summary, m);
+      ASSERT_FALSE(r.rows.empty());
+      take_turns(m, r.rows[0], exact);
+      EXPECT_EQ(expect_within_radii(m, r.rows, {&exact, 1}), 1) << id << ", " << exact.time;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, FarStarts, testing::ValuesIn(names()), test_name);
+
+/// An assembly in one go ends elsewhere or nowhere.
+TEST(Start, IsLedFromTheDrawingWhereNoAssemblyFindsIt) {
+  const Scene scene = library_scene("jansen_leg");
+  const Model m = make_model(scene);
+  for (const char* id : {"block_automatic_lapack", "block_symbolic_explicit"}) {
+    const auto f = make_formulation(find_variant(id), m);
+    EXPECT_FALSE(f->assemble(0.5).ok()) << id;
+    RowCount rows;
+    const CheckedSummary s = run_checked(*f, {0.5, scene.grid.step, 20}, {}, rows);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id << ": " << describe(s, m);
+    EXPECT_EQ(s.instants, 20) << id;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::branches_test

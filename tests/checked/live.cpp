@@ -1,0 +1,452 @@
+// Drivers that are handed in at every step: what each kind of row gets.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "formulations/id.h"
+#include "formulations/stepping/formulation_core.h"
+#include "formulations/verification/run/live_run.h"
+#include "tests/dead_point.h"
+#include "tests/lanes_here.h"
+#include "tests/overconstrained.h"
+#include "tests/scott_russell.h"
+
+namespace desmo::live_rows_test {
+namespace {
+
+/// Values of the drivers of a model at a time.
+struct Row {
+  double time;
+  std::vector<double> z, zd, zdd;
+
+  Row(const Model& m, double t) : time(t) {
+    for (const Driver& d : m.drivers) {
+      const MotionSample<double> s = sample(d.motion, t);
+      z.push_back(s.position), zd.push_back(s.velocity), zdd.push_back(s.acceleration);
+    }
+  }
+  operator LiveRow() const { return {time, z, zd, zdd}; }
+};
+
+std::vector<std::string> ids() {
+  std::vector<std::string> all{"global_automatic_klu", "group_automatic_lapack",
+                               "block_symbolic_inlined/guess:adams8", "group_symbolic_explicit"};
+  for (const int lanes : lanes_here())
+    all.push_back("group_symbolic_explicit/guess:hermite5/lanes:" + std::to_string(lanes));
+  return all;
+}
+
+/// A row has one exact answer, which is within the radii of what each formulation delivers.
+TEST(LiveRun, AnswersAreWithinTheirRadii) {
+  for (const auto& [m, grid] : every_motion()) {
+    PerLevel<std::vector<std::vector<double>>> first, first_radius;  // by row
+    for (const std::string& id : ids()) {
+      SCOPED_TRACE(m.name + ", " + id);
+      const Configuration c = parse_id(id);
+      const auto f = make_formulation(*c.variant, m, c.settings);
+      LiveRun run(*f);
+      const bool is_first = first.position.empty();
+      for (int i = 0; i < std::min(grid.instants, DESMO_SANITIZED ? 10 : 40); ++i) {
+        const LiveSummary s = run.step(Row(m, grid.time(i)));
+        ASSERT_EQ(s.outcome(), Outcome::converged) << describe(s, m);
+        EXPECT_GE(s.condition, 1);
+        EXPECT_EQ(s.path.end == PathEnd::same, i > 0);
+        const PerLevel<std::span<const double>> values{run.q(), run.qd(), run.qdd()};
+        for (const Level level : all_levels) {
+          EXPECT_LT(s.radius[level], 1e-9);
+          const std::vector<double>& radius = run.radius()[level];
+          if (is_first) {
+            first[level].emplace_back(values[level].begin(), values[level].end());
+            first_radius[level].push_back(radius);
+          }
+          for (std::size_t k = 0; k < radius.size(); ++k) {
+            const double difference = std::abs(values[level][k] - first[level][i][k]);
+            EXPECT_LE(difference, (radius[k] + first_radius[level][i][k]) * (1 + 1e-15)) << k;
+          }
+        }
+      }
+    }
+  }
+}
+
+/// A four-bar that locks, driven by its crank.
+class LockingRun : public testing::Test {
+ protected:
+  static LiveOptions steady() {
+    LiveOptions options;
+    options.scales = Scales{{1, 10, 100}, {1, 10, 100}};
+    return options;
+  }
+  explicit LockingRun(const LiveOptions& options = steady()) : run(*formulation, options) {}
+
+  LiveSummary step(double t, double angle, double rate = 0) {
+    const std::vector<double> z{angle}, zd{rate}, zdd{0};
+    return run.step({t, z, zd, zdd});
+  }
+  /// Positive where C is on the side of the line from B to D where it starts.
+  double side() const {
+    const double *b = &run.q()[at("crank/B")], *c = &run.q()[at("dyad1/C")];
+    return (8 - b[0]) * (c[1] - b[1]) + b[1] * (c[0] - b[0]);
+  }
+  void expect_good_row(double t, double angle) {
+    EXPECT_EQ(run.time(), t);
+    EXPECT_EQ(run.q()[crank], angle);
+    // Rod and rocker have their lengths.
+    const double *b = &run.q()[at("crank/B")], *c = &run.q()[at("dyad1/C")];
+    EXPECT_NEAR(std::hypot(c[0] - b[0], c[1] - b[1]), 3, 1e-14);
+    EXPECT_NEAR(std::hypot(c[0] - 8, c[1]), 6, 1e-14);
+    EXPECT_GT(side(), 0) << angle;
+  }
+  /// Wherever the crank jumps to, the answer is on the branch.
+  void follow_jumps() {
+    int in_sub_steps = 0;
+    for (double share = -0.99; share < 1; share += 0.03) {
+      run.restart();
+      for (int i = 0; i <= 20; ++i) {
+        const double angle = start + i * (-0.9 * dead_point - start) / 20;
+        ASSERT_EQ(step(i, angle).outcome(), Outcome::converged);
+      }
+      const LiveSummary s = step(20.001, share * dead_point);
+      ASSERT_EQ(s.outcome(), Outcome::converged) << share << ": " << describe(s, m);
+      EXPECT_LE(s.sub_steps, LiveOptions{}.max_sub_steps);
+      EXPECT_LE(s.path.tests, LiveOptions{}.max_sub_steps + 1);
+      in_sub_steps += s.path.sub_steps > 1;
+      expect_good_row(20.001, share * dead_point);
+    }
+    EXPECT_GT(in_sub_steps, 30);
+  }
+  int at(const char* name) const { return m.entities[m.find(name)].first; }
+
+  const Model m = locking_four_bar();
+  const std::unique_ptr<Formulation> formulation =
+      make_formulation(find_variant("group_automatic_eigen"), m);
+  const int crank = at("crank/theta");
+  const double start = sample(m.drivers[0].motion, 0.0).position;
+  LiveRun run;
+};
+
+TEST_F(LockingRun, RefusesARowThatCannotBeMeant) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(step(0, nan).fault, RowFault::not_finite);
+  EXPECT_FALSE(run.has_position());
+  ASSERT_EQ(step(1, start).outcome(), Outcome::converged);
+  const std::vector<double> one{start}, two{start, start};
+  for (const auto& [row, fault] : std::initializer_list<std::pair<LiveRow, RowFault>>{
+           {{2, {}, one, one}, RowFault::wrong_size},
+           {{2, one, one, two}, RowFault::wrong_size},
+           {{nan, one, one, one}, RowFault::not_finite},
+           {{1, one, one, one}, RowFault::time_not_later},
+           {{0.5, one, one, one}, RowFault::time_not_later}}) {
+    const LiveSummary s = run.step(row);
+    EXPECT_EQ(s.outcome(), Outcome::failed);
+    EXPECT_EQ(s.fault, fault);
+    EXPECT_TRUE(describe(s, m).starts_with("refused: ")) << describe(s, m);
+    EXPECT_EQ(s.iterations, 0);
+    expect_good_row(1, start);
+  }
+  EXPECT_EQ(step(2, start, INFINITY).fault, RowFault::not_finite);
+  EXPECT_EQ(step(2, start + 0.01).outcome(), Outcome::converged);
+  run.set_time(0);
+  EXPECT_EQ(step(1, start).outcome(), Outcome::converged);
+  expect_good_row(1, start);
+}
+
+TEST_F(LockingRun, FollowsAJump) { follow_jumps(); }
+
+/// Wherever the formulation ends, the answer continues the motion, and so does the formulation.
+TEST_F(LockingRun, LeadsTheFormulationBackToTheBranch) {
+  ASSERT_EQ(step(0, start).outcome(), Outcome::converged);
+  std::vector<double> mirrored(run.q().begin(), run.q().end());
+  const double *b = &mirrored[at("crank/B")], ex = 8 - b[0], ey = -b[1];
+  double* c = &mirrored[at("dyad1/C")];
+  const double along = ((c[0] - b[0]) * ex + (c[1] - b[1]) * ey) / (ex * ex + ey * ey);
+  for (const int k : {0, 1}) c[k] = 2 * (b[k] + along * (k == 0 ? ex : ey)) - c[k];
+  mirrored[at("dyad1/psi")] = std::atan2(c[1], c[0] - 8);
+  core_of(*formulation).live()->return_to(mirrored, 0);
+  const LiveSummary led = step(1, start + 0.1);
+  EXPECT_EQ(led.outcome(), Outcome::converged);
+  EXPECT_EQ(led.path.end, PathEnd::other);
+  expect_good_row(1, start + 0.1);
+  const LiveSummary next = step(2, start + 0.2);
+  EXPECT_EQ(next.path.end, PathEnd::same);
+  expect_good_row(2, start + 0.2);
+}
+
+TEST_F(LockingRun, StaysAtTheLastGoodRowWhereNoneCanBeReached) {
+  const LiveSummary first = step(0, 3);
+  EXPECT_EQ(first.outcome(), Outcome::failed);
+  EXPECT_FALSE(run.has_position());
+  ASSERT_EQ(step(0, start).outcome(), Outcome::converged);
+  for (int i = 1; i <= 3; ++i) {
+    const LiveSummary s = step(i, dead_point + 0.1 * i);
+    EXPECT_EQ(s.outcome(), Outcome::failed);
+    EXPECT_NE(s.status, Status::solved);
+    EXPECT_LE(s.sub_steps, LiveOptions{}.max_sub_steps);
+    EXPECT_EQ(m.groups[s.group].name, "dyad1/SG-I");
+    EXPECT_TRUE(s.is_unreached());
+    EXPECT_GT(s.path.time, 0);
+    EXPECT_LT(s.path.time, i);
+    expect_good_row(0, start);
+    const LiveRun::Obstacle obstacle = run.explain();
+    EXPECT_EQ(m.groups[obstacle.group].name, "dyad1/SG-I");
+    ASSERT_TRUE(obstacle.assembly_error);
+    EXPECT_GT(obstacle.assembly_error->amount, 1e-3);
+  }
+  const LiveSummary back = step(4, start + 0.2);
+  EXPECT_EQ(back.outcome(), Outcome::converged);
+  expect_good_row(4, start + 0.2);
+}
+
+/// The crank locks on its way to a position that exists.
+TEST_F(LockingRun, RefusesWhatNoMotionLeadsTo) {
+  ASSERT_EQ(step(0, dead_point - 0.05).outcome(), Outcome::converged);
+  const double beyond = 2 * std::numbers::pi - dead_point + 0.05;
+  const LiveSummary s = step(1, beyond);
+  EXPECT_EQ(s.outcome(), Outcome::failed);
+  EXPECT_TRUE(s.is_unreached());
+  EXPECT_LT(s.path.time, 1);
+  EXPECT_NE(describe(s, m).find("not proven beyond t = 0."), std::string::npos) << describe(s, m);
+  expect_good_row(0, dead_point - 0.05);
+}
+
+TEST_F(LockingRun, DoesNotDeliverASingularPosition) {
+  ASSERT_EQ(step(0, dead_point - 0.1).outcome(), Outcome::converged);
+  EXPECT_EQ(step(1, dead_point).outcome(), Outcome::failed);
+  expect_good_row(0, dead_point - 0.1);
+  EXPECT_EQ(step(2, dead_point - 0.05).outcome(), Outcome::converged);
+}
+
+/// Near the dead point radii grow as the inverse distance does, and its powers.
+TEST_F(LockingRun, SaysWhatConditioningLeaves) {
+  ASSERT_EQ(step(0, dead_point - 0.1, 1).outcome(), Outcome::converged);
+  const LiveSummary near = step(0.1, dead_point - 1e-6, 1);
+  EXPECT_EQ(near.outcome(), Outcome::converged) << describe(near, m);
+  EXPECT_GT(near.condition, 1e3);
+  EXPECT_GT(near.path.sub_steps, 3);
+}
+
+TEST_F(LockingRun, StartsOnTheBranchOfTheDrawing) {
+  for (const double angle : {-0.95 * dead_point, 0.99 * dead_point, 0.0}) {
+    run.restart();
+    EXPECT_EQ(step(0, angle).outcome(), Outcome::converged) << angle;
+    expect_good_row(0, angle);
+  }
+}
+
+class PositionsAlone : public LockingRun {
+ protected:
+  static LiveOptions positions() {
+    LiveOptions options;
+    options.level = Level::position;
+    return options;
+  }
+  PositionsAlone() : LockingRun(positions()) {}
+};
+
+TEST_F(PositionsAlone, FollowsAJump) { follow_jumps(); }
+
+/// Rows that turn back, or rest, next to the dead point are neither flagged nor leave the branch.
+TEST_F(PositionsAlone, TurnsBackNextToADeadPoint) {
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = (dead_point - 1e-3) * std::cos(0.25 * i);
+    EXPECT_EQ(step(0.01 * i, angle).outcome(), Outcome::converged) << i;
+    expect_good_row(0.01 * i, angle);
+  }
+  for (const double angle : {0.5, dead_point - 1e-2, dead_point - 1e-2, 0.5}) {
+    const double next = run.time() + 0.01;
+    EXPECT_EQ(step(next, angle).outcome(), Outcome::converged) << angle;
+    expect_good_row(next, angle);
+  }
+}
+
+class WithoutSubSteps : public LockingRun {
+ protected:
+  static LiveOptions none() {
+    LiveOptions options = steady();
+    options.max_sub_steps = 0;
+    return options;
+  }
+  WithoutSubSteps() : LockingRun(none()) {}
+};
+
+TEST_F(WithoutSubSteps, FailsAtOnce) {
+  ASSERT_EQ(step(0, start).outcome(), Outcome::converged);
+  for (const double angle : {dead_point + 0.1, -0.9 * dead_point}) {
+    const LiveSummary s = step(1, angle);
+    EXPECT_EQ(s.outcome(), Outcome::failed) << angle;
+    EXPECT_EQ(s.sub_steps, 0);
+    EXPECT_EQ(s.path.tests, 1);
+    expect_good_row(0, start);
+  }
+}
+
+class WithoutChecks : public LockingRun {
+ protected:
+  static LiveOptions unchecked() {
+    LiveOptions options = steady();
+    options.check = CheckMode::none;
+    return options;
+  }
+  WithoutChecks() : LockingRun(unchecked()) {}
+};
+
+TEST_F(WithoutChecks, ProvesNothing) {
+  ASSERT_EQ(step(0, start).outcome(), Outcome::converged);
+  const LiveSummary s = step(1, start + 0.1);
+  EXPECT_EQ(s.outcome(), Outcome::converged);
+  EXPECT_EQ(s.condition, 0);
+  EXPECT_EQ(s.path.tests, 0);
+  EXPECT_TRUE(std::isinf(run.radius().position[crank]));
+  EXPECT_EQ(run.q()[crank], start + 0.1);
+  EXPECT_TRUE(std::ranges::equal(run.q(), formulation->q()));
+  EXPECT_EQ(step(2, 3).outcome(), Outcome::failed);
+  EXPECT_EQ(run.time(), 1);
+}
+
+/// A Scott Russell linkage whose rods meet at a quarter turn, where branches meet.
+TEST(LiveRun, RefusesRowsBeyondAChangePoint) {
+  const Model m = make_model(scott_russell(0.02));
+  const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
+  LiveRun run(*f);
+  const std::vector<double> rate{0.5}, none{0};
+  const auto step = [&](double t, double angle) {
+    const std::vector<double> z{angle};
+    return run.step({t, z, rate, none});
+  };
+  ASSERT_EQ(step(0, 1.3).outcome(), Outcome::converged);
+  ASSERT_EQ(step(0.2, 1.4).outcome(), Outcome::converged);
+  const LiveSummary beyond = step(0.8, 1.7);
+  EXPECT_EQ(beyond.outcome(), Outcome::failed);
+  EXPECT_TRUE(beyond.is_unreached());
+  EXPECT_EQ(run.time(), 0.2);
+  EXPECT_EQ(step(0.8, 1.5).outcome(), Outcome::converged);
+  // The way there from the drawing passes it, which the first row says.
+  run.restart();
+  for (int i = 0; i < 3; ++i) {
+    const LiveSummary s = step(i, 1.7 + 0.1 * i);
+    ASSERT_EQ(s.flag.has_value(), i == 0);
+    if (s.flag) {
+      EXPECT_EQ(s.flag->kind, RowFlag::Kind::crossing);
+    }
+  }
+  run.restart();
+  EXPECT_EQ(step(0, 1.3).outcome(), Outcome::converged);
+}
+
+/// Three parallel cranks move a coupler; one that is longer contradicts the others.
+TEST(LiveRun, FlagsRowsWhoseEquationsContradictEachOther) {
+  for (const double longer : {0.0, 2e-7}) {
+    const Model m = make_model(parallel_cranks(1, 17, false, longer));
+    const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
+    LiveRun run(*f);
+    for (int i = 0; i < 5; ++i) {
+      const LiveSummary s = run.step(Row(m, 0.02 * i));
+      EXPECT_EQ(s.outcome(), i > 0 && longer > 0 ? Outcome::degraded : Outcome::converged) << i;
+      if (!s.flag) continue;
+      EXPECT_EQ(s.flag->kind, RowFlag::Kind::misfit);
+      EXPECT_GT(s.flag->misfit->amount, 1e-11);
+      EXPECT_LT(s.flag->misfit->amount, 2e-7);
+    }
+  }
+}
+
+/// Nothing has a size before anything moves.
+TEST(LiveRun, StartsAtRest) {
+  for (const auto& [m, grid] : every_motion()) {
+    const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
+    LiveRun run(*f);
+    Row row(m, grid.start);
+    for (auto* rates : {&row.zd, &row.zdd}) std::ranges::fill(*rates, 0.0);
+    const LiveSummary s = run.step(row);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << m.name << ": " << describe(s, m);
+    EXPECT_EQ(s.radius.velocity, 0) << m.name;
+  }
+}
+
+/// The scales that radii are relative to are the caller's.
+TEST(LiveOptions, ScaleTheRadii) {
+  const Model m = four_bar_model(3);
+  const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
+  const auto radius = [&](const LiveOptions& options) {
+    LiveRun run(*f, options);
+    return run.step(Row(m, 0.1)).radius;
+  };
+  const PerLevel<double> one = radius({.scales = Scales{{1, 1, 1}, {1, 1, 1}}}),
+                         ten = radius({.scales = Scales{{1, 10, 100}, {1, 10, 100}}});
+  EXPECT_NEAR(one.velocity / ten.velocity, 10, 1e-9);
+  EXPECT_NEAR(one.acceleration / ten.acceleration, 100, 1e-9);
+  EXPECT_THROW(radius({.scales = Scales{}}), std::invalid_argument);
+  for (const CheckMode mode : {CheckMode::sample, CheckMode::mechanism})
+    EXPECT_THROW(radius({.check = mode}), std::invalid_argument);
+  // Positions alone need no rates.
+  LiveRun run(*f, {.level = Level::position});
+  const Row row(m, 0.1);
+  EXPECT_EQ(run.step({.time = 0, .z = row.z}).outcome(), Outcome::converged);
+  EXPECT_TRUE(run.qd().empty());
+  EXPECT_THROW(LiveRun(*f, {.levels = std::array{Level::position}}), std::invalid_argument);
+}
+
+/// Velocities alone go along the cubic.
+TEST(LiveRun, AnswersRowsUpToVelocities) {
+  for (const auto& [m, grid] : every_motion()) {
+    const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
+    LiveRun run(*f, {.level = Level::velocity});
+    for (int i = 0; i < 20; ++i) {
+      const Row row(m, grid.time(i));
+      const LiveSummary s = run.step({row.time, row.z, row.zd});
+      ASSERT_EQ(s.outcome(), Outcome::converged) << m.name << ": " << describe(s, m);
+      EXPECT_LE(s.path.sub_steps, 2) << m.name;
+      EXPECT_LT(s.radius.velocity, 1e-9);
+    }
+  }
+}
+
+/// Positions that others have rates next to are followed like these.
+TEST(LiveRun, SolvesCoordinatesToLevelsOfTheirOwn) {
+  const Model m = locking_four_bar();
+  std::vector<Level> levels(m.coordinates(), Level::position);
+  levels[m.entities[m.find("crank/theta")].first] = Level::acceleration;
+  const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
+  LiveRun run(*f, {.levels = levels});
+  for (int i = 0; i <= 50; ++i) {
+    const LiveSummary s = run.step(Row(m, 0.01 * i));
+    EXPECT_EQ(s.outcome(), Outcome::converged) << i << ": " << describe(s, m);
+  }
+}
+
+TEST(LiveRun, NeedsAFormulationThatStepsThroughTime) {
+  const Model m = four_bar_model(3);
+  for (Settings settings :
+       {Settings{.segments = 4}, Settings{.threads = 2}, Settings{.stride = 4}}) {
+    if (!unavailable_reason(settings).empty()) continue;
+    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, settings);
+    EXPECT_NE(unsupported_live_reason(*f), "");
+    EXPECT_THROW(LiveRun{*f}, std::invalid_argument);
+  }
+}
+
+/// A controller's loop: no row takes more than a step, and one test of its path.
+TEST(LiveRun, ProvesEveryMillisecondAtOnce) {
+  const Model m =
+      make_model(make_scene(find_case("truck_suspension"), DESMO_SANITIZED ? 114 : 558));
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
+  LiveRun run(*f);
+  for (int i = 0; i <= (DESMO_SANITIZED ? 20 : 500); ++i) {
+    const LiveSummary s = run.step(Row(m, 1e-3 * i));
+    ASSERT_EQ(s.outcome(), Outcome::converged) << i;
+    if (i == 0) continue;  // the assembly
+    EXPECT_LE(s.iterations, 3);
+    EXPECT_EQ(s.sub_steps, 0);
+    EXPECT_EQ(s.path.tests, 1);
+  }
+}
+
+}  // namespace
+}  // namespace desmo::live_rows_test

@@ -1,0 +1,274 @@
+// Whole checked runs: what they hand on, how they end, and what their summaries say.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "formulations/planning/plan.h"
+#include "formulations/verification/reference/reference.h"
+#include "tests/accuracy/scenes.h"
+#include "tests/checked/rows.h"
+#include "tests/dead_point.h"
+
+namespace desmo::run_test {
+namespace {
+
+constexpr const char* ids[] = {"global_automatic_klu", "group_symbolic_inlined",
+                               "group_symbolic_explicit"};
+
+TEST(CheckedRun, ProvesOrdinaryMotions) {
+  for (const auto& [m, grid] : every_motion())
+    for (const char* id : {ids[0], ids[2]}) {
+      const TimeGrid begin{grid.start, grid.step, std::min(grid.instants, 100)};
+      const CheckedSummary s = solve_checked(m, begin, id).summary;
+      EXPECT_EQ(s.outcome(), Outcome::converged) << m.name << ", " << id << ": " << describe(s, m);
+      EXPECT_TRUE(describe(s, m).starts_with("converged: ")) << describe(s, m);
+      EXPECT_EQ(s.instants, begin.instants);
+      EXPECT_EQ(s.steps, begin.instants - 1);
+      EXPECT_LT(s.radius.position, 1e-13) << m.name;
+    }
+}
+
+TEST(CheckedRun, ProvesWhatIsFixed) {
+  Model m;
+  m.add_fixed(EntityKind::point, "A", std::vector<double>{1, 2});
+  for (const char* id : ids) {
+    const CheckedSummary s = solve_checked(m, {0, 1, 3}, id).summary;
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+    EXPECT_EQ(s.instants, 3) << id;
+  }
+}
+
+TEST(CheckedRun, RefusesWhatItCannotCheck) {
+  const Model m = locking_four_bar();
+  const auto f = make_formulation(find_variant(ids[0]), m);
+  RowCount rows;
+  const std::vector<int> first{0};
+  EXPECT_THROW(static_cast<void>(run_checked(*f, {0, 0.1, 2}, {Level::position, first}, rows)),
+               std::invalid_argument);
+  const std::vector<Level> one(1);
+  EXPECT_THROW(static_cast<void>(run_checked(*f, {0, 0.1, 2}, {}, rows, {.levels = one})),
+               std::invalid_argument);
+  EXPECT_TRUE(rows.indices.empty());
+}
+
+TEST(CheckedRun, EndsWhereTheObserverDoes) {
+  const Model m = locking_four_bar();
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit/stride:8"}) {
+    const Configuration c = parse_id(id);
+    RowCount rows(5);
+    const CheckedSummary s =
+        run_checked(*make_formulation(*c.variant, m, c.settings), {0, 1e-3, 100}, {}, rows);
+    EXPECT_TRUE(s.stopped) << id;
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+    EXPECT_EQ(s.instants, 6) << id;
+    EXPECT_EQ(rows.indices, (std::vector{0, 1, 2, 3, 4, 5})) << id;
+  }
+}
+
+TEST(CheckedRun, ProvesTheLevelsAskedForAlone) {
+  const Scene scene = library_scene("slider_crank");
+  const Model whole = make_model(scene);
+  for (const Level level : all_levels) {
+    const CheckedRows r = solve_checked(whole, {0, 0.01, 20}, ids[2], level);
+    EXPECT_EQ(r.summary.outcome(), Outcome::converged);
+    for (const Level l : all_levels) {
+      EXPECT_EQ(r.rows[7].values[l].empty(), l > level);
+      EXPECT_EQ(r.summary.radius[l] > 0, l <= level);
+    }
+  }
+  // The slider's velocity, and so of all else the position at least.
+  const Output outputs[] = {{whole.find("C"), Level::velocity}};
+  const Plan plan = make_plan(whole, outputs);
+  const Reference reference = make_reference(plan.model, std::vector{0., 0.1, 0.2});
+  const CheckedRows r =
+      solve_checked(plan.model, {0, 0.1, 3}, ids[0], plan.level(), {.levels = plan.levels});
+  EXPECT_EQ(r.summary.outcome(), Outcome::converged);
+  EXPECT_EQ(expect_within_radii(plan.model, r.rows, reference.instants), 3);
+}
+
+TEST(CheckedRun, ChecksNothingWithoutAMode) {
+  const Model m = locking_four_bar();
+  const auto f = make_formulation(find_variant(ids[0]), m);
+  const auto g = make_formulation(find_variant(ids[0]), m);
+  RowCount checked, plain;
+  const CheckedSummary s = run_checked(*f, {0, 0.01, 9}, {}, checked, {.mode = CheckMode::none});
+  ASSERT_TRUE(g->run({0, 0.01, 9}, {}, plain).ok());
+  EXPECT_TRUE(std::ranges::equal(f->q(), g->q()));
+  EXPECT_EQ(checked.indices, plain.indices);
+  EXPECT_EQ(s.steps, 0);
+  EXPECT_EQ(s.radius.position, 0);
+}
+
+/// Rows between samples lie in the path from one to the next, and have no radii.
+TEST(CheckedRun, ProvesSamplesAndThePathBetweenThem) {
+  const Scene scene = library_scene("rssr");
+  const Model m = make_model(scene);
+  const Reference reference = make_reference(m, sampled({0, 0.01, 11}, 11));
+  for (const char* id : ids) {
+    const CheckedRows r = solve_checked(m, {0, 0.01, 11}, id, Level::acceleration,
+                                        {.mode = CheckMode::sample, .sample = 4});
+    EXPECT_EQ(r.summary.outcome(), Outcome::converged) << id << ": " << describe(r.summary, m);
+    ASSERT_EQ(r.rows.size(), 11u) << id;
+    for (int i = 0; i < 11; ++i)
+      EXPECT_EQ(r.rows[i].radius.position.empty(), i % 4 != 0 && i != 10) << id << ", " << i;
+    for (const int i : {0, 4, 8, 10})
+      EXPECT_EQ(expect_within_radii(m, {&r.rows[i], 1}, reference.instants), 1);
+  }
+  // A path of four radians is not proven at once: one by one, all are.
+  const CheckedRows r = solve_checked(four_bar_model(1), {0, 1, 9}, ids[0], Level::acceleration,
+                                      {.mode = CheckMode::sample, .sample = 4});
+  EXPECT_EQ(r.summary.outcome(), Outcome::converged);
+  for (const CheckedRow& row : r.rows) EXPECT_FALSE(row.radius.position.empty()) << row.time;
+}
+
+TEST(CheckedRun, FailsAtASingularPosition) {
+  const Model m = locking_four_bar(Polynomial{{dead_point - 0.25, 1}});
+  for (const char* id : ids) {
+    const CheckedSummary s = solve_checked(m, {0, 0.25, 2}, id).summary;
+    if (s.outcome() == Outcome::degraded) continue;  // rounding may put it at either side
+    EXPECT_EQ(s.outcome(), Outcome::failed) << id;
+    EXPECT_EQ(s.instants, 1) << id;
+    EXPECT_NEAR(s.time, 0.25, 1e-12) << id;
+    ASSERT_GE(s.group, 0) << id;
+    EXPECT_EQ(m.groups[s.group].name, "dyad1/SG-I") << id;
+  }
+}
+
+/// A crank that swings up to its dead point but for a little, and back.
+Model swinging(double distance) {
+  constexpr double amplitude = 0.5;
+  return locking_four_bar(
+      HarmonicSum{dead_point - distance - amplitude, {{amplitude, 2 * std::numbers::pi, 0}}});
+}
+
+TEST(CheckedRun, FlagsRowsTooNearADeadPointAndNoOthers) {
+  for (const double distance : {1e-6, 1e-15})
+    for (const char* id : ids) {
+      const Model m = swinging(distance);
+      const Reference reference = make_reference(m, std::vector{0.1, 0.249, 0.251});
+      const CheckedRows r = solve_checked(m, {0, 1e-3, 501}, id);
+      const CheckedSummary& s = r.summary;
+      EXPECT_EQ(expect_within_radii(m, std::span(r.rows).first(250), reference.instants), 2);
+      if (distance == 1e-6) {
+        EXPECT_EQ(s.outcome(), Outcome::converged) << id << ": " << describe(s, m);
+        EXPECT_GT(s.condition, 0.2 / std::sqrt(distance)) << id;
+        continue;
+      }
+      EXPECT_NE(s.outcome(), Outcome::converged) << id;
+      if (s.outcome() == Outcome::failed) continue;
+      ASSERT_TRUE(s.first_flag);
+      EXPECT_NEAR(s.first_flag->time, 0.25, 1.5e-3) << id;
+      EXPECT_TRUE(describe(s, m).starts_with("degraded: " + std::to_string(s.flagged) + " rows"))
+          << describe(s, m);
+    }
+}
+
+TEST(CheckedRun, StrictEndsAtTheFirstRowThatIsFlagged) {
+  const Model m = swinging(1e-15);
+  for (const char* id : ids) {
+    const CheckedRows all = solve_checked(m, {0, 1e-3, 501}, id);
+    const CheckedRows r =
+        solve_checked(m, {0, 1e-3, 501}, id, Level::acceleration, {.strict = true});
+    ASSERT_TRUE(r.summary.first_flag) << id;
+    EXPECT_EQ(r.summary.outcome(), Outcome::failed) << id;
+    EXPECT_TRUE(r.summary.refused) << id;
+    EXPECT_EQ(r.summary.first_flag->time, all.summary.first_flag->time) << id;
+    EXPECT_NEAR(r.summary.first_flag->time, 1e-3 * static_cast<double>(r.rows.size()), 1e-9);
+    EXPECT_TRUE(describe(r.summary, m).starts_with("refused: ")) << describe(r.summary, m);
+  }
+}
+
+// ---- intervals that cannot be assembled ----
+
+/// A crank that is told to swing 0.1 rad beyond its dead point, of 0.6 rad.
+const Model overswinging =
+    locking_four_bar(HarmonicSum{dead_point - 0.5, {{0.6, 2 * std::numbers::pi, 0}}});
+const double locked = std::asin(0.5 / 0.6) / (2 * std::numbers::pi);  // until 0.5 s less that
+constexpr TimeGrid swing{0, 0.01, 101};
+
+TEST(Gaps, EndARunThatSaysByHowMuchItLacks) {
+  const Model& m = overswinging;
+  const CheckedSummary s = solve_checked(m, swing, "group_symbolic_inlined").summary;
+  EXPECT_EQ(s.outcome(), Outcome::failed);
+  EXPECT_EQ(s.time, 0.16);
+  ASSERT_TRUE(s.assembly_error);
+  EXPECT_TRUE(s.assembly_error->is_length);
+  EXPECT_TRUE(m.constraints[s.assembly_error->constraint].name.starts_with("dyad1/"));
+  // Coupler and rocker lack what is between the pin of the crank and 9 from the pivot.
+  const double theta = sample(m.drivers[0].motion, s.time).position;
+  const double lacking = std::hypot(8 - 2 * std::cos(theta), 2 * std::sin(theta)) - 9;
+  EXPECT_GT(s.assembly_error->amount, lacking / 5);
+  EXPECT_LT(s.assembly_error->amount, lacking);
+}
+
+TEST(Gaps, ArePassedAndLeadBackToTheBranchOfTheDrawing) {
+  const Model& m = overswinging;
+  for (const char* id :
+       {"global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit",
+        "global_automatic_klu/stride:2", "group_symbolic_explicit/stride:16"}) {
+    const CheckedRows r = solve_checked(m, swing, id, Level::acceleration, {.past_failures = true});
+    EXPECT_EQ(r.summary.outcome(), Outcome::degraded) << id;
+    EXPECT_EQ(r.summary.flagged, 0) << id << ": " << describe(r.summary, m);
+    ASSERT_EQ(r.summary.gaps.size(), 1u) << id;
+    const Gap& gap = r.summary.gaps.front();
+    EXPECT_TRUE(gap.ends);
+    EXPECT_NEAR(gap.from, locked, 2e-9) << id;
+    EXPECT_NEAR(gap.to, 0.5 - locked, 2e-9) << id;
+    EXPECT_EQ(m.groups[gap.failure.group].name, "dyad1/SG-I");
+    auto row = r.rows.begin();
+    for (int i = 0; i < swing.instants; ++i) {
+      const double t = swing.time(i);
+      if (t > locked && t < 0.5 - locked) continue;
+      ASSERT_NE(row, r.rows.end()) << id;
+      EXPECT_EQ(row->time, t) << id;
+      const std::vector<double> exact =
+          locking_four_bar(Polynomial{{sample(m.drivers[0].motion, t).position}}).estimate;
+      for (int k = 0; k < m.coordinates(); ++k)
+        EXPECT_NEAR(row->values.position[k], exact[k], 1e-9) << id << ", " << t;
+      ++row;
+    }
+    EXPECT_EQ(row, r.rows.end()) << id;
+  }
+}
+
+TEST(Gaps, MayLastUntilTheEnd) {
+  const CheckedSummary s = solve_checked(overswinging, {0, 0.01, 30}, "block_automatic_lapack",
+                                         Level::position, {.past_failures = true})
+                               .summary;
+  EXPECT_EQ(s.outcome(), Outcome::degraded);
+  ASSERT_EQ(s.gaps.size(), 1u);
+  EXPECT_FALSE(s.gaps[0].ends);
+  EXPECT_EQ(s.instants, 16);
+}
+
+/// Ends are as accurate as time is, where its rounding is more than 1e-9 s.
+TEST(Gaps, AreFoundAtLateTimes) {
+  const double start = std::numbers::pi / 3;
+  for (const double late : {1e5, 1e6, 1e9}) {
+    Model m = locking_four_bar();
+    m.drivers[0].motion = Polynomial{{start - late, 1}};
+    const CheckedSummary s = solve_checked(m, {late, 0.5, 13}, "group_symbolic_inlined",
+                                           Level::acceleration, {.past_failures = true})
+                                 .summary;
+    ASSERT_EQ(s.gaps.size(), 1u) << late;
+    const double rounding = 2e-9 + 4 * late * 0x1p-53;
+    EXPECT_NEAR(s.gaps[0].from - late, dead_point - start, rounding) << late;
+    EXPECT_NEAR(s.gaps[0].to - late, 2 * std::numbers::pi - dead_point - start, rounding) << late;
+  }
+}
+
+TEST(Gaps, AreNotWhereAPositionExists) {
+  const Model m = locking_four_bar(Polynomial{{dead_point}});
+  std::vector<double> state = m.estimate;
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  EXPECT_FALSE(find_assembly_error(m, state, {}));
+}
+
+}  // namespace
+}  // namespace desmo::run_test

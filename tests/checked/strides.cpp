@@ -1,0 +1,33 @@
+// The stride of a run that goes on from its last row: halved where an instant cannot be solved.
+
+#include <gtest/gtest.h>
+
+#include "formulations/stepping/strided_steps.h"
+
+namespace desmo::strides_test {
+namespace {
+
+TEST(StrideControl, HalvesAtOnceAndDoublesWithPatience) {
+  StrideControl stride(7);
+  stride.halve();
+  EXPECT_EQ(stride.now(), 3);
+  const auto keep = [&](int intervals) {
+    for (int i = 0; i < intervals; ++i) stride.keep();
+    return stride.now();
+  };
+  EXPECT_EQ(keep(7), 3);
+  EXPECT_EQ(keep(1), 6);
+  stride.halve();  // that was too early
+  EXPECT_EQ(stride.now(), 3);
+  EXPECT_EQ(keep(15), 3);
+  EXPECT_EQ(keep(1), 6);
+  EXPECT_EQ(keep(16), 7);
+  EXPECT_EQ(keep(1000), 7);
+  for (int i = 0; i < 5; ++i) stride.halve();
+  EXPECT_EQ(stride.now(), 1);
+  EXPECT_EQ(keep(7), 1);  // a long one was good for long
+  EXPECT_EQ(keep(1), 2);
+}
+
+}  // namespace
+}  // namespace desmo::strides_test
