@@ -41,9 +41,9 @@ Motion not_a_number_from(double seconds) {
   return HarmonicSum{start, {{1, 0.5, 0}, {0, overflowing, 0}}};
 }
 
-/// t⁴⁰⁰⁰ is beneath notice at 0.8 s and has overflowed at 1.2 s.
+/// t¹⁶⁰⁰ is beneath notice at 0.8 s and has overflowed at 1.6 s.
 Motion infinite_after_a_second() {
-  std::vector<double> coefficients(4001, 0);
+  std::vector<double> coefficients(1601, 0);
   coefficients[0] = start;
   coefficients[1] = 0.5;
   coefficients.back() = 1;
@@ -54,7 +54,7 @@ Motion infinite_after_a_second() {
 
 std::vector<ExtremeCase> bad_input(Extent) {
   ExtremeCase infinite = driven_by("a driver infinite after 1 s", infinite_after_a_second());
-  infinite.scene.grid = {0, 0.4, 6};
+  infinite.scene.grid = {0, 0.8, 4};
   return {damaged("a length NaN", [](Dyad& d) { d.rocker = nan; }),
           damaged("an infinite length", [](Dyad& d) { d.rocker = infinity; }),
           damaged("a length of zero", [](Dyad& d) { d.rocker = 0; }),

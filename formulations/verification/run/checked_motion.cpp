@@ -127,7 +127,8 @@ const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
 bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool may_pass) {
   if (!on_path_) return false;
   BranchPath& path = follower_->path;
-  for (;;) {
+  // A motion that has worn out the budget of a step is not led on by passages.
+  for (int tests = 0; tests < BranchPath::max_tests; tests += step_.tests) {
     if (point_) {
       if (at.time < point_->before) {
         deliver_point(at);
@@ -152,6 +153,8 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
                     .before = point_->before,
                     .group = step_.group};
   }
+  point_.reset();
+  return false;
 }
 
 /// Takes other equations of overconstrained groups, where those that are kept are nearly dependent
