@@ -41,20 +41,20 @@ Motion not_a_number_from(double seconds) {
   return HarmonicSum{start, {{1, 0.5, 0}, {0, overflowing, 0}}};
 }
 
-/// t¹⁶⁰⁰ is beneath notice at 0.8 s and has overflowed at 1.6 s.
-Motion infinite_after_a_second() {
-  std::vector<double> coefficients(1601, 0);
+/// 1e-100 t¹⁶⁰ is beneath notice before 4 s and has overflowed at 500 s.
+Motion infinite_at_500_s() {
+  std::vector<double> coefficients(161, 0);
   coefficients[0] = start;
-  coefficients[1] = 0.5;
-  coefficients.back() = 1;
+  coefficients[1] = 0.001;
+  coefficients.back() = 1e-100;
   return Polynomial{std::move(coefficients)};
 }
 
 }  // namespace
 
 std::vector<ExtremeCase> bad_input(Extent) {
-  ExtremeCase infinite = driven_by("a driver infinite after 1 s", infinite_after_a_second());
-  infinite.scene.grid = {0, 0.8, 4};
+  ExtremeCase infinite = driven_by("a driver infinite at 500 s", infinite_at_500_s());
+  infinite.scene.grid = {0, 500, 3};
   return {damaged("a length NaN", [](Dyad& d) { d.rocker = nan; }),
           damaged("an infinite length", [](Dyad& d) { d.rocker = infinity; }),
           damaged("a length of zero", [](Dyad& d) { d.rocker = 0; }),

@@ -44,7 +44,7 @@ void CheckedMotion::begin(double time) {
     first_flag_ = {
         .kind = RowFlag::Kind::crossing, .after = time, .before = time, .group = start.group};
   if (start.stage == FoundStart::Stage::reached) {
-    const Instant at{.index = 0, .time = time, .q = start.q};
+    const Instant at{.index = 0, .time = time, .q = start.q, .qd = {}, .qdd = {}};
     const RefinedInstant& r = follower_->refinement.refine(at);
     on_path_ = r.proven && follower_->path.start_at({time, {r.instant.q}, r.radius.position});
   }

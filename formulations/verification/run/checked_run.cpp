@@ -183,7 +183,7 @@ class CheckedRun final : Observer {
   /// Solves an instant where the formulation could not.
   bool solves(int index) {
     const std::span<const double> wanted = formulation_.q();
-    Instant at{.index = index, .time = grid_.time(index), .q = wanted};
+    Instant at{.index = index, .time = grid_.time(index), .q = wanted, .qd = {}, .qdd = {}};
     if (request_.level >= Level::velocity) at.qd = wanted;
     if (request_.level >= Level::acceleration) at.qdd = wanted;
     const CheckedInstant* const found = motion_.solve(at);

@@ -92,7 +92,8 @@ std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
 }
 
 std::span<const double> LeftOutEquations::radius(const Instant& instant, const LiveRow* drivers) {
-  const Instant positions{.index = instant.index, .time = instant.time, .q = instant.q};
+  const Instant positions{
+      .index = instant.index, .time = instant.time, .q = instant.q, .qd = {}, .qdd = {}};
   const Certificate c =
       drivers ? certifier_->certify(positions, *drivers) : certifier_->certify(positions);
   return c.radius.position;
