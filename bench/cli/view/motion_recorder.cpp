@@ -52,7 +52,8 @@ void MotionRecorder::record(const CheckedInstant& checked) {
   ++solved_;
   condition_ = std::max(condition_, checked.condition);
   for (const Level level : all_levels)
-    radius_[level] = std::max(radius_[level], checked.relative_radius[level]);
+    if (std::isfinite(checked.relative_radius[level]))  // else a flag says so
+      radius_[level] = std::max(radius_[level], checked.relative_radius[level]);
   keep({instant.index, std::move(state), condition_, radius_});
 }
 

@@ -30,13 +30,14 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
   };
   show(present, next_);
   PerLevel<double> least{INFINITY, INFINITY, INFINITY};
-  while (result_.passes < max_passes) {
+  for (int left = max_passes; left > 0; --left) {
     ++result_.passes;
     const Certificate c = certifier_.certify(present);
     if (result_.proven && !c.proven) break;
     result_.last = c;
     add_corrections(c);
     if (!c.proven) continue;
+    if (!result_.proven) left = max_passes;  // an instant that was far off has yet to settle
     const PerLevel<double> open = open_digits();
     // Each level counts by itself: where a motion rests, rates are nothing but rounding.
     const auto falls_below = [&](double share) {

@@ -24,7 +24,8 @@ struct RefinedInstant {
 ///   const RefinedInstant r = refinement.refine(instant);   // in an observer, for example
 class Refinement {
  public:
-  /// Digits double in each pass: six lead from one to 53 bits, and two more to the first one.
+  /// Passes to the first proof, and from it on. Digits double in each: six lead from one to 53
+  /// bits, and two more to the first one.
   static constexpr int max_passes = 8;
 
   /// Contract of Certifier.

@@ -37,7 +37,10 @@ void CheckedMotion::begin(double time) {
   const auto is_blocked = [&] { return start.stage != FoundStart::Stage::reached; };
   if (is_blocked() && choose_other_equations(start.q))
     start = find_start(follower_->model, time, false);
-  if (is_blocked() && has_others) start = find_start(follower_->model, time);
+  if (is_blocked() && has_others) {
+    follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
+    start = find_start(m_, time);
+  }
   start_ = start.stage;
   first_flag_.reset();
   if (!start.passed.empty())

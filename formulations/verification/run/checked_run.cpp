@@ -127,7 +127,10 @@ class CheckedRun final : Observer {
 
   /// Includes a proven row in the largest radii. Flags it where they leave no digit.
   void take_radius(CheckedInstant& row) {
-    if (row.flag && row.flag->kind == RowFlag::Kind::unproven) return;
+    if (row.flag && row.flag->kind == RowFlag::Kind::unproven) {
+      row.relative_radius = {INFINITY, INFINITY, INFINITY};
+      return;
+    }
     PerLevel<double> length{}, rotation{};
     const Model& m = formulation_.model();
     for (const Level level : all_levels)

@@ -50,7 +50,7 @@ struct CheckedInstant {
   /// Bounds on |instant − exact| of each coordinate, as in Certificate; infinite where there are
   /// none.
   PerLevel<std::span<const double>> radius{};
-  /// The largest radius of a length or a rotation over its scale so far.
+  /// The largest radius of a length or a rotation over its scale so far; infinite where unproven.
   PerLevel<double> relative_radius{};
   double condition = 0;           ///< of the instant (Certificate::condition)
   std::optional<RowFlag> flag{};  ///< none: proven
