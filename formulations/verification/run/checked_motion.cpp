@@ -31,15 +31,18 @@ void CheckedMotion::begin(double time) {
   point_.reset();
   lost_.reset();
   on_path_ = false;
-  // What is regular by other equations is no change point.
-  const bool has_others = has_other_equations(m_);
-  FoundStart start = find_start(follower_->model, time, !has_others);
+  // What is regular by other equations is no change point: all choices are tried without passages.
+  FoundStart start = find_start(m_, time, !has_other_equations(m_));
   const auto is_blocked = [&] { return start.stage != FoundStart::Stage::reached; };
-  if (is_blocked() && choose_other_equations(start.q))
-    start = find_start(follower_->model, time, false);
-  if (is_blocked() && has_others) {
-    follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
-    start = find_start(m_, time);
+  follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
+  for (const bool may_pass : {false, true}) {
+    if (!is_blocked() || !has_other_equations(m_)) break;
+    if (may_pass) {
+      follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
+      start = find_start(m_, time);
+    }
+    if (is_blocked() && choose_other_equations(start.q))
+      start = find_start(follower_->model, time, may_pass);
   }
   start_ = start.stage;
   first_flag_.reset();
