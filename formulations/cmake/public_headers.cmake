@@ -22,10 +22,8 @@ set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbe
   formulations/base/live_row.h formulations/base/output.h formulations/base/per_level.h
   formulations/base/reference_instant.h formulations/scaling/scales.h
   formulations/verification/certificate/initial_residual.h
-  formulations/verification/certificate/path_proof.h
-  formulations/verification/certificate/refinement.h
-  formulations/verification/run/assembly_error.h formulations/verification/run/branch_path.h
-  formulations/verification/run/check_options.h formulations/verification/run/misfit.h
+  formulations/verification/run/assembly_error.h formulations/verification/run/check_options.h
+  formulations/verification/run/followed_step.h formulations/verification/run/misfit.h
   formulations/verification/run/start.h)
 
 set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)

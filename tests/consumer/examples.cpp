@@ -59,6 +59,9 @@ void summary_example(const std::unique_ptr<Formulation>& formulation, const Mode
 void checked_run_example(const Model& model, const TimeGrid& grid, Observer& observer) {
 #include "checked_run.inc"
 }
+void start_example(const Model& model, const TimeGrid& grid) {
+#include "start.inc"
+}
 void live_run_example(const Model& model, const Scales& scales) {
   double t = 0;
   std::vector<double> z, zd, zdd;

@@ -6,24 +6,9 @@
 #include "formulations/model/model.h"
 #include "formulations/verification/certificate/path_proof.h"
 #include "formulations/verification/certificate/refinement.h"
+#include "formulations/verification/run/followed_step.h"
 
 namespace desmo {
-
-/// Where a followed motion ends.
-enum class PathEnd {
-  same,   ///< in the instant that was handed in
-  other,  ///< at its time, but elsewhere: the instant is on another branch
-  stuck,  ///< before it: the motion locks, or passes a singular position
-};
-
-/// How a step was followed.
-struct FollowedStep {
-  PathEnd end = PathEnd::stuck;
-  int tests = 0;                ///< path proofs
-  int sub_steps = 0;            ///< 1: the step was proven at the first try
-  double time = 0;              ///< of the last proven instant [s]
-  GroupId group = no_position;  ///< stuck: where the last test failed
-};
 
 /// The one follower of paths: goes from a proven instant along the motion, in steps that are all
 /// proven (PathProof), and says whether an instant lies on it. Sub-steps need no formulation: the

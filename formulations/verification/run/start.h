@@ -37,7 +37,7 @@ struct FoundStart {
 /// that time proves them, and finds rates. Allocates; keep it out of timed code.
 ///
 ///   const FoundStart start = find_start(model, grid.time(0));
-///   if (start.stage == FoundStart::Stage::reached) …   // start.q
+///   if (start.stage == FoundStart::Stage::reached) use(start.q);
 FoundStart find_start(const Model& model, double time, bool may_pass = true);
 
 }  // namespace desmo

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "formulations/model/model.h"
+
+namespace desmo {
+
+/// Where a followed motion ends.
+enum class PathEnd {
+  same,   ///< in the instant that was handed in
+  other,  ///< at its time, but elsewhere: the instant is on another branch
+  stuck,  ///< before it: the motion locks, or passes a singular position
+};
+
+/// How a step was followed.
+struct FollowedStep {
+  PathEnd end = PathEnd::stuck;
+  int tests = 0;                ///< path proofs
+  int sub_steps = 0;            ///< 1: the step was proven at the first try
+  double time = 0;              ///< of the last proven instant [s]
+  GroupId group = no_position;  ///< stuck: where the last test failed
+};
+
+}  // namespace desmo
