@@ -18,16 +18,6 @@ ExtremeCase approaching_a_dead_point() {
   return case_of("approaching a dead point", chain, 0.5, {0, 0.002, 501});
 }
 
-/// Parallel cranks go on parallel where the other branch is the declared one: the joint changes
-/// sides when they are in line, which their rates do not tell.
-ExtremeCase through_a_change_point() {
-  ExtremeCase c =
-      case_of("through a change point", one_dyad(1, -1.0003, 2, 2, 1, -1), 1, {0, 0.001, 3001});
-  c.settings = "/guess:quadratic";
-  c.may_fail = true;
-  return c;
-}
-
 }  // namespace
 
 std::vector<ExtremeCase> estimates(Extent extent) {
@@ -42,7 +32,6 @@ std::vector<ExtremeCase> estimates(Extent extent) {
     c.bound = Bound::estimates;
     c.factor = 1000;
   }
-  all.push_back(through_a_change_point());
   return all;
 }
 

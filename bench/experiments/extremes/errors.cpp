@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bench/experiments/extremes/verification.h"
@@ -102,6 +103,8 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const Yardsticks& ya
       if (!a.errors[part][next] || flag == Flag::doubtful) continue;
       if (!found.worst) found.worst.emplace();
       for (const Level level : all_levels) {
+        // Nothing is claimed of a number without a radius.
+        if (flag == Flag::degraded && !std::isfinite(a.stated[next]->radius[level])) continue;
         const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
                            allowed(level, part, next)};
         WorstError& worst = (*found.worst)[level];

@@ -77,16 +77,8 @@ bool is_named(const Model& m, GroupId group, const std::string& body) {
   return group >= 0 && std::ranges::count(m.groups[group].bodies, body) > 0;
 }
 
-/// Allowed factor between an estimate of the condition number and the number.
+/// Allowed factor of the condition number of the worst block over that of the whole.
 constexpr double max_factor = 10;
-
-/// Returns a condition number that is said to be much smaller than it is.
-std::string understated_condition(const KnownCase& p, const CaseRun& a) {
-  const double condition = p.condition();
-  if (p.definition->bound != Bound::estimates || a.max.condition >= condition / max_factor)
-    return {};
-  return formatted("condition %.1e said to be %.1e", condition, a.max.condition);
-}
 
 /// Returns what is said of the whole run, where it says too much.
 std::string overstated(const KnownCase& p, const CaseRun& a) {
@@ -174,7 +166,6 @@ Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yard
   for (auto& [why, verdict] : {std::pair{errors.defect, ExtremeVerdict::defect},
                                {unflagged(p, a), ExtremeVerdict::defect},
                                {needless_flag(p, a), ExtremeVerdict::missed},
-                               {understated_condition(p, a), ExtremeVerdict::defect},
                                {errors.inexact, ExtremeVerdict::missed},
                                {shortcoming(p, a, yardsticks), ExtremeVerdict::missed}})
     if (!why.empty()) return end(verdict, why);
