@@ -125,11 +125,6 @@ class Part {
   /// Returns the state of the pivots of a linear solver; of generated code the default.
   virtual Pivots pivots() const { return {}; }
 
-  /// Sets whether Newton's method makes one more correction where the tolerance is met but ‖Φ‖ is
-  /// above rounding. Monitored runs ask for it: the position's error is κ times as large as ‖Φ‖.
-  /// Only generated eliminations do it.
-  virtual void correct_once_more(bool asked) { static_cast<void>(asked); }
-
   /// Voids what earlier steps left behind: the next solve() starts from an estimate.
   virtual void forget() {}
   /// Tells that the assembly is over, which began with forget(): what follows are steps.

@@ -116,8 +116,8 @@ class DrawnStart {
 };
 
 /// Puts a solver that is at the model's estimate where Newton's method is to begin at a time [s].
-/// That is the estimate itself, if it leads in one go where short steps do (DrawnStart); else the
-/// end of these. Where they are blocked, the estimate stands.
+/// The place is the estimate itself, if it leads in one go where short steps do (DrawnStart); else
+/// the end of these. Where they are blocked, the estimate stands.
 template <class Solver>
 void begin_on_drawn_branch(Solver& solver, const Model& m, double time) {
   std::vector<double> drivers;

@@ -1,16 +1,6 @@
 #include "formulations/parts/inlined_part.h"
 
-#include <limits>
-
 namespace desmo {
-
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Of the tolerance, what one more correction is not made for. The monitors state what it leaves.
-constexpr double left_share = 0.1;
-
-}  // namespace
 
 InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
                          const PartSettings& settings, std::unique_ptr<Part> fallback,
@@ -18,7 +8,6 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
     : bound_(std::move(bound)),
       weights_(std::move(weights)),
       at_rounding_(settings.at_rounding),
-      corrected_above2_(at_rounding_ ? -1 : infinity),
       fallback_(std::move(fallback)),
       unknowns_(std::move(unknowns)),
       start_(unknowns_.size()) {
@@ -26,10 +15,6 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
   max_iterations_ = limits.max;
   stop2_ = limits.stop * limits.stop;
   accept2_ = limits.accept * limits.accept;
-}
-
-void InlinedPart::correct_once_more(bool asked) {
-  if (!at_rounding_) corrected_above2_ = asked ? left_share * left_share * stop2_ : infinity;
 }
 
 /// Apart, for the registers that it needs would have to be saved in every step.
@@ -47,7 +32,7 @@ PartResult InlinedPart::solve(State& s, std::span<const double> last, Level leve
 
   InlinedResult position =
       bound_.kernel->position(s.q.data(), in, c, weights_.data(), stop2_, max_iterations_);
-  if (position.residual2 > corrected_above2_ && position.residual2 < stop2_) [[unlikely]]
+  if (at_rounding_ && position.residual2 < stop2_) [[unlikely]]
     position = once_more(s, position.iterations);
   bool good = position.residual2 < accept2_;  // false for NaN, too
   if (good && level != Level::position) {

@@ -28,7 +28,6 @@ class InlinedPart final : public Part {
   PartCounts counts() const override {
     return {.refactorisations = fallbacks_, .fallbacks = fallbacks_};
   }
-  void correct_once_more(bool asked) override;
 
  private:
   InlinedResult once_more(State& state, int iterations) const;
@@ -36,9 +35,8 @@ class InlinedPart final : public Part {
   BoundKernel bound_;
   std::vector<double> weights_;
   int max_iterations_;
-  double stop2_, accept2_;   // on ‖Φ‖₂²: see IterationLimits
-  bool at_rounding_;         // see PartSettings
-  double corrected_above2_;  // ‖Φ‖₂² at the tolerance that is worth one more correction
+  double stop2_, accept2_;  // on ‖Φ‖₂²: see IterationLimits
+  bool at_rounding_;        // see PartSettings
   std::unique_ptr<Part> fallback_;
   std::vector<int> unknowns_;
   std::vector<double> start_;                  // unknowns at the start of the step

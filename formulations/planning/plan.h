@@ -42,7 +42,7 @@ struct Plan {
   std::vector<GroupId> unseen_groups() const;
 };
 
-/// What a plan solves besides what its outputs need.
+/// Extent of a plan: what it solves besides what its outputs need.
 enum class PlanExtent {
   outputs,             ///< nothing
   left_out_equations,  ///< positions that left-out equations of its groups read

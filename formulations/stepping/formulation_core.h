@@ -85,21 +85,4 @@ std::unique_ptr<Formulation> make_profiled_formulation(const Variant& variant, c
 /// Returns the sum of Part::counts() over all parts.
 PartCounts part_counts(const Formulation& formulation);
 
-/// One more correction of the parts of a formulation (Part::correct_once_more): asked for as long
-/// as this lives.
-class OneMoreCorrection {
- public:
-  explicit OneMoreCorrection(std::span<const DefinedPart> parts) : parts_(parts) { ask(true); }
-  ~OneMoreCorrection() { ask(false); }
-  OneMoreCorrection(const OneMoreCorrection&) = delete;
-  OneMoreCorrection& operator=(const OneMoreCorrection&) = delete;
-
- private:
-  void ask(bool asked) const {
-    for (const DefinedPart& part : parts_) part.solver->correct_once_more(asked);
-  }
-
-  std::span<const DefinedPart> parts_;
-};
-
 }  // namespace desmo

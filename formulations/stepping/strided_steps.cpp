@@ -50,9 +50,4 @@ Flow StridedSteps::hand_on(const Instant& solved) {
   return flow;
 }
 
-void StridedSteps::halve() {
-  stride_.halve();
-  shortest_ = shortest_ > 0 ? std::min(shortest_, stride_.now()) : stride_.now();
-}
-
 }  // namespace desmo

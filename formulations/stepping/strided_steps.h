@@ -48,13 +48,11 @@ class StridedSteps {
   Step solve(int next, From from);
 
   /// Hands on the interpolated instants since the last solved one, and this one. Stops where the
-  /// observer `rows` does; the caller then halves the stride.
+  /// observer `rows` does.
   Flow hand_on(const Instant& solved);
   /// Tells that the formulation was taken elsewhere, so there is nothing to interpolate from.
   void restart() { is_known_ = false; }
-  void halve();
-  /// Returns the shortest stride so far; 0: it was not halved.
-  int shortest() const { return shortest_; }
+  void halve() { stride_.halve(); }
 
  private:
   Formulation& formulation_;
@@ -64,7 +62,6 @@ class StridedSteps {
   std::optional<DenseOutput> between_;  // empty: without a stride
   const Level level_;                   // to which instants are solved
   bool is_known_ = false;               // the last solved instant
-  int shortest_ = 0;
 };
 
 }  // namespace desmo

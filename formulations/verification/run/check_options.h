@@ -2,7 +2,7 @@
 
 namespace desmo {
 
-/// What of a run is checked.
+/// Extent to which a run is checked.
 enum class CheckMode {
   none,       ///< nothing: numbers are what the formulation makes of them
   sample,     ///< one path over N instants, each instant inside it; every N-th with radii

@@ -46,7 +46,7 @@ class CheckedMotion {
   bool is_elsewhere() const { return elsewhere_; }
 
  private:
-  /// What follows the motion, with one choice of equations.
+  /// Follower of the motion, with one choice of equations.
   struct Follower {
     Follower(std::unique_ptr<const Model> chosen, const Model& model,
              std::span<const Level> levels);
@@ -72,7 +72,7 @@ class CheckedMotion {
   const std::span<const Level> levels_;
   std::unique_ptr<Follower> follower_;
   LeftOutEquations left_out_;
-  /// Where the last check began.
+  /// State in which the last check began.
   struct {
     double time = 0;
     PerLevel<std::vector<double>> values;

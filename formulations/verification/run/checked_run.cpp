@@ -11,15 +11,14 @@
 #include "formulations/verification/run/checked_motion.h"
 #include "formulations/verification/run/gap_search.h"
 #include "formulations/verification/run/kept_instants.h"
+#include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/running_scales.h"
 
 namespace desmo {
 
 namespace {
 
-/// A radius of this part of a scale proves no digit.
-constexpr double no_digit = 0.5;
-/// Covers the few roundings of a norm, and of a ratio.
+/// Covers the few roundings of a ratio.
 constexpr double above = 1 + 0x1p-48;
 
 /// One run, in spans between the intervals that cannot be assembled. As an observer of the
@@ -131,30 +130,19 @@ class CheckedRun final : Observer {
       row.relative_radius = {INFINITY, INFINITY, INFINITY};
       return;
     }
-    PerLevel<double> length{}, rotation{};
-    const Model& m = formulation_.model();
-    for (const Level level : all_levels)
-      for (const Entity& e : m.entities) {
-        if (e.fixed || row.radius[level].empty()) continue;
-        double squares = 0;
-        for (const double x : row.radius[level].subspan(e.first, e.size)) squares += x * x;
-        if (!std::isfinite(squares)) continue;  // of a level that is not solved
-        const double radius = std::sqrt(squares) * above;
-        const double scale = scales_.current().of(e.kind, level);
-        double& largest = (is_length(e.kind) ? length : rotation)[level];
-        largest = std::max(largest, radius);
-        if (scale == 0) continue;  // nothing moves
-        row.relative_radius[level] = std::max(row.relative_radius[level], radius / scale);
-        if (radius <= no_digit * scale) continue;
-        row.flag = {.kind = RowFlag::Kind::unproven,
-                    .time = row.instant.time,
-                    .group = e.group,
-                    .failure = ProofFailure::singular};
-        return;
-      }
+    const RelativeRadius radius =
+        relative_radius(formulation_.model(), row.radius, scales_.current());
+    row.relative_radius = radius.largest;
+    if (radius.proves_no_digit()) {
+      row.flag = {.kind = RowFlag::Kind::unproven,
+                  .time = row.instant.time,
+                  .group = radius.group,
+                  .failure = ProofFailure::singular};
+      return;
+    }
     for (const Level level : all_levels) {
-      length_[level] = std::max(length_[level], length[level]);
-      rotation_[level] = std::max(rotation_[level], rotation[level]);
+      length_[level] = std::max(length_[level], radius.length[level]);
+      rotation_[level] = std::max(rotation_[level], radius.rotation[level]);
     }
   }
 

@@ -4,14 +4,14 @@
 
 namespace desmo {
 
-/// Where a followed motion ends.
+/// End of a followed motion.
 enum class PathEnd {
   same,   ///< in the instant that was handed in
   other,  ///< at its time, but elsewhere: the instant is on another branch
   stuck,  ///< before it: the motion locks, or passes a singular position
 };
 
-/// How a step was followed.
+/// Report on a step that was followed.
 struct FollowedStep {
   PathEnd end = PathEnd::stuck;
   int tests = 0;                ///< path proofs

@@ -11,6 +11,7 @@
 #include "formulations/verification/certificate/refinement.h"
 #include "formulations/verification/run/branch_path.h"
 #include "formulations/verification/run/left_out_equations.h"
+#include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/row_motions.h"
 #include "formulations/verification/run/running_scales.h"
 #include "formulations/verification/run/start.h"
@@ -20,35 +21,6 @@ namespace desmo {
 namespace {
 
 LiveSteps& steps_of(Formulation& f) { return *core_of(f).live(); }
-
-/// Largest radii over scales, and the group of the largest of all.
-struct RelativeRadius {
-  PerLevel<double> largest{};
-  double worst = 0;
-  GroupId group = no_position;
-
-  /// A radius of this part of a scale proves no digit.
-  bool proves_no_digit() const { return worst > 0.5; }
-};
-
-RelativeRadius relative_radius(const Model& m, const PerLevel<std::span<const double>>& radius,
-                               const Scales& scales) {
-  constexpr double above = 1 + 0x1p-48;  // covers the few roundings of a norm, and of a ratio
-  RelativeRadius result;
-  for (const Level level : all_levels)
-    for (const Entity& e : m.entities) {
-      if (e.fixed) continue;
-      double squares = 0;
-      for (const double x : radius[level].subspan(e.first, e.size)) squares += x * x;
-      if (!std::isfinite(squares)) continue;  // of a level that is not solved
-      const double scale = scales.of(e.kind, level);
-      if (scale == 0) continue;  // nothing has moved so far
-      const double size = std::sqrt(squares) * above / scale;
-      result.largest[level] = std::max(result.largest[level], size);
-      if (size > result.worst) result.worst = size, result.group = e.group;
-    }
-  return result;
-}
 
 /// Returns an instant of numbers up to a level.
 Instant instant_of(double time, const PerLevel<std::span<const double>>& values, Level level) {

@@ -46,7 +46,7 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   std::optional<RowFlag> flag{};    ///< of a row that was solved; none: proven, or not checked
   PerLevel<double> radius{};        ///< largest of the row, relative to LiveRun::scales()
   double condition = 0;             ///< Certificate::condition; 0: not checked
-  /// How the drivers' way from the last proven row was followed. time: as far as that is proven.
+  /// Report on the drivers' way from the last proven row. time: as far as that is proven.
   FollowedStep path{};
 
   /// Returns whether the row was solved, but not reached along the motion: it was refused.

@@ -24,8 +24,7 @@ struct Largest {
   }
 };
 
-}  // namespace
-
+/// Returns times [s], spread evenly over a grid, at which drivers are sampled before the run.
 std::vector<double> looks_ahead(const TimeGrid& grid) {
   std::vector<double> times;
   for (int i = 0; i <= looks; ++i)
@@ -33,15 +32,17 @@ std::vector<double> looks_ahead(const TimeGrid& grid) {
   return times;
 }
 
+}  // namespace
+
 RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
-                             const std::optional<Scales>& given, bool of_motion)
-    : are_given_(given), are_of_motion_(of_motion) {
+                             const std::optional<Scales>& given)
+    : are_given_(given) {
   for (const Entity& e : m.entities)
     if (!e.fixed) moving_.push_back({e.first, e.size, is_length(e.kind)});
   const double size = nominal_size(m);
   Largest length, rotation;
   for (const Driver& d : m.drivers)
-    for (const double t : of_motion ? looks_ahead(grid) : std::vector<double>()) {
+    for (const double t : looks_ahead(grid)) {
       const MotionSample<double> z = sample(d.motion, t);
       (is_length(m.entities[d.coordinate].kind) ? length : rotation)
           .take(z.velocity, z.acceleration);
@@ -53,31 +54,12 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
   scales_ = given ? *given : completed(seen_);
 }
 
-bool RunningScales::take(const Instant& instant) {
-  if (!are_of_motion_ && !are_given_) {
-    scales_ = with(instant);
-    return true;
-  }
-  if (instant.time != last_time_) before_ = seen_;
-  last_time_ = instant.time;
-  const bool grows = grow(seen_, instant);
-  if (grows) scales_ = completed(seen_);
-  return grows;
+void RunningScales::take(const Instant& instant) {
+  if (!are_given_ && grow(instant)) scales_ = completed(seen_);
 }
 
-void RunningScales::take_back(double time) {
-  if (are_given_ || time != last_time_) return;
-  seen_ = before_;
-  scales_ = completed(seen_);
-}
-
-Scales RunningScales::with(const Instant& instant) const {
-  Scales seen = seen_;
-  return grow(seen, instant) || !are_of_motion_ ? completed(seen) : scales_;
-}
-
-bool RunningScales::grow(Scales& seen, const Instant& instant) const {
-  if (are_given_) return false;
+/// Returns whether a scale has grown.
+bool RunningScales::grow(const Instant& instant) {
   const auto largest = [&](std::span<const double> values, double& length, double& rotation) {
     if (values.empty()) return false;
     bool grows = false;
@@ -91,8 +73,8 @@ bool RunningScales::grow(Scales& seen, const Instant& instant) const {
     }
     return grows;
   };
-  const bool v = largest(instant.qd, seen.length.velocity, seen.rotation.velocity);
-  const bool a = largest(instant.qdd, seen.length.acceleration, seen.rotation.acceleration);
+  const bool v = largest(instant.qd, seen_.length.velocity, seen_.rotation.velocity);
+  const bool a = largest(instant.qdd, seen_.length.acceleration, seen_.rotation.acceleration);
   return v || a;
 }
 
