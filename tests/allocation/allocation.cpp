@@ -234,15 +234,17 @@ TEST_P(EveryStep, AllocatesNothingFromRowToRowOfACheckedRun) {
 /// Rows that are solved at once, by sub-steps or not at all, and those that are no rows.
 TEST_P(EveryStep, AllocatesNothingWhateverRowIsHandedIn) {
   const Variant& v = GetParam();
-  // KLU chooses pivots anew; CHOLMOD takes its workspace anew after a factorisation that failed.
-  if (allocates_inside(v) || v.algebra == "klu" || v.algebra == "cholmod") return;
+  if (allocates_inside(v) || v.algebra == "klu") return;  // which chooses pivots anew
   const Model m = locking_four_bar();
   for (const Level level : all_levels) {
     const auto f = make_formulation(v, m);
     LiveRun run(*f, {.level = level});
     const std::vector<double> one{1}, none{0};
     std::vector<double> z{std::numbers::pi / 3};
+    // The first row is the drawing; libraries take their memory where they first factorise.
     ASSERT_EQ(run.step({0, z, one, none}).outcome(), Outcome::converged);
+    z[0] -= 0.1;
+    ASSERT_EQ(run.step({5e-4, z, one, none}).outcome(), Outcome::converged);
     long failed = 0, in_sub_steps = 0;
     const long n = count([&] {
       for (int i = 1; i <= 500; ++i) {

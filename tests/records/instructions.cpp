@@ -54,7 +54,7 @@ TEST(InstructionsRecord, IsReadByTheReport) {
   EXPECT_TRUE(is_reported(" global_automatic_klu *TS-G_klu *[1-9][0-9]{5} *1.00 reference"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit *[1-9][0-9]{3,4} *[1-9][0-9.]* *50"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit/segments:4 *[1-9][0-9]{3} *[1-9][0-9.]* *200"));
-  EXPECT_TRUE(is_reported(" group_symbolic_explicit/check:proof *[1-9][0-9]{3,4} *[0-9.]* *200"));
+  EXPECT_TRUE(is_reported(" group_symbolic_explicit/check:proof *[1-9][0-9]{5} *[0-9.]* *200"));
   EXPECT_EQ(
       WEXITSTATUS(std::system((DESMO_BENCH " instructions --coordinates 113" + quiet).c_str())),
       64);
