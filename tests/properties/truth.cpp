@@ -20,24 +20,6 @@ constexpr double singular = 1e14;             // κ above which doubles have no 
 
 using Values = std::vector<Quadruple>;
 
-std::pair<std::vector<double>, std::vector<double>> split(const Values& values) {
-  std::pair<std::vector<double>, std::vector<double>> result;
-  for (const Quadruple& x : values) {
-    const auto high = static_cast<double>(x);
-    result.first.push_back(high);
-    result.second.push_back(static_cast<double>(x - high));
-  }
-  return result;
-}
-
-ReferenceInstant rounded(const WideInstant& wide) {
-  ReferenceInstant r{wide.time, {}, {}, {}};
-  std::tie(r.q, r.remainder.q) = split(wide.q);
-  std::tie(r.qd, r.remainder.qd) = split(wide.qd);
-  std::tie(r.qdd, r.remainder.qdd) = split(wide.qdd);
-  return r;
-}
-
 /// Goes to a parameter; where the way is lost once, again from the last regular place, past what is
 /// singular.
 bool reaches(Continuation& c, const Quadruple& parameter) {

@@ -42,6 +42,8 @@ std::pair<std::vector<double>, std::vector<double>> split(const std::vector<Quad
   return result;
 }
 
+}  // namespace
+
 ReferenceInstant rounded(const WideInstant& wide) {
   ReferenceInstant r{wide.time, {}, {}, {}};
   std::tie(r.q, r.remainder.q) = split(wide.q);
@@ -49,8 +51,6 @@ ReferenceInstant rounded(const WideInstant& wide) {
   std::tie(r.qdd, r.remainder.qdd) = split(wide.qdd);
   return r;
 }
-
-}  // namespace
 
 std::vector<ReferenceInstant> reference_solution(const Model& m, std::span<const double> times,
                                                  Precision precision) {

@@ -3,6 +3,8 @@
 #include <boost/multiprecision/float128.hpp>
 #include <vector>
 
+#include "formulations/base/reference_instant.h"
+
 namespace desmo {
 
 using Quadruple = boost::multiprecision::float128;
@@ -12,5 +14,8 @@ struct WideInstant {
   double time;  ///< [s]
   std::vector<Quadruple> q, qd, qdd;
 };
+
+/// Returns an instant rounded to double, with what that leaves.
+ReferenceInstant rounded(const WideInstant& wide);
 
 }  // namespace desmo
