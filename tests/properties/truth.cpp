@@ -5,7 +5,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "formulations/constraints/constraints.h"

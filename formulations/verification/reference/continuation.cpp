@@ -33,20 +33,6 @@ std::vector<double> doubles(const std::vector<Quadruple>& values) {
   return result;
 }
 
-std::vector<double> remainders(const std::vector<Quadruple>& values,
-                               const std::vector<double>& high) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < high.size(); ++i)
-    result.push_back(static_cast<double>(values[i] - high[i]));
-  return result;
-}
-
-ReferenceInstant rounded(const WideInstant& wide) {
-  ReferenceInstant r{wide.time, doubles(wide.q), doubles(wide.qd), doubles(wide.qdd)};
-  r.remainder = {remainders(wide.q, r.q), remainders(wide.qd, r.qd), remainders(wide.qdd, r.qdd)};
-  return r;
-}
-
 }  // namespace
 
 DriverPath motions_of(const Model& model) {
