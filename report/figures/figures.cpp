@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/text/digits.h"
 #include "report/text/embedded.h"
 
 namespace desmo::report {
@@ -19,7 +20,8 @@ void add_numbers(Json& datum, const Column& column, const Entry& entry, bool is_
     const std::string& quantity = column.quantities[i];
     datum[is_folded ? quantity
           : i == 0  ? column.name
-                    : column.name + " " + quantity] = known ? Json::parse(entry.digits[i]) : Json();
+                    : column.name + " " + quantity] =
+        known ? Json::parse(without_plus(entry.digits[i])) : Json();
   }
   const std::string of = is_folded ? "" : column.name + " ";
   datum[of + "shown"] = entry.shown;

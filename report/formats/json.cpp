@@ -2,13 +2,16 @@
 #include <nlohmann/json.hpp>
 
 #include "report/formats/formats.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(const std::string& digits) { return digits.empty() ? Json() : Json::parse(digits); }
+Json number(const std::string& digits) {
+  return digits.empty() ? Json() : Json::parse(without_plus(digits));
+}
 
 Json json_of(const Column& column, const Entry& entry) {
   if (column.quantities.empty())

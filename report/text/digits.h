@@ -32,6 +32,11 @@ std::string write_shortest(double value);
 /// Returns the number that a text is, all of it; nothing when it is none.
 std::optional<double> read_number(std::string_view text);
 
+/// Returns digits as JSON writes them: without a plus sign.
+inline std::string_view without_plus(std::string_view digits) {
+  return digits.substr(digits.starts_with('+') ? 1 : 0);
+}
+
 inline std::string write_fixed(double value, int decimals) {
   return write(value, {false, decimals});
 }

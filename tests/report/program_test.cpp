@@ -63,6 +63,20 @@ TEST_F(Program, PrintsForProgramsNothingButWhatTheyRead) {
   EXPECT_TRUE(table["rows"][0]["TS-G_klu"]["seconds"].is_number()) << table;
 }
 
+// A rise has a plus sign, which JSON does not know.
+TEST_F(Program, PrintsARiseAsANumber) {
+  const fs::path history = folder_ / "history.json";
+  std::ofstream(history) << R"({"schema": 1, "cells": ["a"], "points": [
+    {"commit": "1", "date": "2026-01-01", "subject": "s", "compiler": "c", "instructions": [1000]},
+    {"commit": "2", "date": "2026-01-02", "subject": "s", "compiler": "c", "instructions": [1030]}
+    ]})";
+  const std::string with_history = "--history " + history.string();
+  ASSERT_EQ(tables("complete.json", with_history + " --table history_moves --format json"), 0);
+  const Json row = Json::parse(out_)["sections"][0]["tables"][0]["rows"][0];
+  EXPECT_EQ(row["change"]["percent"], 3.0);
+  EXPECT_EQ(tables("complete.json", with_history + " --out " + (folder_ / "out").string()), 0);
+}
+
 TEST_F(Program, TellsItsVersion) {
   EXPECT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " --version"), 0);
   EXPECT_TRUE(out_.starts_with("desmo_report 0.")) << out_;

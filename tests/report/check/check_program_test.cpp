@@ -1,4 +1,5 @@
 // desmo_report check as bench/check runs it: exit codes and messages.
+#include <algorithm>
 #include <fstream>
 
 #include "tests/report/check/check_sample.h"
@@ -36,6 +37,17 @@ TEST_F(CheckProgram, NamesWhatHasBecomeSlowerInMarkdownToo) {
   EXPECT_EQ(check(json.dump(), "--format markdown"), 1);
   EXPECT_NE(out_.find("Slower: truck\\_suspension/114/group\\_symbolic\\_klu."), std::string::npos)
       << out_;
+}
+
+TEST_F(CheckProgram, PrintsARiseAsANumber) {
+  Json json = check_sample();
+  slow_down(json, watched, 1.1);
+  EXPECT_EQ(check(json.dump(), "--format json"), 3);
+  double largest = 0;
+  const Json report = Json::parse(out_);
+  for (const Json& row : report["sections"][0]["tables"][0]["rows"])
+    largest = std::max(largest, row["change"]["percent"].get<double>());
+  EXPECT_NEAR(largest, 10, 1);
 }
 
 TEST_F(CheckProgram, WrongNumerics) {
