@@ -1,4 +1,5 @@
 // What a user would pick instead: peers next to the formulations that start from the same guess.
+#include <algorithm>
 #include <map>
 
 #include "report/tables/entries.h"
@@ -33,6 +34,38 @@ Ours ours_with(const Record& record, const Peer& peer) {
   return ours;
 }
 
+/// How many times as long as ours a peer takes.
+struct TimesOurs {
+  std::string peer;
+  SpeedUp times;
+};
+
+using PeersByGuess = std::map<std::pair<std::int64_t, std::string>, std::vector<const Peer*>>;
+
+/// Says which peer is fastest, and which slowest, at a case's largest size where any has a ratio.
+std::string found(const Record& record, const std::string& case_name, const PeersByGuess& all) {
+  std::int64_t size = 0;
+  std::vector<TimesOurs> ratios;
+  for (const auto& [place, peers] : all)  // sizes ascend
+    for (const Peer* peer : peers) {
+      const Measured time = measured(peer->solved);
+      const std::optional<CandidateKey> ours = ours_with(record, *peer).fastest;
+      if (!ours || !time.seconds) continue;
+      if (place.first > size) ratios.clear();
+      size = place.first;
+      ratios.push_back({peer->name, speed_up(*time.seconds, *measured(record, *ours).seconds)});
+    }
+  if (ratios.empty()) return sentence("peers.none");
+  const auto [fastest, slowest] =
+      std::ranges::minmax(ratios, {}, [](const TimesOurs& ratio) { return ratio.times.value; });
+  TextValues words{{"case", case_name},       {"coordinates", size},
+                   {"fastest", fastest.peer}, {"least", ratio_text(fastest.times)},
+                   {"slowest", slowest.peer}, {"most", ratio_text(slowest.times)}};
+  words.emplace_back("slowest_too",
+                     fastest.peer == slowest.peer ? "" : sentence("peers.slowest_too", words));
+  return sentence("peers.found", words);
+}
+
 /// How many times as long as ours: "6.10 [5.90, 6.32]", quantities {ratio, low, high}.
 Entry times_ours(const Record& record, const std::optional<CandidateKey>& ours,
                  const CandidateKey& key, const Measured& time) {
@@ -63,7 +96,6 @@ void add_solver(Table& table, const Record& record, const Ours& ours, const Cand
 Section peers(const Record& record) {
   Section section = headed_section("peers");
   std::map<std::string, std::string> methods;
-  using PeersByGuess = std::map<std::pair<std::int64_t, std::string>, std::vector<const Peer*>>;
   std::map<std::string, PeersByGuess> cases;
   for (const Peer& peer : record.peers) {
     methods[peer.name] = sentence("peers.method", {{"peer", peer.name},
@@ -72,6 +104,8 @@ Section peers(const Record& record) {
                                                    {"method", peer.method}});
     cases[peer.case_name][{peer.coordinates, peer.guess}].push_back(&peer);
   }
+  if (cases.empty()) return section;
+  section.paragraphs = {found(record, cases.rbegin()->first, cases.rbegin()->second)};
   for (const auto& [name, method] : methods) section.definitions.push_back(method);
   for (const auto& [name, places] : cases) {
     Table table = headed_table("peers_case", timed_words(record, {{"case", name}}));

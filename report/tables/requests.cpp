@@ -36,6 +36,28 @@ std::vector<Entry> row_of(const Record& record, const MeasuredRequest& like,
           solved ? remark(*solved) : ""};
 }
 
+/// Says by how much a request is cheaper than everything: the least, the most, and which gains
+/// most.
+std::string found(const Record& record, const std::vector<const MeasuredRequest*>& asked) {
+  std::optional<SpeedUp> least, most;
+  const MeasuredRequest* best = nullptr;
+  for (const MeasuredRequest* request : asked) {
+    const auto ratio =
+        measured_speed_up(measured(record, request->key), measured(request->solved)).speed_up;
+    if (!ratio) continue;
+    if (!least || ratio->value < least->value) least = ratio;
+    if (!most || ratio->value > most->value) most = ratio, best = request;
+  }
+  if (!best) return sentence("requests.none");
+  const std::string from = ratio_text(*least), to = ratio_text(*most);
+  return sentence("requests.found", {{"case", best->key.case_name},
+                                     {"coordinates", best->key.coordinates},
+                                     {"times", from == to ? to : from + " to " + to},
+                                     {"request", best->title},
+                                     {"solved", best->unknowns},
+                                     {"all", best->all_unknowns}});
+}
+
 }  // namespace
 
 Section requests(const Record& record) {
@@ -43,6 +65,7 @@ Section requests(const Record& record) {
   std::map<std::pair<std::string, std::int64_t>, std::vector<const MeasuredRequest*>> places;
   for (const MeasuredRequest& request : record.requests)
     places[{request.key.case_name, request.key.coordinates}].push_back(&request);
+  if (!places.empty()) section.paragraphs = {found(record, places.rbegin()->second)};
   for (const auto& [place, asked] : places) {
     Table table =
         headed_table("requests_case",

@@ -74,6 +74,24 @@ TEST(Peers, AreMeasuredAgainstOursWithTheSameGuess) {
   EXPECT_EQ(entry_at(table, fastest, "times ours, fastest").shown, "1.00 reference");
 }
 
+TEST(Peers, BeginWithTheFastestAndTheSlowest) {
+  Json json = peers_record();
+  const auto found = [&] { return peers(record_from(json)).paragraphs; };
+  EXPECT_EQ(found(), (std::vector<std::string>{
+                         "On truck_suspension with 114 coordinates, from the same guess, the "
+                         "fastest peer (quick) takes 0.5 times as long as our fastest formulation, "
+                         "the slowest (slow) 200 times."}));
+  json["paper"]["peers"].erase(1);
+  EXPECT_TRUE(found().at(0).ends_with(
+      "the fastest peer (slow) takes 200 times as long as our fastest formulation."))
+      << found().at(0);
+  json["paper"]["peers"][0]["guess"] = "previous";
+  EXPECT_EQ(found(), (std::vector<std::string>{
+                         "No peer has a time next to a formulation of ours with the same guess."}));
+  json["paper"].erase("peers");
+  EXPECT_TRUE(found().empty());
+}
+
 TEST(Peers, OfWhichTooLittleIsKnownAreInconclusive) {
   Json json = peers_record();
   json["paper"]["peers"][0]["time"]["seconds"] = {0.5, 0.6, 0.7};
