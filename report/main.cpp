@@ -80,7 +80,7 @@ ExitCode tables(const TablesCommand& command) {
     beside.push_back(&others.emplace_back(read_record(file)));
   Document document = make_report(record, beside);
   if (!command.history.empty()) {
-    document.sections.push_back(history_section(read_history(command.history)));
+    document.add(history_section(read_history(command.history)));
     document.sections.back().chapter = document.sections.back().title;
   }
   if (!command.tables.empty()) document = with_tables(std::move(document), command.tables);

@@ -13,18 +13,15 @@ namespace {
 std::vector<Section> paper_sections(const Record& record) {
   Section times = headed_section("times");
   times.tables = {figure_of_times(record)};
-  std::vector<Section> sections{answer(record), paper_tables(record)};
-  const auto add = [&sections](Section section) {
-    if (!section.tables.empty()) sections.push_back(std::move(section));
-  };
-  add(every_formulation(record));
-  add(std::move(times));
-  add(threads(record));
-  add(requests(record));
-  add(checks(record));
-  if (!record.peers.empty()) add(peers(record));
-  if (!record.profiles.empty()) add({sentence("time_split.section"), {}, {time_split(record)}});
-  return sections;
+  return {answer(record),
+          paper_tables(record),
+          every_formulation(record),
+          std::move(times),
+          threads(record),
+          requests(record),
+          checks(record),
+          peers(record),
+          {sentence("time_split.section"), {}, {time_split(record)}}};
 }
 
 /// Returns the sections of an experiment, the one in front first. Its name and title are those of
@@ -55,7 +52,7 @@ Document make_report(const Record& record, const std::vector<const Record*>& bes
   Document document{.title = {}, .sections = {}};
   const auto add = [&document](Section section, const std::string& chapter) {
     section.chapter = chapter;
-    document.sections.push_back(std::move(section));
+    document.add(std::move(section));
   };
   for (const auto& [name, sections_of_record] : sections_of) {
     if (!std::ranges::find(experiments, name, &Experiment::name)->is_in(record)) continue;
@@ -74,8 +71,7 @@ Document make_report(const Record& record, const std::vector<const Record*>& bes
   measured.tables = {provenance(record)};
   add(std::move(measured), about);
   add(limitations(record), about);
-  if (const auto lines = failures(record); !lines.empty())
-    add({headed_section("failures").title, lines, {}}, about);
+  add({headed_section("failures").title, failures(record), {}}, about);
   return document;
 }
 

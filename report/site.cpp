@@ -37,7 +37,8 @@ std::vector<SitePage> make_site(const std::filesystem::path& results) {
     add({name, {}, record.machine.cpu, record.date.substr(0, 10), {}}, make_report(record, all));
   if (exists(history_file)) {
     const History history = read_history(history_file);
-    Document document{sentence("history_section.document"), {history_section(history)}};
+    Document document{sentence("history_section.document"), {}};
+    document.add(history_section(history));
     document.sections.front().front = true;
     const std::string date = history.points.empty() ? "" : history.points.back().date;
     add({"history", {}, {}, date.substr(0, 10), {}}, std::move(document));

@@ -104,11 +104,16 @@ std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view 
   return {sizes.begin(), sizes.end()};
 }
 
-std::vector<std::string_view> recorded_families(const Record& record) {
+std::vector<std::string_view> recorded_families(const Record& record, std::string_view case_name) {
   std::vector<std::string_view> families;
   for (const std::string_view family : sparse_families)
-    if (std::any_of(record.candidates.begin(), record.candidates.end(), [&](const auto& candidate) {
-          return without_settings(candidate.first.id).ends_with("_" + std::string(family));
+    if (std::ranges::any_of(record.candidates, [&](const auto& candidate) {
+          const CandidateKey& key = candidate.first;
+          return std::ranges::any_of(variants, [&](const Variant& variant) {
+            return variant.id.ends_with("<sparse>") &&
+                   (case_name.empty() || variant.case_name == case_name) &&
+                   key == family_key(variant, key.coordinates, family);
+          });
         }))
       families.push_back(family);
   return families;

@@ -76,9 +76,11 @@ std::optional<CandidateKey> reference_like(const Record& record, const Candidate
 /// Sizes recorded for a case, in whatever state, ascending.
 std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name);
 
-/// The sparse families that the record has a candidate of, in whatever state: a build without a
-/// backend has none of it, and no table shows it.
-std::vector<std::string_view> recorded_families(const Record& record);
+/// The sparse families that the record has one of the paper's variants of, in whatever state: of a
+/// case, or (empty) of any. No table shows a family of which the record has none, as of a build
+/// without its solver or of a scene of the user's own.
+std::vector<std::string_view> recorded_families(const Record& record,
+                                                std::string_view case_name = {});
 
 /// Returns the cases recorded, in whatever state.
 std::set<std::string> recorded_cases(const Record& record);

@@ -37,7 +37,8 @@ inline constexpr std::array<Variant, 7> variants{
      {"TS-TPS_MA27", "truck_suspension", "group_symbolic_<sparse>"},
      {"TS-TPS_LAP", "truck_suspension", "group_symbolic_lapack"}}};
 
-inline constexpr std::size_t truck_global = 2;                        ///< reference of table 2
+inline constexpr std::size_t truck_global = 2;  ///< reference of table 2
+inline constexpr std::string_view truck_case = variants[truck_global].case_name;
 inline constexpr std::array<std::size_t, 4> topological{3, 4, 5, 6};  ///< columns of table 2
 
 /// The size at which the paper says that the four-bar's times begin to show.

@@ -162,9 +162,7 @@ std::vector<Section> accuracy_sections(const Record& record) {
   costs.tables = {accuracy_costs(record)};
   reuse.tables = {guesses(record)};
   varied.tables = {sensitivity(record)};
-  std::vector<Section> sections{accuracy_front(record), others, costs, reuse, varied};
-  std::erase_if(sections, [](const Section& section) { return section.tables.empty(); });
-  return sections;
+  return {accuracy_front(record), others, costs, reuse, varied};
 }
 
 }  // namespace desmo::report

@@ -1,6 +1,8 @@
 // The front of the report: what the paper found, what this record says of it, what gains: the best
 // formulations of one thread, held against the global reference like for like.
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "report/statistics/paper.h"
 #include "report/tables/entries.h"
@@ -12,7 +14,12 @@
 namespace desmo::report {
 namespace {
 
-constexpr std::string_view truck_case = variants[truck_global].case_name;
+/// Returns the case that stands last: the truck, where both cases were measured; empty: there is
+/// none.
+std::string case_in_front(const Record& record) {
+  const std::set<std::string> cases = recorded_cases(record);
+  return cases.empty() ? "" : *cases.rbegin();
+}
 
 /// Tells whether a formulation has the paper's algorithm with lanes, with segments, or with neither
 /// (""), and with no other setting but of its iteration.
@@ -29,33 +36,33 @@ bool has_other_iteration(const std::optional<Configuration>& c) {
   return c && c->has_papers_algorithm() && !c->is_papers();
 }
 
-/// The truck's largest size at which an iteration has settings, or the largest of all; 0: none.
+/// The case's largest size at which an iteration has settings, or the largest of all; 0: none.
 std::int64_t size_compared(const Record& record) {
-  const std::vector<std::int64_t> sizes = recorded_sizes(record, truck_case);
+  const std::string name = case_in_front(record);
+  const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
   std::int64_t size = 0;
   for (const auto& [key, candidate] : record.candidates)
-    if (key.case_name == truck_case && has_other_iteration(parse_configuration(key.id)) &&
+    if (key.case_name == name && has_other_iteration(parse_configuration(key.id)) &&
         !is_beside_peers(record, key.id))
       size = std::max(size, key.coordinates);
   return size > 0 || sizes.empty() ? size : sizes.back();
 }
 
 std::optional<CandidateKey> papers_reference(const Record& record) {
-  return papers_reference(record, std::string(truck_case), size_compared(record));
+  return papers_reference(record, case_in_front(record), size_compared(record));
 }
 
 std::optional<CandidateKey> best_reference(const Record& record) {
-  return fastest(record, std::string(truck_case), size_compared(record), is_reference);
+  return fastest(record, case_in_front(record), size_compared(record), is_reference);
 }
 
 /// Finds the fastest by groups or blocks with the guess and the tolerance of a configuration.
 std::optional<CandidateKey> generated_like(const Record& record, const Configuration& like,
                                            std::string_view side_by_side) {
-  return fastest(record, std::string(truck_case), size_compared(record),
-                 [&](const Configuration& c) {
-                   return !c.formulation.starts_with("global_") && c.iterates_like(like) &&
-                          is_side_by_side(c, side_by_side);
-                 });
+  return fastest(record, case_in_front(record), size_compared(record), [&](const Configuration& c) {
+    return !c.formulation.starts_with("global_") && c.iterates_like(like) &&
+           is_side_by_side(c, side_by_side);
+  });
 }
 
 MeasuredSpeedUp over(const Record& record, const std::optional<CandidateKey>& reference,
@@ -75,6 +82,11 @@ void add_row(Table& table, const Record& record, const std::string& what,
                         over_entry(papers_reference(record))});
 }
 
+TextValues words_of(const Record& record) {
+  return timed_words(record,
+                     {{"case", case_in_front(record)}, {"coordinates", size_compared(record)}});
+}
+
 }  // namespace
 
 std::optional<Best> best_generated(const Record& record, std::string_view side_by_side) {
@@ -87,7 +99,7 @@ std::optional<Best> best_generated(const Record& record, std::string_view side_b
 }
 
 Table best_formulations(const Record& record) {
-  Table table = headed_table("best", timed_words(record, {{"coordinates", size_compared(record)}}));
+  Table table = headed_table("best", words_of(record));
   const std::optional<CandidateKey> paper = papers_reference(record), best = best_reference(record);
   add_row(table, record, "global, paper's settings", paper);
   add_row(table, record, "generated elimination, paper's settings", generated_like(record, {}, ""));
@@ -145,28 +157,46 @@ bool shows_the_finding(const Record& record) {
              1.5 * value(*std::ranges::min_element(means, {}, value));
 }
 
-/// Returns how many times as fast the best are, for the texts "answer" and "answer_numbers".
-TextValues what_gains(const Record& record) {
-  const std::optional<Best> scalar = best_generated(record, ""),
-                            lanes = best_generated(record, "lanes"),
-                            segments = best_generated(record, "segments");
-  const auto times = [](const std::optional<Best>& best, MeasuredSpeedUp Best::*ratio) {
-    return best && (*best.*ratio).speed_up ? two_digits((*best.*ratio).speed_up->value)
-                                           : missing_mark;
-  };
-  const auto like = &Best::like_for_like, paper = &Best::papers_settings;
-  return {{"scalar", times(scalar, like)},      {"lanes", times(lanes, like)},
-          {"segments", times(segments, like)},  {"scalar_paper", times(scalar, paper)},
-          {"lanes_paper", times(lanes, paper)}, {"segments_paper", times(segments, paper)}};
+/// "15, 25 and 66"
+std::string in_a_row(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  return text;
 }
 
-/// Returns the repetitions of what has the fewest, of the truck's candidates with a time; 0 where
+/// Returns the values of the texts "answer" and "answer_numbers": how many times as fast the best
+/// are, with a mark for what is missing, which has no clause.
+TextValues what_gains(const Record& record) {
+  TextValues values = words_of(record);
+  std::vector<std::string> over_paper;
+  for (const auto& [way, kind, clause] : {std::array{"scalar", "", ""},
+                                          {"lanes", "lanes", "lanes_too"},
+                                          {"segments", "segments", "segments_too"}}) {
+    const std::optional<Best> best = best_generated(record, kind);
+    const bool is_measured = best && best->like_for_like.speed_up;
+    const TextValue times(
+        way, is_measured ? two_digits(best->like_for_like.speed_up->value) : missing_mark);
+    values.push_back(times);
+    if (*clause)
+      values.emplace_back(clause,
+                          is_measured ? sentence(std::string("answer.") + clause, {times}) : "");
+    if (is_measured && best->papers_settings.speed_up)
+      over_paper.push_back(two_digits(best->papers_settings.speed_up->value));
+  }
+  const TextValue ratios("ratios", in_a_row(over_paper));
+  values.emplace_back("paper_too",
+                      over_paper.empty() ? "" : sentence("answer.paper_too", {ratios}));
+  return values;
+}
+
+/// Returns the repetitions of what has the fewest, of the case's candidates with a time; 0 where
 /// there is none.
 std::size_t least_repetitions(const Record& record) {
+  const std::string name = case_in_front(record);
   std::size_t least = 0;
   for (const auto& [key, candidate] : record.candidates)
-    if (const Measured time = measured(candidate);
-        time.seconds && key.case_name == variants[truck_global].case_name)
+    if (const Measured time = measured(candidate); time.seconds && key.case_name == name)
       least = least == 0 ? time.seconds->count : std::min(least, time.seconds->count);
   return least;
 }
@@ -176,21 +206,30 @@ std::size_t least_repetitions(const Record& record) {
 Section answer(const Record& record) {
   Section section = headed_section("answer");
   section.tables = {figure_of_speed_ups(record), best_formulations(record)};
-  if (least_repetitions(record) >= min_for_interval) {
-    const std::string_view name = variants[papers_best].paper_name;
-    const TextValues gains = what_gains(record);
-    section.paragraphs = {
-        sentence("answer.paper", {{"variant", name},
-                                  {"published", published_speed_up().text("mean", name)},
-                                  {"by_solver", list(complete_means(record))}}),
-        sentence(shows_the_finding(record) ? "answer.finding" : "answer.finding_not_shown"),
-        sentence("answer.gains", gains)};
-    section.numbers = headed_section("answer_numbers", gains).numbers;
+  const auto say = [&](const char* name, const TextValues& values = {}) {
+    section.paragraphs.push_back(sentence(std::string("answer.") + name, values));
+  };
+  const bool is_the_papers = !recorded_families(record, truck_case).empty();
+  const std::size_t repetitions = least_repetitions(record);
+  if (repetitions == 0) {
+    say("nothing_timed");
+  } else if (repetitions < min_for_interval) {
+    say("first_look");
+    if (is_the_papers) say("finding_filed");
   } else {
-    section.paragraphs = {sentence("answer.first_look"), sentence("answer.finding_filed")};
+    if (is_the_papers) {
+      const std::string_view name = variants[papers_best].paper_name;
+      say("paper", {{"variant", name},
+                    {"published", published_speed_up().text("mean", name)},
+                    {"by_solver", list(complete_means(record))}});
+      say(shows_the_finding(record) ? "finding" : "finding_not_shown");
+    }
+    const TextValues gains = what_gains(record);
+    say(best_generated(record, "") ? "gains" : "no_gains", gains);
+    section.numbers = headed_section("answer_numbers", gains).numbers;
   }
   if (const std::size_t count = failures(record).size(); count > 0)
-    section.paragraphs.push_back(sentence("answer.failed", {{"count", count}}));
+    say("failed", {{"count", count}});
   return section;
 }
 

@@ -65,7 +65,7 @@ Section checks(const Record& record) {
                           number_entry(price.step, 2), number_entry(price.share, 2),
                           number_entry(price.start, 2), remark(candidate)});
   }
-  if (!table.rows.empty()) section.tables.push_back(std::move(table));
+  section.tables = {std::move(table)};
   return section;
 }
 

@@ -1,5 +1,7 @@
 // Tables 1 and 2 of the paper, CPU seconds and S = t_global / t_topological, and what figures 5 and
 // 6 show of them: the designs in report/figures draw these numbers.
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "report/statistics/paper.h"
@@ -110,11 +112,9 @@ Table speed_ups(const Record& record, std::string_view family) {
 
 Section paper_tables(const Record& record) {
   Section section = headed_section("paper");
-  const std::vector<std::string_view> families = recorded_families(record);
-  if (families.empty()) section.paragraphs.push_back(sentence("paper.none"));
-  for (const std::string_view family : families)
+  for (const std::string_view family : recorded_families(record, truck_case))
     section.tables.push_back(speed_ups(record, family));
-  for (const std::string_view family : families)
+  for (const std::string_view family : recorded_families(record))
     section.tables.push_back(cpu_times(record, family));
   return section;
 }
@@ -159,16 +159,19 @@ Table figure_of_times(const Record& record) {
   table.notes.push_back(sentence("figure5.lines"));
   for (const Variant& variant : variants)
     table.columns.push_back({legend(variant), {"seconds", "median", "repetitions"}});
-  add_panel(table, same ? paper_solver : "MA27 (the " + source.paper + ")",
-            [](std::int64_t size, const Variant& variant) {
-              return published_seconds_entry(std::to_string(size), variant);
-            });
+  Table ours = table;
   for (const std::string_view family : recorded_families(record))
-    add_panel(table, std::string(family) + (same ? "" : " (" + source.ours + ")"),
+    add_panel(ours, std::string(family) + (same ? "" : " (" + source.ours + ")"),
               [&](std::int64_t size, const Variant& variant) {
                 return seconds_entry(measured(record, family_key(variant, size, family)),
                                      Spread::median);
               });
+  if (!ours.has_marks()) return table;  // the paper's times alone say nothing of the record
+  add_panel(table, same ? paper_solver : "MA27 (the " + source.paper + ")",
+            [](std::int64_t size, const Variant& variant) {
+              return published_seconds_entry(std::to_string(size), variant);
+            });
+  std::ranges::move(ours.rows, std::back_inserter(table.rows));
   return table;
 }
 
@@ -178,12 +181,19 @@ Table figure_of_speed_ups(const Record& record) {
     table.notes.push_back(table.caption = source.ratio_warning);
   const std::vector<std::string> quantities{"speed_up", "low", "high"};
   table.columns.push_back({paper_solver, quantities});
-  for (const std::string_view family : recorded_families(record))
+  std::vector<std::string_view> families = recorded_families(record, truck_case);
+  std::erase_if(families, [&](std::string_view family) {
+    return std::ranges::none_of(topological, [&](std::size_t variant) {
+      return mean_speed_up_entry(record, family, variant).has_number();
+    });
+  });
+  if (families.empty()) return table;  // the paper's speed-ups alone say nothing of the record
+  for (const std::string_view family : families)
     table.columns.push_back({std::string(family), quantities});
   for (const std::size_t variant : topological) {
     std::vector<Entry> row{legend(variants[variant]),
                            published_speed_up_entry("mean", variants[variant], false)};
-    for (const std::string_view family : recorded_families(record))
+    for (const std::string_view family : families)
       row.push_back(mean_speed_up_entry(record, family, variant));
     table.rows.push_back(std::move(row));
   }

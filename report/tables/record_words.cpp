@@ -118,17 +118,19 @@ Section limitations(const Record& record) {
   const auto say = [&section](bool holds, const char* name) {
     if (holds) section.paragraphs.push_back(sentence(std::string("limitations.") + name));
   };
-  const bool ma27 = std::ranges::count(recorded_families(record), papers_own) > 0;
-  say(!ma27, "without_ma27");
+  const std::vector<std::string_view> families = recorded_families(record);
+  const bool is_paper = has_paper(record), ma27 = std::ranges::count(families, papers_own) > 0;
+  say(!ma27 && !(is_paper && families.empty()), "without_ma27");
   say(ma27, "with_ma27");
-  for (const char* always : {"truck", "machines"}) say(true, always);
+  say(!is_paper || recorded_cases(record).contains(std::string(truck_case)), "truck");
+  say(true, "machines");
   say(!is_first_look(record), "intervals");
   say(true, "errors");
   say(is_unsteady(record.machine), "unsteady");
   say(record.dirty, "dirty");
   if (std::string note = note_on_version(record.version); !note.empty())
     section.paragraphs.push_back(std::move(note));
-  if (const Sources source = sources(record); has_paper(record) && !source.warning.empty())
+  if (const Sources source = sources(record); !families.empty() && !source.warning.empty())
     section.paragraphs.push_back(source.warning);
   return section;
 }

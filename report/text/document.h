@@ -45,6 +45,9 @@ struct Column {
 };
 
 struct Table {
+  /// Tells whether a figure of the table would have a mark: a number or a verdict of `drawn`.
+  bool has_marks() const;
+
   std::string name;   ///< lower case, unique in the document: the name of the CSV file
   std::string title;  ///< one line
   std::vector<std::string> notes;
@@ -52,7 +55,8 @@ struct Table {
   std::vector<std::vector<Entry>> rows;  ///< one entry per column
   bool detail = false;  ///< left out on the terminal, which says so; folded on the page
   std::string figure =
-      {};  ///< the design drawn from it, as the figure `name`, above it on the page
+      {};                  ///< the design drawn from it, as the figure `name`, above it on the page
+  std::string drawn = {};  ///< the column whose entries are the figure's marks; empty: all numbers
   std::string caption = {};                                ///< of the figure: one sentence
   std::vector<std::pair<std::string, double>> lines = {};  ///< of the figure: names and values
 };
@@ -68,6 +72,10 @@ struct Section {
 };
 
 struct Document {
+  /// Adds a section. Leaves out tables without rows, figures without marks, and a section with
+  /// neither tables nor paragraphs.
+  void add(Section section);
+
   std::string title;
   std::vector<Section> sections;
   std::string home = {};  ///< address of the site's index; empty: the page stands alone

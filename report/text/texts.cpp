@@ -84,6 +84,7 @@ Table headed_table(std::string_view block, const TextValues& values) {
     if (word == "caption") table.caption = filled(text, values);
     if (word == "column") table.columns.push_back(parse_column(filled(text, values)));
     if (word == "detail") table.detail = true;
+    if (word == "drawn") table.drawn = text;
     if (word == "figure") table.figure = text.empty() ? std::string(block) : text;
   }
   return table;

@@ -170,16 +170,10 @@ class PageInBrowser : public Program {
 
 // What the hover of each mark says: the entries that a figure draws, as the tables print them.
 std::vector<std::string> drawn(const Table& table) {
-  const std::map<std::string, std::string> columns{{"ladder", "µs/step"},
-                                                   {"machines", "B"},
-                                                   {"peers", "µs/step"},
-                                                   {"requests", "times cheaper"},
-                                                   {"work_precision", "µs/step"}};
-  const auto column = columns.find(table.figure);
   std::vector<std::string> texts;
   for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i)
-      if (column == columns.end() || column->second == table.columns[i].name) {
+      if (table.drawn.empty() || table.drawn == table.columns[i].name) {
         if (table.columns[i].quantities.empty()) continue;  // a size is no mark
         if (table.figure == "requests" && row[i].note == "reference") continue;
         if (row[i].has_number())

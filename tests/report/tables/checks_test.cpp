@@ -45,7 +45,8 @@ TEST(Checks, CostAStepAndTheStart) {
 }
 
 TEST(Checks, HaveNoTableWhereNoRunWasChecked) {
-  EXPECT_TRUE(checks(record_from(complete_record())).tables.empty());
+  const Document document = make_report(record_from(complete_record()));
+  EXPECT_THROW(table_named(document, "checks"), std::runtime_error);
 }
 
 TEST(Checks, WithoutABareRunHaveAMark) {

@@ -1,0 +1,26 @@
+#include "report/text/document.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace desmo::report {
+
+// What stands in place of a number has no digits; the reference is drawn as a line, if at all.
+bool Table::has_marks() const {
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (!columns[i].quantities.empty() && (drawn.empty() || columns[i].name == drawn) &&
+          !row[i].digits.empty() && row[i].note != "reference")
+        return true;
+  return false;
+}
+
+void Document::add(Section section) {
+  std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
+  for (Table& table : section.tables)
+    if (!table.has_marks()) table.figure.clear();
+  if (!section.tables.empty() || !section.paragraphs.empty())
+    sections.push_back(std::move(section));
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,121 @@
+// The record of a scene of the user's own: nothing is shown of mechanisms that it does not hold;
+// and no record gives a table without rows or a figure without marks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/formats/formats.h"
+#include "report/read/record_file.h"
+#include "report/report.h"
+#include "report/tables/tables.h"
+#include "tests/report/points_sample.h"
+#include "tests/report/sample.h"
+#include "tests/report/size_sample.h"
+
+namespace desmo::report::own_scene_test {
+namespace {
+
+/// The truck's largest size under another name.
+Json scene_record() {
+  Json json = complete_record(), kept = Json::array();
+  for (Json& candidate : json["paper"]["cells"])
+    if (candidate["case"] == truck && candidate["coordinates"] == 558) {
+      candidate["case"] = "slider_crank";
+      candidate["coordinates"] = 9;
+      kept.push_back(candidate);
+    }
+  json["paper"] = {{"cells", kept}};
+  return json;
+}
+
+TEST(OwnScene, ShowsNothingOfOtherMechanisms) {
+  for (const std::size_t repetitions : {2, 3}) {
+    Json json = scene_record();
+    for (Json& candidate : json["paper"]["cells"]) {
+      if (!candidate.contains("time")) continue;
+      Json& seconds = candidate["time"]["seconds"];
+      seconds.erase(seconds.begin() + static_cast<std::ptrdiff_t>(repetitions), seconds.end());
+    }
+    const Document document = make_report(record_from(json));
+    const std::string text = to_markdown(document);
+    for (const char* absent : {"truck", "four\\_bar", "MA27", "The filed records"})
+      EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in " << text;
+    EXPECT_TRUE(document.sections.front().front);
+    EXPECT_EQ(table_named(document, "best").title,
+              "One thread over the best global reference: slider_crank, 9 coordinates");
+    EXPECT_EQ(table_named(document, "best").rows.size(), 2u);
+    EXPECT_FALSE(table_named(document, "formulations_slider_crank_9").rows.empty());
+  }
+}
+
+TEST(OwnScene, BeginsWithWhatGains) {
+  EXPECT_TRUE(answer(record_from(scene_record()))
+                  .paragraphs.at(0)
+                  .starts_with("On one thread, a generated elimination of slider_crank with 9 "
+                               "coordinates is "));
+}
+
+TEST(OwnScene, WithoutAnyTimeSaysSo) {
+  Json json = scene_record();
+  for (Json& candidate : json["paper"]["cells"]) {
+    candidate["status"] = "failed";
+    candidate["message"] = "wrong by design";
+  }
+  const Document document = make_report(record_from(json));
+  EXPECT_EQ(document.sections.front().paragraphs.at(0),
+            "No formulation that solves everything has a time on one thread.");
+  EXPECT_TRUE(document.sections.front().tables.empty());
+  EXPECT_EQ(table_named(document, "formulations_slider_crank_9").figure, "");
+}
+
+TEST(Report, HasNoTableWithoutRowsAndNoFigureWithoutMarks) {
+  std::vector<Record> records;
+  for (const auto& file : std::filesystem::directory_iterator(DESMO_SOURCE_DIR "/results/records"))
+    if (file.path().extension() == ".gz") records.push_back(read_record(file.path()));
+  for (const Json& json :
+       {complete_record(), structured_record(), points_record(), sizes_record(), scene_record()})
+    records.push_back(record_from(json));
+  std::size_t figures = 0;
+  for (const Record& record : records)
+    for (const Section& section : make_report(record).sections) {
+      EXPECT_TRUE(!section.tables.empty() || !section.paragraphs.empty()) << section.title;
+      for (const Table& table : section.tables) {
+        EXPECT_FALSE(table.rows.empty()) << table.name;
+        const bool is_known = table.drawn.empty() ||
+                              std::ranges::count(table.columns, table.drawn, &Column::name) == 1;
+        EXPECT_TRUE(is_known) << table.name << ": " << table.drawn;
+        figures += !table.figure.empty();
+        EXPECT_TRUE(table.figure.empty() || table.has_marks()) << table.name;
+      }
+    }
+  EXPECT_GT(figures, 20u);
+}
+
+TEST(Document, LeavesOutTablesWithoutRowsAndFiguresWithoutMarks) {
+  Table table{.name = "t",
+              .title = "T",
+              .notes = {},
+              .columns = {{"id", {}}, {"time", {"seconds"}}, {"error", {"error"}}},
+              .rows = {{"a", note_entry(failed_mark), {"1", {"1"}, {}}}}};
+  table.figure = "peers";
+  Table empty = table;
+  empty.rows.clear();
+  Document document{"D", {}};
+  document.add({"S", {}, {empty, table}});
+  document.add({"E", {}, {empty}});
+  ASSERT_EQ(document.sections.size(), 1u);
+  ASSERT_EQ(document.sections[0].tables.size(), 1u);
+  EXPECT_EQ(document.sections[0].tables[0].figure, "peers");
+  table.drawn = "time";
+  document.add({"S", {}, {table}});
+  EXPECT_EQ(document.sections[1].tables[0].figure, "");
+  table.rows.push_back({"b", {"1.00 reference", {"1.00"}, "reference"}, "—"});
+  document.add({"S", {}, {table}});
+  EXPECT_EQ(document.sections[2].tables[0].figure, "");
+  table.rows.push_back({"c", {"2.0", {"2.0"}, {}}, "—"});
+  document.add({"S", {}, {table}});
+  EXPECT_EQ(document.sections[3].tables[0].figure, "peers");
+}
+
+}  // namespace
+}  // namespace desmo::report::own_scene_test
