@@ -87,13 +87,7 @@ std::vector<Pending> pending(const CheckOutcome& found) {
 
 namespace {
 
-/// To the tenth; rounded to nothing, it has no sign.
-std::string signed_percent(double percent) {
-  const std::string digits = write_fixed(percent, 1);
-  return (percent > 0 && digits != "0.0" ? "+" : "") + digits;
-}
-
-std::string percent_of(double ratio) { return signed_percent(100 * (ratio - 1)); }
+std::string percent_of(double ratio) { return write_change(100 * (ratio - 1)); }
 
 Entry change_entry(const std::optional<Change>& c) {
   if (!c) return {missing_mark, {"", "", ""}, missing_mark};
@@ -126,7 +120,7 @@ Table work_table(const WorkFindings& work, const Work& counted) {
       "work",
       {{"steps", counted.steps}, {"iterations", counted.iterations}, {"tool", counted.tool}});
   for (const WorkFinding& f : work.candidates) {
-    const std::string percent = signed_percent(f.percent);
+    const std::string percent = write_change(f.percent);
     table.rows.push_back({f.candidate,
                           digits_entry(std::to_string(f.base)),
                           digits_entry(std::to_string(f.head)),

@@ -76,9 +76,7 @@ namespace {
 
 constexpr double marked = 0.02;  // change of a cell from which on a commit is named
 
-std::string percent_of(double change) {
-  return (change > 0 ? "+" : "") + write_fixed(100 * change, 1);
-}
+std::string percent_of(double change) { return write_change(100 * change); }
 
 }  // namespace
 

@@ -41,6 +41,11 @@ std::string write_order(double value) {
   return write(rounded, significant_digits(rounded, 1));
 }
 
+std::string write_change(double percent) {
+  const std::string digits = write_fixed(percent, 1);
+  return (percent > 0 && digits != "0.0" ? "+" : "") + digits;
+}
+
 std::string write_shortest(double value) {
   std::array<char, 32> buffer;
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};

@@ -32,6 +32,9 @@ std::string write_shortest(double value);
 /// Returns the number that a text is, all of it; nothing when it is none.
 std::optional<double> read_number(std::string_view text);
 
+/// Returns a change [%] to the tenth with its sign; rounded to nothing, it has none.
+std::string write_change(double percent);
+
 /// Returns digits as JSON writes them: without a plus sign.
 inline std::string_view without_plus(std::string_view digits) {
   return digits.substr(digits.starts_with('+') ? 1 : 0);

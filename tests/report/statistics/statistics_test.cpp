@@ -180,6 +180,13 @@ TEST(Digits, RatiosAndNegativeZero) {
   EXPECT_EQ(write_shortest(1e-10), "1e-10");
 }
 
+TEST(Digits, ChangesHaveASign) {
+  EXPECT_EQ(write_change(2.34), "+2.3");
+  EXPECT_EQ(write_change(-0.06), "-0.1");
+  for (const double nothing : {0.04, 0.0, -0.04}) EXPECT_EQ(write_change(nothing), "0.0");
+  EXPECT_EQ(without_plus(write_change(2.34)), "2.3");
+}
+
 TEST(Digits, DoNotFollowTheLocale) {
   if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no locale with a decimal comma";
   EXPECT_EQ(write_fixed(1.5, 1), "1.5");
