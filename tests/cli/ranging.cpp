@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "tests/cli/program.h"
 
@@ -30,7 +32,7 @@ TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
   EXPECT_NEAR(up["value"].get<double>(), std::asin(0.6), 1e-13);
   EXPECT_GT(up["beyond"], up["value"]);
   EXPECT_NEAR(up["beyond"].get<double>(), std::asin(0.6), 1e-12);
-  EXPECT_EQ(up["group"], "SG-II");
+  EXPECT_EQ(up["groups"], Json({"SG-II"}));
   ASSERT_EQ(desmo("range scene.json --json"), 0) << err_;
   const Json in_degrees = Json::parse(out_)["drivers"][0];
   EXPECT_EQ(in_degrees["unit"], "deg");
@@ -83,6 +85,20 @@ TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
     }
     EXPECT_EQ(driver["change_points"].size(), is_signed ? 2u : 0u);  // one on each branch
   }
+}
+
+TEST_F(Cli, NamesAllLoopsThatLockAtOnce) {
+  const std::string scene = DESMO_SOURCE_DIR "/tests/range/scenes/delta_platform_driven.json";
+  ASSERT_EQ(desmo("range " + scene), 0) << err_;
+  EXPECT_TRUE(prints("  down  -0.887411967465 m: locks, to ")) << out_;
+  EXPECT_TRUE(prints("  up    -0.259807621135 m: locks, to ")) << out_;
+  EXPECT_FALSE(prints("no position was found")) << out_;
+  ASSERT_EQ(desmo("range --json " + scene), 0) << err_;
+  const auto joints = Json::parse(out_)["drivers"][2]["ends"][1]["joints"];
+  EXPECT_EQ(joints.get<std::vector<std::string>>(),
+            (std::vector<std::string>{"spherical/arm1/rod1l", "spherical/arm1/rod1r",
+                                      "spherical/arm2/rod2l", "spherical/arm2/rod2r",
+                                      "spherical/arm3/rod3l", "spherical/arm3/rod3r"}));
 }
 
 TEST_F(Cli, RangesNeedAStart) {

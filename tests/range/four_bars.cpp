@@ -58,7 +58,8 @@ TEST(FourBarRange, EndsWhereCouplerAndRockerComeIntoLine) {
     EXPECT_LT(r.up.beyond, limit + 1e-12);
     ASSERT_FALSE(r.up.moving.empty());
     EXPECT_EQ(m.entities[r.up.moving[0]].name, "0dyad1/C");
-    EXPECT_EQ(m.groups[r.up.group].bodies,
+    ASSERT_EQ(r.up.groups.size(), 1u);
+    EXPECT_EQ(m.groups[r.up.groups[0]].bodies,
               (std::vector<std::string>{"0dyad1/coupler", "0dyad1/rocker"}));
     EXPECT_TRUE(r.change_points.empty());
   }
@@ -87,7 +88,7 @@ TEST(FourBarRange, PassesTheChangePointsOfAParallelogram) {
 }
 
 TEST(FourBarRange, IsNeverThatOfTheOtherBranchNextToAChangePoint) {
-  for (const double off : {1e-2, 1e-4, 1e-6, 1e-8}) {
+  for (const double off : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     const Links longer{1, 2 + off, 1, 2}, shorter{1, 2 - off, 1, 2};
     const DriverRange in = range_of(four_bar(longer, 1)), out = range_of(four_bar(shorter, 1));
     const double inner = longer.angle_at(longer.coupler - 1),

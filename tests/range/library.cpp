@@ -119,7 +119,7 @@ TEST_P(Locks, AreWhereQuadruplePrecisionEnds) {
       EXPECT_LT(std::abs(limit - distance), 1e-9 * scale);
       EXPECT_GE(direction * (end->beyond - r.start), limit - 1e-15);
       EXPECT_LT(std::abs(end->beyond - end->value), 1e-9 * scale);
-      EXPECT_GE(end->group, 0);
+      EXPECT_EQ(end->groups.size(), 1u);
       EXPECT_FALSE(end->moving.empty());
       EXPECT_FALSE(end->constraints.empty());
       char figures[80];
@@ -179,8 +179,9 @@ TEST(LibraryRange, OfAnAxleIsTheSameInTheWholeTruck) {
     const DriverRange r = find_range(truck, q, d);
     EXPECT_NEAR(r.down.value, axle.ranges[d].down.value, 1e-10);
     EXPECT_NEAR(r.up.value, axle.ranges[d].up.value, 1e-10);
-    EXPECT_EQ(truck.groups[r.up.group].name,
-              "axle1/" + axle.m.groups[axle.ranges[d].up.group].name);
+    ASSERT_EQ(r.up.groups.size(), 1u);
+    EXPECT_EQ(truck.groups[r.up.groups[0]].name,
+              "axle1/" + axle.m.groups[axle.ranges[d].up.groups.at(0)].name);
   }
 }
 
@@ -216,6 +217,33 @@ TEST(RedundantRange, KeepsToTheBranchOnWhichAllEquationsHold) {
   const DriverRange b = find_range(bricard, solved_start(bricard), 0);
   EXPECT_NEAR(b.down.value, -pi / 6, 1e-9);
   EXPECT_NEAR(b.up.value, 7 * pi / 6, 1e-9);
+  for (const RangeEnd* end : {&b.down, &b.up}) {  // where its equations are dependent, all of them
+    EXPECT_EQ(end->stop, RangeStop::dead_point);
+    EXPECT_FALSE(end->moving.empty());
+    EXPECT_LT(std::abs(end->beyond - end->value), 1e-9);
+  }
+}
+
+/// Two belts whose rods are a quarter turn apart: where one is in line, the other is not. Modelling
+/// keeps the equations of one.
+TEST(RedundantRange, HasNoSingularPositionWhereOtherEquationsAreIndependent) {
+  const Model m =
+      make_model(read_scene(DESMO_SOURCE_DIR "/tests/range/scenes/quartered_rods.json"));
+  const DriverRange r = find_range(m, solved_start(m), 0);
+  for (const RangeEnd* end : {&r.down, &r.up}) {
+    EXPECT_EQ(end->stop, RangeStop::full_turn);
+    EXPECT_EQ(end->turns, 1);
+  }
+  EXPECT_TRUE(r.change_points.empty());
+}
+
+TEST(RedundantRange, StartsWhereOnlyTheEquationsKeptAreDependent) {
+  const Model m =
+      make_model(read_scene(DESMO_SOURCE_DIR "/tests/checked/scenes/bennett_folded_start.json"));
+  const DriverRange r = find_range(m, solved_start(m), 0);
+  EXPECT_EQ(r.up.stop, RangeStop::full_turn);
+  EXPECT_EQ(r.up.turns, 1);
+  EXPECT_TRUE(r.change_points.empty());
 }
 
 }  // namespace

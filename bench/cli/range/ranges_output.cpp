@@ -65,7 +65,7 @@ std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
   std::string text = "  " + e.direction + std::string(6 - e.direction.size(), ' ') +
                      quantity(e.end.value, r.unit) + ": " + sentence(e, r) + "\n";
   if (e.end.stop != RangeStop::dead_point) return text;
-  text += detail("group", group_and_bodies(e.end.group, m));
+  for (const GroupId g : e.end.groups) text += detail("group", group_and_bodies(g, m));
   text += detail("moves", enumerate(e.moving, 8) + ", while all drivers rest");
   if (!e.joints.empty()) text += detail("joints", enumerate(e.joints, 8));
   return text + detail("loop", enumerate(e.bodies, 12));
@@ -78,7 +78,9 @@ Json end_json(const NamedEnd& e, const DisplayUnit& unit, const Model& m) {
             {"beyond", unit.from_si(e.end.beyond)}};
   if (e.end.stop == RangeStop::full_turn) j["turns"] = e.end.turns;
   if (e.end.stop != RangeStop::dead_point) return j;
-  j.update({{"group", e.end.group < 0 ? Json() : Json(m.groups[e.end.group].name)},
+  Json groups = Json::array();
+  for (const GroupId g : e.end.groups) groups.push_back(m.groups[g].name);
+  j.update({{"groups", groups},
             {"moving", e.moving},
             {"joints", e.joints},
             {"loop", e.bodies},

@@ -3,22 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "formulations/verification/range/driver_sweep.h"
+#include "formulations/verification/run/chosen_equations.h"
 
 namespace desmo {
 
-DriverRange find_range(const Model& m, std::span<const double> q, int driver) {
-  if (std::ssize(q) != m.coordinates())
+DriverRange find_range(const Model& model, std::span<const double> q, int driver) {
+  if (std::ssize(q) != model.coordinates())
     throw std::invalid_argument("find_range: q has " + std::to_string(q.size()) +
-                                " values; the model has " + std::to_string(m.coordinates()) +
+                                " values; the model has " + std::to_string(model.coordinates()) +
                                 " coordinates");
-  if (driver < 0 || driver >= m.degrees_of_freedom())
+  if (driver < 0 || driver >= model.degrees_of_freedom())
     throw std::invalid_argument("find_range: driver " + std::to_string(driver) +
                                 " does not exist; the model has " +
-                                std::to_string(m.degrees_of_freedom()));
+                                std::to_string(model.degrees_of_freedom()));
+  // Those that modelling keeps may be dependent at the start.
+  const std::unique_ptr<const Model> chosen =
+      has_other_equations(model) ? with_chosen_equations(model, q) : nullptr;
+  const Model& m = chosen ? *chosen : model;
   std::vector<double> state(q.begin(), q.end());
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   SolutionCurve curve(m, driver);
@@ -49,7 +55,7 @@ DriverRange find_range(const Model& m, std::span<const double> q, int driver) {
       start && std::abs(curve.value(*start) - range.start) <= DriverSweep::accuracy * curve.scale(),
       "no position was found");
 
-  DriverSweep up(m, curve, driver, *start, 1), down(m, curve, driver, *start, -1);
+  DriverSweep up(m, driver, *start, 1), down(m, driver, *start, -1);
   range.up = up.run();
   if (range.up.stop == RangeStop::full_turn) {
     range.down = range.up;

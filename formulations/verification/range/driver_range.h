@@ -27,7 +27,7 @@ struct RangeEnd {
   /// Value next to it without a position on this branch; equal to it where nothing locks.
   double beyond = 0;
   int turns = 0;                   ///< full_turn: turns until the mechanism is back, 1 or 2
-  GroupId group = no_position;     ///< dead_point: group that locks
+  std::vector<GroupId> groups{};   ///< dead_point: groups that lock, several where all do at once
   std::vector<EntityId> moving{};  ///< dead_point: what can still move while all drivers rest
   std::vector<int> constraints{};  ///< dead_point: those that hold the driver, by force
 };
@@ -57,7 +57,8 @@ struct DriverRange {
 /// curve, between which the driver turns back: `value` and `beyond` differ by less than 1e-9 rad or
 /// characteristic lengths. Change points are found to the same accuracy where they are simple, and
 /// where a determinant has a double root; roots of a higher order without a change of sign are not
-/// noticed.
+/// noticed. Several loops that lock at once are named together. Groups with more equations than
+/// they need are followed by those that are independent there (with_chosen_equations()).
 /// - q: the position, solved or, at a dead point, nearly so (coordinates)
 /// - driver: position in Model::drivers
 ///

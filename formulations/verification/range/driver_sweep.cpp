@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/scaling/characteristic_lengths.h"
 #include "formulations/scaling/scales.h"
+#include "formulations/verification/range/locked_loops.h"
 #include "formulations/verification/range/singular_points.h"
+#include "formulations/verification/run/chosen_equations.h"
 #include "formulations/verification/run/misfit.h"
 
 namespace desmo {
@@ -33,10 +36,33 @@ bool is_positive(const Model& m, EntityId driver) {
 
 }  // namespace
 
+DriverSweep::DriverSweep(const Model& m, int driver, Point start, double direction)
+    : driver_(driver),
+      followed_(std::make_unique<Followed>(m, driver)),
+      start_(std::move(start)),
+      direction_(direction) {}
+
+/// Goes on by other equations of overconstrained groups where those kept become dependent, though
+/// all are not. Returns whether it does; the point is then one of their curve.
+bool DriverSweep::choose_equations(Point& point) {
+  if (!has_other_equations(model())) return false;
+  auto chosen = with_chosen_equations(
+      model(), std::span(point.state).first(static_cast<std::size_t>(model().coordinates())));
+  if (!chosen) return false;
+  auto other = std::make_unique<Followed>(*chosen, driver_);
+  other->own = std::move(chosen);
+  if (other->curve.unknowns() != curve().unknowns()) return false;
+  std::optional<Point> same_point = other->curve.at(point, curve().value(point));
+  if (!same_point) return false;
+  followed_ = std::move(other);
+  point = *std::move(same_point);
+  return true;
+}
+
 /// Returns the signs of the determinants of all blocks; none where one is singular.
 DriverSweep::Signs DriverSweep::signs(const Point& point) {
-  if (!determinants_.evaluate(point.state)) return {};
-  return {determinants_.signs().begin(), determinants_.signs().end()};
+  if (!followed_->determinants.evaluate(point.state)) return {};
+  return {followed_->determinants.signs().begin(), followed_->determinants.signs().end()};
 }
 
 std::vector<int> DriverSweep::changed_blocks(const Signs& before, const Signs& after) const {
@@ -50,20 +76,20 @@ std::vector<int> DriverSweep::changed_blocks(const Signs& before, const Signs& a
 /// where the others allow what it forbids.
 bool DriverSweep::is_violated(const Point& point) const {
   constexpr double max_misfit = 1e-6;  // over the lengths of its points; more than digits of a file
-  const CharacteristicLengths lengths(m_);
-  for (int c = 0; c < static_cast<int>(m_.constraints.size()); ++c) {
-    const Constraint& constraint = m_.constraints[c];
+  const CharacteristicLengths lengths(model());
+  for (int c = 0; c < static_cast<int>(model().constraints.size()); ++c) {
+    const Constraint& constraint = model().constraints[c];
     if (constraint.left_out == 0) continue;
     std::array<double, 3> phi{};
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
       std::array<const double*, Kind::operand_sizes.size()> x;
       for (std::size_t k = 0; k < x.size(); ++k)
-        x[k] = point.state.data() + m_.state_index(constraint.operands[k]);
+        x[k] = point.state.data() + model().state_index(constraint.operands[k]);
       Kind::residual(x.data(), constraint.constants.data(), phi.data());
     });
     for (int row = 0; row < rows(constraint); ++row) {
       if (!(constraint.left_out >> row & 1)) continue;
-      const Misfit misfit = misfit_of(m_, c, row, phi[row], point.state);
+      const Misfit misfit = misfit_of(model(), c, row, phi[row], point.state);
       if (misfit.amount > max_misfit * (misfit.is_length ? lengths.of(constraint) : 1)) return true;
     }
   }
@@ -71,13 +97,13 @@ bool DriverSweep::is_violated(const Point& point) const {
 }
 
 bool DriverSweep::is_start(const Point& point) const {
-  const std::vector<EntityId> owner = entity_of_coordinate(m_);
-  for (std::size_t j = 0; j < curve_.unknowns().size(); ++j) {
-    const int i = curve_.unknowns()[j];
+  const std::vector<EntityId> owner = entity_of_coordinate(model());
+  for (std::size_t j = 0; j < curve().unknowns().size(); ++j) {
+    const int i = curve().unknowns()[j];
     double change = point.state[i] - start_.state[i];
-    if (m_.entities[owner[i]].kind == EntityKind::angle)
+    if (model().entities[owner[i]].kind == EntityKind::angle)
       change = std::remainder(change, 2 * std::numbers::pi);
-    if (!(std::abs(change) <= same * curve_.scale(static_cast<int>(j)))) return false;
+    if (!(std::abs(change) <= same * curve().scale(static_cast<int>(j)))) return false;
   }
   return true;
 }
@@ -86,27 +112,35 @@ bool DriverSweep::is_start(const Point& point) const {
 /// middle, by Simpson's rule, is not forward.
 bool DriverSweep::turns_twice(const Point& from, const Point& to, double length) const {
   const double mean =
-      direction_ * (curve_.value(to) - curve_.value(from)) / curve_.scale() / length;
+      direction_ * (curve().value(to) - curve().value(from)) / curve().scale() / length;
   return forward(from) > 0 && forward(to) > 0 &&
          1.5 * mean - (forward(from) + forward(to)) / 4 <= 0;
 }
 
 RangeEnd DriverSweep::end(RangeStop stop, const Point& point) const {
-  const double value = curve_.value(point);
+  const double value = curve().value(point);
   return {.stop = stop, .value = value, .beyond = value};
+}
+
+/// Returns the end at the last point that is reached: several loops lock there, or nobody knows.
+RangeEnd DriverSweep::stuck_at(const Point& point, const EarlierPoint& far) {
+  if (const std::optional<Point> before = curve().step(far.point, far.arc - locking_arc))
+    if (auto lock = find_joint_lock(model(), curve(), *before, point, direction_, accuracy))
+      return *std::move(lock);
+  return end(RangeStop::not_reached, point);
 }
 
 /// Looks whether a step passes a whole turn, and whether that is the start again.
 std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point& to) {
-  const Entity& driver = m_.entities[driver_];
+  const Entity& driver = model().entities[driven()];
   const bool turns = driver.kind == EntityKind::angle;
   const double far =
-      turns ? 2 * std::numbers::pi * turns_ : 10 * natural_magnitudes(m_)[driver.first];
-  const double target = curve_.value(start_) + direction_ * far;
-  if (direction_ * (curve_.value(to) - target) < 0) return {};
+      turns ? 2 * std::numbers::pi * turns_ : 10 * natural_magnitudes(model())[driver.first];
+  const double target = curve().value(start_) + direction_ * far;
+  if (direction_ * (curve().value(to) - target) < 0) return {};
   if (!turns) return end(RangeStop::none, to);
-  std::optional<Point> there = curve_.at(to, target);
-  if (!there) there = curve_.at(from, target);
+  std::optional<Point> there = curve().at(to, target);
+  if (!there) there = curve().at(from, target);
   if (there && is_start(*there)) {
     RangeEnd e = end(RangeStop::full_turn, *there);
     e.turns = turns_;
@@ -120,40 +154,55 @@ std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point&
 /// Looks for a double root around the last point. What lies before the start is of the sweep in
 /// the other direction.
 void DriverSweep::look_for_double_root(const Point& next, double length) {
-  if (const std::optional<DoubleRoot> root = double_roots_.add(next, length))
-    if (direction_ * (root->value - curve_.value(start_)) > -same * curve_.scale() &&
+  if (const std::optional<DoubleRoot> root = followed_->double_roots.add(next, length))
+    if (direction_ * (root->value - curve().value(start_)) > -same * curve().scale() &&
         (change_points_.empty() ||
-         std::abs(change_points_.back().value - root->value) > same * curve_.scale()))
+         std::abs(change_points_.back().value - root->value) > same * curve().scale()))
       change_points_.push_back({root->value, root->group, true});
+}
+
+RangeEnd DriverSweep::run() {
+  return run_from(direction_ > 0 ? start_ : SolutionCurve::reversed(start_));
+}
+
+std::optional<RangeEnd> DriverSweep::run_after_dead_point() {
+  if (!turned_) return {};
+  direction_ = -direction_;
+  return run_from(*std::move(turned_));
 }
 
 RangeEnd DriverSweep::run_from(Point point) {
   double length = max_step / 8;
-  double_roots_.restart();
+  followed_->double_roots.restart();
   Signs before = signs(point);
-  const std::optional<Point> behind = curve_.step(point, -length);
+  const std::optional<Point> behind = curve().step(point, -length);
   if (!before.empty() && behind && behind->sign == point.sign && signs(*behind) == before)
     look_for_double_root(*behind, length);
   if (before = signs(point); !before.empty()) look_for_double_root(point, length);
-  double since = 0;  // the last point that was looked at
+  double since = 0;         // the last point that was looked at
+  EarlierPoint far{point};  // the last one from which more than a locking_arc was gone
   for (int step = 0; step < max_steps; ++step) {
     const auto again = [&] { return (length /= 2) > min_step; };
-    std::optional<Point> next = curve_.step(point, length);
+    std::optional<Point> next = curve().step(point, length);
     if (!next) {
       if (again()) continue;
-      return end(RangeStop::not_reached, point);
+      return stuck_at(point, far);
     }
     if (forward(*next) <= 0) {
       // Signs of B do not change at a dead point: a step across a gap is not one.
       if (next->sign == point.sign)
-        if (auto dead = find_dead_point(m_, curve_, point, length, direction_, accuracy)) {
+        if (auto dead =
+                find_dead_point(model(), curve(), point, far, length, direction_, accuracy)) {
           turned_ = std::move(dead->after);
           return std::move(dead->end);
         }
       if (again()) continue;
-      return end(RangeStop::not_reached, point);
+      return stuck_at(point, far);
     }
-    if (turns_twice(point, *next, length) && again()) continue;
+    if (turns_twice(point, *next, length)) {
+      if (again()) continue;
+      return stuck_at(point, far);
+    }
     const Signs after = signs(*next);
     const std::vector<int> changed = changed_blocks(before, after);
     const bool crosses = next->sign != point.sign || !changed.empty();
@@ -162,26 +211,32 @@ RangeEnd DriverSweep::run_from(Point point) {
         length /= 2;
         continue;
       }
-      const double value = find_crossing(curve_, point, *next, changed.size());
-      if (is_positive(m_, driver_) && std::abs(value) < same * curve_.scale())
+      const double value = find_crossing(curve(), point, *next, changed.size());
+      if (is_positive(model(), driven()) && std::abs(value) < same * curve().scale())
         return {.stop = RangeStop::zero_length};
       change_points_.push_back(
-          {value, changed.empty() ? no_position : determinants_.group(changed.front())});
+          {value, changed.empty() ? no_position : followed_->determinants.group(changed.front())});
     }
     if (is_violated(*next)) {
       if (again()) continue;
       return end(RangeStop::other_branch, point);
     }
     since += length;
-    if (crosses) double_roots_.restart();
+    if (crosses) followed_->double_roots.restart();
     if (!after.empty() && !crosses) look_for_double_root(*next, std::exchange(since, 0));
     if (std::optional<RangeEnd> turned = after_turns(point, *next)) {
-      if (const std::optional<Point> p = curve_.step(*next, length); p && signs(*p) == after)
+      if (const std::optional<Point> p = curve().step(*next, length); p && signs(*p) == after)
         look_for_double_root(*p, length);
       return *std::move(turned);
     }
     if (!after.empty()) before = after;
+    if (length > locking_arc) far = {point, 0};
+    far.arc += length;
     point = *std::move(next);
+    if (choose_equations(point)) {
+      before = signs(point);
+      followed_->double_roots.restart();
+    }
     length = crosses ? max_step / 64 : std::min(max_step, 1.5 * length);
   }
   return end(RangeStop::not_reached, point);

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "formulations/verification/range/block_determinants.h"
 #include "formulations/verification/range/double_roots.h"
 #include "formulations/verification/range/driver_range.h"
+#include "formulations/verification/range/singular_points.h"
 #include "formulations/verification/range/solution_curve.h"
 
 namespace desmo {
@@ -17,23 +20,14 @@ class DriverSweep {
   static constexpr double accuracy = 1e-9;  ///< of values, scaled
   static constexpr double same = 1e-7;      ///< of two positions, scaled
 
-  DriverSweep(const Model& m, SolutionCurve& curve, int driver, const Point& start,
-              double direction)
-      : m_(m),
-        curve_(curve),
-        determinants_(m),
-        double_roots_(curve, determinants_),
-        driver_(m.drivers[driver].coordinate),
-        start_(start),
-        direction_(direction) {}
+  /// start: on the model's curve for that driver. The model must outlive the sweep.
+  DriverSweep(const Model& m, int driver, Point start, double direction);
 
   /// Sweeps from the start. Returns where it ends, and why.
-  RangeEnd run() { return run_from(direction_ > 0 ? start_ : SolutionCurve::reversed(start_)); }
+  RangeEnd run();
   /// Sweeps back on the other branch, which meets this one at the dead point where run() has ended.
-  RangeEnd run_after_dead_point() {
-    direction_ = -direction_;
-    return run_from(*std::move(turned_));
-  }
+  /// Nothing where several loops lock at once: there are several branches.
+  std::optional<RangeEnd> run_after_dead_point();
   /// Returns the change points of all sweeps, in the order in which they were passed.
   const std::vector<ChangePoint>& change_points() const { return change_points_; }
 
@@ -49,14 +43,28 @@ class DriverSweep {
   bool is_start(const Point& point) const;
   bool turns_twice(const Point& from, const Point& to, double length) const;
   std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
+  bool choose_equations(Point& point);
   RangeEnd end(RangeStop stop, const Point& point) const;
+  RangeEnd stuck_at(const Point& point, const EarlierPoint& far);
 
-  const Model& m_;
-  SolutionCurve& curve_;
-  BlockDeterminants determinants_;
-  DoubleRootSearch double_roots_;
-  EntityId driver_;
-  const Point& start_;
+  /// A curve by the equations that a model keeps.
+  struct Followed {
+    Followed(const Model& m, int driver) : model(m), curve(m, driver) {}
+
+    std::unique_ptr<const Model> own{};  // where it is not the sweep's
+    const Model& model;
+    SolutionCurve curve;
+    BlockDeterminants determinants{model};
+    DoubleRootSearch double_roots{curve, determinants};
+  };
+
+  const Model& model() const { return followed_->model; }
+  SolutionCurve& curve() const { return followed_->curve; }
+  EntityId driven() const { return model().drivers[driver_].coordinate; }
+
+  int driver_;  // position in Model::drivers
+  std::unique_ptr<Followed> followed_;
+  Point start_;
   double direction_;
   int turns_ = 1;  // after which it is looked for the start
   std::vector<ChangePoint> change_points_;

@@ -6,27 +6,22 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/verification/range/locked_loops.h"
+
 namespace desmo {
 
 namespace {
 
 using Point = SolutionCurve::Point;
 
-/// Names the first block that moves while the driver rests, and the equations that hold it.
-void name_culprits(const Model& m, SolutionCurve& curve, const Point& point, double direction,
+constexpr double margin = 1.2;  // of extended distances
+
+/// Names the loops that lock, and the equations that hold them.
+void name_culprits(SolutionCurve& curve, LockedLoops locked, const Point& point, double direction,
                    RangeEnd& e) {
-  constexpr double moves = 1e-5, holds = 1e-6;
-  const std::vector<EntityId> owner = entity_of_coordinate(m);
-  for (const PartDefinition& block : curve.blocks()) {
-    for (const int i : block.unknowns) {
-      const auto j = std::ranges::lower_bound(curve.unknowns(), i) - curve.unknowns().begin();
-      if (std::abs(point.tangent[j]) > moves && (e.moving.empty() || e.moving.back() != owner[i]))
-        e.moving.push_back(owner[i]);
-    }
-    if (e.moving.empty()) continue;
-    e.group = block.groups.front();
-    break;
-  }
+  constexpr double holds = 1e-6;
+  e.groups = std::move(locked.groups);
+  e.moving = std::move(locked.moving);
   const auto [forces, rounding] = curve.forces(point);
   e.beyond += direction * rounding;
   for (std::size_t c = 0; c < forces.size(); ++c)
@@ -37,8 +32,9 @@ void name_culprits(const Model& m, SolutionCurve& curve, const Point& point, dou
 }  // namespace
 
 std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, const Point& from,
-                                         double length, double direction, double accuracy) {
-  constexpr double stationary = 1e-9, margin = 1.2;
+                                         const EarlierPoint& far, double length, double direction,
+                                         double accuracy) {
+  constexpr double stationary = 1e-9;
   const auto forward = [&](const Point& p) { return direction * p.speed(); };
   Point low = from;
   std::optional<Point> high = curve.step(from, length);
@@ -68,8 +64,36 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
   RangeEnd e{.stop = RangeStop::dead_point, .value = curve.value(last)};
   e.beyond = direction * std::max(most, reached(last));
   if (!(std::abs(e.beyond - e.value) < accuracy * curve.scale())) return {};
-  name_culprits(m, curve, forward(low) < -forward(*high) ? low : *high, direction, e);
+  const bool is_low = forward(low) < -forward(*high);
+  const Point& nearest = is_low ? low : *high;
+  const LockedLoops first = first_locked_loop(m, curve, nearest);
+  const std::optional<Point> before =
+      curve.step(far.point, far.arc + (is_low ? at_low : at_high) - locking_arc);
+  LockedLoops all = before ? find_locked_loops(m, curve, *before, nearest) : first;
+  // Where rounding hides the singular values, the tangent tells of one loop at least.
+  const bool is_seen = std::ranges::find(all.groups, first.groups.front()) != all.groups.end();
+  name_culprits(curve, is_seen ? std::move(all) : first, nearest, direction, e);
   return DeadPoint{std::move(e), *std::move(high)};
+}
+
+std::optional<RangeEnd> find_joint_lock(const Model& m, SolutionCurve& curve, const Point& before,
+                                        const Point& last, double direction, double accuracy) {
+  const double speed = direction * before.speed(),
+               mean = direction * (curve.value(last) - curve.value(before)) / curve.scale() /
+                      locking_arc;
+  if (!(speed > 0 && 2 * mean - speed < speed / 2)) return {};  // it has to halve, too
+  RangeEnd e{
+      .stop = RangeStop::dead_point, .value = curve.value(last), .beyond = curve.value(last)};
+  // So near to a crossing a tangent may be that of any of its curves.
+  const Point end{last.state, before.tangent, last.sign, last.log_determinant};
+  LockedLoops locked = find_locked_loops(m, curve, before, end);
+  if (locked.moving.empty()) return {};
+  const double left = locked.left;
+  name_culprits(curve, std::move(locked), end, direction, e);
+  const double beyond = margin * (left * speed) * (2 * left * locking_arc);
+  if (!(beyond < accuracy)) return {};
+  e.beyond += direction * beyond * curve.scale();
+  return e;
 }
 
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x) {
