@@ -39,8 +39,8 @@ struct Constraint {
   std::vector<double> constants;
   GroupId group;          ///< group that it determines
   unsigned left_out = 0;  ///< bit r: row r depends on other equations and is omitted
-  /// Rest of each dimension in the file over its constant; empty: none. Formulations leave it
-  /// out; proofs and references of the motion take it in.
+  /// Rest of each dimension in the file over its constant, none where there are fewer; then, of a
+  /// linear kind, that of each row of Φ. Formulations leave both out; proofs take them in.
   std::vector<Remainder> remainders{};
 
   /// Returns a dimension as the file means it.

@@ -92,9 +92,12 @@ TEST(LeftOutEquations, DoNotHoldForFewerDigits) {
 /// A crank that is longer by ε leaves a misfit of ε (1 − cos θ), θ from the drawing on.
 TEST(LeftOutEquations, HaveTheMisfitOfACrankThatIsTooLong) {
   for (const bool stated : {true, false})
-    for (const double longer : {1e-12, 1e-10, 1e-8}) {
-      const Found found = find(parallel_cranks(1.1L, 17, stated, longer));
-      EXPECT_GT(found.flagged, found.instants / 2);
+    for (const auto& [longer, from_origin] :
+         {std::pair(1e-12, 0.L), std::pair(1e-10, 0.L), std::pair(1e-8, 0.L),
+          // Digits of coordinates leave 1e-13 there, and must not be multiplied by the distance.
+          std::pair(1e-10, 1000.L)}) {
+      const Found found = find(parallel_cranks(1.1L, 17, stated, longer, 1, from_origin));
+      EXPECT_GT(found.flagged, found.instants / 2) << longer << ", " << from_origin;
       EXPECT_TRUE(found.largest.is_length);
       EXPECT_NEAR(found.largest.amount / longer, 1 - std::cos(1.), 0.3) << longer;
     }

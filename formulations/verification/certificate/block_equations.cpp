@@ -175,7 +175,7 @@ BlockEquations::BlockEquations(const std::vector<const ShapedBlock*>& lanes)
     radii_.push_back((abs(r.correction) + r.radius) * (1 + 0x1p-40));  // rounding of radii, too
   for (const BlockShape::Object& o : shape_.objects) add(o);
   std::ranges::stable_sort(terms_, {}, &Term::row);
-  find_offsets();
+  find_offsets(lanes);
   std::vector<bool> varies(shape_.entries.size());
   for (const Object& o : objects_)
     for (const int slot : o.quadratic ? o.rate_slots : o.shape->slots)
@@ -210,13 +210,19 @@ void BlockEquations::add(const BlockShape::Object& o) {
   });
 }
 
-void BlockEquations::find_offsets() {
+void BlockEquations::find_offsets(const std::vector<const ShapedBlock*>& lanes) {
   const auto has_remainder = [&](const Term& t) {
     const Compensated<LaneNumbers>& r = remainders_[t.state];
     return (!is_zero(abs(r.correction) + r.radius)).any();
   };
-  if (std::ranges::none_of(terms_, has_remainder)) return;
+  const auto has_slack = [](const ShapedBlock* block) {
+    return std::ranges::any_of(block->slack, [](double radius) { return radius > 0; });
+  };
+  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(lanes, has_slack)) return;
   offsets_.resize(shape_.unknowns);
+  for (std::size_t row = 0; row < offsets_.size(); ++row)
+    for (int lane = 0; lane < LaneNumbers::count; ++lane)
+      offsets_[row].radius.set(lane, lanes[lane]->slack[row]);
   for (const Term& t : terms_) offsets_[t.row] = offsets_[t.row] + t.factor * remainders_[t.state];
 }
 

@@ -67,7 +67,7 @@ class BlockEquations {
     Compensated<LaneNumbers> factor;
   };
   void add(const BlockShape::Object& object);
-  void find_offsets();
+  void find_offsets(const std::vector<const ShapedBlock*>& lanes);
 
   BlockShape shape_;
   std::vector<Compensated<LaneNumbers>> constants_;
@@ -76,7 +76,7 @@ class BlockEquations {
   std::vector<LaneNumbers> radii_;                    // the same as radii of the values
   std::vector<Object> objects_;
   std::vector<Term> terms_;  // by rows
-  /// Sums that remainders of fixed states add to rows of terms; empty: none.
+  /// What remainders of fixed states and of Φ add to rows of terms; empty: nothing.
   std::vector<Compensated<LaneNumbers>> offsets_;
   std::vector<int> constant_entries_;  // of Φ_q
 };

@@ -39,6 +39,11 @@ class Builder {
     for (const int state : block_.states)
       block_.remainders.push_back(
           state < m_.coordinates() ? Remainder() : m_.fixed_remainders[state - m_.coordinates()]);
+    for (const Equation& e : part_.equations) {
+      const Constraint& c = m_.constraints[e.constraint];
+      const std::size_t at = c.constants.size() + e.row;
+      block_.slack.push_back(at < c.remainders.size() ? c.remainders[at].radius : 0);
+    }
     if (!initial.empty())
       for (const Equation& e : part_.equations)
         block_.initial.push_back(initial[e.constraint][e.row]);

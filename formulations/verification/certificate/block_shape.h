@@ -53,6 +53,7 @@ struct ShapedBlock {
   std::vector<int> coordinates;  ///< coordinate of each column
   std::vector<Derived> constants;
   std::vector<Remainder> remainders;  ///< of each local state; empty: none
+  std::vector<double> slack;          ///< radius of each row of a linear Φ (n)
   std::vector<double> initial;        ///< Φ₀ of a homotopy (n); empty: none
 
   std::vector<int> unknowns() const;

@@ -1,6 +1,5 @@
 #include "formulations/verification/run/file_variation.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +11,8 @@ namespace desmo {
 
 namespace {
 
-constexpr double last_digit = 2 * 0x1p-53;  // relative, of a number of the file
+constexpr double last_digit = 2 * 0x1p-53;        // relative, of a number of the file
+constexpr double stated_digits = 3 * last_digit;  // of a product or ratio of three of them
 
 /// Covers the second order, and rounding of radii.
 constexpr double above = 1 + 0x1p-20;
@@ -21,12 +21,6 @@ template <class Kind>
 constexpr bool is_measured = requires(const Derived* const* x, Derived* c) {
   Kind::measure(x, c);
 };
-
-/// Returns the first operand whose factor is a dimension of a linear kind.
-template <class Kind>
-constexpr std::size_t first_factor() {
-  return Kind::operand_sizes.size() - Kind::constants;
-}
 
 /// The drawing of a model, whose numbers vary.
 class VariedDrawing {
@@ -46,21 +40,20 @@ class VariedDrawing {
 
   double radius(int state) const { return state_[state].radius; }
 
-  /// Adds to the radii of a constraint's dimensions.
+  /// Adds to the radii of a constraint's dimensions, or to those of its rows.
   void vary(Constraint& c) const {
-    c.remainders.resize(c.constants.size());
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       if constexpr (Kind::constants > 0) {
-        const auto found = variation<Kind>(c);
-        for (int k = 0; k < Kind::constants; ++k) c.remainders[k].radius += found[k] * above;
+        c.remainders.resize(Kind::constants + Kind::rows);
+        if constexpr (Kind::linear)
+          vary_rows<Kind>(c);
+        else
+          vary_dimensions<Kind>(c);
       }
     });
   }
 
  private:
-  template <class Kind>
-  using Dimensions = std::array<double, Kind::constants>;
-
   template <class Kind>
   auto operands(const Constraint& c) const {
     std::array<const Derived*, Kind::operand_sizes.size()> x;
@@ -83,63 +76,66 @@ class VariedDrawing {
     });
   }
 
-  /// Returns by how much each dimension may vary. Dimensions that the drawing does not have come
+  /// Dimensions vary with what they are measured between. Those that the drawing does not have come
   /// from a stated length: they are products or ratios of up to three more numbers.
   template <class Kind>
-  Dimensions<Kind> variation(const Constraint& c) const {
-    Dimensions<Kind> result{};
+  void vary_dimensions(Constraint& c) const {
+    std::array<Derived, Kind::constants> drawn;
+    Kind::measure(operands<Kind>(c).data(), drawn.data());
     bool is_drawn = true;
-    if constexpr (is_measured<Kind>) {
-      std::array<Derived, Kind::constants> drawn;
-      Kind::measure(operands<Kind>(c).data(), drawn.data());
-      for (int k = 0; k < Kind::constants; ++k) {
-        const Derived off = drawn[k] - c.dimension(k);
-        is_drawn &= std::abs(off.value + off.correction) <= drawn[k].radius;
-        result[k] = drawn[k].radius;
-      }
-    } else {
-      is_drawn = vary_factors<Kind>(c, result);
+    for (int k = 0; k < Kind::constants; ++k) {
+      const Derived off = drawn[k] - c.dimension(k);
+      is_drawn &= std::abs(off.value + off.correction) <= drawn[k].radius;
     }
-    if (!is_drawn)
-      for (int k = 0; k < Kind::constants; ++k)
-        result[k] += 3 * last_digit * std::abs(c.constants[k]);
-    return result;
+    for (int k = 0; k < Kind::constants; ++k) {
+      const double stated = is_drawn ? 0 : stated_digits * std::abs(c.constants[k]);
+      c.remainders[k].radius += (drawn[k].radius + stated) * above;
+    }
   }
 
-  /// Finds how much the factors c of p − o − Σ cₖ eₖ = 0 may vary in all. The operands at hand
-  /// change Φ by at most its radius, and c makes up for it: A δc = δΦ, A having the columns eₖ.
-  /// Factors of points keep their sum, 0 or 1, which is one more row. Returns whether the drawing
-  /// has them.
+  /// Factors of a linear kind vary with all that is in it. A body carries what that leaves of Φ
+  /// along, turned: each row may be off by its length. Radii of the factors themselves would be
+  /// multiplied by how far points are from the origin.
   template <class Kind>
-  bool vary_factors(const Constraint& c, Dimensions<Kind>& result) const {
+  void vary_rows(Constraint& c) const {
     const auto x = operands<Kind>(c);
     std::array<Derived, Kind::constants> factors;
     for (int k = 0; k < Kind::constants; ++k) factors[k] = c.dimension(k);
     std::array<Derived, Kind::rows> phi;
     Kind::residual(x.data(), factors.data(), phi.data());
-
-    constexpr int n = Kind::rows;
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n + 1, Kind::constants);
-    const Derived* origin = nullptr;  // of points
-    for (int k = 0; k < Kind::constants; ++k) {
-      const std::size_t operand = first_factor<Kind>() + k;
-      const bool is_point = m_.entities[c.operands[operand]].kind == EntityKind::point;
-      if (is_point && !origin) origin = x[operand];
-      for (int i = 0; i < n; ++i)
-        a(i, k) = is_point ? x[operand][i].value - origin[i].value : x[operand][i].value;
-      a(n, k) = is_point;
-    }
-    // Points are as far apart as the row of their sum is large: units do not matter.
-    if (const double size = a.topRows(n).cwiseAbs().maxCoeff(); size > 0) a.row(n) *= size;
-    const Eigen::MatrixXd inverse = a.completeOrthogonalDecomposition().pseudoInverse();
     bool is_drawn = true;
-    for (int i = 0; i < n; ++i) {
-      is_drawn &= std::abs(phi[i].value + phi[i].correction) <= phi[i].radius;
-      for (int k = 0; k < Kind::constants; ++k)
-        result[k] += std::abs(inverse(k, i)) * phi[i].radius;
+    double squares = 0;
+    for (const Derived& row : phi) {
+      is_drawn &= std::abs(row.value + row.correction) <= row.radius;
+      squares += row.radius * row.radius;
     }
-    return is_drawn;
+    double radius = std::sqrt(squares);
+    if (!is_drawn)
+      for (const Derived& factor : factors)
+        radius += stated_digits * std::abs(factor.value) * reach<Kind>(c);
+    for (int row = 0; row < Kind::rows; ++row)
+      c.remainders[Kind::constants + row].radius = radius * above;
   }
+
+  /// Returns the largest length of a vector, or distance of two points, among a constraint's
+  /// operands.
+  template <class Kind>
+  double reach(const Constraint& c) const {
+    const auto x = operands<Kind>(c);
+    double longest = 0;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      for (std::size_t other = 0; other <= k; ++other) {
+        const bool are_points = is_point(c.operands[k]) && is_point(c.operands[other]);
+        if (!are_points && other < k) continue;
+        double squares = 0;
+        for (int i = 0; i < Kind::operand_sizes[k]; ++i)
+          squares += std::pow(x[k][i].value - (are_points ? x[other][i].value : 0), 2);
+        longest = std::max(longest, std::sqrt(squares));
+      }
+    return longest;
+  }
+
+  bool is_point(EntityId e) const { return m_.entities[e].kind == EntityKind::point; }
 
   const Model& m_;
   std::vector<Derived> state_;

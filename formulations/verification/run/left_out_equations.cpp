@@ -58,6 +58,8 @@ Interval LeftOutEquations::residual(const Equation& equation, std::span<const do
     std::array<Number, Kind::rows> phi;
     Kind::residual(x.data(), dimensions.data(), phi.data());
     result = phi[equation.row].enclosure();
+    if (const std::size_t slack = Kind::constants + equation.row; slack < c.remainders.size())
+      result.radius += c.remainders[slack].radius;
   });
   return result;
 }
