@@ -19,7 +19,7 @@ namespace desmo {
 ///   if (path.follow(next).end == PathEnd::other) …          // the step has jumped
 class BranchPath {
  public:
-  static constexpr int max_tests = 1000;
+  static constexpr int max_tests = 10000;
 
   /// budget: path proofs of one step, after which it counts as stuck. initial: as in Certifier. The
   /// model must outlive this.
