@@ -18,6 +18,7 @@
 #include "formulations/verification/reference/whole_system.h"
 #include "formulations/verification/run/branch_path.h"
 #include "tests/accuracy/scenes.h"
+#include "tests/checked/rows.h"
 #include "tests/dead_point.h"
 
 namespace desmo::start_test {
@@ -210,6 +211,18 @@ TEST(Start, LeavesOutManyTurns) {
   EXPECT_EQ(m.value("theta", found.q), 10.473 * time);
   const std::vector<double> right = in_short_steps(m, {std::remainder(10.473 * time, turn)}, 0.01);
   EXPECT_LT(std::abs(m.value("s", found.q) - m.value("s", right)), 1e-10 * size_of(m));
+}
+
+/// The linkage locks a third of a turn from where it is drawn. Beyond a whole turn the crank could
+/// stand as it does before, but nothing leads there.
+TEST(Start, LeavesOutNoTurnThatIsBlocked) {
+  const Model m = make_model(scene_file("peaucellier"));
+  const double drawn = m.estimate[m.entities[m.drivers[0].coordinate].first];
+  for (const double to : {drawn - turn - 0.1, drawn + turn + 0.1, drawn + 300 * turn + 0.1}) {
+    const FoundStart found = find_start(held_at(m, {to}), 0);
+    EXPECT_EQ(found.stage, Stage::drivers) << to;
+    EXPECT_LT(found.share, 0.6) << to;
+  }
 }
 
 TEST(Start, HasNoWayToWhatIsNotFinite) {

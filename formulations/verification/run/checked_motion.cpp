@@ -31,19 +31,8 @@ void CheckedMotion::begin(double time) {
   point_.reset();
   lost_.reset();
   on_path_ = false;
-  // What is regular by other equations is no change point: all choices are tried without passages.
-  FoundStart start = find_start(m_, time, !has_other_equations(m_));
-  const auto is_blocked = [&] { return start.stage != FoundStart::Stage::reached; };
+  const FoundStart start = find_start(m_, time);
   follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
-  for (const bool may_pass : {false, true}) {
-    if (!is_blocked() || !has_other_equations(m_)) break;
-    if (may_pass) {
-      follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
-      start = find_start(m_, time);
-    }
-    if (is_blocked() && choose_other_equations(start.q))
-      start = find_start(follower_->model, time, may_pass);
-  }
   start_ = start.stage;
   first_flag_.reset();
   if (!start.passed.empty())
@@ -51,8 +40,11 @@ void CheckedMotion::begin(double time) {
         .kind = RowFlag::Kind::crossing, .after = time, .before = time, .group = start.group};
   if (start.stage == FoundStart::Stage::reached) {
     const Instant at{.index = 0, .time = time, .q = start.q, .qd = {}, .qdd = {}};
-    const RefinedInstant& r = follower_->refinement.refine(at);
-    on_path_ = r.proven && follower_->path.start_at({time, {r.instant.q}, r.radius.position});
+    const auto begins = [&] {
+      const RefinedInstant& r = follower_->refinement.refine(at);
+      return r.proven && follower_->path.start_at({time, {r.instant.q}, r.radius.position});
+    };
+    on_path_ = begins() || (choose_other_equations(start.q) && begins());
   }
   if (!on_path_)
     lost_ = {.kind = RowFlag::Kind::branch, .after = time, .before = time, .group = start.group};

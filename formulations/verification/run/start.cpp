@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/run/branch_path.h"
+#include "formulations/verification/run/chosen_equations.h"
 #include "formulations/verification/run/passage.h"
 
 namespace desmo {
@@ -44,63 +46,124 @@ Polynomial straight(double from, const Motion& motion, double time, double turn)
   return {{from, short_way}, {{}, {way.correction, way.radius}}};
 }
 
-/// Follows a way from 0 to 1. found: begins at its positions, which are overwritten by the last
-/// proven ones.
-FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, FoundStart& found) {
-  BranchPath path(m, BranchPath::max_tests, initial);
-  found.share = 0;
-  if (!path.start_at({0, {found.q, {}, {}}})) return {};
-  FollowedStep step = path.go_to(1);
-  int tests = step.tests;
-  while (may_pass && step.end == PathEnd::stuck && tests < BranchPath::max_tests) {
-    const std::optional<PassedPoint> point = pass_change_point(m, path.present());
-    if (!point || !(point->before < 1) || !path.start_at(point->beyond())) break;
-    found.passed.push_back(point->time);
-    step = path.go_to(1);
-    tests += step.tests;
+/// A way from 0 to 1, in whichever equations of overconstrained groups lead on.
+class Way {
+ public:
+  Way(const Model& m, InitialResidual initial) : model_(&m), initial_(initial) {
+    path_ = std::make_unique<BranchPath>(m, BranchPath::max_tests, initial);
   }
-  step.tests = tests;
+
+  bool start_at(const CertifiedInstant& at) { return begun_ = path_->start_at(at); }
+
+  /// Chooses other equations at a place. Returns whether the way goes on by them.
+  bool choose(double share, std::span<const double> q) {
+    auto chosen = with_chosen_equations(*model_, q);
+    if (!chosen) return false;
+    auto path = std::make_unique<BranchPath>(*chosen, BranchPath::max_tests, initial_);
+    if (!path->start_at({share, {q, {}, {}}})) return false;
+    path_ = std::move(path);
+    chosen_ = std::move(chosen);
+    model_ = chosen_.get();
+    return begun_ = true;
+  }
+
+  const Model& model() const { return *model_; }
+  BranchPath& path() { return *path_; }
+  bool begun() const { return begun_; }
+
+ private:
+  const Model* model_;
+  const InitialResidual initial_;
+  std::unique_ptr<const Model> chosen_;
+  std::unique_ptr<BranchPath> path_;
+  bool begun_ = false;
+};
+
+/// Follows a way from 0 to 1. found: begins at its positions, which are overwritten by the last
+/// proven ones. What is regular by other equations of an overconstrained group is no change point,
+/// so these are tried first.
+FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, FoundStart& found) {
+  Way way(m, initial);
+  FollowedStep step;
+  int tests = 0;
+  double chosen_at = -1;  // share at which other equations were asked for
   const auto take_positions = [&] {
-    const std::span<const double> q = path.present().values.position;
+    const std::span<const double> q = way.path().present().values.position;
     found.q.assign(q.begin(), q.end());
   };
-  take_positions();
-  found.share = path.present().time;
-  found.group = step.group;
+  found.share = 0;
+  way.start_at({0, {found.q, {}, {}}});
+  while (true) {
+    if (way.begun()) {
+      step = way.path().go_to(1);
+      tests += step.tests;
+      take_positions();
+      found.share = way.path().present().time;
+      if (step.end == PathEnd::same) break;
+    }
+    if (tests >= BranchPath::max_tests) break;
+    const bool is_asked = std::exchange(chosen_at, found.share) == found.share;
+    if (!is_asked && way.choose(found.share, found.q)) continue;
+    if (!way.begun() || !may_pass) break;
+    const std::optional<PassedPoint> point = pass_change_point(way.model(), way.path().present());
+    if (!point || !(point->before < 1) || !way.start_at(point->beyond())) break;
+    found.passed.push_back(point->time);
+  }
+  step.tests = tests;
+  if (way.begun()) found.group = step.group;
   // The last step may have ended with digits to correct.
-  if (step.end == PathEnd::same && path.start_at({1, {found.q, {}, {}}})) take_positions();
+  if (step.end == PathEnd::same && way.path().start_at({1, {found.q, {}, {}}})) take_positions();
   return step;
 }
 
 /// Leads the drivers from the drawing to their values at a time.
-FollowedStep lead_drivers(const Model& m, double time, bool with_turns, bool may_pass,
-                          FoundStart& found) {
+FollowedStep lead_drivers(const Model& m, double time, bool with_turns, FoundStart& found) {
   Model going = m;
   for (Driver& d : going.drivers) {
     const Entity& e = m.entities[d.coordinate];
     const bool whole = with_turns || e.kind != EntityKind::angle;
     d.motion = straight(m.estimate[e.first], d.motion, time, whole ? INFINITY : turn);
   }
-  const FollowedStep step = follow(going, {}, may_pass, found);
+  const FollowedStep step = follow(going, {}, true, found);
   if (step.end == PathEnd::same)
     for (const Driver& d : m.drivers)
       found.q[m.entities[d.coordinate].first] = sample(d.motion, time).position;
   return step;
 }
 
-/// Brings angles that are not driven near the drawing. Equations read them as sines and cosines, so
+/// Brings angles that are not driven near others. Equations read them as sines and cosines, so
 /// whole turns do not matter.
-void take_nearest_turns(const Model& m, std::vector<double>& q) {
+void take_nearest_turns(const Model& m, std::span<const double> others, std::span<double> q) {
   const std::vector<bool> driven = independent_coordinates(m);
   for (const Entity& e : m.entities) {
     if (e.fixed || e.kind != EntityKind::angle || driven[e.first]) continue;
-    q[e.first] -= turn * std::round((q[e.first] - m.estimate[e.first]) / turn);
+    q[e.first] -= turn * std::round((q[e.first] - others[e.first]) / turn);
   }
+}
+
+/// Returns whether a turn of the drivers that are more than one from their values at a time leads
+/// back to where it begins. Then further turns do so, too.
+bool turn_leads_back(const Model& m, double time, const FoundStart& nominal) {
+  Model going = m;
+  std::vector<double> back = nominal.q;
+  for (Driver& d : going.drivers) {
+    const Entity& e = m.entities[d.coordinate];
+    const double from = m.estimate[e.first], way = sample(d.motion, time).position - from;
+    const bool whole = e.kind == EntityKind::angle && std::abs(way) > turn;
+    d.motion = Polynomial{{from, whole ? std::copysign(turn, way) : 0}};
+    back[e.first] = sample(d.motion, 1.0).position;
+  }
+  FoundStart found = nominal;
+  if (follow(going, {}, true, found).end != PathEnd::same) return false;
+  take_nearest_turns(m, found.q, back);
+  BranchPath path(going);
+  return path.start_at({1, {found.q, {}, {}}}) &&
+         path.follow({1, {back, {}, {}}}).end == PathEnd::same;
 }
 
 }  // namespace
 
-FoundStart find_start(const Model& m, double time, bool may_pass) {
+FoundStart find_start(const Model& m, double time) {
   FoundStart found{.q = m.estimate};
   Model at_drawing = m;
   for (Driver& d : at_drawing.drivers)
@@ -116,13 +179,13 @@ FoundStart find_start(const Model& m, double time, bool may_pass) {
     }
   }
   const FoundStart nominal = found;
-  FollowedStep way = lead_drivers(m, time, true, may_pass, found);
-  if (way.tests >= BranchPath::max_tests) {
+  FollowedStep way = lead_drivers(m, time, true, found);
+  if (way.tests >= BranchPath::max_tests && turn_leads_back(m, time, nominal)) {
     found = nominal;
-    way = lead_drivers(m, time, false, may_pass, found);
+    way = lead_drivers(m, time, false, found);
   }
   if (way.end != PathEnd::same) found.stage = Stage::drivers;
-  take_nearest_turns(m, found.q);
+  take_nearest_turns(m, m.estimate, found.q);
   return found;
 }
 

@@ -27,17 +27,18 @@ struct FoundStart {
 /// - the drawing may not solve the equations. With the drivers as drawn, Newton's homotopy Φ(q) =
 ///   (1 − λ) Φ(drawing) leads from there to what it means; all groups have one λ.
 /// - then all drivers go straight from where they are drawn to their values at that time. Driven
-///   angles make their whole turns; where these are more than a path has tests for, none of them.
+///   angles make their whole turns; where these are more than a path has tests for, and a turn
+///   leads back to where it begins, none of them.
 ///   Change points on the way are passed on the smooth continuation (pass_change_point()).
 ///
-/// Other angles are those nearest to the drawing, whole turns apart. Where a part is blocked, by a
-/// singular position or a fold, no other way is sought. It is blocked at 0, too, where a driver has
-/// no finite value. may_pass: change points are passed, else they block the way, since with other
-/// equations of an overconstrained group they may be none. Positions are rounded: a Refinement at
-/// that time proves them, and finds rates. Allocates; keep it out of timed code.
+/// Where a part is blocked, it goes on by other equations of an overconstrained group, if these are
+/// independent there (with_chosen_equations()); else no other way is sought than a change point's.
+/// It is blocked at 0, too, where a driver has no finite value. Angles that are not driven are
+/// those nearest to the drawing, whole turns apart. Positions are rounded: a Refinement at that
+/// time proves them, and finds rates. Allocates; keep it out of timed code.
 ///
 ///   const FoundStart start = find_start(model, grid.time(0));
 ///   if (start.stage == FoundStart::Stage::reached) use(start.q);
-FoundStart find_start(const Model& model, double time, bool may_pass = true);
+FoundStart find_start(const Model& model, double time);
 
 }  // namespace desmo
