@@ -17,7 +17,7 @@ namespace {
 constexpr double unit_roundoff = 0x1p-53;
 /// Misfit over κ u from which on no rounding of the numbers in the file explains it. A group has
 /// some ten to a hundred of them; bounds on the sum of their effects are some ten times wider.
-constexpr double max_explained = 1000;
+constexpr double max_explained = 100;
 /// Misfit over the largest radius of a coordinate that this radius explains: an equation has up to
 /// nine of them.
 constexpr double max_slopes = 9;
@@ -49,8 +49,7 @@ class Comparison {
       }
   }
 
-  void note(const CheckedRow& row, std::string what, double error = 0) {
-    const TrueInstant& t = s_.truth.instants[row.index];
+  void note(const TrueInstant& t, std::string what, double error = 0) {
     take({std::move(what), {}, Level::position, t.instant.time, error, 0, t.condition}, INFINITY);
   }
   const std::optional<Finding>& worst() const { return worst_; }
@@ -112,24 +111,51 @@ double largest_radius(const Model& m, const CheckedRow& row) {
   return largest;
 }
 
-void judge_row(Comparison& comparison, const DrawnScene& s, const CheckedRow& row) {
-  const TrueInstant& truth = s.truth.instants[row.index];
+bool is_overconstrained(const Model& m) {
+  return std::ranges::any_of(m.constraints, [](const Constraint& c) { return c.left_out != 0; });
+}
+
+/// Returns whether a row's drivers are where they are to be, and all equations hold, left-out ones
+/// included. explained: misfit that says nothing.
+bool holds_all(const Model& m, const CheckedRow& row, double time, double explained) {
+  const auto motions = motions_of(m)(time);
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const int i = m.entities[m.drivers[k].coordinate].first;
+    const Quadruple off = motions[k].position - row.values.position[i];
+    if (abs(off) > explained * std::max(1.0, std::abs(row.values.position[i]))) return false;
+  }
+  return largest_misfit(m, row.values.position, true) <= explained;
+}
+
+/// crossed: this row or one before is flagged as passing a change point. Where roundings decide
+/// which branch goes on from there, any does, exactly.
+void judge_row(Comparison& comparison, const DrawnScene& s, const CheckedRow& row, bool crossed) {
+  TrueInstant truth = s.truth.instants[row.index];
+  if (crossed && !s.truth.decided[row.index])
+    truth = answer_near(s.plan.model, truth.instant.time, row.values.position);
   const double misfit = largest_misfit(s.plan.model, row.values.position);
-  const double explained = max_explained * truth.condition * s.truth.far * unit_roundoff +
-                           max_slopes * largest_radius(s.plan.model, row);
-  if (!is_finite(row)) comparison.note(row, "not finite");
+  const auto explained = [&](double condition) {
+    return max_explained * condition * s.truth.far * unit_roundoff +
+           max_slopes * largest_radius(s.plan.model, row);
+  };
+  if (!is_finite(row)) comparison.note(truth, "not finite");
   if (claims(row)) {
-    if (!has_answer(truth))
-      comparison.note(row, "no answer");
-    else if (misfit > explained && !(row.flag && row.flag->misfit))
-      comparison.note(row, "a contradiction", misfit);
-    else if (s.truth.misfit[row.index] <= explained)
+    if (is_overconstrained(s.plan.model) && !(truth.condition < undecided)) {
+      // Others of the group may be regular where the equations that are kept are not.
+      if (!holds_all(s.plan.model, row, truth.instant.time, explained(1)))
+        comparison.note(truth, "no answer");
+    } else if (!has_answer(truth)) {
+      comparison.note(truth, "no answer");
+    } else if (misfit > explained(truth.condition) && !(row.flag && row.flag->misfit)) {
+      comparison.note(truth, "a contradiction", misfit);
+    } else if (largest_misfit(s.plan.model, truth.instant.q) <= explained(truth.condition)) {
       comparison.compare(row, truth);
+    }
     // Else the equations that are kept lead to where others fail, past a singular position that
     // all of them together do not have.
   } else if (row.flag->kind == RowFlag::Kind::misfit && has_answer(truth) &&
              misfit < min_misfit * unit_roundoff) {
-    comparison.note(row, "no misfit", misfit);
+    comparison.note(truth, "no misfit", misfit);
   }
 }
 
@@ -139,8 +165,10 @@ Judgement judge(const DrawnScene& s, const CheckedMotionRows& run) {
   Judgement j;
   Comparison comparison(s);
   std::vector<const CheckedRow*> row_of(s.scene.grid.instants);
+  bool crossed = false;
   for (const CheckedRow& row : run.rows) {
-    judge_row(comparison, s, row);
+    crossed |= row.flag && row.flag->kind == RowFlag::Kind::crossing;
+    judge_row(comparison, s, row, crossed);
     row_of[row.index] = &row;
   }
   j.wrong = comparison.worst();

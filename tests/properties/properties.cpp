@@ -60,7 +60,7 @@ std::string repeated(const DrawnScene& s, const std::string& id) {
        formatted("seed%llu-scene%d.json", static_cast<unsigned long long>(o.seed), s.number))
           .string();
   std::ofstream(file) << s.text;
-  return text + "  desmo solve " + file + " -o out.csv --flags --formulation " + id + "\n";
+  return text + "  desmo solve " + file + " -o out.csv --columns flag --formulation " + id + "\n";
 }
 
 void report(const DrawnScene& s, const std::string& id, const Judgement& j) {

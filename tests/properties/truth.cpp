@@ -79,7 +79,24 @@ void find_sizes(Truth& truth, const Model& m) {
 
 bool has_answer(const TrueInstant& t) { return !t.instant.q.empty(); }
 
-double largest_misfit(const Model& m, std::span<const double> q) {
+TrueInstant answer_near(const Model& m, double time, std::span<const double> q) {
+  TrueInstant t;
+  t.instant.time = time;
+  GlobalSolver<Quadruple> solver(m);
+  solver.place({q.begin(), q.end()});
+  try {
+    solver.solve_positions(time);
+    solver.solve_rates();
+  } catch (const std::runtime_error&) {
+    return t;
+  }
+  const ReferenceInstant found = rounded({time, solver.q(), solver.qd(), solver.qdd()});
+  t.condition = ConditionNumber(m)(found.q);
+  if (t.condition < singular) t.instant = found;
+  return t;
+}
+
+double largest_misfit(const Model& m, std::span<const double> q, bool of_all) {
   const double size = nominal_size(m);
   Values state(q.begin(), q.end());
   for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
@@ -102,7 +119,7 @@ double largest_misfit(const Model& m, std::span<const double> q) {
         slope[r] = std::max(slope[r], s);
       });
       for (int r = 0; r < Kind::rows; ++r)
-        if (constraint.left_out >> r & 1)
+        if (of_all || constraint.left_out >> r & 1)
           largest = std::max(largest, std::abs(static_cast<double>(phi[r])) / slope[r]);
     });
   return largest;
@@ -120,29 +137,34 @@ Truth true_answers(const Model& given, const TimeGrid& grid) {
   find_sizes(truth, m);
   truth.instants.resize(grid.instants);
   for (int i = 0; i < grid.instants; ++i) truth.instants[i].instant.time = grid.time(i);
-  truth.misfit.resize(grid.instants);
   truth.regular.resize(grid.instants);
+  truth.decided.resize(grid.instants);
   Continuation c(m);
   if (!reaches_start(c, m, grid.time(0))) return truth;
-  bool regular = c.crossings() == 0 && c.max_condition() < well_conditioned;
+  double way = c.crossings() == 0 ? c.max_condition() : INFINITY;
+  bool decided = way < undecided || way >= crossing;
   c.begin(motions_of(m), grid.time(0));
   const std::vector<Quadruple> turns = turns_to_drawing(m, c.instant().q);
   std::vector<ReferenceInstant> answers;
   int missed = 0;  // instants in a row: two are more than a passage
   for (int i = 0; i < grid.instants && missed < 2; ++i) {
     missed = reaches(c, grid.time(i)) ? 0 : missed + 1;
-    regular = regular && missed == 0;
-    if (missed > 0) continue;
+    if (missed > 0) {
+      way = INFINITY;
+      decided = false;
+      continue;
+    }
     TrueInstant& t = truth.instants[i];
     t.condition = c.condition();
     t.path_condition = c.max_condition();
-    regular = regular && std::max(t.condition, t.path_condition) < well_conditioned;
-    truth.regular[i] = regular;
+    way = std::max({way, t.condition, t.path_condition});
+    truth.regular[i] = way < well_conditioned;
+    decided = decided && (t.path_condition < undecided || t.path_condition >= crossing);
+    truth.decided[i] = decided;
     if (!(t.condition < singular)) continue;
     WideInstant answer = c.instant();
     for (std::size_t k = 0; k < turns.size(); ++k) answer.q[k] += turns[k];
     t.instant = rounded(answer);
-    truth.misfit[i] = largest_misfit(m, t.instant.q);
     answers.push_back(t.instant);
   }
   truth.scales = make_scales(m, answers);
