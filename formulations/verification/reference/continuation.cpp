@@ -18,6 +18,10 @@ constexpr double singular = 1e14;       // condition number above which doubles 
 constexpr double passed = 1e11;         // condition number that only a singular position has
 constexpr double max_prediction = 0.1;  // relative correction of a prediction
 
+/// Change of a determinant's logarithm, as expected from the last step, that is a fall; and the
+/// part of it that has to come true. Towards a zero a fall becomes steeper.
+constexpr double fall = -0.7, part_of_fall = 0.8;
+
 DriverPath straight(std::vector<Quadruple> from, std::vector<Quadruple> to) {
   return [from = std::move(from), to = std::move(to)](const Quadruple& s) {
     std::vector<MotionSample<Quadruple>> z;
@@ -67,6 +71,7 @@ void Continuation::begin(DriverPath path, const Quadruple& parameter) {
   solver_.correct_positions();
   solver_.solve_rates();
   determinants_ = determinants();
+  slopes_.assign(determinants_.size(), 0);
   last_ = solver_.state();
   max_condition_ = condition_ = condition();
   regular_ = {parameter_, last_, determinants_, condition_};
@@ -95,6 +100,7 @@ void Continuation::return_to_regular() {
   parameter_ = regular_.parameter;
   last_ = regular_.state;
   determinants_ = regular_.determinants;
+  slopes_.assign(determinants_.size(), 0);
   condition_ = regular_.condition;
   solver_.restore(last_);
 }
@@ -119,12 +125,17 @@ bool Continuation::try_step(const Quadruple& next) {
   bool crosses = false, regular = true;
   for (std::size_t k = 0; k < now.size(); ++k) {
     crosses |= now[k].sign != determinants_[k].sign;
-    regular &= std::abs(now[k].log - determinants_[k].log) < std::log(5.0);
+    const double change = now[k].log - determinants_[k].log;
+    const double expected = slopes_[k] * static_cast<double>(step);
+    regular &= std::abs(change) < std::log(5.0);
+    regular &= !(expected < fall) || change < part_of_fall * expected;
   }
   regular &= !crosses;
   if (!regular && abs(step) > crossing_step) return false;
   if (!is_continuous(step)) return false;
   parameter_ = next;
+  for (std::size_t k = 0; k < now.size(); ++k)
+    slopes_[k] = (now[k].log - determinants_[k].log) / static_cast<double>(step);
   determinants_ = std::move(now);
   last_ = solver_.state();
   const double before = std::exchange(condition_, condition());

@@ -26,7 +26,8 @@ DriverPath motions_of(const Model& model);
 /// - Newton's method contracts from the Taylor prediction at once,
 /// - the rates at both ends lead from one end to the other,
 /// - the determinants of irreducible blocks keep their signs and, within a factor of five, their
-///   magnitudes; steps below `crossing_step` may pass a singular position.
+///   magnitudes, and go on falling where they fell: else one may touch zero on the way;
+///   steps below `crossing_step` may pass a singular position.
 /// Other steps are halved. So a fold that is 1e-24 from the path is resolved.
 class Continuation {
  public:
@@ -78,7 +79,8 @@ class Continuation {
   Place regular_{};                   // the last place of a condition number below `passed`
   std::vector<Jet<Quadruple>> last_;  // state of the last accepted step
   std::vector<PartDefinition> blocks_;
-  Determinants determinants_;  // of the blocks, there
+  Determinants determinants_;   // of the blocks, there
+  std::vector<double> slopes_;  // of their logarithms, in the last accepted step
   double condition_ = 1, max_condition_ = 0;
   int crossings_ = 0;
 };
