@@ -33,7 +33,7 @@ struct Finding {
   double condition = 0;          ///< true one of the instant
 };
 
-/// What a run is worth.
+/// Verdict on a run.
 struct Judgement {
   std::optional<Finding> wrong{};  ///< the worst number that breaks the promise
   long rows = 0;                   ///< instants of the grid

@@ -6,7 +6,7 @@
 
 namespace desmo::properties {
 
-/// What the program draws, from its command line.
+/// Choice of what the program draws, from its command line.
 struct Options {
   int scenes = 20;
   std::uint64_t seed = 1;

@@ -14,7 +14,7 @@
 
 namespace desmo::properties {
 
-/// What a scene file is made of.
+/// Parts of a scene file.
 struct Draft {
   std::string family, aim;
   Mechanism mechanism;

@@ -9,7 +9,7 @@
 
 namespace desmo::properties {
 
-/// What is right of a scene: answers of the numbers in the file, in quadruple precision.
+/// Right answers of a scene: those of the numbers in the file, in quadruple precision.
 struct Truth {
   /// (instants) No q: there is no position, or it is singular in double precision.
   std::vector<TrueInstant> instants;

@@ -76,7 +76,7 @@ class BlockEquations {
   std::vector<LaneNumbers> radii_;                    // the same as radii of the values
   std::vector<Object> objects_;
   std::vector<Term> terms_;  // by rows
-  /// What remainders of fixed states and of Φ add to rows of terms; empty: nothing.
+  /// Sums that remainders of fixed states and of Φ add to rows of terms; empty: none.
   std::vector<Compensated<LaneNumbers>> offsets_;
   std::vector<int> constant_entries_;  // of Φ_q
 };

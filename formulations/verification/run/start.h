@@ -31,7 +31,7 @@ struct FoundStart {
 ///   leads back to where it begins, none of them.
 ///   Change points on the way are passed on the smooth continuation (pass_change_point()).
 ///
-/// Where a part is blocked, it goes on by other equations of an overconstrained group, if these are
+/// A part that is blocked goes on by other equations of an overconstrained group, if these are
 /// independent there (with_chosen_equations()); else no other way is sought than a change point's.
 /// It is blocked at 0, too, where a driver has no finite value. Angles that are not driven are
 /// those nearest to the drawing, whole turns apart. Positions are rounded: a Refinement at that
