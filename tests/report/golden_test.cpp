@@ -1,15 +1,11 @@
 // A record of the schema that is read, with every section, gives the report that it gave. When the
 // report is changed on purpose, DESMO_UPDATE_GOLDEN=1 writes it anew; the change is then to be
 // reviewed like any other.
-#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <fstream>
 
 #include "report/formats/formats.h"
-#include "report/read/record.h"
-#include "report/read/record_file.h"
-#include "report/report.h"
 #include "report/tables/record_words.h"
 #include "tests/report/sample.h"
 

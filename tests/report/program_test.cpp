@@ -1,10 +1,8 @@
 // desmo_report and the render script as a user runs them: exit codes, messages, files.
 #include "tests/report/program.h"
 
-#include <algorithm>
 #include <fstream>
 #include <sstream>
-#include <vector>
 
 #include "tests/report/sample.h"
 
@@ -15,23 +13,23 @@ namespace fs = std::filesystem;
 
 TEST_F(Program, PrintsWhatStandsInFrontAndWritesNothing) {
   EXPECT_EQ(tables("complete.json"), 0);
-  EXPECT_NE(out_.find("The paper's best variant"), std::string::npos);
-  EXPECT_NE(out_.find("--all"), std::string::npos);
-  EXPECT_EQ(out_.find("Table 1 (klu)"), std::string::npos);
+  EXPECT_CONTAINS(out_, "The paper's best variant");
+  EXPECT_CONTAINS(out_, "--all");
+  EXPECT_LACKS(out_, "Table 1 (klu)");
   EXPECT_EQ(err_, "");
 }
 
 TEST_F(Program, PrintsAllTablesOrOne) {
   EXPECT_EQ(tables("complete.json", "--all"), 0);
-  EXPECT_NE(out_.find("Table 1 (klu)"), std::string::npos);
-  EXPECT_NE(out_.find("Table 2 (umfpack)"), std::string::npos);
+  EXPECT_CONTAINS(out_, "Table 1 (klu)");
+  EXPECT_CONTAINS(out_, "Table 2 (umfpack)");
   const std::string all = out_;
   EXPECT_EQ(tables("complete.json", "--format terminal"), 0);
   EXPECT_EQ(out_, all);
   EXPECT_EQ(tables("complete.json", "--table table1_klu --table best --format markdown"), 0);
-  EXPECT_NE(out_.find("**Table 1"), std::string::npos);
-  EXPECT_NE(out_.find("**One thread over"), std::string::npos);
-  EXPECT_EQ(out_.find("**Table 2"), std::string::npos);
+  EXPECT_CONTAINS(out_, "**Table 1");
+  EXPECT_CONTAINS(out_, "**One thread over");
+  EXPECT_LACKS(out_, "**Table 2");
   EXPECT_EQ(tables("complete.json", "--table chair"), 64);
   EXPECT_CONTAINS(err_, "no table chair in this report; there are: figure6, best, ");
   EXPECT_CONTAINS(err_, ", provenance\n");
@@ -116,7 +114,7 @@ TEST_F(Program, WritesTheTablesOfRequests) {
   const auto files = files_in(folder_ / "out");
   EXPECT_EQ(files.count("requests_truck_suspension_225.csv"), 1u);
   for (const char* name : {"tables.txt", "tables.md", "report.html"})
-    EXPECT_NE(files.at(name).find("What a request costs"), std::string::npos) << name;
+    EXPECT_CONTAINS(files.at(name), "What a request costs") << name;
 }
 
 TEST_F(Program, WritesOnlyTheChosenFormats) {
@@ -125,13 +123,10 @@ TEST_F(Program, WritesOnlyTheChosenFormats) {
   EXPECT_EQ(files_in(folder_ / "out").count("tables.txt"), 0u);
 }
 
-/// The newest record as another machine would have made it; its CPU is in quotation marks.
+/// The newest record as another machine would have made it.
 std::string of_other_machine(const std::string& other) {
-  std::string text = read_text(data_file("origins.json"));
-  const std::string cpu = Json::parse(text)["record"]["machine"]["cpu"];
-  for (std::size_t at = 0; (at = text.find(cpu, at)) != std::string::npos; at += other.size())
-    text.replace(at, cpu.size(), other);
-  return text;
+  const Json record = origins_record();
+  return replaced(record.dump(), record["record"]["machine"]["cpu"], other);
 }
 
 TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
@@ -147,7 +142,7 @@ TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
   ASSERT_EQ(tables("origins.json", "--out " + alone), 0) << err_;
   const auto without = files_in(alone);
   EXPECT_EQ(without.count("machines.csv"), 0u);
-  EXPECT_EQ(without.at("report.html").find(title), std::string::npos);
+  EXPECT_LACKS(without.at("report.html"), title);
   ASSERT_EQ(tables("origins.json", "--out " + both + " --beside " + own + " " +
                                        (folder_ / "less.json").string() + " " + other.string() +
                                        " " + third.string()),
@@ -156,14 +151,14 @@ TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
   auto with = files_in(both);
   const std::string table = with.at("machines.csv");
   EXPECT_TRUE(table.starts_with("case,coordinates,id,A ratio,A low,A high,B ratio,")) << table;
-  EXPECT_NE(table.find("group_symbolic_klu,"), std::string::npos) << table;  // has most in common
+  EXPECT_CONTAINS(table, "group_symbolic_klu,");  // has most in common
   EXPECT_EQ(with.count("machines_2.csv"), 1u);
   EXPECT_EQ(with.count("machines_3.csv"), 0u);
   const std::string page = with.at("report.html");
-  EXPECT_NE(page.find("B: Third CPU"), std::string::npos);
+  EXPECT_CONTAINS(page, "B: Third CPU");
   const std::size_t section = page.find(title), end = page.find("</details>\n<h2>", section);
   ASSERT_LT(section, end);
-  EXPECT_EQ(page.substr(section, end - section).find(" seconds</th>"), std::string::npos);
+  EXPECT_LACKS(page.substr(section, end - section), " seconds</th>");
   // All else is as without them, the first screen before all.
   for (const char* name : {"report.html", "tables.txt", "tables.md", "tables.json"})
     with.erase(name);
@@ -178,16 +173,16 @@ TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
 TEST_F(Program, WhatStandsBesideMeasuredTheSameOnAnotherMachine) {
   const std::string none = "No other machine's record here has speed-ups of the same work";
   ASSERT_EQ(tables("origins.json", "--all --beside " + data_file("origins.json").string()), 0);
-  EXPECT_NE(out_.find(none), std::string::npos);
+  EXPECT_CONTAINS(out_, none);
   Json other = Json::parse(of_other_machine("Other CPU"));
   set_motion(other, 3);
   std::ofstream(folder_ / "other.json") << other.dump();
   const std::string beside = " --beside " + (folder_ / "other.json").string();
   ASSERT_EQ(tables("origins.json", "--all" + beside), 0) << err_;
-  EXPECT_NE(out_.find(none), std::string::npos);
+  EXPECT_CONTAINS(out_, none);
   EXPECT_EQ(tables("origins.json", "--table machines" + beside), 64);
   EXPECT_EQ(tables("origins.json", "--beside no_such.json"), 65);
-  EXPECT_NE(err_.find("no_such.json: there is no such file"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "no_such.json: there is no such file");
 }
 
 TEST_F(Program, WritesASiteOfAllRecords) {
@@ -202,9 +197,9 @@ TEST_F(Program, WritesASiteOfAllRecords) {
   ASSERT_EQ(report(command), 0) << err_;
   const std::string index = files_in(out).at("index.html");
   for (const std::string name : {"one-paper", "two-paper", "history"}) {
-    EXPECT_NE(index.find("href=\"" + name + "/report.html\""), std::string::npos) << name;
+    EXPECT_CONTAINS(index, "href=\"" + name + "/report.html\"") << name;
     EXPECT_EQ(files_in(out / name).count("machines.vl.json"), name != "history") << name;
-    EXPECT_NE(files_in(out / name).at("report.html").find("../index.html"), std::string::npos);
+    EXPECT_CONTAINS(files_in(out / name).at("report.html"), "../index.html");
   }
   for (const char* part :
        {"<td>Other CPU</td>", ">The paper's experiment</a>", "<li>fewer instructions: 0 of 1</li>"})
@@ -213,7 +208,7 @@ TEST_F(Program, WritesASiteOfAllRecords) {
   std::ofstream(results / "history.json") << R"({"schema": 2})";
   fs::remove_all(out);
   EXPECT_EQ(report(command), 65);
-  EXPECT_NE(err_.find("history.json: /schema: only schema 1 is read"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "history.json: /schema: only schema 1 is read");
   EXPECT_FALSE(fs::exists(out));
 }
 
@@ -227,16 +222,15 @@ TEST_F(Program, UsageErrors) {
 
 TEST_F(Program, InputErrorsNameFileAndPlace) {
   EXPECT_EQ(tables("unknown_version.json", "--out " + (folder_ / "out").string()), 65);
-  EXPECT_NE(err_.find("unknown_version.json: /schema_version: schema version 3.0.0, and this "
-                      "program reads 2.x"),
-            std::string::npos)
-      << err_;
+  EXPECT_CONTAINS(err_,
+                  "unknown_version.json: /schema_version: schema version 3.0.0, and this "
+                  "program reads 2.x");
   EXPECT_EQ(out_, "");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
   EXPECT_EQ(tables("truncated.json"), 65);
-  EXPECT_NE(err_.find("truncated.json: line 135, column 230: "), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "truncated.json: line 135, column 230: ");
   EXPECT_EQ(tables("no_such.json"), 65);
-  EXPECT_NE(err_.find("no_such.json: there is no such file"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "no_such.json: there is no such file");
 }
 
 TEST_F(Program, ReadsANewerMinorVersionWithANote) {
@@ -254,7 +248,7 @@ TEST_F(Program, MarksFailuresEverywhereAndSucceeds) {
   EXPECT_EQ(tables("failed.json", "--out " + (folder_ / "out").string()), 0);
   for (const char* name : {"tables.txt", "tables.md", "report.html", "table1_klu.csv",
                            "table2_klu.csv", "figure5.vl.json"})
-    EXPECT_NE(files_in(folder_ / "out")[name].find("FAILED"), std::string::npos) << name;
+    EXPECT_CONTAINS(files_in(folder_ / "out")[name], "FAILED") << name;
 }
 
 TEST_F(Program, FullDiskLeavesNothingBehind) {
@@ -266,19 +260,19 @@ TEST_F(Program, FullDiskLeavesNothingBehind) {
                   " tables " + data_file("complete.json").string() + " --out " + out.string() +
                   "' >/dev/null"),
             74);
-  EXPECT_NE(err_.find("cannot be written"), std::string::npos) << err_;
-  EXPECT_NE(err_.find(out.string()), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "cannot be written");
+  EXPECT_CONTAINS(err_, out.string());
   EXPECT_EQ(files_in(out), before);
 }
 
 TEST_F(Program, OutputErrorsNameTheFile) {
   std::ofstream(folder_ / "file") << "in the way";
   EXPECT_EQ(tables("complete.json", "--out " + (folder_ / "file").string()), 74);
-  EXPECT_NE(err_.find((folder_ / "file").string()), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, (folder_ / "file").string());
   EXPECT_EQ(tables("complete.json", "--out /proc/nowhere"), 74);
-  EXPECT_NE(err_.find("/proc/nowhere"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "/proc/nowhere");
   EXPECT_EQ(tables("complete.json", ">/dev/full"), 74);
-  EXPECT_NE(err_.find("standard output cannot be written"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "standard output cannot be written");
 }
 
 TEST_F(Program, WithoutNodeTheMissingFiguresAreNamed) {
@@ -290,8 +284,7 @@ TEST_F(Program, WithoutNodeTheMissingFiguresAreNamed) {
       out_.starts_with("missing figure: figure5.svg (Node.js is not installed)\n"
                        "missing figure: figure6.svg (Node.js is not installed)\n"));
   for (const char* name : {"figure5", "figure6"})
-    EXPECT_NE(files_in(out)["report.html"].find(std::string("Missing figure: ") + name),
-              std::string::npos);
+    EXPECT_CONTAINS(files_in(out)["report.html"], std::string("Missing figure: ") + name);
   EXPECT_EQ(shell(render + (folder_ / "no_such").string()), 64);
 }
 
@@ -343,11 +336,10 @@ TEST_F(Program, PagesQuoteTheirRecords) {
         if (line.starts_with(">")) sentences += line.substr(1) + "\n";
         if (!line.starts_with("|")) continue;
         ++rows;
-        EXPECT_NE(report.find("\n" + line + "\n"), std::string::npos) << page.name << ": " << line;
+        EXPECT_CONTAINS(report, "\n" + line + "\n") << page.name << ": " << line;
       }
       ASSERT_EQ(tables(source / record), 0);
-      EXPECT_NE(in_one_line(out_).find(in_one_line(sentences)), std::string::npos)
-          << page.name << ": " << sentences;
+      EXPECT_CONTAINS(in_one_line(out_), in_one_line(sentences)) << page.name << ": " << sentences;
     }
     EXPECT_GE(rows, page.rows) << page.name;
   }

@@ -1,13 +1,9 @@
 #include "tests/report/sample.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-
-#include "report/read/record.h"
-#include "report/read/record_file.h"
 
 namespace desmo::report {
 
@@ -23,47 +19,74 @@ std::string read_text(const std::filesystem::path& file) {
   return text.str();
 }
 
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; at += part.size()) ++found;
+  return found;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
+Json structured_record() { return Json::parse(read_text(data_file("structured.json"))); }
+Json origins_record() { return Json::parse(read_text(data_file("origins.json"))); }
+
+Json changed(Json record, const std::string& place, const Json& value) {
+  record[Json::json_pointer(place)] = value;
+  return record;
+}
+
+namespace {
+
+/// Calls `change` with the time of everything in the paper's experiment that has one.
+template <class Change>
+void for_each_time(Json& record, const Change& change) {
+  for (const char* list : {"cells", "requests", "peers"})
+    if (record["paper"].contains(list))
+      for (Json& timed : record["paper"][list])
+        if (timed.contains("time")) change(timed["time"]);
+}
+
+/// Divides a time into windows of increasing length.
+std::vector<double> divided(double seconds, int windows) {
+  std::vector<double> each;
+  for (int i = 1; i <= windows; ++i) each.push_back(seconds * 2 * i / (windows * (windows + 1)));
+  return each;
+}
+
+}  // namespace
 
 Json with_windows(Json record, int windows) {
   record["record"]["settings"]["windows"] = windows;
-  for (const char* list : {"cells", "requests", "peers"}) {
-    if (!record["paper"].contains(list)) continue;
-    for (Json& timed : record["paper"][list]) {
-      if (!timed.contains("time")) continue;
-      const auto samples = timed["time"]["seconds"].get<std::vector<double>>();
-      const double least = *std::ranges::min_element(samples);
-      Json each = Json::array();
-      for (int i = 1; i <= windows; ++i) each.push_back(least * 2 * i / (windows * (windows + 1)));
-      timed["time"]["windows"] = {{"least", each}};
-    }
-  }
+  for_each_time(record, [&](Json& time) {
+    const std::vector<double> samples = time["seconds"];
+    time["windows"] = {{"least", divided(std::ranges::min(samples), windows)}};
+  });
   return record;
 }
 
-Json with_samples_of_windows(Json record, int count) {
-  record = with_windows(std::move(record), count);
-  for (const char* list : {"cells", "requests"}) {
-    if (!record["paper"].contains(list)) continue;
-    for (Json& timed : record["paper"][list]) {
-      if (!timed.contains("time")) continue;
-      const auto samples = timed["time"]["seconds"].get<std::vector<double>>();
-      const double least = *std::ranges::min_element(samples);
-      Json updates = Json::array(), of_all = Json::array();
-      for (int i = 1; i <= count; ++i) updates.push_back(1000 * i);
-      for (const double sample : samples) {
-        Json of_one = Json::array();
-        for (const double seconds : timed["time"]["windows"]["least"])
-          of_one.push_back(sample == least ? seconds : seconds * (sample / least));
-        of_all.push_back(std::move(of_one));
-      }
-      timed["time"]["windows"] = {{"updates", updates}, {"samples", of_all}};
-    }
-  }
+Json with_samples_of_windows(Json record, int windows) {
+  record["record"]["settings"]["windows"] = windows;
+  for_each_time(record, [&](Json& time) {
+    Json updates = Json::array(), samples = Json::array();
+    for (int i = 1; i <= windows; ++i) updates.push_back(1000 * i);
+    for (const double sample : time["seconds"]) samples.push_back(divided(sample, windows));
+    time["windows"] = {{"updates", updates}, {"samples", samples}};
+  });
   return record;
 }
 
-Json structured_record() { return Json::parse(read_text(data_file("structured.json"))); }
+void keep_samples(Json& record, std::size_t repetitions) {
+  for_each_time(record, [&](Json& time) {
+    std::vector<double> seconds = time["seconds"];
+    seconds.resize(std::min(seconds.size(), repetitions));
+    time["seconds"] = seconds;
+  });
+}
 
 namespace {
 
@@ -134,6 +157,13 @@ std::string complaint(const std::string& text) {
 }
 
 std::string complaint(const Json& json) { return complaint(json.dump()); }
+
+void expect_refusals(const Json& record, const std::vector<Refusal>& refusals) {
+  EXPECT_EQ(complaint(record), "accepted");
+  for (const auto& [place, value, message] : refusals)
+    EXPECT_CONTAINS(complaint(changed(record, place, value)),
+                    message.starts_with(":") ? place + message : message);
+}
 
 Entry entry_at(const Table& table, const std::vector<std::string>& labels,
                const std::string& column) {

@@ -3,16 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "report/read/record.h"
+#include "report/read/record_file.h"
+#include "report/report.h"
+#include "report/tables/tables.h"
 #include "report/text/document.h"
 
-/// Expects a text to contain a part; shows the text otherwise.
+/// Expects a text to contain a part, or not to; shows the text otherwise.
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+#define EXPECT_LACKS(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
 
 namespace desmo::report {
 
@@ -22,9 +27,17 @@ inline constexpr const char* truck = "truck_suspension";
 
 std::filesystem::path data_file(const std::string& name);
 std::string read_text(const std::filesystem::path& file);
+std::size_t count(const std::string& text, const std::string& part);
+std::string replaced(std::string text, const std::string& from, const std::string& to);
 
 /// Returns data/complete.json: every family and size, all of status "ok", with made-up numbers.
 Json complete_record();
+
+/// Returns data/origins.json: small, with the machine, model and results of each candidate.
+Json origins_record();
+
+/// Returns a record with another value at a place, "/paper/cells/0/status".
+Json changed(Json record, const std::string& place, const Json& value);
 
 /// Returns the record with timing windows: the smallest sample of each time is divided into windows
 /// of increasing length.
@@ -45,6 +58,9 @@ void erase_candidate(Json& record, const std::string& case_name, int coordinates
 void fail_candidate(Json& record, const std::string& case_name, int coordinates,
                     const std::string& id);
 
+/// Leaves so many samples of every time.
+void keep_samples(Json& record, std::size_t repetitions);
+
 /// Erases every candidate with this sparse solver, as of a build without it.
 void erase_family(Json& record, const std::string& family);
 
@@ -62,6 +78,17 @@ Record record_from(const Json& json);
 /// Returns the reader's error message for a record, or "accepted".
 std::string complaint(const std::string& text);
 std::string complaint(const Json& json);
+
+/// A value at a place of a record, and what the reader says of it: a message that begins with ":"
+/// is one about this very place.
+struct Refusal {
+  std::string place;
+  Json value;
+  std::string message;
+};
+
+/// Expects a record to be read, and to be refused with each of the changes.
+void expect_refusals(const Json& record, const std::vector<Refusal>& refusals);
 
 /// Returns the entry in the row whose first texts are `labels`, in the column of that name.
 Entry entry_at(const Table& table, const std::vector<std::string>& labels,

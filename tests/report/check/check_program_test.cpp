@@ -1,5 +1,4 @@
 // desmo_report check as bench/check runs it: exit codes and messages.
-#include <algorithm>
 #include <fstream>
 
 #include "tests/report/check/check_sample.h"
@@ -21,7 +20,7 @@ class CheckProgram : public Program {
 
 TEST_F(CheckProgram, PassesWhatHasNotChanged) {
   EXPECT_EQ(check(check_sample().dump()), 0);
-  EXPECT_NE(out_.find("Verdict: PASS"), std::string::npos) << out_;
+  EXPECT_CONTAINS(out_, "Verdict: PASS");
   EXPECT_EQ(err_, "");
 }
 
@@ -35,8 +34,7 @@ TEST_F(CheckProgram, NamesWhatHasBecomeSlowerInMarkdownToo) {
   EXPECT_EQ(check(json.dump(), "--pending"), 0);
   EXPECT_EQ(out_, "");
   EXPECT_EQ(check(json.dump(), "--format markdown"), 1);
-  EXPECT_NE(out_.find("Slower: truck\\_suspension/114/group\\_symbolic\\_klu."), std::string::npos)
-      << out_;
+  EXPECT_CONTAINS(out_, "Slower: truck\\_suspension/114/group\\_symbolic\\_klu.");
 }
 
 TEST_F(CheckProgram, PrintsARiseAsANumber) {
@@ -54,29 +52,27 @@ TEST_F(CheckProgram, WrongNumerics) {
   Json json = check_sample();
   fail_head(json, watched);
   EXPECT_EQ(check(json.dump()), 2);
-  EXPECT_NE(out_.find("Wrong numerics, not timed: " + std::string(watched)), std::string::npos)
-      << out_;
+  EXPECT_CONTAINS(out_, "Wrong numerics, not timed: " + std::string(watched));
 }
 
 TEST_F(CheckProgram, FilesThatCannotBeJudgedSayWhy) {
   const std::string whole = check_sample().dump();
   EXPECT_EQ(check(whole.substr(0, whole.size() / 2)), 2);
-  EXPECT_NE(err_.find("results.json: line 1, column "), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "results.json: line 1, column ");
   EXPECT_EQ(check("nonsense"), 2);
   Json json = check_sample();
   json["schema_version"] = "3.0.0";
   EXPECT_EQ(check(json.dump()), 4);
-  EXPECT_NE(err_.find("schema version 3.0.0, and this program reads 2.x"), std::string::npos)
-      << err_;
+  EXPECT_CONTAINS(err_, "schema version 3.0.0, and this program reads 2.x");
   json["schema_version"] = json["head"]["schema_version"] = "2.1.0";
   EXPECT_EQ(check(json.dump()), 0);
-  EXPECT_NE(out_.find("schema version 2.1.0, this program knows 2.0.0"), std::string::npos) << out_;
+  EXPECT_CONTAINS(out_, "schema version 2.1.0, this program knows 2.0.0");
   json = check_sample();
   json["head"]["paper"]["cells"][0]["machine"] = "other";
   EXPECT_EQ(check(json.dump()), 4);
-  EXPECT_NE(err_.find("a record is of one machine"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "a record is of one machine");
   EXPECT_EQ(report("check " + (folder_ / "no_such.json").string()), 64);
-  EXPECT_NE(err_.find("no_such.json: there is no such file"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "no_such.json: there is no such file");
   EXPECT_EQ(report("check"), 64);
 }
 
@@ -85,7 +81,7 @@ TEST_F(CheckProgram, ABaselineIsReadLikeACheckAndNamedWhenItIsNone) {
   EXPECT_EQ(check(one_tree_sample().dump(), "--baseline " + baseline), 0);
   EXPECT_EQ(check(one_tree_sample().dump()), 4);  // alone it compares with nothing
   EXPECT_EQ(check(one_tree_sample().dump(), "--baseline " + written("bad.json", "{")), 2);
-  EXPECT_NE(err_.find("bad.json"), std::string::npos) << err_;
+  EXPECT_CONTAINS(err_, "bad.json");
 }
 
 TEST_F(CheckProgram, TheSameFileGivesTheSameBytes) {

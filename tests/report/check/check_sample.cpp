@@ -1,9 +1,5 @@
 #include "tests/report/check/check_sample.h"
 
-#include <gtest/gtest.h>
-
-#include "report/check/check_record.h"
-
 namespace desmo::report {
 namespace {
 

@@ -1,10 +1,8 @@
 // The verdict on made-up checks: every rule, from either side.
-#include <gtest/gtest.h>
 
 #include <functional>
 
 #include "report/check/check_outcome.h"
-#include "report/check/check_record.h"
 #include "tests/report/check/check_sample.h"
 
 namespace desmo::report::check_test {
@@ -141,7 +139,7 @@ TEST(Check, WrongNumericsShowNoTimeWhateverElseIsThere) {
   for (const WorkFinding& f : judged(check).work.candidates)
     EXPECT_EQ(f.candidate, "truck_suspension/114/global_automatic_klu");
   const Document document = verdict_document(record, j);
-  EXPECT_NE(document.sections[0].paragraphs[0].find("group_symbolic_inlined"), std::string::npos);
+  EXPECT_CONTAINS(document.sections[0].paragraphs[0], "group_symbolic_inlined");
 }
 
 // Errors beyond what the record itself allows are wrong answers, whatever it says of them.
@@ -186,7 +184,7 @@ TEST(Check, NewCellsAreSaidAndNotJudged) {
   EXPECT_EQ(j.verdict, CheckVerdict::pass);
   EXPECT_EQ(j.time.candidates.size(), 2u);
   ASSERT_EQ(j.excluded.size(), 1u);
-  EXPECT_NE(j.excluded[0].reason.find("new"), std::string::npos);
+  EXPECT_CONTAINS(j.excluded[0].reason, "new");
 }
 
 TEST(Check, WorkAloneIsACheck) {
@@ -237,54 +235,45 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
     }
     return std::string("accepted");
   };
-  EXPECT_NE(complaint([](Json& c) {
-              c["head"]["paper"]["cells"][0]["time"]["seconds"].erase(0);
-            }).find("another number of rounds"),
-            std::string::npos);
-  EXPECT_NE(
-      complaint([](Json& c) { c["second"][watched]["base"].erase(0); }).find("number of rounds"),
-      std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { c["second"].erase("control"); }).find("control"),
-            std::string::npos);
-  EXPECT_NE(complaint([](Json& c) {
-              c.erase("base");
-              c["control"].erase("base");
-            }).find("the key 'base' is missing"),
-            std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { c["base"]["paper"]["cells"].erase(0); }).find("base"),
-            std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { c.erase("control"); }).find("control"), std::string::npos);
-  EXPECT_NE(
-      complaint([](Json& c) { c["head"]["paper"]["cells"].erase(0); }).find("head: the candidate"),
-      std::string::npos);
-  EXPECT_NE(complaint([](Json& c) {
-              for (const char* side : {"base", "head"}) c[side]["paper"]["cells"] = Json::array();
-            }).find("head"),
-            std::string::npos);
-  EXPECT_NE(complaint([](Json& c) {
-              c.erase("work");
-              take_no_times(c);
-            }).find("nothing was measured"),
-            std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { leave_out(c, "head", watched); }).find("was not run: unknown"),
-            std::string::npos);
-  EXPECT_NE(complaint([](Json& c) {
-              const Json control = c["control"];
-              take_no_times(c);
-              c["control"] = control;
-            }).find("has no times"),
-            std::string::npos);
-  EXPECT_NE(complaint([](Json& c) {
-              c["work"]["instructions"] = Json::object();
-            }).find("/work/instructions: the candidate truck_suspension"),
-            std::string::npos);
-  EXPECT_NE(
-      complaint([](Json& c) { c["work"]["instructions"][watched]["head"] = 0.5; }).find("whole"),
-      std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { c["control"]["head"][0] = -1; }).find("/control/head/0"),
-            std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { c["schema"] = "desmo-results"; }).find("desmo-check"),
-            std::string::npos);
+  EXPECT_CONTAINS(
+      complaint([](Json& c) { c["head"]["paper"]["cells"][0]["time"]["seconds"].erase(0); }),
+      "another number of rounds");
+  EXPECT_CONTAINS(complaint([](Json& c) { c["second"][watched]["base"].erase(0); }),
+                  "number of rounds");
+  EXPECT_CONTAINS(complaint([](Json& c) { c["second"].erase("control"); }), "control");
+  EXPECT_CONTAINS(complaint([](Json& c) {
+                    c.erase("base");
+                    c["control"].erase("base");
+                  }),
+                  "the key 'base' is missing");
+  EXPECT_CONTAINS(complaint([](Json& c) { c["base"]["paper"]["cells"].erase(0); }), "base");
+  EXPECT_CONTAINS(complaint([](Json& c) { c.erase("control"); }), "control");
+  EXPECT_CONTAINS(complaint([](Json& c) { c["head"]["paper"]["cells"].erase(0); }),
+                  "head: the candidate");
+  EXPECT_CONTAINS(complaint([](Json& c) {
+                    for (const char* side : {"base", "head"})
+                      c[side]["paper"]["cells"] = Json::array();
+                  }),
+                  "head");
+  EXPECT_CONTAINS(complaint([](Json& c) {
+                    c.erase("work");
+                    take_no_times(c);
+                  }),
+                  "nothing was measured");
+  EXPECT_CONTAINS(complaint([](Json& c) { leave_out(c, "head", watched); }),
+                  "was not run: unknown");
+  EXPECT_CONTAINS(complaint([](Json& c) {
+                    const Json control = c["control"];
+                    take_no_times(c);
+                    c["control"] = control;
+                  }),
+                  "has no times");
+  EXPECT_CONTAINS(complaint([](Json& c) { c["work"]["instructions"] = Json::object(); }),
+                  "/work/instructions: the candidate truck_suspension");
+  EXPECT_CONTAINS(complaint([](Json& c) { c["work"]["instructions"][watched]["head"] = 0.5; }),
+                  "whole");
+  EXPECT_CONTAINS(complaint([](Json& c) { c["control"]["head"][0] = -1; }), "/control/head/0");
+  EXPECT_CONTAINS(complaint([](Json& c) { c["schema"] = "desmo-results"; }), "desmo-check");
 }
 
 TEST(CheckReader, KnowsLaterVersionsAndMixedMachinesApart) {

@@ -1,13 +1,8 @@
 #include "report/figures/figures.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "report/report.h"
-#include "report/tables/tables.h"
 #include "report/text/embedded.h"
 #include "tests/report/points_sample.h"
 #include "tests/report/size_sample.h"
@@ -68,12 +63,12 @@ TEST(Figures, DrawWhatTheirTablesSay) {
         EXPECT_EQ(file.file_name, table.name + ".vl.json");
         seen.insert(table.figure);
         const Json spec = Json::parse(file.content);
-        EXPECT_NE(spec["$schema"].get<std::string>().find("vega-lite/v5"), std::string::npos);
+        EXPECT_CONTAINS(spec["$schema"].get<std::string>(), "vega-lite/v5");
         EXPECT_FALSE(spec["data"].contains("url"));
         EXPECT_EQ(spec["title"]["text"], table.title);
         EXPECT_EQ(spec["title"]["subtitle"], table.caption);
         EXPECT_TRUE(table.caption.ends_with('.')) << table.caption;  // one sentence
-        EXPECT_EQ(table.caption.find(". "), std::string::npos) << table.caption;
+        EXPECT_LACKS(table.caption, ". ");
         std::multiset<std::string> drawn, printed;
         for (const Json& datum : spec["data"]["values"])
           for (const auto& [key, value] : datum.items()) {
@@ -133,7 +128,7 @@ std::vector<std::string> backgrounds() {
     at += name.size();
     found.push_back(css.substr(at, css.find(';', at) - at));
   }
-  EXPECT_EQ(css.find("filter:"), css.npos);  // a colour is what it says
+  EXPECT_LACKS(css, "filter:");  // a colour is what it says
   return found;
 }
 

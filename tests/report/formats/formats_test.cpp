@@ -1,16 +1,9 @@
 #include "report/formats/formats.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <set>
 #include <sstream>
 
-#include "report/read/record.h"
-#include "report/read/record_file.h"
-#include "report/report.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::formats_test {
@@ -59,9 +52,8 @@ TEST(Csv, OfARecordHasNoFormulas) {
   json["record"]["machine"]["cpu"] = "=HYPERLINK(\"http://a\")";
   json["record"]["build"]["flags"] = "-O3";
   const std::string text = to_csv(table_named(make_report(record_from(json)), "provenance"));
-  EXPECT_NE(text.find("machine cpu,\"'=HYPERLINK(\"\"http://a\"\")\"\n"), std::string::npos)
-      << text;
-  EXPECT_NE(text.find("build flags,'-O3\n"), std::string::npos) << text;
+  EXPECT_CONTAINS(text, "machine cpu,\"'=HYPERLINK(\"\"http://a\"\")\"\n");
+  EXPECT_CONTAINS(text, "build flags,'-O3\n");
 }
 
 TEST(JsonFormat, HasNumbersAndNotes) {
@@ -107,11 +99,9 @@ TEST(JsonFormat, HasTheNumbersOfTheTables) {
 
 TEST(Markdown, Escapes) {
   const std::string text = to_markdown(awkward());
-  EXPECT_NE(text.find("| x\\_y\\|&lt;z&gt;, \"q\" --quick | -1.50 ±0.10 |"), std::string::npos)
-      << text;
-  EXPECT_NE(text.find("| \\[w\\] \\$5 &amp; \\#1 {2} \\~ ^ \\\\ | FAILED |"), std::string::npos)
-      << text;
-  EXPECT_NE(text.find("| --- | ---: |"), std::string::npos) << text;
+  EXPECT_CONTAINS(text, "| x\\_y\\|&lt;z&gt;, \"q\" --quick | -1.50 ±0.10 |");
+  EXPECT_CONTAINS(text, "| \\[w\\] \\$5 &amp; \\#1 {2} \\~ ^ \\\\ | FAILED |");
+  EXPECT_CONTAINS(text, "| --- | ---: |");
 }
 
 // A page cannot wrap what has no space, so long ids break before each setting; shorter ones stay
@@ -123,10 +113,8 @@ TEST(Markdown, BreaksLongIds) {
   table.rows[0][0].shown = "a b " + forty;
   table.rows[1][0].shown = forty + "c";
   const std::string text = to_markdown(document);
-  EXPECT_NE(text.find("| a b " + forty + " |"), std::string::npos) << text;
-  EXPECT_NE(text.find("| abcdefghi<br>/abcdefghi<br>/abcdefghi<br>/abcdefghi<br>/c |"),
-            std::string::npos)
-      << text;
+  EXPECT_CONTAINS(text, "| a b " + forty + " |");
+  EXPECT_CONTAINS(text, "| abcdefghi<br>/abcdefghi<br>/abcdefghi<br>/abcdefghi<br>/c |");
 }
 
 TEST(Formats, MeasureRowsInCharacters) {
@@ -136,8 +124,8 @@ TEST(Formats, MeasureRowsInCharacters) {
 
 TEST(Terminal, AlignsByCharactersNotBytes) {
   const std::string text = to_terminal(awkward());
-  EXPECT_NE(text.find("-1.50 ±0.10\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("     FAILED\n"), std::string::npos) << text;
+  EXPECT_CONTAINS(text, "-1.50 ±0.10\n");
+  EXPECT_CONTAINS(text, "     FAILED\n");
 }
 
 std::size_t widest_line(const std::string& text) {
@@ -156,17 +144,17 @@ TEST(Terminal, WrapsEntriesSoThatARowFits) {
   table.rows[0][1].shown = "12.50 [12.25, 13.00] inconclusive";
   const std::string text = to_terminal(document);
   EXPECT_LE(widest_line(text), 100u) << text;
-  EXPECT_NE(text.find("[12.25, 13.00]"), std::string::npos) << text;
+  EXPECT_CONTAINS(text, "[12.25, 13.00]");
   std::string without_spaces = text;
   std::erase_if(without_spaces, [](char c) { return c == ' ' || c == '\n'; });
-  EXPECT_NE(without_spaces.find("tolerance:1e-10"), std::string::npos) << text;
+  EXPECT_CONTAINS(without_spaces, "tolerance:1e-10") << text;
 }
 
 TEST(Terminal, ShowsInFrontWhatIsMarked) {
   Document document = awkward();
   EXPECT_EQ(front_to_terminal(document), "T\n=\n");
   document.sections[0].front = true;
-  EXPECT_NE(front_to_terminal(document).find("FAILED"), std::string::npos);
+  EXPECT_CONTAINS(front_to_terminal(document), "FAILED");
 }
 
 // What bench/run prints at its end.
@@ -187,8 +175,8 @@ TEST(Terminal, NamesTheTablesItLeavesOut) {
   Document document = awkward();
   document.sections[0].tables[0].detail = true;
   const std::string text = to_terminal(document);
-  EXPECT_EQ(text.find("FAILED"), std::string::npos);
-  EXPECT_NE(text.find("In the other formats only: awkward."), std::string::npos);
+  EXPECT_LACKS(text, "FAILED");
+  EXPECT_CONTAINS(text, "In the other formats only: awkward.");
 }
 
 TEST(Formats, CsvFieldsMatchTheHeader) {

@@ -1,12 +1,7 @@
 // The page: what stands in it before it has figures, and how it behaves in a browser when it has.
-#include <algorithm>
 #include <fstream>
 
 #include "report/formats/formats.h"
-#include "report/read/record.h"
-#include "report/read/record_file.h"
-#include "report/report.h"
-#include "report/tables/tables.h"
 #include "tests/report/points_sample.h"
 #include "tests/report/program.h"
 #include "tests/report/sample.h"
@@ -31,13 +26,6 @@ std::vector<std::string> found(const std::string& text, const std::string& begin
   return matches;
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t number = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
-    ++number;
-  return number;
-}
-
 // Everything a browser may load of its own accord; what scripts could is the browser's to tell.
 void expect_no_reference_outwards(std::string page) {
   for (std::size_t from; (from = page.find("<script")) != std::string::npos;)
@@ -46,7 +34,7 @@ void expect_no_reference_outwards(std::string page) {
     for (const std::string& target : found(page, attribute))
       EXPECT_TRUE(target.starts_with("#") || target.starts_with("data:")) << target;
   for (const char* loader : {"@import", "<iframe", "<object", "<embed", "<base", "<form"})
-    EXPECT_EQ(page.find(loader), std::string::npos) << loader;
+    EXPECT_LACKS(page, loader) << loader;
   for (const std::string& target : found(page, "url(", ")"))
     EXPECT_TRUE(target.starts_with("#")) << target;
 }
@@ -54,8 +42,8 @@ void expect_no_reference_outwards(std::string page) {
 TEST(Page, RefersToNothingOutsideItself) {
   const std::string page = page_of(structured_record());
   expect_no_reference_outwards(page);
-  EXPECT_EQ(page.find("<script"), std::string::npos);
-  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+  EXPECT_LACKS(page, "<script");
+  EXPECT_CONTAINS(page, "default-src 'none'");
 }
 
 TEST(Page, LinksLeadToPlacesThatExistOnce) {
@@ -92,8 +80,8 @@ TEST(Page, TablesHaveCaptionsAndHeaders) {
 TEST(Page, NamesTheFiguresThatAreMissing) {
   const std::string page = page_of(complete_record());
   for (const char* name : {"figure5", "figure6"}) {
-    EXPECT_NE(page.find(std::string("Missing figure: ") + name + "."), std::string::npos);
-    EXPECT_NE(page.find(std::string("<table id=\"") + name + "-data\""), std::string::npos);
+    EXPECT_CONTAINS(page, std::string("Missing figure: ") + name + ".");
+    EXPECT_CONTAINS(page, std::string("<table id=\"") + name + "-data\"");
   }
 }
 
@@ -122,9 +110,9 @@ TEST(Page, EscapesWhatTheRecordSays) {
   Json record = complete_record();
   record["record"]["machine"]["cpu"] = "<script>alert(\"x\")</script> <!-- figure5 --> & co";
   const std::string page = page_of(record);
-  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_LACKS(page, "<script");
   EXPECT_EQ(count(page, "<!-- figure5 -->"), 1u);
-  EXPECT_NE(page.find("&lt;!-- figure5 --&gt; &amp; co"), std::string::npos);
+  EXPECT_CONTAINS(page, "&lt;!-- figure5 --&gt; &amp; co");
 }
 
 TEST(Page, TellsVerdictsFromNumbers) {
@@ -135,11 +123,9 @@ TEST(Page, TellsVerdictsFromNumbers) {
               .rows = {{"a", {"1.5 [1.0] in", {"1.5", "1.0"}, inside_mark}},
                        {"b", note_entry(failed_mark)}}};
   const std::string page = to_html({"D", {{"S", {}, {table}}}});
-  EXPECT_NE(
-      page.find("1.5<span class=\"rest interval\"> [1.0] </span><span class=\"in\">in</span>"),
-      std::string::npos)
-      << page;
-  EXPECT_NE(page.find("<span class=\"failed\">FAILED</span>"), std::string::npos);
+  EXPECT_CONTAINS(page,
+                  "1.5<span class=\"rest interval\"> [1.0] </span><span class=\"in\">in</span>");
+  EXPECT_CONTAINS(page, "<span class=\"failed\">FAILED</span>");
 }
 
 // With Node.js and Chromium (bench/setup browser), as a reader's computer has it.
@@ -232,7 +218,7 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   ASSERT_NO_FATAL_FAILURE(render(out));
   EXPECT_LE(fs::file_size(page), size_limit);
   expect_no_reference_outwards(read_text(page));
-  EXPECT_EQ(read_text(page).find("Missing figure"), std::string::npos);
+  EXPECT_LACKS(read_text(page), "Missing figure");
 
   if (shell("command -v chromium") != 0) GTEST_SKIP() << "Chromium is not installed";
   if (!installed("tests/report/browser", "browser")) GTEST_SKIP() << out_;

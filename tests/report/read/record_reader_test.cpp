@@ -1,15 +1,8 @@
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <numeric>
-#include <vector>
 
 #include "report/formats/formats.h"
-#include "report/read/record.h"
-#include "report/read/record_file.h"
-#include "report/report.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::record_reader_test {
@@ -46,27 +39,12 @@ TEST(RecordReader, ReadsOneMajorVersionAndSaysWhatToDoWithOthers) {
   EXPECT_EQ(complaint(read_text(data_file("unknown_version.json"))),
             "/schema_version: schema version 3.0.0, and this program reads 2.x; update desmo and "
             "build it again");
-  Json json = complete_record();
-  json["schema"] = "google-benchmark";
-  EXPECT_CONTAINS(complaint(json), "/schema: \"google-benchmark\" is not \"desmo-results\"");
-  json = complete_record();
-  json["schema_version"] = 1;
-  EXPECT_CONTAINS(complaint(json), "/schema_version: is a number; give a text");
-  json.erase("schema_version");
-  EXPECT_CONTAINS(complaint(json), "the key 'schema_version' is missing");
   const Json old{{"schema", "desmo-results"}, {"version", "1.10.0"}, {"cells", Json::array()}};
   EXPECT_EQ(complaint(old),
             "/version: schema version 1.10.0, and this program reads 2.x; measure it anew "
             "(bench/run, bench/check --renew-baseline), or read it with desmo_report of the commit "
             "that it names");
   EXPECT_THROW(record_from(old), UnsupportedVersion);
-  for (const char* text : {"", "2", "2.0", "2.0.0.0", "2.0.0-beta", "2..0", "2.0.", " 2.0.0",
-                           "2.-1.0", "99999999999.0.0", "two"}) {
-    json = complete_record();
-    json["schema_version"] = text;
-    EXPECT_CONTAINS(complaint(json),
-                    "/schema_version: \"" + std::string(text) + "\" is not a version, as 2.0.0");
-  }
 }
 
 // What a newer minor version adds is ignored, and its numbers are the same.
@@ -90,32 +68,21 @@ TEST(RecordReader, ReadsANewerMinorVersionWithANote) {
   }
 }
 
-TEST(RecordReader, IgnoresKeysThatItDoesNotKnow) {
-  Json json = complete_record();
-  json["later"] = {{"key", 1}};
-  json["paper"]["cells"][0]["cache_misses"] = {1, 2};
-  EXPECT_EQ(complaint(json), "accepted");
-}
-
 TEST(RecordReader, NamesTheMissingKey) {
-  for (const char* key : {"schema", "schema_version", "record"}) {
+  for (const auto& [place, key] : std::vector<std::pair<std::string, std::string>>{
+           {"", "schema"},
+           {"", "schema_version"},
+           {"", "record"},
+           {"/record/settings", "instants"},
+           {"/record/settings/allowed", "velocity"},
+           {"/paper/cells/3", "time"},
+           {"/paper/cells/3/time", "clock"},
+           {"/paper/profiles/1/time_per_step/phases", "solve"}}) {
     Json json = complete_record();
-    json.erase(key);
-    EXPECT_CONTAINS(complaint(json), "top level: the key '" + std::string(key) + "' is missing");
+    json[Json::json_pointer(place)].erase(key);
+    EXPECT_CONTAINS(complaint(json),
+                    (place.empty() ? "top level" : place) + ": the key '" + key + "' is missing");
   }
-  Json json = complete_record();
-  json["record"]["settings"].erase("instants");
-  EXPECT_CONTAINS(complaint(json), "/record/settings: the key 'instants' is missing");
-  json = complete_record();
-  json["paper"]["cells"][3].erase("time");
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/3: the key 'time' is missing");
-  json = complete_record();
-  json["paper"]["cells"][3]["time"].erase("clock");
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time: the key 'clock' is missing");
-  json = complete_record();
-  json["paper"]["profiles"][1]["time_per_step"]["phases"].erase("solve");
-  EXPECT_CONTAINS(complaint(json),
-                  "/paper/profiles/1/time_per_step/phases: the key 'solve' is missing");
 }
 
 TEST(RecordReader, RefusesNotANumberAndInfinity) {
@@ -129,72 +96,50 @@ TEST(RecordReader, RefusesNotANumberAndInfinity) {
 }
 
 TEST(RecordReader, RefusesWrongTypesAndValues) {
-  const auto with = [](const char* pointer, Json value) {
-    Json json = complete_record();
-    json[Json::json_pointer(pointer)] = std::move(value);
-    return complaint(json);
-  };
-  EXPECT_CONTAINS(with("/record/dirty", 0), "/record/dirty: is a number; give true or false");
-  EXPECT_CONTAINS(with("/record/blas/threads", 1.5),
-                  "/record/blas/threads: must be a whole number");
-  EXPECT_CONTAINS(with("/record/settings/instants", 0),
-                  "/record/settings/instants: must be a whole number from 1");
-  EXPECT_CONTAINS(with("/record/settings/tolerance", -1),
-                  "/record/settings/tolerance: is negative");
-  EXPECT_CONTAINS(with("/paper/cells/0/coordinates", 18446744073709551615u),
-                  "/paper/cells/0/coordinates: ");
-  EXPECT_CONTAINS(with("/paper/cells/0/status", "great"),
-                  "/paper/cells/0/status: \"great\" is none of");
-  EXPECT_CONTAINS(with("/paper/cells/0/case", "../escape"),
-                  "/paper/cells/0/case: \"../escape\" is not a name");
-  EXPECT_CONTAINS(with("/paper/cells/0/verification/position", -1),
-                  "/paper/cells/0/verification/position: is negative");
-  EXPECT_CONTAINS(with("/paper/cells/0/iterations_per_step", 1e200), "number is too large");
-  EXPECT_CONTAINS(with("/paper/cells", Json::object()), "/paper/cells: is an object; give a list");
-  EXPECT_CONTAINS(with("/record/libraries/KLU", 2),
-                  "/record/libraries/KLU: is a number; give a text");
+  std::vector<Refusal> refusals{
+      {"/schema", "google-benchmark", ": \"google-benchmark\" is not \"desmo-results\""},
+      {"/schema_version", 1, ": is a number; give a text"},
+      {"/record/dirty", 0, ": is a number; give true or false"},
+      {"/record/blas/threads", 1.5, ": must be a whole number"},
+      {"/record/libraries/KLU", 2, ": is a number; give a text"},
+      {"/record/settings/instants", 0, ": must be a whole number from 1"},
+      {"/record/settings/tolerance", -1, ": is negative"},
+      {"/record/settings/allowed/velocity", 0, ": "},
+      {"/paper/cells", Json::object(), ": is an object; give a list"},
+      {"/paper/cells", Json::array(), "top level: nothing was measured"},
+      {"/paper/cells/0/coordinates", 18446744073709551615u, ": "},
+      {"/paper/cells/0/status", "great", ": \"great\" is none of"},
+      {"/paper/cells/0/case", "../escape", ": \"../escape\" is not a name"},
+      {"/paper/cells/0/verification/position", -1, ": is negative"},
+      {"/paper/cells/0/iterations_per_step", 1e200, "number is too large"},
+      {"/paper/cells/-", complete_record()["paper"]["cells"][0],
+       "truck_suspension/114/global_automatic_cholmod is given twice"},
+      {"/paper/profiles/-", complete_record()["paper"]["profiles"][0],
+       "/paper/profiles/3: truck_suspension/558/"}};
+  for (const std::string digest : {"", "12ab", "G"})
+    refusals.push_back(
+        {"/paper/cells/0/model", digest, ": \"" + digest + "\" is not a SHA-256 digest"});
+  for (const std::string date :
+       {"", "yesterday", "2026-11-21", "2026-13-01T00:00:00Z", "2026-11-21T24:00:00Z",
+        "2026-11-21T17:48:47", "2026-11-21 17:48:47Z", "2026-11-21T-1:48:47Z",
+        "9999-99-99T99:99:99Z"})
+    refusals.push_back({"/record/date", date, ": \"" + date + "\" is not a date"});
+  for (const int instants : {2, 3000, 3002, 999'999'999})
+    refusals.push_back(
+        {"/record/settings/instants", instants,
+         ": " + std::to_string(instants) + " instants do not make 30 s in steps of 0.01 s"});
+  for (const std::string version : {"", "2", "2.0", "2.0.0.0", "2.0.0-beta", "2..0", "2.0.",
+                                    " 2.0.0", "2.-1.0", "99999999999.0.0", "two"})
+    refusals.push_back(
+        {"/schema_version", version, ": \"" + version + "\" is not a version, as 2.0.0"});
+  expect_refusals(complete_record(), refusals);
 }
 
-TEST(RecordReader, RefusesDatesThatThereAreNot) {
-  for (const char* date : {"", "yesterday", "2026-11-21", "2026-13-01T00:00:00Z",
-                           "2026-11-21T24:00:00Z", "2026-11-21T17:48:47", "2026-11-21 17:48:47Z",
-                           "2026-11-21T-1:48:47Z", "9999-99-99T99:99:99Z"}) {
-    Json json = complete_record();
-    json["record"]["date"] = date;
-    EXPECT_CONTAINS(complaint(json), "/record/date: \"" + std::string(date) + "\" is not a date");
-  }
-  Json json = complete_record();
-  json["record"]["date"] = "2028-02-29T23:59:60Z";
-  EXPECT_EQ(complaint(json), "accepted");
-}
-
-TEST(RecordReader, RefusesInstantsThatDoNotMakeTheMotion) {
-  for (const int instants : {2, 3000, 3002, 999'999'999}) {
-    Json json = complete_record();
-    json["record"]["settings"]["instants"] = instants;
-    EXPECT_CONTAINS(complaint(json), "/record/settings/instants: " + std::to_string(instants) +
-                                         " instants do not make 30 s in steps of 0.01 s");
-  }
-}
-
-TEST(RecordReader, RefusesARecordOfNothing) {
-  Json json = complete_record();
-  json["paper"]["cells"] = Json::array();
-  EXPECT_CONTAINS(complaint(json), "top level: nothing was measured");
-  json = structured_record();
-  json["paper"]["cells"] = Json::array();  // requests alone are something
-  EXPECT_EQ(complaint(json), "accepted");
-}
-
-TEST(RecordReader, RefusesWhatIsGivenTwice) {
-  Json json = complete_record();
-  json["paper"]["cells"].push_back(json["paper"]["cells"][0]);
-  EXPECT_CONTAINS(complaint(json), "truck_suspension/114/global_automatic_cholmod is given twice");
-  json = complete_record();
-  json["paper"]["profiles"].push_back(json["paper"]["profiles"][0]);
-  EXPECT_CONTAINS(complaint(json), "/paper/profiles/3: truck_suspension/558/");
-  EXPECT_CONTAINS(complaint(std::string(R"({"schema": "a", "schema": "b"})")),
-                  "/schema: the key is given twice");
+TEST(RecordReader, ReadsWhatIsUnusual) {
+  for (const auto& [json, place, value] :
+       {std::tuple(complete_record(), "/record/date", Json("2028-02-29T23:59:60Z")),
+        {structured_record(), "/paper/cells", Json::array()}})  // requests alone are something
+    EXPECT_EQ(complaint(changed(json, place, value)), "accepted");
 }
 
 TEST(RecordReader, ReadsWhatAMeasurementIsOf) {
@@ -210,8 +155,6 @@ TEST(RecordReader, ReadsWhatAMeasurementIsOf) {
   ASSERT_FALSE(record.requests.empty());
   EXPECT_TRUE(record.requests.front().solved.origin.model);
 }
-
-Json newest_record() { return Json::parse(read_text(data_file("origins.json"))); }
 
 TEST(RecordReader, ReadsCompressedRecords) {
   const Record plain = read_record(data_file("complete.json"));
@@ -233,32 +176,17 @@ TEST(RecordReader, ReadsCompressedRecords) {
   std::filesystem::remove(packed);
 }
 
-TEST(RecordReader, RefusesDigestsItDoesNotKnow) {
-  Json json;
-  for (const std::string bad : {"", "12ab", "G"}) {
-    json = newest_record();
-    json["paper"]["cells"][0]["model"] = bad;
-    EXPECT_CONTAINS(complaint(json),
-                    "/paper/cells/0/model: \"" + bad + "\" is not a SHA-256 digest");
-  }
-}
-
 // Candidates of two records put together, by whatever shows that they are.
 TEST(RecordReader, RefusesARecordOfTwoOrigins) {
   const std::string other(64, 'f');
-  Json json = newest_record();
-  json["paper"]["cells"][1]["machine"] = "Other CPU";
-  EXPECT_CONTAINS(complaint(json), ": measured on \"Other CPU\", the record on \"");
+  expect_refusals(
+      origins_record(),
+      {{"/paper/cells/1/machine", "Other CPU", "measured on \"Other CPU\", the record on \""},
+       {"/paper/requests/0/machine", "Other CPU", "/request:damper: measured on"},
+       {"/paper/cells/1/model", other, " solves another model than "},
+       {"/paper/cells/1/results", other, " has other results than "}});
+  Json json = changed(origins_record(), "/paper/cells/1/results", other);
   EXPECT_THROW(record_from(json), MixedRecord);
-  json = newest_record();
-  json["paper"]["requests"][0]["machine"] = "Other CPU";
-  EXPECT_CONTAINS(complaint(json), "/request:damper: measured on");
-  json = newest_record();
-  json["paper"]["cells"][1]["model"] = other;
-  EXPECT_CONTAINS(complaint(json), " solves another model than ");
-  json = newest_record();
-  json["paper"]["cells"][1]["results"] = other;
-  EXPECT_CONTAINS(complaint(json), " has other results than ");
   json["paper"]["cells"][1]["status"] = "failed";  // then they are expected to differ
   EXPECT_EQ(complaint(json), "accepted");
 }
@@ -310,14 +238,6 @@ TEST(RecordReader, FailsTheCellThatExceedsWhatIsAllowed) {
             "acceleration differs by 1, 1e-07 is allowed");
   json["record"]["settings"].erase("allowed");
   EXPECT_EQ(record_from(json).candidates.at(key).status, Status::ok);
-}
-
-TEST(RecordReader, NamesWhatIsWrongWithTheLimits) {
-  Json json = complete_record();
-  json["record"]["settings"]["allowed"]["velocity"] = 0;
-  EXPECT_CONTAINS(complaint(json), "/record/settings/allowed/velocity: ");
-  json["record"]["settings"]["allowed"].erase("velocity");
-  EXPECT_CONTAINS(complaint(json), "/record/settings/allowed: the key 'velocity' is missing");
 }
 
 TEST(RecordReader, ReplacesControlCharacters) {

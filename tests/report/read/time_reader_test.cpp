@@ -1,12 +1,7 @@
 // Times of a record: their clocks, samples and timing windows.
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <numeric>
-#include <vector>
 
-#include "report/read/record.h"
-#include "report/read/record_file.h"
 #include "report/statistics/statistics.h"
 #include "tests/report/sample.h"
 
@@ -65,21 +60,15 @@ TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
 
 TEST(TimeReader, RefusesWindowsThatAreNotAll) {
   const Json record = with_windows(complete_record());
+  const std::string windows = "/paper/cells/3/time/windows";
+  expect_refusals(record, {{windows + "/least", std::vector(24, 1e-6), ": 24 windows of 25"},
+                           {windows, Json::object(), ": the key 'least'"},
+                           {windows + "/least/7", 0, ": "},
+                           {windows + "/least/7", 100, windows + ": together they are longer than"},
+                           {"/record/settings/windows", 1, ": must be a whole number from 2"}});
   Json json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["least"].erase(7);
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows/least: 24 windows of 25");
-  json["paper"]["cells"][3]["time"]["windows"].erase("least");
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows: the key 'least'");
   json["paper"]["cells"][3]["time"].erase("windows");
   EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time: the key 'windows' is missing");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["least"][7] = 0;
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows/least/7: ");
-  json["paper"]["cells"][3]["time"]["windows"]["least"][7] = 100;
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows: together they are longer than");
-  json = record;
-  json["record"]["settings"]["windows"] = 1;
-  EXPECT_CONTAINS(complaint(json), "/record/settings/windows: must be a whole number from 2");
 }
 
 TEST(TimeReader, ReadsTheSamplesOfWindows) {
@@ -96,33 +85,21 @@ TEST(TimeReader, ReadsTheSamplesOfWindows) {
 
 TEST(TimeReader, RefusesSamplesOfWindowsThatDoNotBelongTogether) {
   const Json record = with_samples_of_windows(complete_record());
-  const std::string place = "/paper/cells/3/time/windows";
-  Json json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["samples"][0].erase(7);
-  EXPECT_CONTAINS(complaint(json), place + "/samples/0: 24 windows of 25");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["updates"].push_back(1);
-  EXPECT_CONTAINS(complaint(json), place + "/updates: 26 windows of 25");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["updates"][2] = -1;
-  EXPECT_CONTAINS(complaint(json), place + "/updates/2: ");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"].erase("updates");
-  EXPECT_CONTAINS(complaint(json), "the key 'updates' is missing");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["samples"] = Json::array();
-  EXPECT_CONTAINS(complaint(json), place + "/samples: there is none");
+  const std::string windows = "/paper/cells/3/time/windows";
+  const Json samples = record[Json::json_pointer(windows + "/samples")];
+  expect_refusals(record, {{windows + "/samples/0", std::vector(24, 1e-6), ": 24 windows of 25"},
+                           {windows + "/updates/-", 1, windows + "/updates: 26 windows of 25"},
+                           {windows + "/updates/2", -1, ": "},
+                           {windows, {{"samples", samples}}, "the key 'updates' is missing"},
+                           {windows + "/samples", Json::array(), ": there is none"}});
 }
 
 TEST(TimeReader, RefusesSamplesThatAreNoTimes) {
-  for (const char* sample : {"0", "-0.1", "1e-30", "1e30", "\"0.1\"", "null", "[0.1]"}) {
-    Json json = complete_record();
-    json["paper"]["cells"][2]["time"]["seconds"][1] = Json::parse(sample);
-    EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/seconds/1: ");
-  }
-  Json json = complete_record();
-  json["paper"]["cells"][2]["time"]["seconds"] = Json::array();
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/seconds: at least one sample");
+  std::vector<Refusal> refusals{
+      {"/paper/cells/2/time/seconds", Json::array(), ": at least one sample"}};
+  for (const char* sample : {"0", "-0.1", "1e-30", "1e30", "\"0.1\"", "null", "[0.1]"})
+    refusals.push_back({"/paper/cells/2/time/seconds/1", Json::parse(sample), ": "});
+  expect_refusals(complete_record(), refusals);
 }
 
 }  // namespace

@@ -1,19 +1,10 @@
 // Which records may be compared, and two machines side by side.
 #include "report/statistics/comparability.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
-#include "report/read/record.h"
-#include "report/read/record_file.h"
-#include "report/report.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::comparability_test {
 namespace {
-
-Json newest() { return Json::parse(read_text(data_file("origins.json"))); }
 
 std::vector<std::string> reasons(const Json& a, const Json& b) {
   std::vector<std::string> names;
@@ -25,13 +16,13 @@ std::vector<std::string> reasons(const Json& a, const Json& b) {
 using Names = std::vector<std::string>;
 
 TEST(Comparability, TwoRunsOfOneMachineAndBuildAreComparable) {
-  Json other = newest();
+  Json other = origins_record();
   other["record"]["date"] = "2030-01-01T00:00:00Z";
   other["record"]["commit"] = "another";
   other["record"]["build"]["binary"] = std::string(64, 'b');
   other["record"]["machine"]["load_before"] = {5, 5, 5};
   other["paper"]["cells"][0]["time"]["seconds"][0] = 1;
-  EXPECT_EQ(reasons(newest(), other), Names{});
+  EXPECT_EQ(reasons(origins_record(), other), Names{});
 }
 
 TEST(Comparability, NamesEveryPartOfTheKeyThatDiffers) {
@@ -48,54 +39,46 @@ TEST(Comparability, NamesEveryPartOfTheKeyThatDiffers) {
       {"/record/settings/guess", "none", "first guess"},
   };
   for (const auto& [place, value, name] : changes) {
-    Json other = newest();
-    other[Json::json_pointer(place)] = value;
-    EXPECT_EQ(reasons(newest(), other), Names{name});
-    EXPECT_EQ(reasons(other, newest()), Names{name});
+    const Json other = changed(origins_record(), place, value);
+    EXPECT_EQ(reasons(origins_record(), other), Names{name});
+    EXPECT_EQ(reasons(other, origins_record()), Names{name});
   }
-  Json other = newest();
+  Json other = origins_record();
   set_motion(other, 2, 0.02);
-  EXPECT_EQ(reasons(newest(), other), Names{"step"});
+  EXPECT_EQ(reasons(origins_record(), other), Names{"step"});
   set_motion(other, 3);
-  EXPECT_EQ(reasons(newest(), other), Names{"duration"});
+  EXPECT_EQ(reasons(origins_record(), other), Names{"duration"});
 }
 
 TEST(Comparability, NamesBothValues) {
-  Json other = newest();
+  Json other = origins_record();
   other["record"]["blas"]["core"] = "Abacus";
-  const auto found = why_incomparable(record_from(newest()), record_from(other));
-  const std::string core = newest()["record"]["blas"]["core"];
+  const auto found = why_incomparable(record_from(origins_record()), record_from(other));
+  const std::string core = origins_record()["record"]["blas"]["core"];
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].what, "BLAS core");
   EXPECT_EQ(found[0].first, core);
   EXPECT_EQ(found[0].second, "Abacus");
 }
 
-// In the whole record: the CPU, the model of a case and size, its results.
-Json replaced(const Json& record, const std::string& from, const std::string& to) {
-  std::string text = record.dump();
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return Json::parse(text);
-}
-
 TEST(Comparability, AnotherMachineModelOrResultIsNamedOnce) {
-  const Json record = newest();
-  const std::string cpu = record["record"]["machine"]["cpu"],
-                    model = record["paper"]["cells"][0]["model"],
-                    results = record["paper"]["cells"][0]["results"];
-  const std::string place = record["paper"]["cells"][0]["case"].get<std::string>() + "/" +
-                            std::to_string(record["paper"]["cells"][0]["coordinates"].get<int>());
+  const Json record = origins_record(), candidate = record["paper"]["cells"][0];
+  const std::string place = candidate["case"].get<std::string>() + "/" +
+                            std::to_string(candidate["coordinates"].get<int>());
+  const auto reasons_with_other = [&](const Json& value, const std::string& other) {
+    return reasons(record, Json::parse(replaced(record.dump(), value, other)));
+  };
   const std::string other(64, 'f');
-  EXPECT_EQ(reasons(record, replaced(record, cpu, "Other CPU")), Names{"CPU model"});
-  EXPECT_EQ(reasons(record, replaced(record, model, other)), Names{"model of " + place});
-  EXPECT_EQ(reasons(record, replaced(record, results, other)), Names{"results of " + place});
+  EXPECT_EQ(reasons_with_other(record["record"]["machine"]["cpu"], "Other CPU"),
+            Names{"CPU model"});
+  EXPECT_EQ(reasons_with_other(candidate["model"], other), Names{"model of " + place});
+  EXPECT_EQ(reasons_with_other(candidate["results"], other), Names{"results of " + place});
 }
 
 TEST(Comparability, WhatOnlyOneRecordsIsNotTheSame) {
-  Json other = newest();
+  Json other = origins_record();
   other["paper"]["cells"][0].erase("results");
-  const auto found = why_incomparable(record_from(newest()), record_from(other));
+  const auto found = why_incomparable(record_from(origins_record()), record_from(other));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(found[0].what.starts_with("results of ")) << found[0].what;
   EXPECT_EQ(found[0].second, "not recorded");
@@ -103,34 +86,28 @@ TEST(Comparability, WhatOnlyOneRecordsIsNotTheSame) {
 
 /// Peers find other coordinates: no digest is no difference.
 TEST(Comparability, APeerWithoutDigestIsNoDifference) {
-  Json json = newest();
-  const Json candidate = json["paper"]["cells"][0];
-  json["paper"]["peers"] = {{{"case", candidate["case"]},
-                             {"coordinates", candidate["coordinates"]},
-                             {"peer", "tree"},
-                             {"library", "none"},
-                             {"library_version", "1"},
-                             {"method", "by hand"},
-                             {"guess", "previous"},
-                             {"status", "ok"},
-                             {"machine", candidate["machine"]},
-                             {"model", candidate["model"]},
-                             {"verification", candidate["verification"]},
-                             {"time", candidate["time"]}}};
+  Json json = origins_record(), peer = json["paper"]["cells"][0];
+  peer.erase("results");
+  peer.update({{"peer", "tree"},
+               {"library", "none"},
+               {"library_version", "1"},
+               {"method", "by hand"},
+               {"guess", "previous"}});
+  json["paper"]["peers"] = {peer};
   EXPECT_EQ(reasons(json, json), Names{});
 }
 
 TEST(Comparability, WithoutACellInCommonThereIsNothingToCompare) {
-  Json other = newest();
+  Json other = origins_record();
   for (Json& candidate : other["paper"]["cells"])
     candidate["id"] = "other_" + candidate["id"].get<std::string>();
   for (Json& request : other["paper"]["requests"]) request["request"] = "other";
-  EXPECT_EQ(reasons(newest(), other), Names{"measurements in common"});
+  EXPECT_EQ(reasons(origins_record(), other), Names{"measurements in common"});
 }
 
 TEST(Machines, StandSideBySideWithSpeedUpsAndNoSeconds) {
-  const Record a = record_from(newest());
-  Json json = replaced(newest(), a.machine.cpu, "Other CPU");
+  const Record a = record_from(origins_record());
+  Json json = Json::parse(replaced(origins_record().dump(), a.machine.cpu, "Other CPU"));
   const Record b = record_from(json);
   EXPECT_TRUE(are_of_two_machines(a, b));
   EXPECT_FALSE(are_of_two_machines(a, a));

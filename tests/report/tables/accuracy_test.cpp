@@ -1,7 +1,4 @@
-#include <gtest/gtest.h>
 
-#include "report/report.h"
-#include "report/tables/tables.h"
 #include "tests/report/points_sample.h"
 
 namespace desmo::report::accuracy_test {

@@ -1,10 +1,6 @@
 // A record of two repetitions, as bench/run --quick makes it: orders of magnitude, said once.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 
 #include "report/formats/formats.h"
-#include "report/report.h"
 #include "report/tables/record_words.h"
 #include "tests/report/sample.h"
 
@@ -19,18 +15,8 @@ Json record_of(std::size_t repetitions) {
   checked["id"] = "group_symbolic_inlined/check:proof";
   for (Json& sample : checked["time"]["seconds"]) sample = 0.71 * sample.get<double>();
   json["paper"]["cells"].push_back(checked);
-  for (Json& candidate : json["paper"]["cells"])
-    if (candidate.contains("time")) {
-      Json& seconds = candidate["time"]["seconds"];
-      seconds.erase(seconds.begin() + static_cast<std::ptrdiff_t>(repetitions), seconds.end());
-    }
+  keep_samples(json, repetitions);
   return with_samples_of_windows(json);
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; at += part.size()) ++found;
-  return found;
 }
 
 /// Tells whether digits are an order of magnitude: one of them is not zero.

@@ -1,13 +1,7 @@
 // The record of a scene of the user's own: nothing is shown of mechanisms that it does not hold;
 // and no record gives a table without rows or a figure without marks.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 
 #include "report/formats/formats.h"
-#include "report/read/record_file.h"
-#include "report/report.h"
-#include "report/tables/tables.h"
 #include "tests/report/points_sample.h"
 #include "tests/report/sample.h"
 #include "tests/report/size_sample.h"
@@ -31,15 +25,11 @@ Json scene_record() {
 TEST(OwnScene, ShowsNothingOfOtherMechanisms) {
   for (const std::size_t repetitions : {2, 3}) {
     Json json = scene_record();
-    for (Json& candidate : json["paper"]["cells"]) {
-      if (!candidate.contains("time")) continue;
-      Json& seconds = candidate["time"]["seconds"];
-      seconds.erase(seconds.begin() + static_cast<std::ptrdiff_t>(repetitions), seconds.end());
-    }
+    keep_samples(json, repetitions);
     const Document document = make_report(record_from(json));
     const std::string text = to_markdown(document);
     for (const char* absent : {"truck", "four\\_bar", "MA27", "The filed records"})
-      EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in " << text;
+      EXPECT_LACKS(text, absent) << absent << " in " << text;
     EXPECT_TRUE(document.sections.front().front);
     EXPECT_EQ(table_named(document, "best").title,
               "One thread over the best global reference: slider_crank, 9 coordinates");

@@ -1,10 +1,7 @@
-#include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "report/report.h"
 #include "report/statistics/measurements.h"
-#include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::threads_test {
