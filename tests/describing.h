@@ -55,14 +55,41 @@ class Sketch : public MechanismBuilder {
     carry(ground, {}, {v});
     return v;
   }
-  void revolute(int a, int b, int point) { joint(JointType::revolute, a, b, {point}); }
   void weld(int a, int b) { joint(JointType::fixed, a, b, {}); }
+
+  /// A body by its name and what it carries.
+  struct Carrier {
+    std::string name;
+    std::vector<int> points, vectors = {};
+  };
+  void bodies(const std::vector<Carrier>& list) {
+    for (const auto& [name, points, vectors] : list) body(name, points, vectors);
+  }
+  /// Returns the mechanism, in which bodies that share a point turn about it, and about these
+  /// vectors in space: each body is joined to the one before it.
+  Mechanism release_pinned(const std::vector<int>& axis = {}) {
+    Mechanism d = release();
+    std::vector<int> last(d.points.size(), -1);
+    for (int b = 0; b < static_cast<int>(d.bodies.size()); ++b)
+      for (const int p : d.bodies[b].points)
+        if (const int before = std::exchange(last[p], b); before >= 0)
+          d.joints.push_back({{}, JointType::revolute, {before, b}, {p}, axis});
+    name_joints(d);
+    return d;
+  }
 
   Mechanism::Coordinate& angle(const std::string& name, const Mechanism::Direction& of,
                                const Mechanism::Direction& from = {}) {
     Mechanism::Coordinate& c = coordinate(name, CoordinateType::angle);
     c.of = of;
     c.from = from;
+    return c;
+  }
+  /// In space: of the projection onto the plane of vectors `from` and `towards`.
+  Mechanism::Coordinate& spatial_angle(const std::string& name, const Mechanism::Direction& of,
+                                       int from, int towards) {
+    Mechanism::Coordinate& c = angle(name, of, {from});
+    c.towards = {towards};
     return c;
   }
   Mechanism::Coordinate& distance(const std::string& name, int from, int to) {

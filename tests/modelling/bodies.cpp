@@ -3,13 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <optional>
-#include <random>
-#include <set>
-
-#include "cases/generators/cases.h"
-#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::bodies_test {
@@ -22,7 +15,7 @@ Mechanism welded_coupler(Coupler split) {
   const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
   const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0}),
             P = d.point("P", {1.5, 3.1, 0}), v = d.vector("v", polar(1, 0.4));
-  const int crank = d.body("crank", {A, B}), rocker = d.body("rocker", {D, C});
+  d.bodies({{"crank", {A, B}}, {"rocker", {D, C}}});
   int at_crank = 0, at_rocker = 0;
   if (split == Coupler::whole) {
     at_crank = at_rocker = d.body("coupler", {B, C, P}, {v});
@@ -38,12 +31,8 @@ Mechanism welded_coupler(Coupler split) {
     d.weld(middle, at_rocker);
     d.weld(middle, at_crank);
   }
-  d.revolute(Sketch::ground, crank, A);
-  d.revolute(crank, at_crank, B);
-  d.revolute(at_rocker, rocker, C);
-  d.revolute(Sketch::ground, rocker, D);
   d.angle("theta", line(A, B)).driven = true;
-  return d.release();
+  return d.release_pinned();
 }
 
 TEST(FixedJoint, WeldedBodiesMoveAsTheirMergedBodyDoes) {
@@ -68,19 +57,14 @@ TEST(FixedJoint, BodyFixedToTheGroundIsGround) {
   const int A = d.ground_point("A", {0, 0, 0});
   const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0}),
             D = d.point("D", {4, 0, 0}), E = d.point("E", {4, 1, 0});
-  const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, C}),
-            rocker = d.body("rocker", {D, C});
+  d.bodies({{"crank", {A, B}}, {"coupler", {B, C}}, {"rocker", {D, C}}});
   const int bracket = d.body("bracket", {E}), foot = d.body("foot", {D});
   d.weld(bracket, foot);  // through another body, and found after it
   d.weld(bracket, Sketch::ground);
-  d.revolute(Sketch::ground, crank, A);
-  d.revolute(crank, coupler, B);
-  d.revolute(coupler, rocker, C);
-  d.revolute(foot, rocker, D);
   d.angle("theta", line(A, B)).driven = true;
   const std::vector<double> times = instants(1);
-  const Solved actual(d.release(), turning, times);
-  const Solved expected(driven(four_bar_sketch().release(), {"theta"}), turning, times);
+  const Solved actual(d.release_pinned(), turning, times);
+  const Solved expected(driven(four_bar_sketch().release_pinned(), {"theta"}), turning, times);
   const Model& m = actual.model();
   EXPECT_TRUE(m.entities[m.find("D")].fixed);
   EXPECT_TRUE(m.entities[m.find("E")].fixed);
@@ -95,10 +79,9 @@ TEST(FixedJoint, GivenLengthIsThatOfItsOwnLinkOnly) {
   const int P = d.point("P", {3, 0, 0}), A = d.point("A", {0, 1, 0}), B = d.point("B", {1, 1, 0});
   const int plate = d.body("plate", {O, P}), link = d.link("link", A, B, 1);
   d.weld(plate, link);
-  d.revolute(Sketch::ground, plate, O);
   d.angle("theta", line(O, P)).driven = true;
   const std::vector<double> times = instants(1);
-  const Solved s(d.release(), {Polynomial{{0, 1}}}, times);
+  const Solved s(d.release_pinned(), {Polynomial{{0, 1}}}, times);
   for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
     expect_near(s.position(k, "P"), polar(3, times[k]), 1e-12, "P");
     EXPECT_NEAR(norm(s.position(k, "B") - s.position(k, "A")), 1, 1e-12);
@@ -110,19 +93,9 @@ TEST(FixedJoint, GivenLengthIsThatOfItsOwnLinkOnly) {
 TEST(Length, IsKeptByALinkThatCarriesAVectorToo) {
   // The vector may be the basis of the link's coordinates; its two points are still that far apart.
   for (const bool with_vector : {false, true}) {
-    Sketch d("linkage", 2);
-    const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
-    const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
-    const int crank = d.body("crank", {A, B}), coupler = d.link("coupler", B, C, 3.1),
-              rocker = d.body("rocker", {D, C});
-    if (with_vector) d.carry(coupler, {}, {d.vector("v", polar(1, 0.7))});
-    d.revolute(Sketch::ground, crank, A);
-    d.revolute(crank, coupler, B);
-    d.revolute(coupler, rocker, C);
-    d.revolute(Sketch::ground, rocker, D);
-    d.angle("theta", line(A, B)).driven = true;
-    const std::vector<double> times = instants(1);
-    const Solved s(d.release(), turning, times);
+    Sketch d = four_bar_sketch(3.1);
+    if (with_vector) d.carry(2, {}, {d.vector("v", polar(1, 0.7))});  // the coupler
+    const Solved s(driven(d.release_pinned(), {"theta"}), turning, instants(1));
     for (int k = 0; k < s.instants() && !HasFailure(); ++k)
       EXPECT_NEAR(norm(s.position(k, "C") - s.position(k, "B")), 3.1, 1e-12)
           << (with_vector ? "with" : "without") << " a vector";
@@ -144,14 +117,9 @@ TEST(Derived, CouplerPointsAndVectorsFollowRigidly) {
                              d.vector_along("f", unit(Vec{1.5, 3.1, 0} - c), C, P)};
     if (on_vector) vectors.push_back(d.vector("v", polar(1, 0.4)));
     if (on_vector) vectors.push_back(d.vector("w", polar(1, -2)));
-    const int crank = d.body("crank", {A, B}), rocker = d.body("rocker", {D, C}),
-              coupler = d.body("coupler", {B, C, P, Q, B2}, vectors);
-    d.revolute(Sketch::ground, crank, A);
-    d.revolute(crank, coupler, B);
-    d.revolute(coupler, rocker, C);
-    d.revolute(Sketch::ground, rocker, D);
+    d.bodies({{"crank", {A, B}}, {"rocker", {D, C}}, {"coupler", {B, C, P, Q, B2}, vectors}});
     d.angle("theta", line(A, B)).driven = true;
-    const Mechanism described = d.release();
+    const Mechanism described = d.release_pinned();
     const Solved s(described, turning, instants(2));
     expect_rigid_bodies(described, s, 1e-11);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k)
@@ -223,21 +191,13 @@ TEST(Derived, PointOfTwoBodiesBeyondTheBasisOfBoth) {
     const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
     const int B = d.point("B", polar(1, 1)), Q = d.point("Q", {1, 2, 0}),
               R = d.point("R", {4, 2, 0}), P = d.point("P", {3.2, 2.9, 0});
-    const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, Q, P}),
-              rocker = d.body("rocker", {D, R, P});
-    d.revolute(Sketch::ground, crank, A);
-    d.revolute(crank, coupler, B);
-    d.revolute(coupler, rocker, P);
-    d.revolute(Sketch::ground, rocker, D);
+    d.bodies({{"crank", {A, B}}, {"coupler", {B, Q, P}}, {"rocker", {D, R, P}}});
     if (with_hanging_link) {
       const int E = d.ground_point("E", {7, 0, 0}), F = d.point("F", {6, 3, 0});
-      const int hanging = d.body("hanging", {P, F}), last = d.body("last", {E, F});
-      d.revolute(rocker, hanging, P);
-      d.revolute(hanging, last, F);
-      d.revolute(Sketch::ground, last, E);
+      d.bodies({{"hanging", {P, F}}, {"last", {E, F}}});
     }
     d.angle("theta", line(A, B)).driven = true;
-    const Mechanism described = d.release();
+    const Mechanism described = d.release_pinned();
     try {
       const Solved s(described, turning, instants(1));
       EXPECT_EQ(s.model().structural_groups(), with_hanging_link ? 3 : 2);
@@ -255,17 +215,12 @@ TEST(Derived, DriverOfAPointThatALaterGroupBuildsOn) {
     const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
     const int M = d.point("M", {0.3, 0.1, 0}), B = d.point("B", polar(1, 1)),
               C = d.point("C", {3.2, 2.9, 0});
-    const int crank = d.body("crank", {A, M, B}), coupler = d.body("coupler", {B, C}),
-              rocker = d.body("rocker", {D, C});
-    d.revolute(Sketch::ground, crank, A);
-    d.revolute(crank, coupler, B);
-    d.revolute(coupler, rocker, C);
-    d.revolute(Sketch::ground, rocker, D);
+    d.bodies({{"crank", {A, M, B}}, {"coupler", {B, C}}, {"rocker", {D, C}}});
     if (by_angle)
       d.angle("drive", line(A, B)).driven = true;
     else
       d.component("drive", B, 0).driven = true;
-    const Mechanism described = d.release();
+    const Mechanism described = d.release_pinned();
     const double start = by_angle ? 1 : std::cos(1);
     try {
       const Solved s(described, {Polynomial{{start, -0.5}}}, instants(0.5));
@@ -288,19 +243,17 @@ TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
     const int B = d.point("B", b), E = d.point("E", b + 5 * direction);
     const int u =
         kind == Guide::vector ? d.vector("u", direction) : d.vector_along("u", direction, B, E);
-    const int crank = d.body("crank", {A, B}), guide = d.body("guide", {B, E}, {u});
+    d.body("crank", {A, B});
+    const int guide = d.body("guide", {B, E}, {u});
     const int block = d.body("block", {O}, {u});
     if (kind == Guide::along_with_a_link) {
       const int F = d.point("F", Vec{3, 0, 0} + polar(2, 1.5));
       d.carry(block, {F});
     }
-    d.revolute(Sketch::ground, crank, A);
-    d.revolute(crank, guide, B);
     d.joint(JointType::prismatic, guide, block, {B, O}, {u});
-    d.revolute(Sketch::ground, block, O);
     d.angle("theta", line(A, B)).driven = true;
     const std::string what = "kind " + std::to_string(static_cast<int>(kind));
-    Mechanism described = d.release();
+    Mechanism described = d.release_pinned();
     if (kind == Guide::along_with_a_link) described.bodies[block].length = 2;
     const std::vector<double> times = instants(1);
     try {
@@ -324,10 +277,9 @@ TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
 TEST(GivenLength, IsKeptToTheLastBit) {
   Sketch d("crank", 2);
   const int O = d.ground_point("O", {0, 0, 0}), M = d.point("M", {0.5, 0.8, 0});
-  const int crank = d.link("crank", O, M, 1);
-  d.revolute(Sketch::ground, crank, O);
+  d.link("crank", O, M, 1);
   d.angle("theta", line(O, M)).driven = true;
-  const Model m = model_mechanism(d.release(), turning).model;
+  const Model m = model_mechanism(d.release_pinned(), turning).model;
   int lengths = 0;
   for (const Constraint& c : m.constraints)
     for (const double constant : c.constants) {

@@ -4,7 +4,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 
 #include "formulations/constraints/constraints.h"
 #include "tests/describing.h"
@@ -91,33 +90,37 @@ inline Mechanism parallelogram(const std::vector<double>& pivots, double angle =
     feet.push_back(d.ground_point("D" + n, end - polar(last ? last_length : 1, angle)));
     ends.push_back(d.point("C" + n, end));
   }
-  std::vector<int> cranks;
-  for (std::size_t i = 0; i < pivots.size(); ++i) {
-    cranks.push_back(d.body("crank" + std::to_string(i + 1), {feet[i], ends[i]}));
-    d.revolute(Sketch::ground, cranks[i], feet[i]);
-  }
-  const int coupler = d.body("coupler", ends);
-  for (std::size_t i = 0; i < pivots.size(); ++i) d.revolute(cranks[i], coupler, ends[i]);
+  for (std::size_t i = 0; i < pivots.size(); ++i)
+    d.body("crank" + std::to_string(i + 1), {feet[i], ends[i]});
+  d.body("coupler", ends);
   d.angle("theta", line(feet[0], ends[0])).driven = true;
-  return d.release();
+  return d.release_pinned();
 }
 
-/// Returns a four-bar with the angles theta (crank) and psi (rocker), neither of them driven.
+/// Returns a four-bar with the angles theta (crank) and psi (rocker), neither of them driven. Its
+/// bodies are to be pinned.
 inline Sketch four_bar_sketch(std::optional<double> coupler_length = {}) {
   Sketch d("linkage", 2);
   const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
   const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
-  const int crank = d.body("crank", {A, B});
-  const int coupler =
-      coupler_length ? d.link("coupler", B, C, *coupler_length) : d.body("coupler", {B, C});
-  const int rocker = d.body("rocker", {D, C});
-  d.revolute(Sketch::ground, crank, A);
-  d.revolute(crank, coupler, B);
-  d.revolute(coupler, rocker, C);
-  d.revolute(Sketch::ground, rocker, D);
+  d.body("crank", {A, B});
+  coupler_length ? d.link("coupler", B, C, *coupler_length) : d.body("coupler", {B, C});
+  d.body("rocker", {D, C});
   d.angle("theta", line(A, B));
   d.angle("psi", line(D, C));
   return d;
+}
+
+/// Returns a four-bar in space, where parallel axes make three of its restrictions redundant.
+inline Mechanism spatial_four_bar() {
+  Sketch d("bennett_no_more", 3);
+  const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+  const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
+  const int x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0}),
+            z = d.ground_vector("z", {0, 0, 1});
+  d.bodies({{"crank", {A, B}, {z}}, {"coupler", {B, C}, {z}}, {"rocker", {D, C}, {z}}});
+  d.spatial_angle("theta", line(A, B), x, y).driven = true;
+  return d.release_pinned({z});
 }
 
 inline Mechanism driven(Mechanism d, const std::vector<std::string>& names) {

@@ -2,15 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <optional>
-#include <random>
-#include <set>
-
-#include "cases/generators/cases.h"
-#include "cases/io/files.h"
-#include "cases/library/library.h"
-#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::coordinates_test {
@@ -23,15 +14,9 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0}),
             P = d.point("P", {1.5, 3.1, 0}), R = d.point("R", {4.5, 1.4, 0});
   const int v = d.vector("v", polar(1, 0.4)), w = d.vector("w", polar(1, -1.2));
-  const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, C, P}, {v}),
-            rocker = d.body("rocker", {D, C, R}, {w});
-  d.revolute(Sketch::ground, crank, A);
-  d.revolute(crank, coupler, B);
-  d.revolute(coupler, rocker, C);
-  d.revolute(Sketch::ground, rocker, D);
+  d.bodies({{"crank", {A, B}}, {"coupler", {B, C, P}, {v}}, {"rocker", {D, C, R}, {w}}});
   // A piston on a rod behind the rocker, and a sleeve at the far end of the line.
   const int S = d.point("S", {8, 0, 0}), slider_rod = d.body("slider rod", {R, S});
-  d.revolute(rocker, slider_rod, R);
   d.joint(JointType::revolute_on_slider, Sketch::ground, slider_rod, {D, S}, {x});
   d.angle("theta", line(A, B)).driven = true;
   const Mechanism::Direction AB = line(A, B), BC = line(B, C), CB = line(C, B), BP = line(B, P),
@@ -54,7 +39,7 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   d.along("backward", S, D, x);
   d.component("Px", P, 0);
   d.component("Py", P, 1);
-  const Mechanism described = d.release();
+  const Mechanism described = d.release_pinned();
   const std::vector<double> times = instants(2);
   const Solved s(described, turning, times);
   expect_rigid_bodies(described, s, 1e-10);
@@ -163,16 +148,15 @@ TEST(Coordinates, SlideIsMeasuredAgainFromTheOtherEndAndFromAside) {
     const int B = d.point("B", polar(1, tilt + 1));
     const double reach = std::cos(1) + std::sqrt(9 - std::sin(1) * std::sin(1));
     const int C = d.point("C", polar(reach, tilt));
-    const int crank = d.body("crank", {A, B}), rod = d.body("rod", {B, C});
-    d.revolute(Sketch::ground, crank, A);
-    d.revolute(crank, rod, B);
+    d.body("crank", {A, B});
+    const int rod = d.body("rod", {B, C});
     d.joint(JointType::revolute_on_slider, Sketch::ground, rod, {A, C}, {x});
     d.angle("theta", line(A, B)).driven = true;
     d.along("s", A, C, x);
     d.along("further", E, C, x);
     d.along("back", C, A, x);
     const std::vector<double> times = instants(6.3);
-    const Solved s(d.release(), {Polynomial{{tilt + 1, 1}}}, times);
+    const Solved s(d.release_pinned(), {Polynomial{{tilt + 1, 1}}}, times);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
       const double theta = 1 + times[k], sine = std::sin(theta);
       const double expected = std::cos(theta) + std::sqrt(9 - sine * sine);
@@ -199,18 +183,11 @@ TEST(Coordinates, SpatialOnesMeasureGeometry) {
               sleeve = d.body("sleeve", {S, T}, {r, b, c});
     d.joint(JointType::revolute, Sketch::ground, arm, {O}, {y});
     d.joint(JointType::cylindrical, arm, sleeve, {P, S}, {r});
-    const auto angle = [&](const char* name, const Mechanism::Direction& of, int from, int towards,
-                           bool opposite) -> Mechanism::Coordinate& {
-      auto& a = d.angle(name, of, {from});
-      a.towards = {towards};
-      a.opposite = opposite;
-      return a;
-    };
-    angle("phi", line(O, P), x, z, false).driven = true;
-    angle("spin", {b}, y, n, false).driven = true;
-    angle("phi vector", {r}, x, z, false);
-    angle("phi opposite", line(O, P), x, z, true);
-    angle("phi vector opposite", {r}, x, z, true);
+    d.spatial_angle("phi", line(O, P), x, z).driven = true;
+    d.spatial_angle("spin", {b}, y, n).driven = true;
+    d.spatial_angle("phi vector", {r}, x, z);
+    d.spatial_angle("phi opposite", line(O, P), x, z).opposite = true;
+    d.spatial_angle("phi vector opposite", {r}, x, z).opposite = true;
     d.component("sleeve x", S, 0);
     d.component("sleeve y", S, 1);
     d.component("sleeve z", S, 2);
@@ -271,7 +248,7 @@ TEST(Coordinates, AnyOfThemCanDrive) {
     d.angle("gamma", line(3, 2), line(3, 1));  // C-B from C-D
     d.component("Cx", 3, 0);
     d.component("By", 2, 1);
-    return driven(d.release(), {driver});
+    return driven(d.release_pinned(), {driver});
   };
   const double t = 0.2;
   const Solved expected(described("theta"), turning, std::vector{t});

@@ -2,13 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <optional>
-#include <random>
 #include <set>
 
-#include "cases/generators/cases.h"
-#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::equations_test {

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/io/files.h"
 #include "formulations/modelling/groups/structure.h"
-#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::idle_freedoms_test {
@@ -28,7 +26,7 @@ TEST(IdleFreedom, OfACouplerBetweenTwoSphericalJointsIsItsSpin) {
 
 TEST(IdleFreedom, NeitherInThePlaneNorOfWhatCarriesMore) {
   EXPECT_TRUE(
-      model_mechanism(driven(four_bar_sketch().release(), {"theta"}), turning).idle.empty());
+      model_mechanism(driven(four_bar_sketch().release_pinned(), {"theta"}), turning).idle.empty());
   Mechanism d = library_scene("rssr").mechanism;
   coupler_of(d).vectors.push_back(0);  // a vector across its line, which tells the spin
   EXPECT_TRUE(find_idle_freedoms(d, find_rigid_bodies(d)).empty());

@@ -2,13 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <optional>
 #include <random>
-#include <set>
 
-#include "cases/generators/cases.h"
-#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::invariance_test {
@@ -80,20 +75,13 @@ Sample planar_sample() {
   const int x = d.ground_vector("x", {1, 0, 0});
   const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0}),
             P = d.point("P", {1.5, 3.1, 0}), S = d.point("S", {7, 0.5, 0});
-  const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, C, P}),
-            rocker = d.body("rocker", {D, C}), rod = d.body("rod", {C, S}),
-            piston = d.body("piston", {S}, {x});
-  d.revolute(Sketch::ground, crank, A);
-  d.revolute(crank, coupler, B);
-  d.revolute(coupler, rocker, C);
-  d.revolute(Sketch::ground, rocker, D);
-  d.revolute(rocker, rod, C);
-  d.revolute(rod, piston, S);
+  d.bodies({{"crank", {A, B}}, {"coupler", {B, C, P}}, {"rocker", {D, C}}, {"rod", {C, S}}});
+  const int piston = d.body("piston", {S}, {x});
   d.joint(JointType::prismatic, Sketch::ground, piston, {D, S}, {x});
   d.angle("theta", line(A, B), {x}).driven = true;
   d.angle("mu", line(C, B), line(C, D));
   d.distance("AP", A, P);
-  return {d.release(), turning};
+  return {d.release_pinned(), turning};
 }
 
 /// Spatial: a crank about z and a rocker about x, joined by a rod with spherical ends (RSSR).
@@ -110,9 +98,7 @@ Sample spatial_sample() {
   d.joint(JointType::spherical, crank, rod, {B});
   d.joint(JointType::spherical, rod, rocker, {C});
   d.joint(JointType::revolute, Sketch::ground, rocker, {D}, {axis});
-  auto& theta = d.angle("theta", line(A, B), {x});
-  theta.towards = {y};
-  theta.driven = true;
+  d.spatial_angle("theta", line(A, B), x, y).driven = true;
   d.distance("AW", A, W);
   return {d.release(), {Polynomial{{0.5, 1}}}};
 }
@@ -230,15 +216,11 @@ TEST(Invariance, ADriverOfASharedPointIsThatOfTheFirstBodyThatCarriesIt) {
     Sketch d("by abscissa", 2);
     const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
     const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
-    const int crank = crank_first ? d.body("crank", {A, B}) : -1;
-    const int coupler = d.body("coupler", {B, C}), rocker = d.body("rocker", {D, C});
-    const int first = crank_first ? crank : d.body("crank", {A, B});
-    d.revolute(Sketch::ground, first, A);
-    d.revolute(first, coupler, B);
-    d.revolute(coupler, rocker, C);
-    d.revolute(Sketch::ground, rocker, D);
+    if (crank_first) d.body("crank", {A, B});
+    d.bodies({{"coupler", {B, C}}, {"rocker", {D, C}}});
+    if (!crank_first) d.body("crank", {A, B});
     d.component("Bx", B, 0).driven = true;
-    return d.release();
+    return d.release_pinned();
   };
   const std::vector<Motion> abscissa{Polynomial{{std::cos(1.0), -0.5}}};
   const std::vector<double> times = instants(0.5);

@@ -2,13 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <optional>
-#include <random>
 #include <set>
 
-#include "cases/generators/cases.h"
-#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 #include "tests/overconstrained.h"
 
@@ -57,21 +52,7 @@ TEST(Redundant, ParallelogramWithThreeCranksIsAcceptedAndReported) {
 }
 
 TEST(Redundant, PlanarFourBarInSpaceWithParallelAxesIsAccepted) {
-  Sketch d("bennett_no_more", 3);
-  const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
-  const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
-  const int z = d.ground_vector("z", {0, 0, 1});
-  const int crank = d.body("crank", {A, B}, {z}), coupler = d.body("coupler", {B, C}, {z}),
-            rocker = d.body("rocker", {D, C}, {z});
-  const int x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0});
-  d.joint(JointType::revolute, Sketch::ground, crank, {A}, {z});
-  d.joint(JointType::revolute, crank, coupler, {B}, {z});
-  d.joint(JointType::revolute, coupler, rocker, {C}, {z});
-  d.joint(JointType::revolute, Sketch::ground, rocker, {D}, {z});
-  auto& theta = d.angle("theta", line(A, B), {x});
-  theta.towards = {y};
-  theta.driven = true;
-  const Mechanism described = d.release();
+  const Mechanism described = spatial_four_bar();
   const ModellingResult modelled = model_mechanism(described, turning);
   EXPECT_TRUE(std::ranges::any_of(modelled.left_out, &LeftOut::redundant));
   const std::vector<double> times = instants(1.5);
@@ -135,15 +116,10 @@ TEST(SpecialPosition, CrankRockerAtItsDeadPointKeepsAllItsEquations) {
     const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
     const double angle = 2 * std::asin(3.0 / 8);  // isosceles: A-C = A-D = 4, C-D = 3
     const int B = d.point("B", polar(1, angle)), C = d.point("C", polar(4, angle));
-    const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, C}),
-              rocker = d.body("rocker", {D, C});
-    d.revolute(Sketch::ground, crank, A);
-    d.revolute(crank, coupler, B);
-    d.revolute(coupler, rocker, C);
-    d.revolute(Sketch::ground, rocker, D);
+    d.bodies({{"crank", {A, B}}, {"coupler", {B, C}}, {"rocker", {D, C}}});
     d.angle("theta", line(A, B)).driven = !driven_by_rocker;
     d.angle("psi", line(D, C)).driven = driven_by_rocker;
-    return d.release();
+    return d.release_pinned();
   };
   const double start = 2 * std::asin(3.0 / 8);
   const Model by_crank =
@@ -163,13 +139,12 @@ Mechanism slider_at_turning_point(bool driven_by_slider) {
   Sketch d("slider", 2);
   const int O = d.ground_point("O", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0});
   const int B = d.point("B", {1, 0, 0}), P = d.point("P", {4, 0, 0});
-  const int crank = d.body("crank", {O, B}), rod = d.body("rod", {B, P});
-  d.revolute(Sketch::ground, crank, O);
-  d.revolute(crank, rod, B);
+  d.body("crank", {O, B});
+  const int rod = d.body("rod", {B, P});
   d.joint(JointType::revolute_on_slider, Sketch::ground, rod, {O, P}, {x});
   d.angle("theta", line(O, B)).driven = !driven_by_slider;
   d.along("s", O, P, x).driven = driven_by_slider;
-  return d.release();
+  return d.release_pinned();
 }
 
 TEST(SpecialPosition, SliderAtItsTurningPointKeepsAllItsEquations) {
@@ -192,25 +167,19 @@ TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) 
   // leave `far` undetermined everywhere else.
   const auto bell_cranks = [](double angle) {
     Sketch d("bell cranks", 2);
-    int ends[2], ears[2], cranks[2];
+    int ends[2], ears[2];
     for (const int i : {0, 1}) {
       const std::string n = std::to_string(i + 1);
       const Vec foot{2.0 * i, 0, 0};
       const int D = d.ground_point("D" + n, foot);
       ends[i] = d.point("P" + n, foot + polar(1, angle));
       ears[i] = d.point("Q" + n, foot + polar(0.5, angle + 1));
-      cranks[i] = d.body("crank" + n, {D, ends[i], ears[i]});
-      d.revolute(Sketch::ground, cranks[i], D);
+      d.body("crank" + n, {D, ends[i], ears[i]});
       if (i == 0) d.angle("theta", line(D, ends[0])).driven = true;
     }
-    const int upper = d.body("coupler", {ends[0], ends[1]});
-    const int lower = d.body("second coupler", {ears[0], ears[1]});
-    for (const int i : {0, 1}) {
-      d.revolute(cranks[i], upper, ends[i]);
-      d.revolute(cranks[i], lower, ears[i]);
-    }
+    d.bodies({{"coupler", {ends[0], ends[1]}}, {"second coupler", {ears[0], ears[1]}}});
     d.distance("far", ends[1], ears[0]);
-    return d.release();
+    return d.release_pinned();
   };
   const std::vector<double> times = instants(1);
   for (const double angle : {1.0, 0.0}) {

@@ -2,13 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <optional>
-#include <random>
-#include <set>
-
-#include "cases/generators/cases.h"
-#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 #include "tests/overconstrained.h"
 
@@ -16,7 +9,7 @@ namespace desmo::refusals_test {
 namespace {
 
 TEST(Refused, LinkOfZeroLength) {
-  Mechanism d = four_bar_sketch().release();
+  Mechanism d = four_bar_sketch().release_pinned();
   d.points[3].position = d.points[2].position;  // C at B
   expect_refused(driven(std::move(d), {"theta"}), turning, {"'coupler'", "zero length"});
 }
@@ -48,22 +41,20 @@ TEST(Refused, TriangleWithADriver) {
   Sketch d("truss", 2);
   const int A = d.ground_point("A", {0, 0, 0}), B = d.ground_point("B", {2, 0, 0});
   const int C = d.point("C", {1, 1, 0});
-  const int left = d.body("left strut", {A, C}), right = d.body("right strut", {B, C});
-  d.revolute(Sketch::ground, left, A);
-  d.revolute(Sketch::ground, right, B);
-  d.revolute(left, right, C);
+  d.bodies({{"left strut", {A, C}}, {"right strut", {B, C}}});
   d.angle("phi", line(A, C)).driven = true;
-  expect_refused(d.release(), {still}, {"over-constrained", "left strut", "right strut", "'phi'"});
+  expect_refused(d.release_pinned(), {still},
+                 {"over-constrained", "left strut", "right strut", "'phi'"});
 }
 
 TEST(Refused, TooManyDrivers) {
   expect_refused(
-      driven(four_bar_sketch().release(), {"theta", "psi"}), {still, still},
+      driven(four_bar_sketch().release_pinned(), {"theta", "psi"}), {still, still},
       {"over-constrained", "crank", "coupler", "rocker", "'theta'", "'psi'", "too many drivers"});
 }
 
 TEST(Refused, MissingDriver) {
-  expect_refused(four_bar_sketch().release(), {},
+  expect_refused(four_bar_sketch().release_pinned(), {},
                  {"under-constrained", "'crank'", "'coupler'", "'rocker'", "add a driver",
                   "'theta'", "'psi'"});
 }
@@ -71,7 +62,7 @@ TEST(Refused, MissingDriver) {
 /// In the plane a rod between two pins cannot spin about their line.
 TEST(Refused, MissingDriverWithoutASpin) {
   try {
-    static_cast<void>(model_mechanism(four_bar_sketch().release(), {}));
+    static_cast<void>(model_mechanism(four_bar_sketch().release_pinned(), {}));
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(std::string(error.what()).find("spin"), std::string::npos) << error.what();
@@ -81,9 +72,9 @@ TEST(Refused, MissingDriverWithoutASpin) {
 TEST(Refused, BothDriversOnOneChainWhileAnotherIsFree) {
   Sketch d = four_bar_sketch();
   const int O = d.ground_point("O", {9, 0, 0}), E = d.point("E", {10, 0, 0});
-  d.revolute(Sketch::ground, d.body("free arm", {O, E}), O);
+  d.body("free arm", {O, E});
   d.angle("alpha", line(O, E));
-  expect_refused(driven(d.release(), {"theta", "psi"}), {still, still},
+  expect_refused(driven(d.release_pinned(), {"theta", "psi"}), {still, still},
                  {"under-constrained", "'free arm'", "'alpha'"});
 }
 
@@ -91,28 +82,22 @@ TEST(Refused, FiveBarDrivenTwiceAtOneCrank) {
   Sketch d("five-bar", 2);
   const int A = d.ground_point("A", {0, 0, 0}), E = d.ground_point("E", {4, 0, 0});
   const int B = d.point("B", {0, 1, 0}), C = d.point("C", {2, 2, 0}), D = d.point("D", {4, 1, 0});
-  const int crank = d.body("crank", {A, B}), left = d.body("left", {B, C}),
-            right = d.body("right", {C, D}), second = d.body("second crank", {E, D});
-  d.revolute(Sketch::ground, crank, A);
-  d.revolute(crank, left, B);
-  d.revolute(left, right, C);
-  d.revolute(right, second, D);
-  d.revolute(Sketch::ground, second, E);
+  d.bodies({{"crank", {A, B}}, {"left", {B, C}}, {"right", {C, D}}, {"second crank", {E, D}}});
   d.angle("theta", line(A, B)).driven = true;
   d.component("height", B, 1).driven = true;
-  expect_refused(d.release(), {still, still}, {"under-constrained", "'second crank'"});
+  expect_refused(d.release_pinned(), {still, still}, {"under-constrained", "'second crank'"});
 }
 
 TEST(Refused, DriverThatMeasuresAConstantDistance) {
   // By their number the restrictions suffice; but a crank's length cannot be driven.
   Sketch d = four_bar_sketch();
   d.distance("spoke", 0, 2);  // A-B
-  expect_refused(driven(d.release(), {"spoke"}), {still},
+  expect_refused(driven(d.release_pinned(), {"spoke"}), {still},
                  {"crank", "'spoke'", "do not determine", "drive other coordinates"});
 }
 
 TEST(Refused, LinkThatCannotReach) {
-  expect_refused(driven(four_bar_sketch(100).release(), {"theta"}), turning,
+  expect_refused(driven(four_bar_sketch(100).release_pinned(), {"theta"}), turning,
                  {"cannot be assembled", "coupler", "rocker", "check the dimensions"});
 }
 
@@ -120,16 +105,16 @@ TEST(Refused, DistanceAlongAVectorThatTheBodyLeaves) {
   Sketch d("crank", 2);
   const int A = d.ground_point("A", {0, 0, 0}), B = d.point("B", {1, 0, 0});
   const int x = d.ground_vector("x", {1, 0, 0});
-  d.revolute(Sketch::ground, d.body("crank", {A, B}), A);
+  d.body("crank", {A, B});
   d.angle("theta", line(A, B)).driven = true;
   d.along("s", A, B, x);
-  expect_refused(d.release(), {still}, {"over-constrained", "crank", "'theta'"});
+  expect_refused(d.release_pinned(), {still}, {"over-constrained", "crank", "'theta'"});
 }
 
 TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {
   Sketch d = four_bar_sketch();
   d.distance("base", 0, 1);  // A-D
-  const Mechanism measured = driven(d.release(), {"theta"});
+  const Mechanism measured = driven(d.release_pinned(), {"theta"});
   expect_refused(measured, turning, {"'base'", "measures nothing that can move"});
   expect_refused(driven(measured, {"theta", "base"}), {still, still},
                  {"'base'", "measures nothing that can move"});
@@ -138,7 +123,7 @@ TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {
 TEST(Refused, BodyThatCarriesNothing) {
   Sketch d = four_bar_sketch();
   d.body("ghost", {});
-  expect_refused(driven(d.release(), {"theta"}), turning, {"'ghost'", "carries no point"});
+  expect_refused(driven(d.release_pinned(), {"theta"}), turning, {"'ghost'", "carries no point"});
 }
 
 TEST(Refused, MechanismWithoutMovingBodies) {
@@ -148,16 +133,14 @@ TEST(Refused, MechanismWithoutMovingBodies) {
 }
 
 TEST(Refused, MotionsThatAreNotOneForEachDriver) {
-  expect_refused(driven(four_bar_sketch().release(), {"theta"}), {},
+  expect_refused(driven(four_bar_sketch().release_pinned(), {"theta"}), {},
                  {"linkage", "0 motions for 1 driver"});
 }
 
 TEST(Refused, TwoLinksOfDifferentLengthBetweenTheSamePoints) {
   Sketch d = four_bar_sketch(3.0);
-  const int twin = d.link("twin", 2, 3, 3.5);  // B-C, as the coupler
-  d.revolute(1, twin, 2);
-  d.revolute(3, twin, 3);
-  expect_refused(driven(d.release(), {"theta"}), turning, {"coupler", "twin"});
+  d.link("twin", 2, 3, 3.5);  // B-C, as the coupler
+  expect_refused(driven(d.release_pinned(), {"theta"}), turning, {"coupler", "twin"});
 }
 
 TEST(Refused, SpatialAngleFromASegment) {
@@ -166,11 +149,11 @@ TEST(Refused, SpatialAngleFromASegment) {
   const int O = d.ground_point("O", {0, 0, 0}), X = d.ground_point("X", {1, 0, 0}),
             Z = d.ground_point("Z", {0, 0, 1}), P = d.point("P", {1, 0, 1});
   const int y = d.ground_vector("y", {0, 1, 0});
-  d.joint(JointType::revolute, Sketch::ground, d.body("arm", {O, P}, {y}), {O}, {y});
+  d.body("arm", {O, P}, {y});
   auto& c = d.angle("phi", line(O, P), line(O, X));
   c.towards = line(O, Z);
   c.driven = true;
-  expect_refused(d.release(), turning, {"'phi'"});
+  expect_refused(d.release_pinned({y}), turning, {"'phi'"});
 }
 
 TEST(Refused, SpatialAngleBetweenDirectionsThatAreNotNormal) {
@@ -179,11 +162,9 @@ TEST(Refused, SpatialAngleBetweenDirectionsThatAreNotNormal) {
   const int O = d.ground_point("O", {0, 0, 0}), P = d.point("P", {1, 0, 1});
   const int y = d.ground_vector("y", {0, 1, 0}), x = d.ground_vector("x", {1, 0, 0}),
             oblique = d.ground_vector("oblique", {0.5, 0, std::sqrt(0.75)});
-  d.joint(JointType::revolute, Sketch::ground, d.body("arm", {O, P}, {y}), {O}, {y});
-  auto& c = d.angle("phi", line(O, P), {x});
-  c.towards = {oblique};
-  c.driven = true;
-  expect_refused(d.release(), turning, {"'phi'"});
+  d.body("arm", {O, P}, {y});
+  d.spatial_angle("phi", line(O, P), x, oblique).driven = true;
+  expect_refused(d.release_pinned({y}), turning, {"'phi'"});
 }
 
 }  // namespace

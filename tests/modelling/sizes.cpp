@@ -7,7 +7,6 @@
 #include <string>
 
 #include "cases/extremes/rows.h"
-#include "formulations/modelling/modelling.h"
 #include "formulations/scaling/characteristic_lengths.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/variants.h"
@@ -80,18 +79,15 @@ Model slider_crank_at(double away, double estimate = 0) {
   Sketch d("slider_crank", 2);
   const int A = d.ground_point("A", {away, away, 0}), B = d.point("B", {away + 1, away, 0}),
             C = d.point("C", {away + 4, away, 0}), x = d.ground_vector("x", {1, 0, 0});
-  const int crank = d.body("crank", {A, B}), rod = d.body("rod", {B, C}),
-            slider = d.body("slider", {C}, {x});
-  d.revolute(Sketch::ground, crank, A);
-  d.revolute(crank, rod, B);
-  d.revolute(rod, slider, C);
+  d.bodies({{"crank", {A, B}}, {"rod", {B, C}}});
+  const int slider = d.body("slider", {C}, {x});
   d.joint(JointType::prismatic, Sketch::ground, slider, {A, C}, {x});
   d.angle("theta", line(A, B)).driven = true;
   d.component("Bx", B, 0);
   d.component("Cx", C, 0);
   auto& stroke = d.along("s", A, C, x);
   if (estimate != 0) stroke.estimate = estimate;
-  return model_mechanism(d.release(), turning).model;
+  return model_mechanism(d.release_pinned(), turning).model;
 }
 
 TEST(Sizes, AreDistancesOfPointsAndNoneFromTheOrigin) {

@@ -12,28 +12,15 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Adds the angle of a direction from `from`, towards `towards`.
-Mechanism::Coordinate& spatial_angle(Sketch& d, const char* name, const Mechanism::Direction& of,
-                                     int from, int towards) {
-  Mechanism::Coordinate& c = d.angle(name, of, {from});
-  c.towards = {towards};
-  return c;
-}
-
 TEST(SpatialAngle, OfACrankPinBesideItsPivotDrives) {
   Sketch d("crank pin off the plane", 3);
   const int x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0}),
             z = d.ground_vector("z", {0, 0, 1});
   const int A = d.ground_point("A", {0, 0, 0}), B = d.point("B", {0.1, 0, 0.02}),
             C = d.point("C", {0.35, 0.19, 0.02}), D = d.ground_point("D", {0.3, 0, 0});
-  const int crank = d.body("crank", {A, B}, {z}), rod = d.body("rod", {B, C}, {z}),
-            rocker = d.body("rocker", {D, C}, {z});
-  d.joint(JointType::revolute, Sketch::ground, crank, {A}, {z});
-  d.joint(JointType::revolute, crank, rod, {B}, {z});
-  d.joint(JointType::revolute, rod, rocker, {C}, {z});
-  d.joint(JointType::revolute, Sketch::ground, rocker, {D}, {z});
-  spatial_angle(d, "theta", line(A, B), x, y).driven = true;
-  const Solved s(d.release(), {Polynomial{{0, 30 * degree}}}, instants(1));
+  d.bodies({{"crank", {A, B}, {z}}, {"rod", {B, C}, {z}}, {"rocker", {D, C}, {z}}});
+  d.spatial_angle("theta", line(A, B), x, y).driven = true;
+  const Solved s(d.release_pinned({z}), {Polynomial{{0, 30 * degree}}}, instants(1));
   const int last = s.instants() - 1;
   expect_near(s.position(last, "B"), polar(0.1, 30 * degree) + Vec{0, 0, 0.02}, 1e-13, "B");
   expect_near(s.position(last, "C"), {0.370953173831, 0.183209298681, 0.02}, 1e-12, "C");
@@ -62,8 +49,8 @@ TEST(SpatialAngle, IsThatOfTheProjectionOntoItsPlane) {
   d.joint(JointType::spherical, Sketch::ground, tie, {TI});
   d.joint(JointType::spherical, tie, upright, {TO});
   d.component("height", WC, 2).driven = true;
-  spatial_angle(d, "camber", {spin}, y, z);
-  spatial_angle(d, "toe", {spin}, y, x);
+  d.spatial_angle("camber", {spin}, y, z);
+  d.spatial_angle("toe", {spin}, y, x);
   const Solved s(d.release(), {Polynomial{{0.224, 0.06}}}, instants(1));
   for (int k = 0; k < s.instants(); ++k) {
     const Vec axle = s.position(k, "spin");
@@ -85,11 +72,10 @@ Mechanism arm_with_angle(double sine, bool of_line) {
   const Vec w{0, sine, std::sqrt(1 - sine * sine)};
   const int O = d.ground_point("O", {0, 0, 0}), P = d.point("P", {1, 0, 0}),
             Q = d.point("Q", Vec{1, 0, 0} + w), v = d.vector("v", w);
-  const int arm = d.body("arm", {O, P, Q}, {z, v});
-  d.joint(JointType::revolute, Sketch::ground, arm, {O}, {z});
-  spatial_angle(d, "theta", line(O, P), x, y).driven = true;
-  spatial_angle(d, "phi", of_line ? line(P, Q) : Mechanism::Direction{v}, x, y);
-  return d.release();
+  d.body("arm", {O, P, Q}, {z, v});
+  d.spatial_angle("theta", line(O, P), x, y).driven = true;
+  d.spatial_angle("phi", of_line ? line(P, Q) : Mechanism::Direction{v}, x, y);
+  return d.release_pinned({z});
 }
 
 TEST(SpatialAngle, IsRefusedWhereTheProjectionVanishes) {

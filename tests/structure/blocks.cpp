@@ -54,11 +54,8 @@ void expect_solvable_in_order(const Model& m) {
 TEST(Blocks, AreSquareCoverEverythingAndReadOnlyWhatIsFoundBefore) {
   expect_solvable_in_order(truck_model(3));
   expect_solvable_in_order(four_bar_model(9));
-  Linkage at_crank = watt(), at_link = watt(), triad = stephenson();
-  at_crank.drive("A0", "A");
-  at_link.drive("C", "E");
-  triad.drive("E0", "E");
-  for (Linkage* l : {&at_crank, &at_link, &triad}) expect_solvable_in_order(model(l->release()));
+  for (const Mechanism& d : {watt({"A0", "A"}), watt({"C", "E"}), stephenson({"E0", "E"})})
+    expect_solvable_in_order(model(d));
   Mechanism d = stewart().release();
   for (Mechanism::Coordinate& c : d.coordinates) c.driven = true;
   expect_solvable_in_order(model_mechanism(d, std::vector<Motion>(6, still)).model);

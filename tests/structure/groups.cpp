@@ -6,11 +6,9 @@
 #include <map>
 #include <set>
 
-#include "cases/generators/cases.h"
 #include "formulations/modelling/groups/structure.h"
 #include "formulations/structure/partition.h"
-#include "tests/describing.h"
-#include "tests/mechanisms.h"
+#include "tests/modelling/common.h"
 #include "tests/structure/linkages.h"
 
 namespace desmo::groups_test {
@@ -42,85 +40,62 @@ void expect_groups(const Model& m, const std::vector<Expected>& expected) {
   }
 }
 
-TEST(Groups, OfASliderCrankAreTheCrankAndTheRodWithItsSlider) {
-  Linkage l("slider-crank", {{"O", {0, 0, 0}}, {"B", {0.5, 0.8, 0}}, {"P", {3, 0, 0}}});
-  l.ground({"O"});
-  l.link("crank", {"O", "B"});
-  l.link("rod", {"B", "P"});
-  l.link("slider", {"P"});
-  const int x = l.sketch().ground_vector("x", {1, 0, 0});
-  l.sketch().carry(l.body("slider"), {}, {x});
-  l.sketch().joint(JointType::prismatic, Sketch::ground, l.body("slider"),
-                   {l.point("O"), l.point("P")}, {x});
-  l.drive("O", "B");
-  expect_groups(model(l.release()), {{{"crank"}, 1, {}}, {{"rod", "slider"}, 0, {0}}});
-}
-
-TEST(Groups, OfASliderCrankDrivenAtTheSliderStartThere) {
-  Linkage l("slider-crank", {{"O", {0, 0, 0}}, {"B", {0.5, 0.8, 0}}, {"P", {3, 0, 0}}});
-  l.ground({"O"});
-  l.link("slider", {"P"});  // before the rod, so that it is the one that P's distance drives
-  l.link("crank", {"O", "B"});
-  l.link("rod", {"B", "P"});
-  const int x = l.sketch().ground_vector("x", {1, 0, 0});
-  l.sketch().carry(l.body("slider"), {}, {x});
-  l.sketch().joint(JointType::prismatic, Sketch::ground, l.body("slider"),
-                   {l.point("O"), l.point("P")}, {x});
-  l.sketch().along("s", l.point("O"), l.point("P"), x).driven = true;
-  expect_groups(model(l.release()), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
+TEST(Groups, OfASliderCrankBeginWhereItIsDriven) {
+  const auto slider_crank = [](bool at_slider) {
+    Sketch d("slider-crank", 2);
+    const int O = d.ground_point("O", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0});
+    const int B = d.point("B", {0.5, 0.8, 0}), P = d.point("P", {3, 0, 0});
+    const int slider = d.body("slider", {P}, {x});  // first: it is the one that s drives
+    d.bodies({{"crank", {O, B}}, {"rod", {B, P}}});
+    d.joint(JointType::prismatic, Sketch::ground, slider, {O, P}, {x});
+    if (at_slider)
+      d.along("s", O, P, x).driven = true;
+    else
+      d.angle("theta", line(O, B)).driven = true;
+    return model(d.release_pinned());
+  };
+  expect_groups(slider_crank(false), {{{"crank"}, 1, {}}, {{"rod", "slider"}, 0, {0}}});
+  expect_groups(slider_crank(true), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
 }
 
 TEST(Groups, OfWattsSixBarDependOnTheDrivenLink) {
-  Linkage at_crank = watt();
-  at_crank.drive("A0", "A");
   expect_groups(
-      model(at_crank.release()),
+      model(watt({"A0", "A"})),
       {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"link5", "link6"}, 0, {1}}});
-
-  Linkage at_rocker = watt();
-  at_rocker.drive("B0", "B");
   expect_groups(
-      model(at_rocker.release()),
+      model(watt({"B0", "B"})),
       {{{"rocker"}, 1, {}}, {{"crank", "coupler"}, 0, {0}}, {{"link5", "link6"}, 0, {0, 1}}});
-
   // Driven at a floating link nothing can be solved before anything else.
-  Linkage at_link = watt();
-  at_link.drive("C", "E");
-  expect_groups(model(at_link.release()),
+  expect_groups(model(watt({"C", "E"})),
                 {{{"crank", "coupler", "rocker", "link5", "link6"}, 1, {}}});
 }
 
 TEST(Groups, OfStephensonsSixBarDependOnTheDrivenLink) {
-  Linkage at_crank = stephenson();
-  at_crank.drive("A0", "A");
   expect_groups(
-      model(at_crank.release()),
+      model(stephenson({"A0", "A"})),
       {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"link5", "link6"}, 0, {1}}});
-
   // From the other side: the coupler with its three arms is a triad, of four links.
-  Linkage at_link6 = stephenson();
-  at_link6.drive("E0", "E");
-  expect_groups(model(at_link6.release()),
+  expect_groups(model(stephenson({"E0", "E"})),
                 {{{"link6"}, 1, {}}, {{"crank", "coupler", "rocker", "link5"}, 0, {0}}});
 }
 
 TEST(Groups, OfATriadAreNotSplit) {
-  Linkage l("triad", {{"A", {0, 0, 0}},
-                      {"B", {4, 0, 0}},
-                      {"C", {2, 5, 0}},
-                      {"P", {1, 1, 0}},
-                      {"Q", {3, 1, 0}},
-                      {"R", {2, 2.5, 0}},
-                      {"F", {-1, 1, 0}}});
-  l.ground({"F", "B", "C"});
-  l.link("arm", {"F", "A"});
-  l.link("leg a", {"A", "P"});
-  l.link("leg b", {"B", "Q"});
-  l.link("leg c", {"C", "R"});
-  l.link("plate", {"P", "Q", "R"});
-  l.drive("F", "A");
-  expect_groups(model(l.release()),
-                {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
+  const Mechanism d = linkage("triad",
+                              {{"A", {0, 0, 0}},
+                               {"B", {4, 0, 0}},
+                               {"C", {2, 5, 0}},
+                               {"P", {1, 1, 0}},
+                               {"Q", {3, 1, 0}},
+                               {"R", {2, 2.5, 0}},
+                               {"F", {-1, 1, 0}}},
+                              {"ground", {"F", "B", "C"}},
+                              {{"arm", {"F", "A"}},
+                               {"leg a", {"A", "P"}},
+                               {"leg b", {"B", "Q"}},
+                               {"leg c", {"C", "R"}},
+                               {"plate", {"P", "Q", "R"}}},
+                              {{"F", "A"}});
+  expect_groups(model(d), {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
 }
 
 TEST(Groups, OfAStewartPlatformDrivenAtItsLegsAreOne) {
@@ -150,20 +125,20 @@ TEST(Groups, OfAStewartPlatformWhosePoseIsGivenAreThePlatformAndItsLegs) {
 
 TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
   // A chain of dyads, written from its last to its first.
-  Linkage l("backwards", {{"A", {0, 0, 0}},
-                          {"B", {1, 1.7, 0}},
-                          {"D1", {6, 0, 0}},
-                          {"C1", {4, 5, 0}},
-                          {"D2", {12, 0, 0}},
-                          {"C2", {10, 5, 0}}});
-  l.link("rocker2", {"D2", "C2"});
-  l.link("coupler2", {"C1", "C2"});
-  l.link("rocker1", {"D1", "C1"});
-  l.link("coupler1", {"B", "C1"});
-  l.link("crank", {"A", "B"});
-  l.ground({"A", "D1", "D2"});
-  l.drive("A", "B");
-  const Model m = model(l.release());
+  const Model m = model(linkage("backwards",
+                                {{"A", {0, 0, 0}},
+                                 {"B", {1, 1.7, 0}},
+                                 {"D1", {6, 0, 0}},
+                                 {"C1", {4, 5, 0}},
+                                 {"D2", {12, 0, 0}},
+                                 {"C2", {10, 5, 0}}},
+                                {"ground", {"A", "D1", "D2"}},
+                                {{"rocker2", {"D2", "C2"}},
+                                 {"coupler2", {"C1", "C2"}},
+                                 {"rocker1", {"D1", "C1"}},
+                                 {"coupler1", {"B", "C1"}},
+                                 {"crank", {"A", "B"}}},
+                                {{"A", "B"}}));
   expect_groups(
       m,
       {{{"crank"}, 1, {}}, {{"coupler1", "rocker1"}, 0, {0}}, {{"coupler2", "rocker2"}, 0, {1}}});
@@ -172,20 +147,20 @@ TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
 }
 
 TEST(Groups, OfIndependentMechanismsInOneFileDoNotKnowEachOther) {
-  Linkage l("two", {{"A", {0, 0, 0}},
-                    {"B", {1, 1.7, 0}},
-                    {"D", {6, 0, 0}},
-                    {"C", {4, 5, 0}},
-                    {"P", {20, 0, 0}},
-                    {"Q", {21, 1, 0}}});
-  l.ground({"P", "A", "D"});
-  l.link("other crank", {"P", "Q"});
-  l.link("crank", {"A", "B"});
-  l.link("coupler", {"B", "C"});
-  l.link("rocker", {"D", "C"});
-  l.drive("A", "B");
-  l.drive("P", "Q");
-  expect_groups(model(l.release()),
+  const Mechanism d = linkage("two",
+                              {{"A", {0, 0, 0}},
+                               {"B", {1, 1.7, 0}},
+                               {"D", {6, 0, 0}},
+                               {"C", {4, 5, 0}},
+                               {"P", {20, 0, 0}},
+                               {"Q", {21, 1, 0}}},
+                              {"ground", {"P", "A", "D"}},
+                              {{"other crank", {"P", "Q"}},
+                               {"crank", {"A", "B"}},
+                               {"coupler", {"B", "C"}},
+                               {"rocker", {"D", "C"}}},
+                              {{"A", "B"}, {"P", "Q"}});
+  expect_groups(model(d),
                 {{{"other crank"}, 1, {}}, {{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {1}}});
 }
 
@@ -209,22 +184,8 @@ TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {
   };
   for (const Mechanism& d : {truck_suspension(2).mechanism, four_bar(7).mechanism})
     for (const StructuralGroup& g : structure_of(d).groups) EXPECT_EQ(g.restrictions, g.freedoms);
-  // A spatial four-bar with parallel axes: 3 · 6 freedoms, 4 · 5 + 1 restrictions.
-  Sketch d("parallel axes", 3);
-  const int z = d.ground_vector("z", {0, 0, 1}), x = d.ground_vector("x", {1, 0, 0}),
-            y = d.ground_vector("y", {0, 1, 0});
-  const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
-  const int B = d.point("B", {0, 1, 0}), C = d.point("C", {4, 2, 0});
-  const int crank = d.body("crank", {A, B}, {z}), coupler = d.body("coupler", {B, C}, {z}),
-            rocker = d.body("rocker", {D, C}, {z});
-  d.joint(JointType::revolute, Sketch::ground, crank, {A}, {z});
-  d.joint(JointType::revolute, crank, coupler, {B}, {z});
-  d.joint(JointType::revolute, coupler, rocker, {C}, {z});
-  d.joint(JointType::revolute, Sketch::ground, rocker, {D}, {z});
-  auto& theta = d.angle("theta", line(A, B), {x});
-  theta.towards = {y};
-  theta.driven = true;
-  const Structure s = structure_of(d.release());
+  // 3 · 6 freedoms, 4 · 5 + 1 restrictions.
+  const Structure s = structure_of(spatial_four_bar());
   ASSERT_EQ(s.groups.size(), 1u);
   EXPECT_EQ(s.groups[0].freedoms, 18);
   EXPECT_EQ(s.groups[0].restrictions, 21);

@@ -16,80 +16,66 @@ inline Model model(const Mechanism& d) {
   return model_mechanism(d, std::vector<Motion>(drivers, still)).model;
 }
 
-/// A builder of planar linkages of pinned links, given by the names of their pins.
-class Linkage {
- public:
-  explicit Linkage(std::string name, std::map<std::string, Vec> pins) : d_(std::move(name), 2) {
-    for (const auto& [pin, at] : pins) point_[pin] = d_.point(pin, at);
-  }
+/// A link by its name and those of its pins.
+using PinnedLink = std::pair<std::string, std::vector<std::string>>;
+/// The line of two pins.
+using PinLine = std::pair<std::string, std::string>;
 
-  /// Adds a link and joins it at each pin to the body added there before, if any.
-  void link(const std::string& body, const std::vector<std::string>& pins) {
-    std::vector<int> points;
-    for (const std::string& p : pins) points.push_back(point_.at(p));
-    const int b = d_.body(body, points);
-    body_[body] = b;
-    for (const std::string& p : pins) join(p, b);
-  }
-  void ground(const std::vector<std::string>& pins) {
-    for (const std::string& p : pins) {
-      d_.carry(Sketch::ground, {point_.at(p)});
-      join(p, Sketch::ground);
-    }
-  }
-  void drive(const std::string& a, const std::string& b) {
-    d_.angle("angle of " + a + b, line(point_.at(a), point_.at(b))).driven = true;
-  }
-  Sketch& sketch() { return d_; }
-  int point(const std::string& pin) const { return point_.at(pin); }
-  int body(const std::string& name) const { return body_.at(name); }
-  Mechanism release() { return d_.release(); }
-
- private:
-  void join(const std::string& pin, int body) {
-    if (const auto it = last_.find(pin); it != last_.end())
-      d_.revolute(it->second, body, point_.at(pin));
-    last_[pin] = body;
-  }
-
-  Sketch d_;
-  std::map<std::string, int> point_, body_, last_;
-};
+/// Returns a planar linkage of pinned links, the angles of these lines driven.
+inline Mechanism linkage(const std::string& name, const std::map<std::string, Vec>& pins,
+                         const PinnedLink& ground, const std::vector<PinnedLink>& links,
+                         const std::vector<PinLine>& driven) {
+  Sketch d(name, 2);
+  std::map<std::string, int> points;
+  for (const auto& [pin, at] : pins) points[pin] = d.point(pin, at);
+  const auto points_of = [&](const PinnedLink& link) {
+    std::vector<int> result;
+    for (const std::string& pin : link.second) result.push_back(points.at(pin));
+    return result;
+  };
+  d.carry(Sketch::ground, points_of(ground));
+  for (const PinnedLink& link : links) d.body(link.first, points_of(link));
+  for (const auto& [a, b] : driven)
+    d.angle("angle of " + a + b, line(points.at(a), points.at(b))).driven = true;
+  return d.release_pinned();
+}
 
 /// Returns Watt's six-bar: the four-bar A0 A B B0 with the dyad link5, link6 on coupler and rocker.
-inline Linkage watt() {
-  Linkage l("watt", {{"A0", {0, 0, 0}},
-                     {"B0", {4, 0, 0}},
-                     {"A", {0.6, 0.8, 0}},
-                     {"B", {3.6, 2.8, 0}},
-                     {"C", {2.5, 4.5, 0}},
-                     {"D", {6, 3, 0}},
-                     {"E", {5.5, 6, 0}}});
-  l.ground({"A0", "B0"});
-  l.link("crank", {"A0", "A"});
-  l.link("coupler", {"A", "B", "C"});
-  l.link("rocker", {"B0", "B", "D"});
-  l.link("link5", {"C", "E"});
-  l.link("link6", {"D", "E"});
-  return l;
+inline Mechanism watt(const PinLine& driven) {
+  return linkage("watt",
+                 {{"A0", {0, 0, 0}},
+                  {"B0", {4, 0, 0}},
+                  {"A", {0.6, 0.8, 0}},
+                  {"B", {3.6, 2.8, 0}},
+                  {"C", {2.5, 4.5, 0}},
+                  {"D", {6, 3, 0}},
+                  {"E", {5.5, 6, 0}}},
+                 {"ground", {"A0", "B0"}},
+                 {{"crank", {"A0", "A"}},
+                  {"coupler", {"A", "B", "C"}},
+                  {"rocker", {"B0", "B", "D"}},
+                  {"link5", {"C", "E"}},
+                  {"link6", {"D", "E"}}},
+                 {driven});
 }
 
 /// Returns Stephenson's third six-bar: the four-bar A0 A B B0 with a dyad from coupler to ground.
-inline Linkage stephenson() {
-  Linkage l("stephenson", {{"A0", {0, 0, 0}},
-                           {"B0", {4, 0, 0}},
-                           {"A", {0.6, 0.8, 0}},
-                           {"B", {3.6, 2.8, 0}},
-                           {"C", {2.5, 4.5, 0}},
-                           {"E", {5.5, 6, 0}},
-                           {"E0", {8, 1, 0}}});
-  l.ground({"A0", "B0", "E0"});
-  l.link("crank", {"A0", "A"});
-  l.link("coupler", {"A", "B", "C"});
-  l.link("rocker", {"B0", "B"});
-  l.link("link5", {"C", "E"});
-  l.link("link6", {"E0", "E"});
-  return l;
+inline Mechanism stephenson(const PinLine& driven) {
+  return linkage("stephenson",
+                 {{"A0", {0, 0, 0}},
+                  {"B0", {4, 0, 0}},
+                  {"A", {0.6, 0.8, 0}},
+                  {"B", {3.6, 2.8, 0}},
+                  {"C", {2.5, 4.5, 0}},
+                  {"E", {5.5, 6, 0}},
+                  {"E0", {8, 1, 0}}},
+                 {"ground", {"A0", "B0", "E0"}},
+                 {{"crank", {"A0", "A"}},
+                  {"coupler", {"A", "B", "C"}},
+                  {"rocker", {"B0", "B"}},
+                  {"link5", {"C", "E"}},
+                  {"link6", {"E0", "E"}}},
+                 {driven});
 }
 
 /// Returns a Stewart platform without drivers; each leg is a cylinder and a piston.
