@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "tests/report/sample.h"
 
@@ -24,6 +25,13 @@ int Program::shell(const std::string& command) {
   out_ = read_text(out);
   err_ = read_text(err);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string Program::write(const std::string& name, const std::string& text) {
+  const fs::path file = folder_ / name;
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+  return file.string();
 }
 
 int Program::report(const std::string& arguments) {

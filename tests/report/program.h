@@ -17,6 +17,9 @@ class Program : public ::testing::Test {
   /// Runs a shell command and gives its exit code; its streams end up in out_ and err_.
   int shell(const std::string& command);
 
+  /// Writes a file of the folder. Returns its path.
+  std::string write(const std::string& name, const std::string& text);
+
   /// Runs desmo_report with these arguments.
   int report(const std::string& arguments);
 

@@ -176,6 +176,16 @@ Entry entry_at(const Table& table, const std::vector<std::string>& labels,
   throw std::runtime_error("table " + table.name + " has no such place in column " + column);
 }
 
+void expect_row(const Table& table, const std::vector<std::string>& labels,
+                const std::vector<std::pair<std::string, std::string>>& entries) {
+  const std::string any = " …";
+  for (const auto& [column, text] : entries) {
+    std::string shown = entry_at(table, labels, column).shown;
+    if (text.ends_with(any)) shown = shown.substr(0, shown.find(' ')) + any;
+    EXPECT_EQ(shown, text) << column;
+  }
+}
+
 const Table& table_named(const Document& document, const std::string& name) {
   for (const Section& section : document.sections)
     for (const Table& table : section.tables)

@@ -94,6 +94,11 @@ void expect_refusals(const Json& record, const std::vector<Refusal>& refusals);
 Entry entry_at(const Table& table, const std::vector<std::string>& labels,
                const std::string& column);
 
+/// Expects entries of that row: columns and what they show; " …" stands for a rest that does not
+/// matter.
+void expect_row(const Table& table, const std::vector<std::string>& labels,
+                const std::vector<std::pair<std::string, std::string>>& entries);
+
 const Table& table_named(const Document& document, const std::string& name);
 
 }  // namespace desmo::report

@@ -49,22 +49,6 @@ TEST(BootstrapMedian, OfThreeValuesByCounting) {
   EXPECT_NEAR(d.probability[2], 7.0 / 27, 1e-12);
 }
 
-TEST(BootstrapMedian, ProbabilitiesAreWhatDrawingGives) {
-  const int n = 25, draws = 200000;
-  std::vector<double> values(n);
-  std::iota(values.begin(), values.end(), 0.0);
-  const MedianDistribution d = bootstrap_median(values);
-  EXPECT_NEAR(std::accumulate(d.probability.begin(), d.probability.end(), 0.0), 1, 1e-12);
-  std::mt19937_64 random(1);
-  std::vector<double> seen(n), resample(n);
-  for (int draw = 0; draw < draws; ++draw) {
-    for (double& value : resample) value = static_cast<double>(random() % n);
-    std::nth_element(resample.begin(), resample.begin() + n / 2, resample.end());
-    seen[static_cast<std::size_t>(resample[n / 2])] += 1.0 / draws;
-  }
-  for (int i = 0; i < n; ++i) EXPECT_NEAR(d.probability[i], seen[i], 0.005) << i;
-}
-
 // 99 of 100 intervals or so hold the true median; 400 samples leave room for chance.
 TEST(MedianChange, TheIntervalHoldsTheTrueMedian) {
   std::mt19937_64 random(7);

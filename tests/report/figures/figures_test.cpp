@@ -276,8 +276,7 @@ TEST(History, NamesTheCommitsInWhichACandidateMoved) {
   EXPECT_EQ(entry_at(lines, {"2"}, "old").shown, "1.019");
   EXPECT_EQ(entry_at(lines, {"3"}, "young").shown, "1.030 moved");
   ASSERT_EQ(moves.rows.size(), 1u);
-  EXPECT_EQ(entry_at(moves, {"ccc"}, "change").shown, "+3.0 %");
-  EXPECT_EQ(entry_at(moves, {"ccc"}, "before").shown, "2000");
+  expect_row(moves, {"ccc"}, {{"change", "+3.0 %"}, {"before", "2000"}});
   const Json spec = Json::parse(figures({"", {section}}).at(0).content);
   EXPECT_EQ(spec["params"][0]["value"], Json({"old", "young"}));
 }

@@ -77,14 +77,6 @@ TEST(Page, TablesHaveCaptionsAndHeaders) {
   EXPECT_EQ(count(page, "<th scope=\"col\""), columns);
 }
 
-TEST(Page, NamesTheFiguresThatAreMissing) {
-  const std::string page = page_of(complete_record());
-  for (const char* name : {"figure5", "figure6"}) {
-    EXPECT_CONTAINS(page, std::string("Missing figure: ") + name + ".");
-    EXPECT_CONTAINS(page, std::string("<table id=\"") + name + "-data\"");
-  }
-}
-
 // What was found, the figure, the tables, and what the words mean: the last folded.
 TEST(Page, BeginsWithWhatWasFoundAndFoldsDefinitions) {
   const Table table{

@@ -129,6 +129,7 @@ std::size_t compare(const Table& table, const std::string& csv) {
   const auto rows = rows_of_csv(csv);
   std::size_t numbers = 0;
   EXPECT_EQ(rows.size(), table.rows.size() + 1);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), rows.front().size());
   for (std::size_t i = 0; i < table.rows.size() && i + 1 < rows.size(); ++i) {
     std::size_t at = 0;
     for (std::size_t k = 0; k < table.columns.size(); ++k) {

@@ -6,25 +6,6 @@ namespace {
 
 const SeriesKey truck_series{"truck_suspension", 225, 0.01, 101};
 
-TEST(PointsReader, ReadsWhatIsThere) {
-  const Record record = record_from(points_record());
-  EXPECT_EQ(record.points.size(), 24u);
-  EXPECT_EQ(record.floors.size(), 4u);
-  const Floor& floor = record.floors.at(truck_series);
-  EXPECT_EQ(floor.reference.velocity, 5e-33);
-  EXPECT_EQ(floor.condition, 1000);
-  EXPECT_EQ(floor.in_float->acceleration, 60);
-  const Point& point = record.points.at({truck_series, "global_automatic_klu/iterations:2"});
-  EXPECT_EQ(point.status, Point::Status::ok);
-  EXPECT_EQ(point.configuration.iterations, "2");
-  EXPECT_EQ(point.error.velocity, 4e-9);
-  EXPECT_EQ(point.iterations_per_step, 2.02);
-  EXPECT_EQ(point.seconds_per_step.size(), 3u);
-  const Point& refused = record.points.at({truck_series, "global_automatic_klu/scalar:float"});
-  EXPECT_EQ(refused.status, Point::Status::not_applicable);
-  EXPECT_CONTAINS(refused.message, "klu factorises in double");
-}
-
 TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
   Json json = structured_record();
   const Json points = points_record();

@@ -8,17 +8,6 @@
 namespace desmo::report::record_reader_test {
 namespace {
 
-TEST(RecordReader, ReadsTheCompleteSample) {
-  const Record record = read_record(data_file("complete.json"));
-  EXPECT_EQ(record.settings.instants, 3001);
-  EXPECT_EQ(record.candidates.size(), 5u * 16 + 6 * 5);
-  EXPECT_EQ(record.profiles.size(), 3u);
-  const MeasuredCandidate& candidate =
-      record.candidates.at({"truck_suspension", 558, "group_symbolic_lapack"});
-  EXPECT_EQ(candidate.status, Status::ok);
-  EXPECT_EQ(candidate.time.seconds.size(), 5u);
-}
-
 TEST(RecordReader, RefusesWhatIsNotJson) {
   EXPECT_CONTAINS(complaint(read_text(data_file("truncated.json"))), "is the file truncated?");
   EXPECT_CONTAINS(complaint(std::string()), "the text is empty");
@@ -140,20 +129,6 @@ TEST(RecordReader, ReadsWhatIsUnusual) {
        {std::tuple(complete_record(), "/record/date", Json("2028-02-29T23:59:60Z")),
         {structured_record(), "/paper/cells", Json::array()}})  // requests alone are something
     EXPECT_EQ(complaint(changed(json, place, value)), "accepted");
-}
-
-TEST(RecordReader, ReadsWhatAMeasurementIsOf) {
-  const Record record = read_record(data_file("origins.json"));
-  ASSERT_TRUE(record.build.link);
-  EXPECT_TRUE(record.build.link->starts_with("dynamic"));
-  for (const auto& [key, candidate] : record.candidates) {
-    if (candidate.status != Status::ok) continue;
-    EXPECT_EQ(candidate.origin.machine, record.machine.cpu);
-    EXPECT_EQ(candidate.origin.model->size(), 64u);
-    EXPECT_EQ(candidate.origin.results->size(), 64u);
-  }
-  ASSERT_FALSE(record.requests.empty());
-  EXPECT_TRUE(record.requests.front().solved.origin.model);
 }
 
 TEST(RecordReader, ReadsCompressedRecords) {

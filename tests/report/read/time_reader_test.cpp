@@ -27,19 +27,6 @@ TEST(TimeReader, RefusesAClockThatIsNotTheFormulations) {
   }
 }
 
-TEST(TimeReader, ReadsTheWindowsOfEverythingTimed) {
-  const Record record = record_from(with_windows(structured_record()));
-  EXPECT_EQ(record.settings.windows, 25);
-  for (const auto& [key, candidate] : record.candidates)
-    EXPECT_EQ(candidate.time.windows.least.size(), candidate.status == Status::ok ? 25u : 0u)
-        << key.id;
-  for (const MeasuredRequest& request : record.requests)
-    EXPECT_EQ(request.solved.time.windows.least.size(),
-              request.solved.status == Status::ok ? 25u : 0u);
-  EXPECT_TRUE(
-      record_from(structured_record()).candidates.begin()->second.time.windows.least.empty());
-}
-
 TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
   Json json = with_windows(complete_record());
   Json& candidate = json["paper"]["cells"][3];

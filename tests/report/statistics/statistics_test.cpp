@@ -78,27 +78,6 @@ TEST(Statistics, WhatHasOtherSegmentsOrNoneIsComparedByItsMedian) {
   EXPECT_DOUBLE_EQ(speed_up(others, segments).low, 6 / 6.0);
 }
 
-TEST(Statistics, TheIntervalOfASpeedUpHoldsItInNineteenOfTwentyRuns) {
-  std::mt19937 random(1);
-  const auto noise = [&] {  // up to a tenth, more often little
-    const double u = static_cast<double>(random()) / std::mt19937::max();
-    return 1 + 0.1 * u * u;
-  };
-  constexpr int runs = 4000;
-  int held = 0;
-  for (int run = 0; run < runs; ++run) {
-    std::vector<double> a, b;
-    for (int i = 0; i < 25; ++i) {
-      const double work = 1 + i % 3;
-      a.push_back(3 * work * noise());
-      b.push_back(work * noise());
-    }
-    const SpeedUp s = speed_up(of_segments(a), of_segments(b));
-    held += s.low <= 3 && 3 <= s.high;
-  }
-  EXPECT_NEAR(held / double{runs}, 0.95, 0.015);
-}
-
 TEST(Statistics, ATooWideIntervalIsInconclusive) {
   SpeedUp ratio{.value = 2, .low = 1.92, .high = 2.08, .percent = 50, .spread = true};
   EXPECT_NEAR(ratio.half_width(), 0.04, 1e-12);

@@ -20,15 +20,15 @@ TEST(Requests, CostLessThanEverythingWithTheSameFormulation) {
   const Table table = table_of(structured_record());
   EXPECT_EQ(table.name, "requests_truck_suspension_225");
   const std::vector<std::string> row{wheel, "position", "block_symbolic_inlined"};
-  EXPECT_EQ(entry_at(table, row, "unknowns").shown, "21 of 218");
-  EXPECT_EQ(entry_at(table, row, "CPU s").shown, "0.0002000 ±0.0000040");
-  EXPECT_EQ(entry_at(table, row, "times cheaper").shown, "40.00 [38.43, 41.63] (97.5 %)");
-  EXPECT_EQ(entry_at(table, row, "iterations/step").shown, "2.25");
+  expect_row(table, row,
+             {{"unknowns", "21 of 218"},
+              {"CPU s", "0.0002000 ±0.0000040"},
+              {"times cheaper", "40.00 [38.43, 41.63] (97.5 %)"},
+              {"iterations/step", "2.25"}});
   EXPECT_EQ(entry_at(table, {wheel, "position", "global_automatic_klu"}, "times cheaper").digits[0],
             "30.00");
   const std::vector<std::string> whole{"everything", "acceleration", "global_automatic_klu"};
-  EXPECT_EQ(entry_at(table, whole, "unknowns").shown, "218 of 218");
-  EXPECT_EQ(entry_at(table, whole, "times cheaper").shown, "1.00 reference");
+  expect_row(table, whole, {{"unknowns", "218 of 218"}, {"times cheaper", "1.00 reference"}});
 }
 
 TEST(Requests, BeginWithWhatIsGained) {
@@ -57,8 +57,7 @@ TEST(Requests, ThatFailedOrDidNotRunHaveNoTime) {
   const Table table = table_of(json);
   const std::vector<std::string> failed{axle, "acceleration", "global_automatic_klu"};
   for (const char* column : {"CPU s", "times cheaper"})
-    EXPECT_EQ(entry_at(table, failed, column).shown, failed_mark);
-  EXPECT_EQ(entry_at(table, failed, "remark").shown, "wrong by design");
+    expect_row(table, failed, {{column, failed_mark}, {"remark", "wrong by design"}});
   const std::vector<std::string> not_run{wheel, "position", "group_symbolic_inlined"};
   for (const char* column : {"CPU s", "times cheaper"})
     EXPECT_EQ(entry_at(table, not_run, column).shown, not_run_mark);
@@ -74,9 +73,8 @@ TEST(Requests, FailWhenTheyDifferMoreThanIsAllowed) {
   Json& request = request_of(json, "block_symbolic_inlined", "axle");
   const std::vector<std::string> row{axle, "acceleration", "block_symbolic_inlined"};
   request["verification"]["acceleration"] = 1;
-  EXPECT_EQ(entry_at(table_of(json), row, "CPU s").shown, failed_mark);
-  EXPECT_EQ(entry_at(table_of(json), row, "remark").shown,
-            "acceleration differs by 1, 1e-07 is allowed");
+  expect_row(table_of(json), row,
+             {{"CPU s", failed_mark}, {"remark", "acceleration differs by 1, 1e-07 is allowed"}});
   json["record"]["settings"].erase("allowed");
   EXPECT_TRUE(entry_at(table_of(json), row, "CPU s").has_number());
 }

@@ -52,8 +52,7 @@ TEST(Threads, StandInATableOfTheWallClockAlone) {
   const Document document = make_report(record_from(threads_record()));
   const Table table = table_named(document, "threads_truck_suspension");
   const std::vector<std::string> two{"114", "everything", hermite_lanes, "2"};
-  EXPECT_EQ(entry_at(table, two, "wall s").digits[0], "0.03000");
-  EXPECT_EQ(entry_at(table, two, "times one thread").shown, "2.00 [2.00, 2.00]");
+  expect_row(table, two, {{"wall s", "0.03000 …"}, {"times one thread", "2.00 [2.00, 2.00]"}});
   EXPECT_EQ(table.rows.size(), 2u);
   for (const Section& section : document.sections)
     for (const Table& other : section.tables)
