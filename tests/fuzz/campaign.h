@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/fuzz/corpus.h"
+#include "tests/fuzz/mutator.h"
 #include "tests/fuzz/trial.h"
 
 namespace desmo::fuzz {
@@ -27,14 +27,12 @@ struct Options {
 /// The result of a campaign.
 struct Campaign {
   struct Kind {
-    long count = 0;
-    long first = 0;      ///< index of the first such input
-    std::string detail;  ///< detail of its finding
+    std::vector<long> inputs;  ///< in order
+    std::string detail;        ///< of the first one's finding
   };
   std::array<long, outcome_names.size()> outcomes{};  ///< number of inputs by TrialOutcome
   std::map<std::string, Kind> findings;               ///< by class
-  double slowest = 0;                                 ///< largest CPU time of an input [s]
-  long slowest_input = 0;                             ///< its index
+  std::pair<double, long> slowest{};                  ///< largest CPU time [s], its input
 };
 
 /// Return input i of a seed and the formulation that solves it. They depend on seed and i alone.

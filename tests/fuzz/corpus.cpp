@@ -1,12 +1,10 @@
-#include "tests/fuzz/corpus.h"
-
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
 #include "cases/library/library.h"
-#include "tests/fuzz/tree.h"
+#include "tests/fuzz/mutator.h"
 
 namespace desmo::fuzz {
 
@@ -29,8 +27,8 @@ std::vector<Sample> load_corpus(const std::filesystem::path& folder) {
     const std::string name(l.name);
     samples.push_back({name + ".json", std::string(l.mechanism)});
     samples.push_back({name + ".scene.json", std::string(l.scene)});
-    Tree scene = parse_tree(l.scene);
-    put(scene["mechanism"], parse_tree(l.mechanism));
+    Json scene = Json::parse(l.scene);
+    scene["mechanism"] = Json::parse(l.mechanism);
     samples.push_back({name + ".whole.json", write(scene)});
   }
   for (const RequestScene& r : request_scenes())

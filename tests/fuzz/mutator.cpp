@@ -10,63 +10,60 @@ namespace {
 constexpr int max_units = 3;
 constexpr std::size_t max_text = 400'000;
 
-/// A mutation that needs what the input has not ends where it sees that.
-template <class Mutation, class Input>
-void apply(const Mutation& mutation, Input& input, Random& random) {
-  try {
-    mutation(input, random);
-  } catch (const NothingToPick&) {
-  }
+/// Changes a document in one place, or in a few related ones.
+void mutate(Json& root, const Grammar& grammar, Random& random) {
+  const bool is_scene = root.is_object() && root.contains("mechanism");
+  if (random.one_in(8))
+    grammar.patch(root, "any", random);
+  else if (random.one_in(100))
+    repeat_member(root, random);
+  else if (random.one_in(3))
+    move_geometry(root, random);
+  else if (random.one_in(20))
+    remove_body(root, random);
+  else
+    grammar.patch(root, is_scene && random.one_in(4) ? "scene" : "mechanism", random);
 }
 
-// Small changes far more often than large ones, so that many results are solved.
-void mutate(Tree& tree, Random& random) {
-  const std::span<const TreeMutation> table = random.one_in(8)   ? json_mutations()
-                                              : random.one_in(3) ? geometry_mutations()
-                                              : random.one_in(4) ? scene_mutations()
-                                                                 : mechanism_mutations();
-  const TreeMutation change = random.pick(table);
-  apply(change, tree, random);
-}
-
-std::size_t few(Random& random) {
-  std::size_t count = 1;
-  while (count < 8 && random.one_in(3)) ++count;
-  return count;
+/// Applies a mutation some times: most often once, so that many results are solved. Tries another
+/// one where it does not apply.
+template <class Mutation>
+void repeat(Random& random, Mutation mutation) {
+  int left = 1;
+  while (left < 8 && random.one_in(3)) ++left;
+  for (int attempts = 50; left > 0 && attempts > 0; --attempts) try {
+      mutation();
+      --left;
+    } catch (const NothingToPick&) {
+    } catch (const Json::exception&) {
+    }
 }
 
 }  // namespace
 
-Mutator::Mutator(const std::vector<Sample>& corpus) {
-  for (const Sample& sample : corpus) trees_.push_back(parse_tree(sample.text));
+Mutator::Mutator(const std::vector<Sample>& corpus)
+    : grammar_(DESMO_SOURCE_DIR "/tests/fuzz/grammar.json") {
+  for (const Sample& sample : corpus) documents_.push_back(Json::parse(sample.text));
 }
 
-// A member of one file takes the place of the member of that key in another.
-Tree Mutator::spliced(Tree tree, Random& random) const {
-  Tree donor = random.pick(trees_);
-  std::vector<Tree*> places = nodes(tree), gifts = nodes(donor);
-  for (int attempt = 0; attempt < 50; ++attempt) {
-    Tree& place = *random.pick(places);
-    const Tree& gift = *random.pick(gifts);
-    if (place.key.empty() || place.key != gift.key) continue;
-    put(place, gift);
-    break;
-  }
-  return tree;
+/// Puts a member of one file in the place of that in another.
+void Mutator::splice(Json& root, Random& random) const {
+  const Json donor = random.pick(documents_).flatten();
+  const std::size_t at = random.below(donor.size());
+  const auto gift = std::next(donor.begin(), static_cast<std::ptrdiff_t>(at));
+  Json::json_pointer place(gift.key());
+  for (std::size_t up = random.below(3); up > 0; --up) place = place.parent_pointer();
+  root.at(place) = donor.unflatten().at(place);
 }
 
 std::string Mutator::make(Random& random) const {
-  Tree tree = random.pick(trees_);
+  Json document = random.pick(documents_);
   const std::size_t way = random.below(10);
-  if (way == 0) tree = spliced(std::move(tree), random);
-  if (way < 9)
-    for (std::size_t count = few(random); count > 0; --count) mutate(tree, random);
-  if (!random.one_in(4)) give_motion_to_drivers(tree);
-  std::string text = write(tree);
-  const std::span<const TextMutation> of_text = text_mutations();
-  if (way >= 8)
-    for (std::size_t count = few(random); count > 0; --count)
-      apply(random.pick(of_text), text, random);
+  if (way == 0) repeat(random, [&] { splice(document, random); });
+  if (way < 9) repeat(random, [&] { mutate(document, grammar_, random); });
+  if (!random.one_in(4)) give_motion_to_drivers(document);
+  std::string text = write(document);
+  if (way >= 8) repeat(random, [&] { spoil_text(text, grammar_, random); });
   if (text.size() > max_text) text.resize(max_text);
   return with_few_units(std::move(text), max_units);
 }

@@ -32,7 +32,7 @@ class Random {
   template <class List>
   decltype(auto) pick(List& list) {
     if (std::size(list) == 0) throw NothingToPick();
-    return list[below(std::size(list))];
+    return *std::next(std::begin(list), static_cast<std::ptrdiff_t>(below(std::size(list))));
   }
 
  private:

@@ -1,21 +1,22 @@
 #include "tests/fuzz/trial.h"
 
-#include <cxxabi.h>
-
 #include <algorithm>
+#include <boost/core/demangle.hpp>
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <regex>
 #include <typeinfo>
 
 #include "bench/kit/variant_costs.h"
 #include "cases/io/files.h"
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/planning/plan.h"
 #include "formulations/runtime/unavailable.h"
 #include "formulations/runtime/wanted_types.h"
-#include "tests/fuzz/tree.h"
+#include "tests/fuzz/grammar.h"
 
 namespace desmo::fuzz {
 namespace {
@@ -24,30 +25,13 @@ constexpr int max_instants = 5;
 constexpr int max_dense = 400;  // coordinates that a dense global solve is worth
 constexpr const char* file_name = "fuzz.json";
 
-std::string type_name(const std::exception& error) {
-  int status = 0;
-  const std::unique_ptr<char, void (*)(void*)> name(
-      abi::__cxa_demangle(typeid(error).name(), nullptr, nullptr, &status), std::free);
-  return name ? name.get() : typeid(error).name();
-}
-
-// Names and numbers differ from input to input where the cause is one.
-std::string kind_of(std::string message) {
-  std::string kind;
-  for (std::size_t i = 0; i < message.size() && kind.size() < 120; ++i) {
-    const char c = message[i];
-    if (c >= '0' && c <= '9') {
-      if (kind.empty() || kind.back() != '#') kind += '#';
-    } else if (c == '\'') {
-      const std::size_t end = message.find('\'', i + 1);
-      kind += "'…'";
-      if (end == message.npos) break;
-      i = end;
-    } else {
-      kind += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return kind;
+/// Returns the beginning of a message without names and numbers, which differ from input to input
+/// where the cause is one.
+std::string kind_of(const std::string& message) {
+  static const std::regex name("'[^']*'?"), number("[0-9]+"), control("[\\x01-\\x1f]");
+  std::string kind = std::regex_replace(message.substr(0, 400), name, "'…'");
+  kind = std::regex_replace(std::regex_replace(kind, number, "#"), control, " ");
+  return kind.substr(0, 120);
 }
 
 /// What a terminal may be sent: one line of UTF-8 that is not endless.
@@ -72,8 +56,9 @@ void check_refusal(const std::string& message, const std::string& stage,
     throw Finding(stage + ": a message without a remedy: " + kind_of(message), message);
 }
 
-/// Calls f. What it may throw is the end of this input, with an outcome; all else is a finding.
-template <class Allowed, class F>
+/// Calls f. An exception that it may throw ends the input, with an outcome; all others, and all by
+/// default, are findings.
+template <class Allowed = Finding, class F>
 bool passes(const std::string& stage, const std::filesystem::path& folder, F f) {
   try {
     f();
@@ -81,32 +66,29 @@ bool passes(const std::string& stage, const std::filesystem::path& folder, F f) 
   } catch (const Finding&) {
     throw;
   } catch (const std::exception& error) {
-    if constexpr (std::is_same_v<Allowed, InputError>) {
-      if (dynamic_cast<const InputError*>(&error)) {
-        check_refusal(error.what(), stage, folder);
-        return false;
-      }
-    } else if constexpr (!std::is_void_v<Allowed>) {
-      if (dynamic_cast<const Allowed*>(&error)) {
-        check_message(error.what(), stage);
-        return false;
-      }
-    }
-    throw Finding(stage + ": " + type_name(error) + ": " + kind_of(error.what()), error.what());
+    if (!dynamic_cast<const Allowed*>(&error))
+      throw Finding(
+          stage + ": " + boost::core::demangle(typeid(error).name()) + ": " + kind_of(error.what()),
+          error.what());
+    check_message(error.what(), stage);
+    if (dynamic_cast<const InputError*>(&error)) check_refusal(error.what(), stage, folder);
+    return false;
   }
 }
 
-bool names_scene(std::string_view text) { return text.find("\"desmo-scene\"") != text.npos; }
-
-/// Equal but for the rounding of directions, which are scaled to length 1 whenever they are read.
-bool agree(const Tree& a, const Tree& b) {
+/// Tells whether documents are equal but for the rounding of directions, which are scaled to length
+/// 1 whenever they are read.
+bool agree(const Json& a, const Json& b) {
   constexpr double rounding = 1e-14;
-  if (a.kind != b.kind || a.key != b.key || a.children.size() != b.children.size()) return false;
-  for (std::size_t i = 0; i < a.children.size(); ++i)
-    if (!agree(a.children[i], b.children[i])) return false;
-  if (a.text == b.text) return true;
-  return a.is_number() && b.is_number() &&
-         std::abs(a.number() - b.number()) <= rounding * std::max(1.0, std::abs(a.number()));
+  if (a.is_number() && b.is_number()) {
+    const double x = a, y = b;
+    return std::abs(x - y) <= rounding * std::max(1.0, std::abs(x));
+  }
+  const auto same = [](const auto& x, const auto& y) {
+    return x.key() == y.key() && agree(x.value(), y.value());
+  };
+  return a.is_structured() ? a.type() == b.type() && std::ranges::equal(a.items(), b.items(), same)
+                           : a == b;
 }
 
 /// What is written of a mechanism is the same mechanism.
@@ -114,18 +96,9 @@ void check_writer(const Mechanism& mechanism) {
   constexpr std::size_t largest = 200;  // points of a mechanism that is worth the time
   if (mechanism.points.size() > largest) return;
   const std::string once = write_mechanism(mechanism);
-  std::string twice;
-  try {
-    twice = write_mechanism(parse_mechanism(once, "written.json"));
-  } catch (const InputError& error) {
-    throw Finding(std::string("writer: is not read again: ") + kind_of(error.what()), error.what());
-  }
-  if (!agree(parse_tree(once), parse_tree(twice)))
+  const std::string twice = write_mechanism(parse_mechanism(once, "written.json"));
+  if (!agree(Json::parse(once), Json::parse(twice)))
     throw Finding("writer: differs when read and written again", once);
-}
-
-bool all_finite(std::span<const double> values) {
-  return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });
 }
 
 void check_delivered(const Plan& plan, const Formulation& f, double time) {
@@ -134,18 +107,12 @@ void check_delivered(const Plan& plan, const Formulation& f, double time) {
     if (e.fixed) continue;
     const std::span<const double> found[] = {f.q(), f.qd(), f.qdd()};
     for (int level = 0; level <= static_cast<int>(asked.level); ++level)
-      if (!all_finite(found[level].subspan(e.first, e.size)))
+      if (!std::ranges::all_of(found[level].subspan(e.first, e.size),
+                               [](double x) { return std::isfinite(x); }))
         throw Finding(
             "solution: success with a number that is not finite, level " + std::to_string(level),
             "'" + e.name + "' at " + std::to_string(time) + " s");
   }
-}
-
-void check_residual(const Summary& s, double tolerance) {
-  constexpr double rounding = 1 + 1e-12;
-  if (!(s.residual <= tolerance * rounding))
-    throw Finding("solution: success with a residual beyond the tolerance",
-                  std::to_string(s.residual) + " > " + std::to_string(tolerance));
 }
 
 /// A mechanism file says nothing of motion: its drivers rest where they are measured.
@@ -178,24 +145,18 @@ void check_code(const Variant& variant, const Model& mechanism, const TimeGrid& 
   }
 }
 
-const Variant& affordable(const Variant& variant, const Model& mechanism) {
-  return bench::is_dense_global(variant) && mechanism.coordinates() > max_dense
-             ? find_variant("global_automatic_klu")
-             : variant;
-}
-
 }  // namespace
 
 TrialOutcome attempt(std::string_view text, const std::filesystem::path& folder,
                      const Variant& variant) {
   Scene scene;
-  const bool is_scene = names_scene(text);
+  const bool is_scene = text.find("\"desmo-scene\"") != text.npos;
   if (!passes<InputError>("file", folder, [&] {
         scene = is_scene ? parse_scene(text, file_name, folder)
                          : at_rest(parse_mechanism(text, file_name));
       }))
     return TrialOutcome::refused_as_file;
-  passes<void>("writer", folder, [&] { check_writer(scene.mechanism); });
+  passes("writer", folder, [&] { check_writer(scene.mechanism); });
 
   Model whole;
   if (!passes<std::invalid_argument>("model", folder, [&] {
@@ -205,23 +166,26 @@ TrialOutcome attempt(std::string_view text, const std::filesystem::path& folder,
         if (!is_scene) rest_where_measured(whole);
       }))
     return TrialOutcome::refused_as_mechanism;
-  passes<void>("model", folder, [&] { validate(whole); });
+  passes("model", folder, [&] { validate(whole); });
 
   Plan plan;
-  passes<void>("plan", folder, [&] {
+  passes("plan", folder, [&] {
     plan = make_plan(whole, outputs_of(scene, whole));
     validate(plan.model);
   });
 
+  const bool is_affordable =
+      !bench::is_dense_global(variant) || plan.model.coordinates() <= max_dense;
   std::unique_ptr<Formulation> formulation;
   if (!passes<std::invalid_argument>("formulation", folder, [&] {
-        formulation = make_formulation(affordable(variant, plan.model), plan.model,
-                                       Settings{scene.tolerance});
+        formulation =
+            make_formulation(is_affordable ? variant : find_variant("global_automatic_klu"),
+                             plan.model, Settings{scene.tolerance});
       }))
     return TrialOutcome::refused_by_formulation;
 
   TrialOutcome outcome = TrialOutcome::solved;
-  passes<void>("solution", folder, [&] {
+  passes("solution", folder, [&] {
     formulation->solve_only(plan.levels);
     const Level level = plan.level();
     for (int i = 0; i < std::min(scene.grid.instants, max_instants); ++i) {
@@ -232,12 +196,14 @@ TrialOutcome attempt(std::string_view text, const std::filesystem::path& folder,
         outcome = TrialOutcome::not_solved;
         return;
       }
-      check_residual(s, formulation->tolerance());
+      if (!(s.residual <= formulation->tolerance() * (1 + 1e-12)))  // but for rounding
+        throw Finding("solution: success with a residual beyond the tolerance",
+                      formatted("%g > %g", s.residual, formulation->tolerance()));
       check_delivered(plan, *formulation, t);
     }
   });
   if (outcome == TrialOutcome::solved)
-    passes<void>("code", folder, [&] {
+    passes("code", folder, [&] {
       const TimeGrid begin{scene.grid.start, scene.grid.step, max_instants};
       check_code(variant, plan.model, begin);
     });
