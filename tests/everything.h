@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formulations/formulation.h"
+#include "tests/formulated.h"
 
 namespace desmo {
 
@@ -36,11 +37,20 @@ inline void expect_to_step_on_alike(Formulation& f, Formulation& g, double t) {
     if (step > 0) {
       ASSERT_TRUE(f.step(t).ok() && g.step(t).ok());
     }
-    for (int i = 0; i < f.model().coordinates(); ++i) {
-      EXPECT_NEAR(f.q()[i], g.q()[i], 1e-10) << t;
-      EXPECT_NEAR(f.qdd()[i], g.qdd()[i], 1e-7) << t;
-    }
+    EXPECT_LT(max_difference(f.q(), g.q()), 1e-10) << t;
+    EXPECT_LT(max_difference(f.qdd(), g.qdd()), 1e-7) << t;
   }
+}
+
+/// Expects the same failure of two formulations, and the same instants before it.
+inline void expect_to_fail_alike(Formulation& f, Formulation& g, const TimeGrid& grid) {
+  Everything actual(grid.instants), expected(grid.instants);
+  const Summary a = f.run(grid, {}, actual), b = g.run(grid, {}, expected);
+  ASSERT_FALSE(b.ok());
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.group, b.group);
+  EXPECT_EQ(actual.order, expected.order);
 }
 
 /// Expects equal values up to 1e-9 of the largest one.

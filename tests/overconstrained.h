@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/mechanism/builder.h"
+#include "cases/extremes/rows.h"
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/scene.h"
 
@@ -48,29 +48,16 @@ inline Scene bennett(long double start, int digits, long double size = 1,
   };
   MechanismBuilder d("bennett", 3);
   Vec x{1, 0, 0}, z{0, 0, 1}, at{from_origin, from_origin, 0};
-  std::array<int, 4> p, v, link;
-  std::array<std::array<Derived, 3>, 4> axes;
+  std::array<int, 4> p, v;
   for (int i = 0; i < 4; ++i) {
     p[i] = d.point("P" + std::to_string(i + 1), all_typed(at));
-    const Mechanism::Vec axis = all_typed(z);
-    v[i] = d.vector("z" + std::to_string(i + 1), *unit_vector(axis));
-    axes[i] = {axis[0], axis[1], axis[2]};
+    v[i] = d.vector("z" + std::to_string(i + 1), *unit_vector(all_typed(z)));
     x = turned(x, z, angles[i]);
     for (int k = 0; k < 3; ++k) at[k] += lengths[i % 2] * x[k];
     z = turned(z, x, twists[i % 2]);
   }
   const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
-  d.carry(MechanismBuilder::ground, {p[3], p[0]}, {v[3], v[0], from, towards});
-  for (int i = 0; i < 3; ++i)
-    link[i] = d.body("link" + std::to_string(i + 1), {p[i], p[i + 1]}, {v[i], v[i + 1]});
-  link[3] = MechanismBuilder::ground;
-  for (int i = 0; i < 4; ++i)
-    d.joint(Mechanism::JointType::revolute, link[(i + 3) % 4], link[i], {p[i]}, {v[i]});
-  Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
-  theta.of = {-1, p[0], p[1]};
-  theta.from = {from, -1, -1};
-  theta.towards = {towards, -1, -1};
-  theta.driven = true;
+  extremes::hinge_loop(d, "link", p, v, from, towards);
   return {"bennett",     d.release(), {Polynomial{{static_cast<double>(start), 1}}},
           {0, 0.05, 21}, {},          {}};
 }

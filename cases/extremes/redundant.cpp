@@ -61,17 +61,7 @@ ExtremeCase bricard(std::string name, double off) {
     v[i] = d.vector("v" + std::to_string(i + 1), axes[i]);
   }
   const int from = d.vector("x", {1, 0, 0}), towards = d.vector("minus_z", {0, 0, -1});
-  d.carry(MechanismBuilder::ground, {p[5], p[0]}, {v[5], v[0], from, towards});
-  std::array<int, 6> edge;
-  for (int i = 0; i < 5; ++i)
-    edge[i] = d.body("edge" + std::to_string(i + 1), {p[i], p[i + 1]}, {v[i], v[i + 1]});
-  edge[5] = MechanismBuilder::ground;
-  for (int i = 0; i < 6; ++i) d.joint(revolute, edge[(i + 5) % 6], edge[i], {p[i]}, {v[i]});
-  Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
-  theta.of = {-1, p[0], p[1]};
-  theta.from = {from, -1, -1};
-  theta.towards = {towards, -1, -1};
-  theta.driven = true;
+  hinge_loop(d, "edge", p, v, from, towards);
   return {.name = std::move(name),
           .scene = {"bricard", d.release(), {Polynomial{{0, 0.5}}}, redundant_grid, {}, {}}};
 }
@@ -98,7 +88,7 @@ ExtremeCase bennett(std::string name, double start, Polynomial motion, double to
   MechanismBuilder d("bennett", 3);
   d.set_length_unit("1");
   Vec x{1, 0, 0}, z{0, 0, 1}, at{};
-  std::array<int, 4> p, v, link;
+  std::array<int, 4> p, v;
   for (int i = 0; i < 4; ++i) {
     p[i] = d.point("P" + std::to_string(i + 1), at);
     v[i] = d.vector("z" + std::to_string(i + 1), z);
@@ -107,22 +97,32 @@ ExtremeCase bennett(std::string name, double start, Polynomial motion, double to
     z = turned(z, x, twists[i % 2]);
   }
   const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
-  d.carry(MechanismBuilder::ground, {p[3], p[0]}, {v[3], v[0], from, towards});
-  for (int i = 0; i < 3; ++i)
-    link[i] = d.body("link" + std::to_string(i + 1), {p[i], p[i + 1]}, {v[i], v[i + 1]});
-  link[3] = MechanismBuilder::ground;
-  for (int i = 0; i < 4; ++i) d.joint(revolute, link[(i + 3) % 4], link[i], {p[i]}, {v[i]});
-  Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
-  theta.of = {-1, p[0], p[1]};
-  theta.from = {from, -1, -1};
-  theta.towards = {towards, -1, -1};
-  theta.driven = true;
+  hinge_loop(d, "link", p, v, from, towards);
   return {.name = std::move(name),
           .scene = {"bennett", d.release(), {std::move(motion)}, redundant_grid, {}, {}, tolerance},
           .factor = 100};  // what is promised
 }
 
 }  // namespace
+
+void hinge_loop(MechanismBuilder& d, const std::string& body, std::span<const int> corners,
+                std::span<const int> axes, int from, int towards) {
+  const std::size_t n = corners.size();
+  d.carry(MechanismBuilder::ground, {corners[n - 1], corners[0]},
+          {axes[n - 1], axes[0], from, towards});
+  std::vector<int> bodies;
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    bodies.push_back(
+        d.body(body + std::to_string(i + 1), {corners[i], corners[i + 1]}, {axes[i], axes[i + 1]}));
+  bodies.push_back(MechanismBuilder::ground);
+  for (std::size_t i = 0; i < n; ++i)
+    d.joint(revolute, bodies[(i + n - 1) % n], bodies[i], {corners[i]}, {axes[i]});
+  Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
+  theta.of = {-1, corners[0], corners[1]};
+  theta.from = {from, -1, -1};
+  theta.towards = {towards, -1, -1};
+  theta.driven = true;
+}
 
 std::vector<ExtremeCase> redundant(Extent) {
   using std::numbers::pi;

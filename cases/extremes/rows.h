@@ -1,9 +1,12 @@
 #pragma once
 
 #include <numbers>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "cases/extremes/extremes.h"
+#include "cases/mechanism/builder.h"
 
 /// The rows of the table of extremes (extremes.h), one .cpp each: each makes the cases of its row.
 namespace desmo::extremes {
@@ -25,6 +28,14 @@ void add_dyad(DyadChain& chain, double pivot, double coupler, double rocker, int
 /// Makes a chain of one dyad. pivot: of the rocker, on the x axis.
 DyadChain one_dyad(double crank, double start, double pivot, double coupler, double rocker,
                    int side = 1);
+
+/// Adds a closed chain of bodies, the last of which is the ground, to a spatial mechanism: each is
+/// hinged to the next at a corner, about an axis. The angle of the first line, from one vector of
+/// the ground towards another, is driven.
+/// - body: the name of the bodies before their numbers
+/// - corners, axes: points and vectors, two or more
+void hinge_loop(MechanismBuilder& mechanism, const std::string& body, std::span<const int> corners,
+                std::span<const int> axes, int from, int towards);
 
 /// Initial angle of the crank of dyad chains, unless a case says otherwise [rad].
 inline constexpr double chain_start = std::numbers::pi / 3;

@@ -9,11 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/generators/cases.h"
 #include "formulations/base/output_writer.h"
-#include "formulations/id.h"
 #include "formulations/stepping/formulation_core.h"
-#include "formulations/variants.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/lender.h"
@@ -47,8 +44,7 @@ std::vector<std::vector<int>> selections(const Model& m) {
 class OnLanes : public testing::TestWithParam<int> {
  protected:
   std::unique_ptr<Formulation> make(Guess guess = Guess::adams8) const {
-    return make_formulation(find_variant("group_symbolic_explicit"), truck(),
-                            {.guess = guess, .lanes = GetParam()});
+    return formulated("group_symbolic_explicit", truck(), {.guess = guess, .lanes = GetParam()});
   }
 };
 
@@ -103,8 +99,7 @@ TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
   std::get<HarmonicSum>(m.drivers[2].motion).terms.push_back({0.2, 1.0, -grid.time(last)});
   const TimeGrid far{0, 0.1, 60};
   const auto with = [&](int lanes) {
-    return make_formulation(find_variant("group_symbolic_explicit"), m,
-                            {.guess = Guess::adams8, .lanes = lanes});
+    return formulated("group_symbolic_explicit/guess:adams8", m, {.lanes = lanes});
   };
   const auto f = with(GetParam()), g = with(GetParam()), one_by_one = with(1);
   Everything whole(far.instants);
@@ -170,14 +165,11 @@ TEST(Outputs, OfAPoolAreTakenAgain) {
 }
 
 TEST(Outputs, AreWrittenByThreads) {
-  const Variant& v = find_variant("group_symbolic_explicit");
   const TimeGrid long_grid{0, 0.005, 3000};
   const std::vector<int> some{150, 3, 4, 149, 77};
-  for (const Settings& settings : {Settings{.segments = 4}, Settings{.lanes = 4}}) {
-    Settings threads = settings;
-    threads.threads = 2;
-    const auto serial = make_formulation(v, truck(), settings),
-               parallel = make_formulation(v, truck(), threads);
+  for (const std::string id :
+       {"group_symbolic_explicit/segments:4", "group_symbolic_explicit/lanes:4"}) {
+    const auto serial = formulated(id, truck()), parallel = formulated(id + "/threads:2", truck());
     Everything whole(long_grid.instants);
     ASSERT_TRUE(serial->run(long_grid, {}, whole).ok());
     for (const Level level : {Level::velocity, Level::acceleration}) {

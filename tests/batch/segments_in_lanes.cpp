@@ -12,10 +12,10 @@
 #include "cases/generators/cases.h"
 #include "formulations/base/output_writer.h"
 #include "formulations/batch/segmented.h"
-#include "formulations/id.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
+#include "tests/dead_point.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/lender.h"
@@ -23,8 +23,6 @@
 
 namespace desmo::segments_in_lanes_test {
 namespace {
-
-constexpr Settings at_once{.segments = 4};
 
 std::vector<Settings> every_kind() {
   std::vector<Settings> all;
@@ -39,8 +37,7 @@ TEST(SegmentsInLanes, SolveWhatStepsSolve) {
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Settings& settings : every_kind())
       for (const auto& [m, grid] : all) {
-        const auto by_steps = make_formulation(find_variant(id), m),
-                   lanes = make_formulation(find_variant(id), m, settings);
+        const auto by_steps = formulated(id, m), lanes = formulated(id, m, settings);
         Everything expected(grid.instants), actual(grid.instants);
         const Summary a = by_steps->run(grid, {}, expected), b = lanes->run(grid, {}, actual);
         ASSERT_TRUE(a.ok() && b.ok()) << m.name;
@@ -57,8 +54,8 @@ class OnTheCases : public testing::TestWithParam<Settings> {};
 TEST_P(OnTheCases, SegmentsNeedNoSteps) {
   for (const Case& c : cases()) {
     const Model m = make_model(c.with_units(2));
-    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam()),
-               g = make_formulation(find_variant("group_symbolic_explicit"), m);
+    const auto f = formulated("group_symbolic_explicit", m, GetParam()),
+               g = formulated("group_symbolic_explicit", m);
     const TimeGrid grid = time_grid(3, 0.01);
     Everything whole(grid.instants), some(grid.instants), expected(grid.instants);
     ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
@@ -77,7 +74,7 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
 
 TEST_P(OnTheCases, OutputsHoldWhatIsRequested) {
   const Model m = truck_model(2);
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  const auto f = formulated("group_symbolic_explicit", m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);  // the last segment is shorter
   Everything whole(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, whole).ok());
@@ -93,7 +90,7 @@ TEST_P(OnTheCases, OutputsHoldWhatIsRequested) {
 /// As many as may be, up to the end of the segments, the last of which is shorter.
 TEST_P(OnTheCases, OutputsOfSeveralInstantsAreBorrowedAtOnce) {
   const Model m = truck_model(1);
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  const auto f = formulated("group_symbolic_explicit", m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);
   const std::vector<int> some{7, 3};
   const int lanes = GetParam().segments, length = (grid.instants + lanes - 1) / lanes;
@@ -110,7 +107,7 @@ TEST_P(OnTheCases, OutputsOfSeveralInstantsAreBorrowedAtOnce) {
 TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   const Model m = truck_model(1);
   const TimeGrid grid = time_grid(3, 0.01);
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  const auto f = formulated("group_symbolic_explicit", m, GetParam());
   Lender lender(grid.instants, {7}, Level::position);
   lender.stop_at = 20;  // in the first segment, the first of its step
   const Summary stopped = f->run(grid, {.coordinates = std::vector{7}}, lender);
@@ -124,8 +121,8 @@ INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_ki
 
 TEST(SegmentsInLanes, LeaveTheLastInstantToStepOnFrom) {
   const Model m = truck_model(2);
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
-             g = make_formulation(find_variant("group_symbolic_explicit"), m);
+  const auto f = formulated("group_symbolic_explicit/segments:4", m),
+             g = formulated("group_symbolic_explicit", m);
   const TimeGrid grid = time_grid(2, 0.01);
   Everything observer(grid.instants), other(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok() && g->run(grid, {}, other).ok());
@@ -134,7 +131,7 @@ TEST(SegmentsInLanes, LeaveTheLastInstantToStepOnFrom) {
 
 TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const Model m = truck_model(1);
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
+  const auto f = formulated("group_symbolic_explicit/segments:4", m);
   const TimeGrid grid = time_grid(0.2, 0.01);
   Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok());
@@ -142,26 +139,10 @@ TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants));
 }
 
-/// Links that are too short where the crank points away: the same failure, and nothing after it.
 TEST(SegmentsInLanes, FailAsStepsFail) {
-  Model m = four_bar_model(1);
-  for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
-  for (Constraint& c : m.constraints)
-    if (c.name.find("psi") != std::string::npos) c.constants[0] = 4;
-  const int c = m.entities[m.find("dyad1/C")].first;
-  m.estimate[c] = 3.5;
-  m.estimate[c + 1] = 3;
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
-             g = make_formulation(find_variant("group_symbolic_explicit"), m);
-  const TimeGrid grid = time_grid(6, 0.01);
-  Everything actual(grid.instants), expected(grid.instants);
-  const Summary a = f->run(grid, {}, actual), b = g->run(grid, {}, expected);
-  ASSERT_FALSE(b.ok());
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.time, b.time);
-  EXPECT_EQ(a.group, b.group);
-  EXPECT_EQ(actual.order, expected.order);
+  const Model m = locking_four_bar();
+  expect_to_fail_alike(*formulated("group_symbolic_explicit/segments:4", m),
+                       *formulated("group_symbolic_explicit", m), time_grid(6, 0.01));
 }
 
 /// Runs that are never what they should be.
@@ -178,7 +159,7 @@ class Reluctant final : public SegmentExecutor {
 TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   const Model m = four_bar_model(2);
   auto parts = make_partition(m, Partition::group);
-  const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
+  const auto g = formulated("group_automatic_eigen", m);
   std::vector<DefinedPart> borrowed;
   for (const auto& p : parts_of(*g))
     borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
@@ -193,20 +174,6 @@ TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   EXPECT_EQ(lender.restarts, 1);
   EXPECT_EQ(lender.instants, grid.instants + 1);
   EXPECT_EQ(core_of(f).runs_without_segments(), 2);
-}
-
-TEST(SegmentsInLanes, StandInTheId) {
-  const Variant& v = find_variant("group_symbolic_explicit");
-  const std::string id = "group_symbolic_explicit/segments:4";
-  EXPECT_EQ(id_with(v, at_once), id);
-  EXPECT_EQ(parse_id(id).settings.segments, 4);
-  EXPECT_EQ(parse_id("group_symbolic_explicit/segments:8").settings.segments, 8);
-  const Model m = four_bar_model(1);
-  EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, at_once),
-               std::invalid_argument);
-  Settings both = at_once;
-  both.lanes = 4;
-  EXPECT_THROW(make_formulation(v, m, both), std::invalid_argument);
 }
 
 }  // namespace

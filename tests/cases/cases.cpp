@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "formulations/model/constrain.h"
+#include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::cases_test {
@@ -58,21 +59,6 @@ TEST(Cases, TimeGridIncludesBothEnds) {
   EXPECT_THROW(time_grid(NAN, 0.01), std::invalid_argument);
 }
 
-TEST(FourBar, GroupsAreTheCrankAndThenTheDyads) {
-  const Model m = four_bar_model(5);
-  EXPECT_EQ(m.degrees_of_freedom(), 1);
-  ASSERT_EQ(m.structural_groups(), 6);
-  EXPECT_EQ(m.groups[0].name, "SG-I");
-  EXPECT_EQ(m.groups[0].bodies.size(), 1u);
-  EXPECT_EQ(unknowns(m, 0).size(), 2u);
-  EXPECT_EQ(m.entities[m.drivers[0].coordinate].name, "crank/theta");
-  for (int k = 1; k <= 5; ++k) {
-    EXPECT_EQ(m.groups[k].name, "dyad" + std::to_string(k) + "/SG-I");
-    EXPECT_EQ(m.groups[k].bodies.size(), 2u);
-    EXPECT_EQ(unknowns(m, k).size(), 3u);
-  }
-}
-
 TEST(FourBar, StartsFromTheDesignsEstimate) {
   const Model m = four_bar_model(2);
   const auto at = [&](const char* name) { return m.value(name, m.estimate); };
@@ -119,8 +105,7 @@ TEST(TruckSuspension, GroupsUnknownsAndEntitiesAreThePapers) {
 TEST(TruckSuspension, NominalPositionSatisfiesEveryEquation) {
   // The drivers start elsewhere, but all that the design calls nominal must fit together.
   const Model m = truck_model(2);
-  std::vector<double> state = m.estimate;
-  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  const std::vector<double> state = state_at_estimate(m).q;
   for (const Constraint& c : m.constraints)
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       std::array<const double*, Kind::operand_sizes.size()> x;

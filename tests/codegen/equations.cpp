@@ -15,6 +15,7 @@
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "formulations/verification/reference/reference.h"
+#include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::equations_test {
@@ -32,12 +33,6 @@ std::vector<double> random_near(const std::vector<double>& center, double radius
   std::vector<double> result = center;
   for (double& x : result) x += uniform(generator);
   return result;
-}
-
-std::vector<double> nominal_state(const Model& m) {
-  std::vector<double> state = m.estimate;
-  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
-  return state;
 }
 
 template <class Equations>
@@ -77,7 +72,7 @@ class Equations : public testing::TestWithParam<Parameter> {
 
 template <class E>
 void expect_derivative(const E& equations, const Model& m, const PartDefinition& part) {
-  const std::vector<double> state = random_near(nominal_state(m), 0.05, 7);
+  const std::vector<double> state = random_near(state_at_estimate(m).q, 0.05, 7);
   const Eigen::MatrixXd dense = jacobian(equations, state);
   const std::vector<EntityId> owner = entity_of_coordinate(m);
   for (int j = 0; j < m.coordinates(); ++j) {
@@ -100,7 +95,7 @@ TEST_P(Equations, JacobianIsTheDerivativeOfTheResidual) {
 }
 
 TEST_P(Equations, SymbolicAndAutomaticAgreeToRounding) {
-  const std::vector<double> state = random_near(nominal_state(m), 0.3, 3);
+  const std::vector<double> state = random_near(state_at_estimate(m).q, 0.3, 3);
   std::vector<double> rate = random_near(std::vector<double>(state.size(), 0.0), 2, 4);
   std::fill(rate.begin() + m.coordinates(), rate.end(), 0.0);
   const std::vector<EntityId> owner = entity_of_coordinate(m);
@@ -118,16 +113,6 @@ TEST_P(Equations, SymbolicAndAutomaticAgreeToRounding) {
     s.quadratic(state.data(), rate.data(), gs.data());
     EXPECT_LT((ga - gs).lpNorm<Eigen::Infinity>(), 1e-12);
   }
-}
-
-TEST_P(Equations, PartsAreSquareAndCoverEveryDependentCoordinate) {
-  std::vector<int> times_solved(m.coordinates(), 0);
-  for (const PartDefinition& part : parts) {
-    EXPECT_EQ(part.equations.size(), part.unknowns.size());
-    for (const int i : part.unknowns) ++times_solved[i];
-  }
-  for (const Driver& d : m.drivers) ++times_solved[m.entities[d.coordinate].first];
-  for (const int times : times_solved) EXPECT_EQ(times, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(

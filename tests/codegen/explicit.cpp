@@ -18,7 +18,6 @@
 #include "cases/generators/cases.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/equations/turned_angle.h"
-#include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/stepping/formulation_core.h"
@@ -26,6 +25,7 @@
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/discard.h"
+#include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::explicit_test {
@@ -88,7 +88,7 @@ TEST(Explicit, NeedsNoFallbackOnTheCases) {
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Case& c : cases()) {
       const Model m = make_model(c.with_units(2));
-      const auto f = make_formulation(find_variant(id), m);
+      const auto f = formulated(id, m);
       Discard observer;
       ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());
       EXPECT_EQ(part_counts(*f).fallbacks, 0) << c.name;
@@ -98,8 +98,8 @@ TEST(Explicit, NeedsNoFallbackOnTheCases) {
 
 TEST(Explicit, IteratesOnCoresOnly) {
   const Model four_bar = four_bar_model(3), truck = truck_model(1);
-  const auto closed = make_formulation(find_variant("group_symbolic_explicit"), four_bar),
-             torn = make_formulation(find_variant("group_symbolic_explicit"), truck);
+  const auto closed = formulated("group_symbolic_explicit", four_bar),
+             torn = formulated("group_symbolic_explicit", truck);
   ASSERT_TRUE(closed->assemble(0).ok() && torn->assemble(0).ok());
   const Summary without = closed->step(0.01), with = torn->step(0.01);
   EXPECT_EQ(without.iterations, 0);
@@ -120,9 +120,7 @@ TEST(Explicit, IsRightHoweverLargeOrSmallLengthsAre) {
   for (const char* id : {"group_symbolic_explicit", "group_symbolic_explicit/lanes:4"})
     for (const double unit : {0x1p-498, 0x1p498}) {
       const Model m = in_unit(unit);
-      const auto [variant, settings] = parse_id(id);
-      const auto f = make_formulation(*variant, m, settings),
-                 expected = make_formulation(*variant, usual, settings);
+      const auto f = formulated(id, m), expected = formulated(id, usual);
       Discard observer;
       ASSERT_TRUE(f->run({0, 0.05, 61}, {}, observer).ok() &&
                   expected->run({0, 0.05, 61}, {}, observer).ok());
@@ -147,8 +145,8 @@ TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
   const int c = m.entities[m.find("dyad1/C")].first;
   m.estimate[c] = 3.5;
   m.estimate[c + 1] = 3;
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m),
-             g = make_formulation(find_variant("group_automatic_eigen"), m);
+  const auto f = formulated("group_symbolic_explicit", m),
+             g = formulated("group_automatic_eigen", m);
   const double start = std::numbers::pi / 3, worst = std::numbers::pi - start;
   int compared = 0;
   for (const double t :
@@ -159,10 +157,8 @@ TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
     EXPECT_LT(a.residual, 1e-10);
     // Conditioned by the distance from the singular position, the same for both.
     const double conditioning = 1 / (worst - t);
-    for (int i = 0; i < m.coordinates(); ++i) {
-      EXPECT_NEAR(f->q()[i], g->q()[i], 1e-10 * conditioning) << t;
-      EXPECT_NEAR(f->qd()[i], g->qd()[i], 1e-9 * conditioning * conditioning) << t;
-    }
+    EXPECT_LT(max_difference(f->q(), g->q()), 1e-10 * conditioning) << t;
+    EXPECT_LT(max_difference(f->qd(), g->qd()), 1e-9 * conditioning * conditioning) << t;
     ++compared;
   }
   EXPECT_GE(compared, 5);
@@ -179,15 +175,11 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
   refusing.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
     return ExplicitRunResult{};
   };
-  const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
+  const auto reference = formulated("group_automatic_eigen", m);
   ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]),
                    PartSettings({.tolerance = 1e-12}),
                    std::make_unique<Borrowed>(*parts_of(*reference)[1].solver));
-  State s;
-  s.q = m.estimate;
-  s.q.insert(s.q.end(), m.fixed_values.begin(), m.fixed_values.end());
-  s.qd.assign(s.q.size(), 0);
-  s.qdd.assign(s.q.size(), 0);
+  State s = state_at_estimate(m);
   ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
   EXPECT_EQ(bad.counts().fallbacks, 0);  // the first position is found by iterating, as ever
   ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
@@ -201,7 +193,7 @@ TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
     const int c = m.entities[m.find("dyad1/C")].first, b = m.entities[m.find("crank/B")].first;
     m.estimate[c + 1] *= side;
     m.estimate[m.entities[m.find("dyad1/psi")].first] *= side;
-    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
+    const auto f = formulated("group_symbolic_explicit", m);
     ASSERT_TRUE(f->assemble(0).ok());
     const auto branch = part(*f, 1).branches();
     ASSERT_EQ(branch.size(), 1u);
@@ -219,7 +211,7 @@ TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
 
 TEST(Explicit, AssemblesAnewFromTheEstimate) {
   const Model m = truck_model(1);
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
+  const auto f = formulated("group_symbolic_explicit", m);
   ASSERT_TRUE(f->assemble(0).ok());
   const std::vector<double> first(f->q().begin(), f->q().end());
   for (int i = 1; i < 30; ++i) ASSERT_TRUE(f->step(0.01 * i).ok());
@@ -259,11 +251,11 @@ TEST(Elementary, FunctionsAreNotANumberFarAway) {
 /// An angle beyond: the driver's sine is not evaluated by explicit code, and nothing is lost.
 TEST(Explicit, LeavesAnglesFarAwayToOthers) {
   const Model m = four_bar_model(2);
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m),
-             g = make_formulation(find_variant("group_automatic_eigen"), m);
+  const auto f = formulated("group_symbolic_explicit", m),
+             g = formulated("group_automatic_eigen", m);
   for (const double t : {3e6, 3e6 + 0.01, 3e6 + 0.02}) {
     ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
-    for (int i = 0; i < m.coordinates(); ++i) EXPECT_NEAR(f->q()[i], g->q()[i], 1e-9);
+    EXPECT_LT(max_difference(f->q(), g->q()), 1e-9);
   }
   EXPECT_GT(part_counts(*f).fallbacks, 0);
 }

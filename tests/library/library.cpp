@@ -296,17 +296,6 @@ TEST(LibraryTable, HasTheMechanismsThatHaveSolutions) {
   EXPECT_EQ(names, solved);
 }
 
-/// The page that defines the truck suspension counts 39, 19, 19, 16 and 16 unknowns and 3 for y1.
-TEST(TruckAxle, HasTheUnknownsOfItsDefinition) {
-  const Model m = make_model(scene_of(*find_library("truck_axle")));
-  EXPECT_EQ(m.coordinates(), 114);
-  std::vector<std::size_t> counts;
-  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
-    counts.push_back(unknowns(m, g).size());
-  std::ranges::sort(counts);
-  EXPECT_EQ(counts, (std::vector<std::size_t>{3, 16, 16, 19, 19, 39}));
-}
-
 }  // namespace
 }  // namespace desmo::library_test
 }  // namespace desmo

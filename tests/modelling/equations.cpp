@@ -155,12 +155,14 @@ TEST(FourBar, HasExactlyTheEquationsOfItsDesign) {
     EXPECT_EQ(m.entities[m.drivers[0].coordinate].name, "crank/theta");
     expect_equations(m, 0, {{"planar_angle", {"crank/A", "crank/B", "crank/theta"}, {2}}});
     expect_unknowns(m, 0, {"crank/B"});
+    EXPECT_EQ(m.groups[0].name, "SG-I");
     std::string b = "crank/B";
     for (int k = 1; k <= dyads; ++k) {
       const std::string dyad = "dyad" + std::to_string(k) + "/";
       const std::string c = dyad + "C", d = dyad + "D", psi = dyad + "psi";
       expect_equations(m, k, {{"length2", {b, c}, {36}}, {"planar_angle", {d, c, psi}, {6}}});
       expect_unknowns(m, k, {c, psi});
+      EXPECT_EQ(m.groups[k].name, dyad + "SG-I");
       b = c;
     }
   }

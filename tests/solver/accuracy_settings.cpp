@@ -12,29 +12,17 @@
 
 #include "formulations/algebra/blas.h"
 #include "formulations/equations/automatic.h"
-#include "formulations/id.h"
 #include "formulations/parts/profile.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
+#include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::accuracy_settings_test {
 namespace {
-
-std::unique_ptr<Formulation> make(const std::string& id, const Model& m,
-                                  const Settings& base = {}) {
-  const Configuration c = parse_id(id, base);
-  return make_formulation(*c.variant, m, c.settings);
-}
-
-double max_difference(std::span<const double> a, std::span<const double> b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
 
 /// By which power of the step the error of its position grows after so many iterations: from the
 /// last position, wrong by O(h), Newton's method squares the error every time and reaches 2ᵏ; old
@@ -44,7 +32,7 @@ double order_in_the_step(const std::string& id, int iterations) {
   constexpr double t = 0.4;
   const auto error = [&](double h) {
     const auto reference = reference_solution(m, std::vector{t, t + h}, Precision::quadruple);
-    const auto f = make(id + "/iterations:" + std::to_string(iterations), m);
+    const auto f = formulated(id + "/iterations:" + std::to_string(iterations), m);
     EXPECT_TRUE(f->assemble(t).ok());
     EXPECT_TRUE(f->step(t + h, Level::position).ok());
     return max_difference(f->q(), reference[1].q);
@@ -131,7 +119,7 @@ TEST_P(AccuracySettings, NoChordEndsAboveItsTolerance) {
       // for the way to the dead point.
       const double end = h < 0.02 && !to_the_dead_point ? 0.3 : 1.2;
       std::vector<bool> possible;
-      const auto newton = make(GetParam().id, m, settings);
+      const auto newton = formulated(GetParam().id, m, settings);
       for (int i = 0; i <= static_cast<int>(end / h); ++i)
         possible.push_back(newton->step(h * i).ok());
       for (const char* suffixes :
@@ -139,7 +127,7 @@ TEST_P(AccuracySettings, NoChordEndsAboveItsTolerance) {
             "/guess:hermite5/jacobian:chord", "/guess:linear/jacobian:chord"}) {
         const std::string id = with(suffixes);
         if (id.empty()) continue;
-        const auto f = make(id, m, settings);
+        const auto f = formulated(id, m, settings);
         bool solved = true;
         for (std::size_t i = 0; i < possible.size(); ++i) {
           const Summary s = f->step(h * i);
@@ -211,7 +199,7 @@ TEST_P(AccuracySettings, AgreeWithTheReference) {
     for (const ChangedSetting& changed : changes) {
       const std::string id = with(changed.suffixes);
       if (id.empty()) continue;
-      const auto f = make(id, m);
+      const auto f = formulated(id, m);
       for (int i = 0; i < grid.instants; ++i) {
         const Summary s = f->step(grid.time(i));
         ASSERT_TRUE(s.ok()) << id << " on " << m.name << ": " << describe(s, m);
@@ -228,13 +216,13 @@ TEST_P(AccuracySettings, AgreeWithTheReference) {
 
 TEST_P(AccuracySettings, WorkAtEveryLevel) {
   const Model m = truck_model(1);
-  const auto plain = make(GetParam().id, m);
+  const auto plain = formulated(GetParam().id, m);
   ASSERT_TRUE(plain->assemble(0).ok());
   for (const char* suffixes :
        {"/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step"}) {
     const std::string id = with(suffixes);
     if (id.empty()) continue;
-    const auto f = make(id, m);
+    const auto f = formulated(id, m);
     int i = 0;
     for (const Level level : {Level::acceleration, Level::position, Level::position,
                               Level::velocity, Level::acceleration, Level::acceleration}) {
@@ -281,8 +269,8 @@ TEST(MixedScalar, NeverPassesSinglePrecisionOffAsDouble) {
   for (const double distance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     const Model m = locking_four_bar();
     const double lock = std::acos(-13.0 / 32) - std::acos(0.5);
-    const auto mixed = make("group_automatic_lapack/scalar:mixed", m),
-               full = make("group_automatic_lapack", m);
+    const auto mixed = formulated("group_automatic_lapack/scalar:mixed", m),
+               full = formulated("group_automatic_lapack", m);
     bool ok = true;
     for (int i = 0; i <= 200 && ok; ++i) {
       const double t = lock - distance - (1 - i / 200.0) * 0.9;

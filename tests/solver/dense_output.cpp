@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "formulations/id.h"
 #include "formulations/stepping/formulation_core.h"
 #include "tests/dead_point.h"
+#include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::dense_output_test {
@@ -48,17 +48,9 @@ struct Solution {
 
 Solution run(const std::string& id, const Model& m, const TimeGrid& grid,
              const Request& request = {}) {
-  const Configuration c = parse_id(id);
-  const auto f = make_formulation(*c.variant, m, c.settings);
   Everything observer;
-  const Summary summary = f->run(grid, request, observer);
+  const Summary summary = formulated(id, m)->run(grid, request, observer);
   return {summary, std::move(observer.all)};
-}
-
-double max_difference(std::span<const double> a, std::span<const double> b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
 }
 
 struct Errors {
@@ -179,8 +171,7 @@ TEST(DenseOutput, InterpolatesWhatIsAskedFor) {
 TEST(DenseOutput, NeedsEveryLevelOfEveryPart) {
   const Model m = truck_model(1);
   const TimeGrid grid{0, 0.01, 50};
-  const Configuration c = parse_id("group_symbolic_eigen/stride:4");
-  const auto f = make_formulation(*c.variant, m, c.settings);
+  const auto f = formulated("group_symbolic_eigen/stride:4", m);
   f->solve_only(std::vector(m.coordinates(), Level::position));
   Everything observer;
   ASSERT_TRUE(f->run(grid, {Level::position}, observer).ok());
@@ -197,8 +188,7 @@ TEST(DenseOutput, GoesWithSegmentsAndLanes) {
   const Solution by_steps = run(id + "/stride:4", m, grid);
   ASSERT_TRUE(by_steps.summary.ok());
   for (const std::string how : {"/segments:4", "/lanes:4", "/threads:2", "/segments:4/threads:2"}) {
-    const Configuration c = parse_id(id + how + "/stride:4");
-    const auto f = make_formulation(*c.variant, m, c.settings);
+    const auto f = formulated(id + how + "/stride:4", m);
     Everything observer;
     const Summary s = f->run(grid, {}, observer);
     ASSERT_TRUE(s.ok());
@@ -231,8 +221,8 @@ TEST(DenseOutput, StopsBehindTheLastInstantSolved) {
 
 TEST(DenseOutput, LeavesSingleStepsAlone) {
   const Model m = four_bar_model(2);
-  const auto f = make_formulation(find_variant("group_automatic_eigen"), m, {.stride = 8}),
-             g = make_formulation(find_variant("group_automatic_eigen"), m);
+  const auto f = formulated("group_automatic_eigen/stride:8", m),
+             g = formulated("group_automatic_eigen", m);
   for (const double t : {0.0, 0.01, 0.02}) {
     ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
     EXPECT_TRUE(std::ranges::equal(f->q(), g->q()) && std::ranges::equal(f->qdd(), g->qdd())) << t;

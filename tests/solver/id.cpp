@@ -60,10 +60,13 @@ TEST(Id, ReadsBackEveryValueOfEverySuffix) {
     EXPECT_EQ(c.variant, &find_variant("group_automatic_eigen"));
     EXPECT_EQ(id_with(*c.variant, c.settings), id);
   }
-  EXPECT_EQ(parse_id("group_symbolic_explicit/lanes:4").settings.lanes, 4);
-  const Configuration one_block = parse_id("global_automatic_klu/btf:off");
-  EXPECT_EQ(one_block.settings.btf, BlockTriangularForm::off);
-  EXPECT_EQ(id_with(*one_block.variant, one_block.settings), "global_automatic_klu/btf:off");
+  for (const char* id :
+       {"group_symbolic_explicit/lanes:4", "group_symbolic_explicit/lanes:8",
+        "group_symbolic_explicit/segments:4", "group_symbolic_explicit/segments:8",
+        "group_symbolic_explicit/segments:4/threads:2", "global_automatic_klu/btf:off"}) {
+    const Configuration c = parse_id(id);
+    EXPECT_EQ(id_with(*c.variant, c.settings), id);
+  }
   EXPECT_EQ(
       id_with(find_variant("group_automatic_eigen"),
               parse_id("group_automatic_eigen/guess:previous/stride:1/tolerance:1e-12").settings),
@@ -100,6 +103,10 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/iterations:0", "unknown value '0' of '/iterations:'"},
       {"group_symbolic_klu/iterations:2.5", "a whole number from 1 to 1000"},
       {"group_symbolic_klu/threads:0", "unknown value '0' of '/threads:'"},
+      {"group_symbolic_klu/threads:65", "a whole number from 1 to 64"},
+      {"group_symbolic_inlined/segments:4", "four lanes or eight, in explicit order"},
+      {"group_symbolic_inlined/lanes:4", "four lanes or eight, in explicit order"},
+      {"group_symbolic_explicit/lanes:4/segments:4", "not both"},
       {"group_symbolic_klu/stride:0", "unknown value '0' of '/stride:'"},
       {"group_symbolic_klu/stride:65", "a whole number from 1 to 64"},
       {"group_symbolic_klu/tolerance:-1", "a number above 0"},
@@ -130,8 +137,9 @@ TEST(Id, WhatIsNotApplicableIsNotMade) {
   EXPECT_THROW(
       make_formulation(find_variant("group_symbolic_klu"), m, {.scalar = Scalar::single_precision}),
       std::invalid_argument);
-  EXPECT_THROW(make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 65}),
-               std::invalid_argument);
+  for (const Settings& wrong : {Settings{.stride = 65}, {.threads = 0}, {.lanes = 4}})
+    EXPECT_THROW(make_formulation(find_variant("group_symbolic_klu"), m, wrong),
+                 std::invalid_argument);
   EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m,
                                 {.jacobian = JacobianUpdate::chord}),
                std::invalid_argument);

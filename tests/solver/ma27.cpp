@@ -13,6 +13,7 @@
 #include "bench/experiments/paper/case_candidate.h"
 #include "formulations/algebra/coinhsl.h"
 #include "formulations/id.h"
+#include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::ma27_test {
@@ -57,8 +58,7 @@ TEST_F(Ma27, FormulationsTakeSettings) {
   for (const char* id :
        {"global_automatic_ma27/guess:hermite5/jacobian:step", "group_automatic_ma27/jacobian:chord",
         "group_symbolic_ma27/factorisation:per_level/threads:2"}) {
-    const Configuration c = parse_id(id);
-    const auto f = make_formulation(*c.variant, m, c.settings);
+    const auto f = formulated(id, m);
     ASSERT_TRUE(f->assemble(0).ok()) << id;
     for (int i = 1; i <= 20; ++i) EXPECT_TRUE(f->step(0.01 * i).ok()) << id << ", step " << i;
   }
@@ -78,25 +78,17 @@ TEST_F(Ma27, IsHereWhereItsLibraryIs) {
   EXPECT_EQ(unavailable_reason("global_automatic_ma57"), "") << "that is not of this build";
 }
 
-TEST(CoinHsl, SaysWhichEntryIsLacking) {
-  const CoinHsl lacking = load_coinhsl(DESMO_MA27_INCOMPLETE);
-  EXPECT_TRUE(lacking.absence.faulty);
-  EXPECT_TRUE(says(lacking.absence.reason, DESMO_MA27_INCOMPLETE)) << lacking.absence.reason;
-  EXPECT_TRUE(lacking.absence.reason.ends_with("it has no ma27bd_")) << lacking.absence.reason;
-}
-
-TEST(CoinHsl, TakesNoLibraryThatSaysItSolvesNothing) {
-  const CoinHsl dummy = load_coinhsl(DESMO_MA27_DUMMY);
-  EXPECT_TRUE(dummy.absence.faulty);
-  EXPECT_TRUE(says(dummy.absence.reason, DESMO_MA27_DUMMY)) << dummy.absence.reason;
-  EXPECT_TRUE(says(dummy.absence.reason, "solves nothing")) << dummy.absence.reason;
-}
-
-TEST(CoinHsl, SaysWhatCannotBeLoaded) {
-  const CoinHsl nothing = load_coinhsl("/nonexistent/libcoinhsl.so");
-  EXPECT_TRUE(nothing.absence.faulty);
-  EXPECT_TRUE(says(nothing.absence.reason, coinhsl_variable)) << nothing.absence.reason;
-  EXPECT_TRUE(says(nothing.absence.reason, "/nonexistent/libcoinhsl.so"));
+TEST(CoinHsl, SaysWhatALibraryDoesNotServeFor) {
+  const std::pair<const char*, const char*> libraries[] = {
+      {DESMO_MA27_INCOMPLETE, "it has no ma27bd_"},
+      {DESMO_MA27_DUMMY, "solves nothing"},
+      {"/nonexistent/libcoinhsl.so", coinhsl_variable}};
+  for (const auto& [file, reason] : libraries) {
+    const Absence absence = load_coinhsl(file).absence;
+    EXPECT_TRUE(absence.faulty) << file;
+    EXPECT_TRUE(says(absence.reason, file)) << absence.reason;
+    EXPECT_TRUE(says(absence.reason, reason)) << absence.reason;
+  }
 }
 
 /// Whether this machine has one or not.

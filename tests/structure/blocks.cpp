@@ -18,8 +18,8 @@
 namespace desmo::blocks_test {
 namespace {
 
-/// Blocks are square, cover unknowns and equations once each, and read only what is found before.
-void expect_solvable_in_order(const Model& m) {
+/// Parts are square, cover unknowns and equations once each, and read only what is found before.
+void expect_solvable_in_order(const Model& m, Partition partition) {
   std::vector<bool> found(m.state_size(), false);
   for (int i = m.coordinates(); i < m.state_size(); ++i) found[i] = true;
   const std::vector<bool> driven = independent_coordinates(m);
@@ -31,7 +31,7 @@ void expect_solvable_in_order(const Model& m) {
   for (const Constraint& c : m.constraints) equation_count += kept_rows(c);
   std::set<std::pair<int, int>> equations;
   int unknowns_covered = 0;
-  for (const PartDefinition& b : make_partition(m, Partition::block)) {
+  for (const PartDefinition& b : make_partition(m, partition)) {
     EXPECT_EQ(b.unknowns.size(), b.equations.size());
     for (const int i : b.unknowns) {
       EXPECT_FALSE(found[i]) << "found twice";
@@ -51,7 +51,12 @@ void expect_solvable_in_order(const Model& m) {
   EXPECT_EQ(static_cast<int>(equations.size()), equation_count);
 }
 
-TEST(Blocks, AreSquareCoverEverythingAndReadOnlyWhatIsFoundBefore) {
+void expect_solvable_in_order(const Model& m) {
+  for (const Partition partition : {Partition::global, Partition::group, Partition::block})
+    expect_solvable_in_order(m, partition);
+}
+
+TEST(Parts, AreSquareCoverEverythingAndReadOnlyWhatIsFoundBefore) {
   expect_solvable_in_order(truck_model(3));
   expect_solvable_in_order(four_bar_model(9));
   for (const Mechanism& d : {watt({"A0", "A"}), watt({"C", "E"}), stephenson({"E0", "E"})})

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "formulations/base/state.h"
+#include "formulations/id.h"
+
+namespace desmo {
+
+/// Makes the formulation of an id. base: settings that the id does not name.
+inline std::unique_ptr<Formulation> formulated(std::string_view id, const Model& m,
+                                               const Settings& base = {}) {
+  const Configuration c = parse_id(id, base);
+  return make_formulation(*c.variant, m, c.settings);
+}
+std::unique_ptr<Formulation> formulated(std::string_view, Model&&, const Settings& = {}) = delete;
+
+/// Returns the largest difference of two numbers, infinite where one is not a number.
+inline double max_difference(std::span<const double> a, std::span<const double> b) {
+  if (a.size() != b.size()) return INFINITY;
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = std::abs(a[i] - b[i]);
+    largest = std::isnan(difference) ? INFINITY : std::max(largest, difference);
+  }
+  return largest;
+}
+
+/// Returns the state of a model at its estimate, at rest.
+inline State state_at_estimate(const Model& m) {
+  State s{m.estimate, {}, {}};
+  s.q.insert(s.q.end(), m.fixed_values.begin(), m.fixed_values.end());
+  s.qd.assign(s.q.size(), 0);
+  s.qdd.assign(s.q.size(), 0);
+  return s;
+}
+
+}  // namespace desmo
