@@ -16,14 +16,9 @@
 
 #include "cases/extremes/rows.h"
 #include "cases/generators/cases.h"
-#include "formulations/equations/kernel_table.h"
 #include "formulations/equations/turned_angle.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/scaling/magnitudes.h"
 #include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
-#include "formulations/variants.h"
-#include "tests/borrowed_part.h"
 #include "tests/discard.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
@@ -84,8 +79,9 @@ const ExplicitPart& part(const Formulation& f, std::size_t i) {
   return dynamic_cast<const ExplicitPart&>(*parts_of(f)[i].solver);
 }
 
-TEST(Explicit, NeedsNoFallbackOnTheCases) {
-  for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
+TEST(GeneratedCode, NeedsNoFallbackOnTheCases) {
+  for (const char* id : {"group_symbolic_inlined", "block_symbolic_inlined",
+                         "group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Case& c : cases()) {
       const Model m = make_model(c.with_units(2));
       const auto f = formulated(id, m);
@@ -165,28 +161,6 @@ TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
   EXPECT_GT(part_counts(*f).fallbacks, 0);
 }
 
-/// The kernel of the dyad, refusing always.
-TEST(Explicit, IsRightWhereItsCodeRefuses) {
-  const Model m = four_bar_model(1);
-  const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
-  const BoundKernel bound = bind_kernel(m, parts[1]).value();
-  ExplicitKernel refusing =
-      *KernelTable::built_in().find_explicit_kernel(bound.kernel->fingerprint);
-  refusing.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
-    return ExplicitRunResult{};
-  };
-  const auto reference = formulated("group_automatic_eigen", m);
-  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]),
-                   PartSettings({.tolerance = 1e-12}),
-                   std::make_unique<Borrowed>(*parts_of(*reference)[1].solver));
-  State s = state_at_estimate(m);
-  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
-  EXPECT_EQ(bad.counts().fallbacks, 0);  // the first position is found by iterating, as ever
-  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
-  EXPECT_EQ(bad.counts().fallbacks, 1);
-  EXPECT_EQ(bad.counts().branch_changes, 0);
-}
-
 TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
   for (const double side : {+1.0, -1.0}) {
     Model m = four_bar_model(1);
@@ -207,16 +181,6 @@ TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
     EXPECT_EQ(part(*f, 1).branches()[0], at_start);
     EXPECT_EQ(part(*f, 1).counts().branch_changes, 0);
   }
-}
-
-TEST(Explicit, AssemblesAnewFromTheEstimate) {
-  const Model m = truck_model(1);
-  const auto f = formulated("group_symbolic_explicit", m);
-  ASSERT_TRUE(f->assemble(0).ok());
-  const std::vector<double> first(f->q().begin(), f->q().end());
-  for (int i = 1; i < 30; ++i) ASSERT_TRUE(f->step(0.01 * i).ok());
-  ASSERT_TRUE(f->assemble(0).ok());
-  EXPECT_EQ(first, std::vector<double>(f->q().begin(), f->q().end()));
 }
 
 TEST(Elementary, FunctionsAgreeWithTheStandardLibrary) {

@@ -74,23 +74,6 @@ TEST_P(EveryFailure, CallsWhatIsNotFiniteByItsName) {
   EXPECT_EQ(m.groups[s.group].name, "dyad2/SG-I");
 }
 
-TEST_P(EveryFailure, KeepsThePositionsOfTheLastInstantAfterAFailure) {
-  const Model m = four_bar_model(2);
-  const auto f = make_formulation(GetParam(), m), undisturbed = make_formulation(GetParam(), m);
-  ASSERT_TRUE(f->assemble(0).ok());
-  ASSERT_TRUE(undisturbed->assemble(0).ok());
-  const std::vector<double> q(f->q().begin(), f->q().end());
-
-  const Summary s = f->step(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(s.status, Status::not_finite);
-  ASSERT_GE(s.group, 0);
-  EXPECT_EQ(m.groups[s.group].name, "SG-I");
-  EXPECT_TRUE(std::ranges::equal(f->q(), q));
-
-  ASSERT_TRUE(f->step(0.01).ok() && undisturbed->step(0.01).ok());
-  EXPECT_LT(max_difference(f->q(), undisturbed->q()), 1e-10);
-}
-
 TEST_P(EveryFailure, AssemblesWhenAStepComesFirst) {
   const Model m = truck_model(1);
   const auto a = make_formulation(GetParam(), m), b = make_formulation(GetParam(), m);
@@ -99,20 +82,30 @@ TEST_P(EveryFailure, AssemblesWhenAStepComesFirst) {
   EXPECT_TRUE(std::ranges::equal(a->q(), b->q()));
 }
 
-TEST_P(EveryFailure, GoesOnFromBeforeALockedPosition) {
+/// Neither a time that is none nor a locked position leaves a trace.
+TEST_P(EveryFailure, GoesOnFromThePositionsBeforeIt) {
+  struct Walk {
+    Model m;
+    double before, failing, after;  // s
+  };
   DyadChain chain{.crank = 2, .start = 0, .dyads = {}};
   chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 1.5, 1)};  // locks at 1.66 rad
-  const Model m = make_model(extremes::case_of("", chain, 1, {0, 1, 2}).scene);
-  const auto f = make_formulation(GetParam(), m), undisturbed = make_formulation(GetParam(), m);
-  for (const auto& some : {&*f, &*undisturbed}) {
-    ASSERT_TRUE(some->assemble(0).ok());
-    ASSERT_TRUE(some->step(0.5).ok());
+  const Walk walks[] = {
+      {four_bar_model(2), 0, NAN, 0.01},
+      {make_model(extremes::case_of("", chain, 1, {0, 1, 2}).scene), 0.5, 2.5, 0.8}};
+  for (const auto& [m, before, failing, after] : walks) {
+    const auto f = make_formulation(GetParam(), m), undisturbed = make_formulation(GetParam(), m);
+    for (const auto& some : {&*f, &*undisturbed})
+      ASSERT_TRUE(some->assemble(0).ok() && some->step(before).ok());
+    const std::vector<double> q(f->q().begin(), f->q().end());
+    const Summary s = f->step(failing);
+    ASSERT_FALSE(s.ok());
+    EXPECT_EQ(s.status == Status::not_finite, std::isnan(failing));
+    EXPECT_EQ(m.groups[s.group].name, std::isnan(failing) ? "SG-I" : "dyad1/SG-I");
+    EXPECT_TRUE(std::ranges::equal(f->q(), q));
+    ASSERT_TRUE(f->step(after).ok() && undisturbed->step(after).ok());
+    EXPECT_LT(max_difference(f->q(), undisturbed->q()), 1e-10);
   }
-  const std::vector<double> q(f->q().begin(), f->q().end());
-  EXPECT_FALSE(f->step(2.5).ok());
-  EXPECT_TRUE(std::ranges::equal(f->q(), q));
-  ASSERT_TRUE(f->step(0.8).ok() && undisturbed->step(0.8).ok());
-  EXPECT_LT(max_difference(f->q(), undisturbed->q()), 1e-10);
 }
 
 /// Coupler and rocker are all but stretched, and Newton's method leads far away from there.
@@ -247,18 +240,6 @@ TEST(Inlined, MonitorsRefuseAVanishingPivot) {
   EXPECT_FALSE(rates_at(0.3, 0));
   EXPECT_FALSE(rates_at(0.3, 1e-9));
   EXPECT_TRUE(rates_at(0.3, 1));  // no position of the dyad, but one where the pivot is sound
-}
-
-TEST(Inlined, NeedsNoFallbackOnTheCases) {
-  for (const Case& c : cases()) {
-    const Model m = make_model(c.with_units(2));
-    const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
-    Discard observer;
-    ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());
-    for (const auto& part : parts_of(*f))
-      EXPECT_EQ(dynamic_cast<const InlinedPart&>(*part.solver).counts().fallbacks, 0)
-          << m.groups[part.definition.groups.front()].name;
-  }
 }
 
 }  // namespace
