@@ -19,15 +19,30 @@ inline std::unique_ptr<Formulation> formulated(std::string_view id, const Model&
 }
 std::unique_ptr<Formulation> formulated(std::string_view, Model&&, const Settings& = {}) = delete;
 
-/// Returns the largest difference of two numbers, infinite where one is not a number.
-inline double max_difference(std::span<const double> a, std::span<const double> b) {
+/// Returns the largest difference of two numbers, each over what `size` makes of the second;
+/// infinite where one is not a number.
+template <class Size>
+double max_difference(std::span<const double> a, std::span<const double> b, Size size) {
   if (a.size() != b.size()) return INFINITY;
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::abs(a[i] - b[i]);
+    const double difference = std::abs(a[i] - b[i]) / size(b[i]);
     largest = std::isnan(difference) ? INFINITY : std::max(largest, difference);
   }
   return largest;
+}
+inline double max_difference(std::span<const double> a, std::span<const double> b) {
+  return max_difference(a, b, [](double) { return 1; });
+}
+/// Relative to numbers that are larger than 1.
+inline double max_relative_difference(std::span<const double> a, std::span<const double> b) {
+  return max_difference(a, b, [](double x) { return std::max(1.0, std::abs(x)); });
+}
+
+/// Returns whether the instants solved last are the same to the last bit.
+inline bool are_at_one_instant(const Formulation& f, const Formulation& g) {
+  return std::ranges::equal(f.q(), g.q()) && std::ranges::equal(f.qd(), g.qd()) &&
+         std::ranges::equal(f.qdd(), g.qdd());
 }
 
 /// Returns the state of a model at its estimate, at rest.

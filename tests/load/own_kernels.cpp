@@ -1,32 +1,14 @@
 // Code for a mechanism that is none of ours: made, found again, right.
 
-#include <cmath>
-
 #include "formulations/batch/batch_part.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
+#include "tests/everything.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::own_kernels_test {
 namespace {
-
-struct Recorder final : Observer {
-  Flow observe(const Instant& i) noexcept override {
-    values.insert(values.end(), i.q.begin(), i.q.end());
-    values.insert(values.end(), i.qd.begin(), i.qd.end());
-    values.insert(values.end(), i.qdd.begin(), i.qdd.end());
-    return Flow::go_on;
-  }
-  std::vector<double> values;
-};
-
-std::vector<double> run(Formulation& f, const TimeGrid& grid) {
-  Recorder recorder;
-  const Summary s = f.run(grid, Request{}, recorder);
-  EXPECT_TRUE(s.ok()) << describe(s, f.model());
-  return recorder.values;
-}
 
 bool is_as_named(const Formulation& f) {
   return std::ranges::all_of(parts_of(f), &DefinedPart::as_named);
@@ -47,15 +29,12 @@ struct OwnKernelsTest : Loading {
     EXPECT_EQ(own.problem, "") << id;
     auto f = make_formulation(*c.variant, model_, c.settings, table_);
     EXPECT_TRUE(is_as_named(*f)) << id;
-    const std::vector<double> found = run(*f, scene_.grid);
-    const std::vector<double> expected =
-        run(*make_formulation(find_variant("group_automatic_eigen"), model_, exact), scene_.grid);
-    EXPECT_EQ(found.size(), expected.size());
-    double largest = 0;
-    for (std::size_t i = 0; i < found.size() && i < expected.size(); ++i)
-      largest = std::max(largest,
-                         std::abs(found[i] - expected[i]) / std::max(1.0, std::abs(expected[i])));
-    EXPECT_LT(largest, 1e-10) << id;
+    const auto reference = make_formulation(find_variant("group_automatic_eigen"), model_, exact);
+    Everything found(scene_.grid.instants), expected(scene_.grid.instants);
+    EXPECT_TRUE(f->run(scene_.grid, {}, found).ok()) << id;
+    EXPECT_TRUE(reference->run(scene_.grid, {}, expected).ok());
+    for (int i = 0; i < scene_.grid.instants; ++i)
+      EXPECT_LT(max_relative_difference(found.all[i], expected.all[i]), 1e-10) << id << ' ' << i;
     return f;
   }
   void take(int copies) {

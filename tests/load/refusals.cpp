@@ -1,11 +1,11 @@
 // Steps that generated code refuses: none where a mechanism is far from a singular position.
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/condition.h"
+#include "tests/formulated.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::refusals_test {
@@ -29,13 +29,6 @@ class Recorder final : public Observer {
  private:
   ConditionNumber condition_;
 };
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]) / std::max(1.0, std::abs(b[i])));
-  return a.size() == b.size() ? largest : HUGE_VAL;
-}
 
 struct Refusals : Loading {
   void take(const std::string& name) {
@@ -61,8 +54,8 @@ struct Refusals : Loading {
     EXPECT_EQ(run(id, table, found), 0) << id;
     EXPECT_LT(found.condition, 1e4) << id;
     run("group_automatic_eigen", table, expected);
-    EXPECT_LT(largest_difference(found.positions, expected.positions), 1e-9) << id;
-    EXPECT_LT(largest_difference(found.velocities, expected.velocities), 1e-8) << id;
+    EXPECT_LT(max_relative_difference(found.positions, expected.positions), 1e-9) << id;
+    EXPECT_LT(max_relative_difference(found.velocities, expected.velocities), 1e-8) << id;
   }
 };
 

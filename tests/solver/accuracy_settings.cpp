@@ -6,14 +6,14 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "formulations/algebra/blas.h"
-#include "formulations/equations/automatic.h"
 #include "formulations/parts/profile.h"
-#include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/diagnosis.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/dead_point.h"
@@ -58,35 +58,24 @@ TEST(Chord, ConvergesLinearly) {
             << id << update << ", " << k;
 }
 
-/// Evaluates ‖Φ‖₂ of all parts of a mechanism, each equation over its magnitude.
+/// Evaluates ‖Φ‖₂ of all groups of a mechanism, each equation over its magnitude.
 class WeightedResidual {
  public:
-  explicit WeightedResidual(const Model& m) : m_(m) {
+  explicit WeightedResidual(const Model& m) {
     const Magnitudes magnitudes(m);
-    for (const PartDefinition& part : make_partition(m, Partition::group))
-      if (!part.constant)
-        parts_.push_back({std::make_unique<AutomaticEquations>(m, part), magnitudes.weights(part)});
+    for (const PartDefinition& group : make_partition(m, Partition::group))
+      if (!group.constant) groups_.emplace_back(m, group, magnitudes);
   }
 
   double of(const Formulation& f) const {
-    std::vector<double> state(f.q().begin(), f.q().end());
-    state.insert(state.end(), m_.fixed_values.begin(), m_.fixed_values.end());
     double sum = 0;
-    for (const auto& [equations, weights] : parts_) {
-      std::vector<double> phi(weights.size());
-      equations->residual(state.data(), phi.data());
-      for (std::size_t i = 0; i < phi.size(); ++i) sum += std::pow(weights[i] * phi[i], 2);
-    }
+    for (const DenseGroup& g : groups_)
+      sum += g.weights().cwiseProduct(g.residual(core_of(f).state().q)).squaredNorm();
     return std::sqrt(sum);
   }
 
  private:
-  struct WeightedPart {
-    std::unique_ptr<AutomaticEquations> equations;
-    std::vector<double> weights;
-  };
-  const Model& m_;
-  std::vector<WeightedPart> parts_;
+  std::deque<DenseGroup> groups_;  // which stay where they are
 };
 
 class AccuracySettings : public EveryVariant {

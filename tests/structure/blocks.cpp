@@ -13,7 +13,6 @@
 #include "formulations/structure/incidence.h"
 #include "formulations/structure/partition.h"
 #include "tests/mechanisms.h"
-#include "tests/structure/linkages.h"
 
 namespace desmo::blocks_test {
 namespace {
@@ -59,11 +58,8 @@ void expect_solvable_in_order(const Model& m) {
 TEST(Parts, AreSquareCoverEverythingAndReadOnlyWhatIsFoundBefore) {
   expect_solvable_in_order(truck_model(3));
   expect_solvable_in_order(four_bar_model(9));
-  for (const Mechanism& d : {watt({"A0", "A"}), watt({"C", "E"}), stephenson({"E0", "E"})})
-    expect_solvable_in_order(model(d));
-  Mechanism d = stewart().release();
-  for (Mechanism::Coordinate& c : d.coordinates) c.driven = true;
-  expect_solvable_in_order(model_mechanism(d, std::vector<Motion>(6, still)).model);
+  for (const char* name : {"watt_six_bar", "stephenson_six_bar", "stewart"})
+    expect_solvable_in_order(make_model(library_scene(name)));
 }
 
 TEST(Blocks, OfTheTrucksFirstGroupAreOneOfSixteenSixOfThreeAndFiveOfOne) {

@@ -58,25 +58,20 @@ TEST(Groups, OfASliderCrankBeginWhereItIsDriven) {
   expect_groups(slider_crank(true), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
 }
 
-TEST(Groups, OfWattsSixBarDependOnTheDrivenLink) {
+/// Driven as in their files, their groups are among those of the library.
+TEST(Groups, OfSixBarsDependOnTheDrivenLink) {
+  const auto driven_by = [](const char* six_bar, const char* coordinate) {
+    return model(driven(library_scene(six_bar).mechanism, {coordinate}));
+  };
   expect_groups(
-      model(watt({"A0", "A"})),
-      {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"link5", "link6"}, 0, {1}}});
-  expect_groups(
-      model(watt({"B0", "B"})),
+      driven_by("watt_six_bar", "psi"),
       {{{"rocker"}, 1, {}}, {{"crank", "coupler"}, 0, {0}}, {{"link5", "link6"}, 0, {0, 1}}});
   // Driven at a floating link nothing can be solved before anything else.
-  expect_groups(model(watt({"C", "E"})),
+  expect_groups(driven_by("watt_six_bar", "phi"),
                 {{{"crank", "coupler", "rocker", "link5", "link6"}, 1, {}}});
-}
-
-TEST(Groups, OfStephensonsSixBarDependOnTheDrivenLink) {
   expect_groups(
-      model(stephenson({"A0", "A"})),
-      {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"link5", "link6"}, 0, {1}}});
-  // From the other side: the coupler with its three arms is a triad, of four links.
-  expect_groups(model(stephenson({"E0", "E"})),
-                {{{"link6"}, 1, {}}, {{"crank", "coupler", "rocker", "link5"}, 0, {0}}});
+      driven_by("stephenson_six_bar", "alpha"),
+      {{{"rocker1"}, 1, {}}, {{"coupler", "rocker2"}, 0, {0}}, {{"crank", "link"}, 0, {1}}});
 }
 
 TEST(Groups, OfATriadAreNotSplit) {
@@ -98,29 +93,25 @@ TEST(Groups, OfATriadAreNotSplit) {
   expect_groups(model(d), {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
 }
 
-TEST(Groups, OfAStewartPlatformDrivenAtItsLegsAreOne) {
-  Mechanism d = stewart().release();
-  for (Mechanism::Coordinate& c : d.coordinates) c.driven = true;
-  std::set<std::string> all;
-  for (std::size_t b = 1; b < d.bodies.size(); ++b) all.insert(d.bodies[b].name);
-  // Each leg's own direction follows from where the platform holds its head.
-  std::vector<Motion> motions(6, still);
-  const Model m = model_mechanism(d, motions).model;
-  expect_groups(m, {{all, 6, {}}});
-}
-
 TEST(Groups, OfAStewartPlatformWhosePoseIsGivenAreThePlatformAndItsLegs) {
-  Sketch d = stewart();
-  const std::pair<int, int> components[] = {{0, 0}, {0, 1}, {0, 2}, {2, 1}, {2, 2}, {4, 2}};
-  for (const auto& [head, axis] : components)  // points are G1, H1, G2, H2, …
-    d.component("c" + std::to_string(head) + std::to_string(axis), 2 * head + 1, axis).driven =
-        true;
+  Mechanism d = driven(library_scene("stewart").mechanism, {});
+  const std::pair<std::string, int> components[] = {{"B1", 0}, {"B1", 1}, {"B1", 2},
+                                                    {"B2", 0}, {"B2", 2}, {"B3", 2}};
+  for (const auto& [point, axis] : components) {
+    Mechanism::Coordinate& c = d.coordinates.emplace_back();
+    c.name = point + "xyz"[axis];
+    c.type = CoordinateType::component;
+    c.point = static_cast<int>(std::ranges::find(d.points, point, &Mechanism::Point::name) -
+                               d.points.begin());
+    c.axis = axis;
+    c.driven = true;
+  }
   std::vector<Expected> expected{{{"platform"}, 6, {}}};
   for (int i = 1; i <= 6; ++i) {
     const std::string n = std::to_string(i);
-    expected.push_back({{"cylinder" + n, "piston" + n}, 0, {0}});
+    expected.push_back({{"lower" + n, "upper" + n}, 0, {0}});
   }
-  expect_groups(model(d.release()), expected);
+  expect_groups(model(d), expected);
 }
 
 TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
