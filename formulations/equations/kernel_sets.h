@@ -26,8 +26,8 @@ const KernelLibrary& library_explicit_kernels();
 const KernelLibrary& library_lane_kernels(FourLanes);
 const KernelLibrary& library_lane_kernels(EightLanes);
 
-/// Returns the kernels that the program was linked with: of both sets (built_in_all.cpp) or of the
-/// first alone (built_in_cases.cpp).
+/// Returns the kernels that the program was linked with: of both sets (DESMO_LIBRARY_KERNELS) or of
+/// the first alone.
 std::span<const KernelLibrary> built_in_kernels();
 
 }  // namespace desmo

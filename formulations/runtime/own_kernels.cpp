@@ -1,18 +1,21 @@
 #include "formulations/runtime/own_kernels.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "cases/mechanism/names.h"
 #include "formulations/codegen/emit/library_source.h"
 #include "formulations/equations/lane_kernel.h"
 #include "formulations/runtime/cache.h"
 #include "formulations/runtime/compiler.h"
 #include "formulations/runtime/digest.h"
-#include "formulations/runtime/shared_library.h"
 #include "formulations/runtime/unavailable.h"
 #include "formulations/runtime/wanted_types.h"
 
@@ -44,6 +47,23 @@ std::string digest_of(const std::vector<SampledType>& types, LibraryContents con
         digest.add(bytes(s.q)).add(bytes(s.constants));
     }
   return digest.hex();
+}
+
+/// Loads a compiled library. It stays in memory as long as the pointer or a copy of it exists.
+/// Throws Unavailable with the system's reason.
+std::shared_ptr<const KernelLibrary> load_library(const std::filesystem::path& file) {
+  const auto refuse = [] {
+    const char* const reason = ::dlerror();
+    throw Unavailable("compiled kernels cannot be loaded: " +
+                      printable(reason ? reason : "no reason given", 300));
+  };
+  const std::shared_ptr<void> handle(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL), [](void* h) {
+    if (h) ::dlclose(h);
+  });
+  if (!handle) refuse();
+  const void* const symbol = ::dlsym(handle.get(), "desmo_kernels");
+  if (!symbol) refuse();
+  return {handle, static_cast<const KernelLibrary*>(symbol)};
 }
 
 /// The library made of the types' code, from the cache or by the compiler.

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "formulations/runtime/motion_samples.h"
+#include "formulations/codegen/record/recording.h"
 #include "formulations/runtime/unavailable.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/part_type.h"
@@ -13,12 +13,14 @@ namespace desmo::load {
 
 namespace {
 
-using generate::LibraryContents, generate::SampledType;
+using generate::LibraryContents, generate::sample_count, generate::SampledType;
 
+constexpr int max_steps = 400;
+constexpr double tolerance = 1e-6;  // of what only sizes are looked at
 /// The work of a generator and a compiler grows faster than the size of a part.
 constexpr std::size_t max_unknowns = 100;
 /// More than these tell no more of a type.
-constexpr std::size_t enough_samples = 4 * generate::sample_count, enough_for_pivots = 48;
+constexpr std::size_t enough_samples = 4 * sample_count, enough_for_pivots = 48;
 
 bool has_all(const KernelTable& table, const std::string& fingerprint, LibraryContents contents) {
   return table.find_kernel(fingerprint) &&
@@ -35,6 +37,47 @@ std::vector<PartDefinition> parts_without_code(const Variant& v, LibraryContents
       if (!has_all(table, describe_type(m, group).fingerprint, contents))
         result.push_back(std::move(group));
   return result;
+}
+
+/// Returns a grid over the same time, of at most max_steps.
+TimeGrid with_few_steps(TimeGrid grid) {
+  if (grid.instants - 1 > max_steps) {
+    grid.step = (grid.instants - 1) * grid.step / max_steps;
+    grid.instants = max_steps + 1;
+  }
+  return grid;
+}
+
+/// Takes states spread over a motion.
+class Sampler final : public Observer {
+ public:
+  Sampler(const Model& model, int instants) : m_(model), instants_(instants) {}
+
+  Flow observe(const Instant& instant) noexcept override {
+    const int samples = static_cast<int>(states.size());
+    if (instant.index < (instants_ - 1) * samples / (sample_count - 1)) return Flow::go_on;
+    std::vector<double>& state = states.emplace_back(instant.q.begin(), instant.q.end());
+    state.insert(state.end(), m_.fixed_values.begin(), m_.fixed_values.end());
+    return Flow::go_on;
+  }
+
+  std::vector<std::vector<double>> states;
+
+ private:
+  const Model& m_;
+  int instants_;
+};
+
+/// Returns states of a model (q, then the fixed values) spread over its motion, as samples for code
+/// generation. They are approximate, and large steps may reach another branch than the motion's.
+/// The list ends where the motion cannot be followed; it is empty when the model cannot be
+/// assembled.
+std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& grid) {
+  const TimeGrid coarse = with_few_steps(grid);
+  Sampler sampler(m, coarse.instants);
+  const auto f = make_formulation(find_variant("group_automatic_klu"), m, {.tolerance = tolerance});
+  static_cast<void>(f->run(coarse, Request{Level::position}, sampler));  // as far as it goes
+  return std::move(sampler.states);
 }
 
 /// Keeps which parts of a formulation refused steps of a motion, as far as it could be solved.
