@@ -1,24 +1,15 @@
 // desmo_bench as a program: experiments, exit codes, records, settings.
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
-#include <string>
+
+#include "tests/records/started.h"
 
 namespace desmo::bench::bench_program_test {
 namespace {
 
 /// environment: settings of variables, for the shell.
 int run_bench(const std::string& flags, const std::string& environment = "") {
-  const int status =
-      std::system((environment + " " DESMO_BENCH " " + flags + " >/dev/null 2>&1").c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return run(environment + " " DESMO_BENCH " " + flags).code;
 }
 
 /// Iterations for steps of 2 s.
@@ -31,18 +22,16 @@ TEST(Bench, ExitCodesSayWhatHappened) {
   const std::string one = " --benchmark_filter=four_bar/114/group_symbolic_klu$";
   std::filesystem::remove(record);
   EXPECT_EQ(run_bench("--duration=0.2 --record=" + record + one), 0);
-  std::ifstream in(record);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_NE(text.find("\"status\":\"ok\""), std::string::npos);
+  const std::string text = text_of(record);
+  EXPECT_CONTAINS(text, "\"status\":\"ok\"");
   for (const char* key : {"schema_version", "time", "clock", "seconds", "machine", "model",
                           "results", "turbo", "link", "binary", "windows", "updates", "samples"})
-    EXPECT_NE(text.find("\"" + std::string(key) + "\""), std::string::npos) << key;
+    EXPECT_CONTAINS(text, "\"" + std::string(key) + "\"") << key;
 
   EXPECT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
-  std::ifstream again(record);
-  const std::string failed{std::istreambuf_iterator<char>(again), {}};
-  EXPECT_NE(failed.find("\"status\":\"failed\""), std::string::npos);
-  EXPECT_EQ(failed.find("\"time\""), std::string::npos);
+  const std::string failed = text_of(record);
+  EXPECT_CONTAINS(failed, "\"status\":\"failed\"");
+  EXPECT_LACKS(failed, "\"time\"");
 
   EXPECT_EQ(run_bench("--benchmark_filter=nothing_of_that_name"), 64);
   EXPECT_EQ(run_bench("--benchmark_list_tests"), 0);
@@ -58,22 +47,16 @@ TEST(Bench, ExitCodesSayWhatHappened) {
 }
 
 /// What it says, on standard output and standard error.
-std::string said(const std::string& arguments) {
-  FILE* const pipe = popen((DESMO_BENCH " " + arguments + " 2>&1").c_str(), "r");
-  std::string text;
-  for (int c; (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
-  pclose(pipe);
-  return text;
-}
+std::string said(const std::string& arguments) { return run(DESMO_BENCH " " + arguments).text; }
 
 TEST(Bench, HasEveryExperimentByItsName) {
   EXPECT_TRUE(said("--version").starts_with("desmo_bench 0."));
   const std::string help = said("--help");
   for (const char* name : {"paper", "accuracy", "size", "instructions", "extremes"}) {
-    EXPECT_NE(help.find("\n  " + std::string(name) + " "), std::string::npos) << name;
+    EXPECT_CONTAINS(help, "\n  " + std::string(name) + " ") << name;
     const std::string options = said(name + std::string(" --help"));
     for (const char* common : {"--record FILE", "--quick", "--filter REGEX"})
-      EXPECT_NE(options.find(common), std::string::npos) << name << ' ' << common;
+      EXPECT_CONTAINS(options, common) << name << ' ' << common;
     EXPECT_EQ(run_bench(name + std::string(" --no_such_flag")), 64) << name;
     const std::string brief = name + std::string(" --quick --record /dev/null ") +
                               (name == std::string("extremes") ? "--row 14" : "");
@@ -81,16 +64,15 @@ TEST(Bench, HasEveryExperimentByItsName) {
       EXPECT_EQ(run_bench(brief + filter), 64) << name << filter;
   }
   EXPECT_EQ(run_bench("precision --quick"), 64);
-  EXPECT_NE(said("precision").find("no experiment 'precision'; there are paper, accuracy"),
-            std::string::npos);
-  EXPECT_NE(said("size --bodies").find("not expected: --bodies"), std::string::npos);
-  EXPECT_NE(said("accuracy four_bar/114").find("not expected: four_bar/114"), std::string::npos);
-  EXPECT_NE(said("accuracy --quick").find("--record FILE is missing"), std::string::npos);
+  EXPECT_CONTAINS(said("precision"), "no experiment 'precision'; there are paper, accuracy");
+  EXPECT_CONTAINS(said("size --bodies"), "not expected: --bodies");
+  EXPECT_CONTAINS(said("accuracy four_bar/114"), "not expected: four_bar/114");
+  EXPECT_CONTAINS(said("accuracy --quick"), "--record FILE is missing");
 }
 
 TEST(Bench, PrintsItsHelpWithoutArguments) {
   EXPECT_EQ(run_bench(""), 0);
-  EXPECT_NE(said("").find("\n  paper "), std::string::npos);
+  EXPECT_CONTAINS(said(""), "\n  paper ");
 }
 
 /// Lines that are no progress of the program.
@@ -113,18 +95,17 @@ TEST(Bench, ShowsEveryBenchmarkOnlyWhereAsked) {
   for (const std::string& with_table : {said(some + " --record=/dev/null --table"), said(some)}) {
     for (const char* shown : {"\nfour_bar/225/group_symbolic_klu_median ", "iterations/step",
                               "four_bar/225/global_automatic_lapack: a dense global solve"})
-      EXPECT_NE(with_table.find(shown), std::string::npos) << shown << '\n' << with_table;
-    for (const char* noise : {"nan", "DEBUG"})
-      EXPECT_EQ(with_table.find(noise), std::string::npos) << with_table;
+      EXPECT_CONTAINS(with_table, shown) << shown << '\n' << with_table;
+    for (const char* noise : {"nan", "DEBUG"}) EXPECT_LACKS(with_table, noise);
   }
   const std::string warning = "desmo_bench: without --record nothing of this will be kept\n";
   EXPECT_TRUE(said(some).starts_with(warning));
-  EXPECT_EQ(with_record.find("will be kept"), std::string::npos);
-  EXPECT_EQ(said("--benchmark_list_tests").find("will be kept"), std::string::npos);
+  EXPECT_LACKS(with_record, "will be kept");
+  EXPECT_LACKS(said("--benchmark_list_tests"), "will be kept");
 
   const std::string failing = said("--step=2 --record=/dev/null" + too_few);
   EXPECT_EQ(lines_of(failing), 1) << failing;
-  EXPECT_NE(failing.find("four_bar/114/group_symbolic_klu/iterations:1: "), std::string::npos);
+  EXPECT_CONTAINS(failing, "four_bar/114/group_symbolic_klu/iterations:1: ");
 }
 
 TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {
@@ -144,11 +125,10 @@ TEST(Bench, RecordsAreReadByTheReport) {
                       " '--benchmark_filter=/(114|225)/global_automatic_(klu|lapack)$'"),
             0);
   EXPECT_EQ(std::system(report.c_str()), 0);
-  std::ifstream in(record);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = text_of(record);
   for (const char* of : {"four_bar\",\"coordinates\":114", "four_bar\",\"coordinates\":225",
                          "truck_suspension\",\"coordinates\":225"})
-    EXPECT_NE(text.find("{\"case\":\"" + std::string(of)), std::string::npos) << of;
+    EXPECT_CONTAINS(text, "{\"case\":\"" + std::string(of)) << of;
   ASSERT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
   EXPECT_EQ(std::system(report.c_str()), 0);
   // With requests, with and without everything else.
@@ -170,14 +150,13 @@ TEST(Bench, TimesThePapersSolverWhereItsLibraryIs) {
       "--duration=0.02 --record=" + record +
       " '--benchmark_filter=truck_suspension/114/(global_automatic|group_symbolic)_(ma27|klu)$'";
   ASSERT_EQ(run_bench(flags, "DESMO_LIBCOINHSL=" DESMO_MA27_DOUBLE), 0);
-  std::ifstream in(record);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = text_of(record);
   const std::string library = std::filesystem::path(DESMO_MA27_DOUBLE).filename().string();
   for (const std::string& part :
        {"\"" + library + " 1.2.3\"", std::string("\"id\":\"global_automatic_ma27\""),
         std::string("\"id\":\"group_symbolic_ma27\"")})
-    EXPECT_NE(text.find(part), std::string::npos) << part;
-  EXPECT_EQ(text.find("\"status\":\"failed\""), std::string::npos);
+    EXPECT_CONTAINS(text, part) << part;
+  EXPECT_LACKS(text, "\"status\":\"failed\"");
   EXPECT_EQ(std::system((DESMO_REPORT " tables " + record + " >/dev/null 2>&1").c_str()), 0);
 
   EXPECT_EQ(run_bench("--formulation=group_automatic_ma27/guess:linear",

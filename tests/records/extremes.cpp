@@ -1,26 +1,17 @@
 // desmo_bench extremes: its exit codes, and a record that desmo_report reads.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string>
+
+#include "tests/records/started.h"
 
 namespace desmo::extremes_program_test {
 namespace {
 
-int run(const std::string& command) {
-  const int status = std::system((command + " > /dev/null 2>&1").c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 class ExtremesProgram : public testing::Test {
  protected:
   int extremes(const std::string& arguments) const {
-    return run(DESMO_BENCH " extremes --quick --record " + record_ + " " + arguments);
+    return run(DESMO_BENCH " extremes --quick --record " + record_ + " " + arguments).code;
   }
   ~ExtremesProgram() override { std::filesystem::remove(record_); }
 
@@ -30,13 +21,12 @@ class ExtremesProgram : public testing::Test {
 
 TEST_F(ExtremesProgram, RecordsWhatTheReportReads) {
   EXPECT_EQ(extremes("--row 10 --row 13 --filter '^group_.*_eigen$'"), 0);
-  EXPECT_EQ(run(DESMO_REPORT " tables " + record_), 0);
+  EXPECT_EQ(run(DESMO_REPORT " tables " + record_).code, 0);
 }
 
 TEST_F(ExtremesProgram, TriesOneFormulationOfEachKindInAQuickRun) {
   ASSERT_EQ(extremes("--row 12"), 0);
-  std::ifstream in(record_);
-  const nlohmann::json record = nlohmann::json::parse(in);
+  const nlohmann::json record = nlohmann::json::parse(text_of(record_));
   std::set<std::string> ids;
   for (const auto& result : record["extremes"]["results"]) {
     const std::string id = result["id"];
@@ -48,7 +38,7 @@ TEST_F(ExtremesProgram, TriesOneFormulationOfEachKindInAQuickRun) {
 
 TEST_F(ExtremesProgram, FindsNothingWrongNextToDeadPoints) {
   EXPECT_EQ(extremes("--row 3 --filter '^global_automatic_klu$'"), 0);
-  EXPECT_EQ(run(DESMO_REPORT " tables " + record_), 0);
+  EXPECT_EQ(run(DESMO_REPORT " tables " + record_).code, 0);
 }
 
 TEST_F(ExtremesProgram, ComplainsOfMistakes) {

@@ -1,40 +1,15 @@
 // desmo_bench --scene: a scene of the user's own in the tables and the record.
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <string>
+
+#include "tests/records/started.h"
 
 namespace desmo::bench::own_scene_test {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-struct Ended {
-  int code;
-  std::string text;  ///< standard output and standard error
-};
-
-Ended run(const std::string& command) {
-  FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
-  Ended ended;
-  for (int c; (c = std::fgetc(pipe)) != EOF;) ended.text += static_cast<char>(c);
-  const int status = pclose(pipe);
-  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ended;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 class OwnScene : public testing::Test {
  protected:
@@ -86,7 +61,7 @@ TEST_F(OwnScene, IsVerifiedAndTimedInEveryFormulation) {
   const Ended report = run(DESMO_REPORT " tables --all " + record());
   EXPECT_EQ(report.code, 0) << report.text;
   for (const char* shown : {"slider_crank", "group_symbolic_inlined"})
-    EXPECT_NE(report.text.find(shown), std::string::npos) << shown << report.text;
+    EXPECT_CONTAINS(report.text, shown) << shown << report.text;
 }
 
 TEST_F(OwnScene, IsNotRunWhereThereIsNoCodeForIt) {
@@ -96,8 +71,7 @@ TEST_F(OwnScene, IsNotRunWhereThereIsNoCodeForIt) {
   EXPECT_EQ(cell("group_automatic_eigen")["status"], "ok");
   for (const char* id : {"group_symbolic_eigen", "group_symbolic_inlined"}) {
     EXPECT_EQ(cell(id)["status"], "not_run") << id;
-    EXPECT_NE(cell(id).value("message", "").find("CXX=/nonexistent/compiler"), std::string::npos)
-        << cell(id);
+    EXPECT_CONTAINS(cell(id).value("message", ""), "CXX=/nonexistent/compiler") << cell(id);
   }
 }
 
@@ -107,7 +81,7 @@ TEST_F(OwnScene, HasNoTimeWhereItIsWrong) {
       measure(slider_crank_, "--step=0.1 --formulation=" + id + " '--filter=" + id + "$'");
   EXPECT_EQ(ended.code, 1) << ended.text;
   EXPECT_EQ(cell(id)["status"], "failed");
-  EXPECT_NE(ended.text.find("differs from the reference"), std::string::npos) << ended.text;
+  EXPECT_CONTAINS(ended.text, "differs from the reference");
 }
 
 TEST_F(OwnScene, SaysWhatIsWrongWithItsFile) {
@@ -117,8 +91,7 @@ TEST_F(OwnScene, SaysWhatIsWrongWithItsFile) {
   const auto says = [&](const fs::path& name, int code, const std::string& what) {
     const Ended ended = measure(name, "");
     EXPECT_EQ(ended.code, code) << ended.text;
-    EXPECT_NE(ended.text.find("desmo_bench: " + name.string() + ": " + what), std::string::npos)
-        << ended.text;
+    EXPECT_CONTAINS(ended.text, "desmo_bench: " + name.string() + ": " + what);
     EXPECT_FALSE(fs::exists(record()));
   };
   says(folder_ / "nowhere.json", 66, "there is no such file");

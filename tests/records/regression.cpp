@@ -1,14 +1,10 @@
 // What bench/check measures with: the probe's candidates, the driver, and counts that repeat.
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "bench/kit/process/child.h"
 #include "bench/regression/checked.h"
@@ -17,6 +13,7 @@
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 #include "report/check/check_record.h"
+#include "tests/records/started.h"
 
 namespace desmo::regression::regression_test {
 namespace {
@@ -100,11 +97,7 @@ class Driver : public testing::Test {
     return shell(std::string(DESMO_REPORT) + " check " + file("results.json") + " " + options);
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  std::string text(const std::string& name) const {
-    std::stringstream all;
-    all << std::ifstream(folder_ / name).rdbuf();
-    return all.str();
-  }
+  std::string text(const std::string& name) const { return text_of(folder_ / name); }
   Json results() const { return Json::parse(text("results.json")); }
 
   static bool can_count() { return std::system("valgrind --version >/dev/null 2>&1") == 0; }
@@ -136,7 +129,7 @@ TEST_F(Driver, OnePercentMoreInstructionsRaiseAnAlarm) {
             0)
       << text("err");
   EXPECT_EQ(verdict(), 1) << text("out");
-  EXPECT_NE(text("out").find("More work: " + name), std::string::npos) << text("out");
+  EXPECT_CONTAINS(text("out"), "More work: " + name);
 }
 
 TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
@@ -179,10 +172,8 @@ TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
 // What is measured is compiled without line numbers: another line of comment gives the same object.
 TEST_F(Driver, ACommentChangesNoInstruction) {
   const std::string source = DESMO_SOURCE_DIR "/formulations/parts/inlined_part.cpp";
-  std::stringstream code;
-  code << std::ifstream(source).rdbuf();
-  std::ofstream(folder_ / "plain.cpp") << code.str();
-  std::ofstream(folder_ / "commented.cpp") << "// One more line.\n" << code.str();
+  std::ofstream(folder_ / "plain.cpp") << text_of(source);
+  std::ofstream(folder_ / "commented.cpp") << "// One more line.\n" << text_of(source);
   // Any file of the library stands for its flags: sources may be compiled several at once.
   for (const Json& entry : Json::parse(std::ifstream(DESMO_BUILD_DIR "/compile_commands.json"))) {
     const std::string command = entry["command"], folder = entry["directory"];
@@ -206,7 +197,7 @@ TEST_F(Driver, ACommentChangesNoInstruction) {
 TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
   ASSERT_EQ(check("measure " + file("results.json") + " --no-work --candidate " + name), 0)
       << text("err");
-  EXPECT_NE(text("err").find("rounds of 1 candidates"), std::string::npos) << text("err");
+  EXPECT_CONTAINS(text("err"), "rounds of 1 candidates");
   EXPECT_LE(verdict(), 3) << text("out");
   EXPECT_EQ(results()["head"]["paper"]["cells"][0]["time"]["seconds"].size(), 25u);
   EXPECT_EQ(results()["control"]["base"].size(), 25u);
@@ -225,16 +216,16 @@ TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
 
 TEST_F(Driver, ErrorsNameWhatIsWrongAndLeaveNoFile) {
   EXPECT_EQ(check("measure " + file("results.json") + " --slow head:no/1/such:5"), 64);
-  EXPECT_NE(text("err").find("no/1/such"), std::string::npos) << text("err");
+  EXPECT_CONTAINS(text("err"), "no/1/such");
   EXPECT_EQ(check("measure " + file("results.json") + " --slow sideways:" + name + ":5"), 64);
   EXPECT_EQ(check("measure " + file("results.json") + " --slow head:" + name + ":much"), 64);
   EXPECT_EQ(check("measure " + file("results.json") + " --candidate no/1/such"), 64);
   const std::string alone =
       std::string(DESMO_CHECK) + " --head " + file("nowhere") + " measure " + file("results.json");
   EXPECT_EQ(shell(alone), 64);
-  EXPECT_NE(text("err").find("times need --base"), std::string::npos) << text("err");
+  EXPECT_CONTAINS(text("err"), "times need --base");
   EXPECT_EQ(shell(alone + " --no-time"), 74);
-  EXPECT_NE(text("err").find(file("nowhere")), std::string::npos) << text("err");
+  EXPECT_CONTAINS(text("err"), file("nowhere"));
   EXPECT_EQ(check("more " + file("results.json") + " first " + name), 74);
   EXPECT_EQ(check("measure " + file("no/folder.json") + " --no-work --candidate " + name), 74);
   EXPECT_FALSE(fs::exists(file("results.json")));

@@ -1,14 +1,10 @@
 // The scripts: seven, each with a help that needs nothing built, and none that ignores a mistake.
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <set>
-#include <string>
 #include <vector>
+
+#include "tests/records/started.h"
 
 namespace desmo::scripts_test {
 namespace {
@@ -19,22 +15,10 @@ const std::set<std::string> scripts{
     ".ci/run",      "bench/check",          "bench/run", "bench/setup", "tests/run",
     "tests/format", "report/figures/render"};
 
-struct Ended {
-  int code;
-  std::string text;  ///< standard output and standard error
-};
-
 /// environment: settings of variables, for the shell.
-Ended run(const std::string& script, const std::string& arguments,
-          const std::string& environment = "") {
-  const std::string command =
-      environment + DESMO_SOURCE_DIR "/" + script + " " + arguments + " 2>&1";
-  FILE* const pipe = popen(command.c_str(), "r");
-  Ended ended;
-  for (int c; (c = std::fgetc(pipe)) != EOF;) ended.text += static_cast<char>(c);
-  const int status = pclose(pipe);
-  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ended;
+Ended run_script(const std::string& script, const std::string& arguments,
+                 const std::string& environment = "") {
+  return run(environment + DESMO_SOURCE_DIR "/" + script + " " + arguments);
 }
 
 TEST(Scripts, AreSeven) {
@@ -50,31 +34,32 @@ TEST(Scripts, AreSeven) {
 TEST(Scripts, PrintTheirHelpAndNothingElse) {
   for (const std::string& script : scripts)
     for (const char* option : {"--help", "-h"}) {
-      const Ended help = run(script, option);
+      const Ended help = run_script(script, option);
       EXPECT_EQ(help.code, 0) << script << help.text;
-      EXPECT_NE(help.text.find("\n  " + script), std::string::npos) << script << help.text;
-      EXPECT_EQ(help.text.find("set -eu"), std::string::npos) << script;
-      EXPECT_EQ(help.text.find("Building"), std::string::npos) << script;
+      EXPECT_CONTAINS(help.text, "\n  " + script) << script << help.text;
+      EXPECT_LACKS(help.text, "set -eu") << script;
+      EXPECT_LACKS(help.text, "Building") << script;
     }
 }
 
 TEST(Scripts, NameTheArgumentThatTheyDoNotKnow) {
   for (const std::string& script : scripts) {
-    const Ended refused = run(script, "no_such_thing");
+    const Ended refused = run_script(script, "no_such_thing");
     EXPECT_EQ(refused.code, 64) << script << refused.text;
-    EXPECT_NE(refused.text.find(script + ": "), std::string::npos) << refused.text;
-    EXPECT_NE(refused.text.find("'no_such_thing'"), std::string::npos) << refused.text;
+    EXPECT_CONTAINS(refused.text, script + ": ");
+    EXPECT_CONTAINS(refused.text, "'no_such_thing'");
   }
-  EXPECT_EQ(run("bench/run", "precision --quick").code, 64);
-  EXPECT_EQ(run("bench/run", "size --peers").code, 64);
-  EXPECT_EQ(run("bench/check", "--base").code, 64);
-  EXPECT_EQ(run("bench/check", "--base no_such_commit").code, 64);
-  EXPECT_EQ(run("bench/check", "--baseline=/nonexistent.json").code, 64);
-  EXPECT_EQ(run("bench/check", "--baseline --time").code, 64);
-  EXPECT_EQ(run("bench/check", "--history no_such_commit").code, 64);
-  EXPECT_EQ(run("bench/check", "--history HEAD --slow head:a/1/b:3").code, 64);
-  EXPECT_EQ(run("bench/check", "HEAD --history").code, 64);
-  EXPECT_EQ(run("report/figures/render", "--packages .").code, 64);
+  for (const auto& [script, arguments] : {std::pair{"bench/run", "precision --quick"},
+                                          {"bench/run", "size --peers"},
+                                          {"bench/check", "--base"},
+                                          {"bench/check", "--base no_such_commit"},
+                                          {"bench/check", "--baseline=/nonexistent.json"},
+                                          {"bench/check", "--baseline --time"},
+                                          {"bench/check", "--history no_such_commit"},
+                                          {"bench/check", "--history HEAD --slow head:a/1/b:3"},
+                                          {"bench/check", "HEAD --history"},
+                                          {"report/figures/render", "--packages ."}})
+    EXPECT_EQ(run_script(script, arguments).code, 64) << script << ' ' << arguments;
 }
 
 /// A folder of programs that stand before the system's: nothing is installed, the user is root, and
@@ -91,7 +76,7 @@ class OtherSystem {
   ~OtherSystem() { fs::remove_all(folder_); }
 
   Ended setup(const std::string& sets) const {
-    return run("bench/setup", sets, "PATH=" + folder_.string() + ":\"$PATH\" ");
+    return run_script("bench/setup", sets, "PATH=" + folder_.string() + ":\"$PATH\" ");
   }
   std::vector<std::string> called() const {
     std::ifstream in(calls());
@@ -120,13 +105,13 @@ TEST(Setup, WaitsForAnotherAptGet) {
     esac)sh");
   const Ended ended = system.setup("counts");
   EXPECT_EQ(ended.code, 0) << ended.text;
-  EXPECT_NE(ended.text.find("Waiting for another apt-get"), std::string::npos) << ended.text;
+  EXPECT_CONTAINS(ended.text, "Waiting for another apt-get");
   const std::vector<std::string> called = system.called();
   ASSERT_EQ(called.size(), 4u);
   for (const int update : {0, 1}) EXPECT_TRUE(called[update].ends_with(" update"));
   for (const int install : {2, 3}) {
     EXPECT_TRUE(called[install].ends_with(" valgrind")) << called[install];
-    EXPECT_NE(called[install].find("DPkg::Lock::Timeout="), std::string::npos);
+    EXPECT_CONTAINS(called[install], "DPkg::Lock::Timeout=");
   }
 }
 
@@ -134,7 +119,7 @@ TEST(Setup, EndsWhereAptGetFails) {
   const OtherSystem system("echo 'E: Unable to fetch some archives' >&2; exit 100");
   const Ended ended = system.setup("counts");
   EXPECT_EQ(ended.code, 69);
-  EXPECT_NE(ended.text.find("Unable to fetch"), std::string::npos) << ended.text;
+  EXPECT_CONTAINS(ended.text, "Unable to fetch");
   EXPECT_EQ(system.called().size(), 1u);
 }
 

@@ -15,6 +15,7 @@
 #include "bench/kit/problem.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
+#include "tests/contains.h"
 
 namespace desmo::size::size_test {
 namespace {
@@ -58,14 +59,13 @@ TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   inexact.verify(references);
   inexact.sample_afresh(0);
   EXPECT_FALSE(inexact.is_verified());
-  EXPECT_NE(inexact.message().find("differs from the reference"), std::string::npos)
-      << inexact.message();
+  EXPECT_CONTAINS(inexact.message(), "differs from the reference");
   EXPECT_FALSE(inexact.is_timed());
   Problem undefined = problem;
   undefined.plan.model.drivers.front().motion = Polynomial{{NAN}};
   ProblemCandidate failing(undefined, "global_automatic_klu", {.tolerance = undefined.tolerance});
   failing.verify(references);
-  EXPECT_NE(failing.message().find("not finite"), std::string::npos) << failing.message();
+  EXPECT_CONTAINS(failing.message(), "not finite");
   EXPECT_THROW(ProblemCandidate(problem, "global_automatic_abacus", Settings{}),
                std::invalid_argument);
 }

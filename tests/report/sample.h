@@ -14,10 +14,7 @@
 #include "report/report.h"
 #include "report/tables/tables.h"
 #include "report/text/document.h"
-
-/// Expects a text to contain a part, or not to; shows the text otherwise.
-#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
-#define EXPECT_LACKS(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
+#include "tests/contains.h"
 
 namespace desmo::report {
 
@@ -46,6 +43,15 @@ Json with_windows(Json record, int windows = 25);
 /// Returns the record with timing windows and their samples: each sample of a time is divided in
 /// the same proportions. Updates grow from window to window.
 Json with_samples_of_windows(Json record, int windows = 25);
+
+/// Returns the numbers of a position, velocity and acceleration.
+Json levels(double position, double velocity, double acceleration);
+
+/// Returns three samples of CPU time: a time, 2 % more and 50 % more.
+Json step_time(double microseconds);
+
+/// Returns a record without any experiment.
+Json empty_record();
 
 /// Returns data/structured.json: small, with structure and requests, with made-up numbers.
 Json structured_record();
