@@ -7,7 +7,6 @@
 #include "report/statistics/measurements.h"
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {

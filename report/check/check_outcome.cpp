@@ -5,8 +5,6 @@
 
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -91,9 +89,7 @@ std::string percent_of(double ratio) { return write_change(100 * (ratio - 1)); }
 
 Entry change_entry(const std::optional<Change>& c) {
   if (!c) return {missing_mark, {"", "", ""}, missing_mark};
-  const std::string middle = percent_of(c->ratio), low = percent_of(c->low),
-                    high = percent_of(c->high);
-  return {middle + " % [" + low + ", " + high + "]", {middle, low, high}, {}};
+  return composed("{} % [{}, {}]", {percent_of(c->ratio), percent_of(c->low), percent_of(c->high)});
 }
 
 std::string outcome_word(Finding outcome) {
@@ -119,14 +115,10 @@ Table work_table(const WorkFindings& work, const Work& counted) {
   Table table = headed_table(
       "work",
       {{"steps", counted.steps}, {"iterations", counted.iterations}, {"tool", counted.tool}});
-  for (const WorkFinding& f : work.candidates) {
-    const std::string percent = write_change(f.percent);
-    table.rows.push_back({f.candidate,
-                          digits_entry(std::to_string(f.base)),
+  for (const WorkFinding& f : work.candidates)
+    table.rows.push_back({f.candidate, digits_entry(std::to_string(f.base)),
                           digits_entry(std::to_string(f.head)),
-                          {percent + " %", {percent}, {}},
-                          outcome_word(f.outcome)});
-  }
+                          composed("{} %", {write_change(f.percent)}), outcome_word(f.outcome)});
   return table;
 }
 

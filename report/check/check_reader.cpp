@@ -28,8 +28,8 @@ std::int64_t read_count(const RecordValue& node) {
 
 Work read_work(const RecordValue& node, bool two_sides) {
   Work work{node["tool"].text(), node["steps"].integer(1), node["iterations"].integer(1), {}};
-  for (const auto& [candidate, sides] : node["instructions"].members()) {
-    Instructions& counts = work.instructions[candidate];
+  for (const RecordValue& sides : node["instructions"].members()) {
+    Instructions& counts = work.instructions[std::string(sides.key())];
     counts.head = read_count(sides["head"]);
     if (two_sides) counts.base = read_count(sides["base"]);
   }
@@ -87,8 +87,8 @@ CheckRecord read_root(const RecordValue& root) {
   if (two_sides) check_pairs(check, root);
   if (has_times(check.head)) check.control = read_rounds(root[control_name]);
   if (const auto second = root.find("second"))
-    for (const auto& [candidate, rounds] : second->members())
-      check.second.emplace(candidate, read_rounds(rounds));
+    for (const RecordValue& rounds : second->members())
+      check.second.emplace(rounds.key(), read_rounds(rounds));
   if (!check.second.empty() && !check.second.contains(control_name))
     root["second"].complain("the control is missing");
   if (const auto work = root.find("work")) check.work = read_work(*work, two_sides);

@@ -7,9 +7,7 @@ namespace {
 
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
+  return "\"" + escaped(text, {{'"', "\"\""}}) + "\"";
 }
 
 /// Returns a text that no spreadsheet takes for a formula: an apostrophe before what would be one.

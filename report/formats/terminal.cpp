@@ -114,17 +114,16 @@ std::string underlined(const std::string& title, char line) {
   return title + "\n" + std::string(characters(title), line) + "\n";
 }
 
-std::string terminal_section(const Section& section) {
-  std::string text = "\n" + underlined(section.title, '-'), left_out;
+/// Writes words, with `space` before each paragraph, and tables; names what it leaves out.
+std::string terminal_section(const Section& section, const char* space, std::string& left_out) {
+  std::string text;
   for (const auto* paragraphs : {&section.paragraphs, &section.definitions})
-    for (const std::string& paragraph : *paragraphs) text += "\n" + wrapped(paragraph, "");
-  for (const Table& table : section.tables) {
+    for (const std::string& paragraph : *paragraphs) text += space + wrapped(paragraph, "");
+  for (const Table& table : section.tables)
     if (table.detail)
       left_out += (left_out.empty() ? "" : ", ") + table.name;
     else
       text += "\n" + terminal_table(table);
-  }
-  if (!left_out.empty()) text += "\n" + wrapped("In the other formats only: " + left_out + ".", "");
   return text;
 }
 
@@ -132,20 +131,20 @@ std::string terminal_section(const Section& section) {
 
 std::string to_terminal(const Document& document) {
   std::string text = underlined(document.title, '=');
-  for (const Section& section : document.sections) text += terminal_section(section);
+  for (const Section& section : document.sections) {
+    std::string left_out;
+    text += "\n" + underlined(section.title, '-') + terminal_section(section, "\n", left_out);
+    if (!left_out.empty())
+      text += "\n" + wrapped("In the other formats only: " + left_out + ".", "");
+  }
   return text;
 }
 
 std::string front_to_terminal(const Document& document) {
   std::string text = underlined(document.title, '=');
-  for (const Section& section : document.sections) {
-    if (!section.front) continue;
-    text += "\n";
-    for (const auto* paragraphs : {&section.paragraphs, &section.definitions})
-      for (const std::string& paragraph : *paragraphs) text += wrapped(paragraph, "");
-    for (const Table& table : section.tables)
-      if (!table.detail) text += "\n" + terminal_table(table);
-  }
+  std::string left_out;
+  for (const Section& section : document.sections)
+    if (section.front) text += "\n" + terminal_section(section, "", left_out);
   return text;
 }
 

@@ -61,8 +61,8 @@ Record read_environment(const RecordValue& node) {
   record.dirty = node["dirty"].boolean();
   record.machine = read_machine(node["machine"]);
   record.build = read_build(node["build"]);
-  for (const auto& [name, version] : node["libraries"].members())
-    record.libraries.emplace(name, version.text());
+  for (const RecordValue& library : node["libraries"].members())
+    record.libraries.emplace(library.key(), library.text());
   record.blas = {blas["core"].text(), blas["threads"].integer(1)};
   record.settings = read_settings(node["settings"]);
   record.provenance = node.leaves();

@@ -19,26 +19,8 @@ bool has_only(std::string_view text, std::string_view characters) {
 
 }  // namespace
 
-std::optional<RecordValue> RecordValue::find(std::string_view key) const {
-  const auto member = value_.find(key);
-  return member ? std::optional(RecordValue(*member)) : std::nullopt;
-}
-
-std::vector<std::pair<std::string, RecordValue>> RecordValue::members() const {
-  std::vector<std::pair<std::string, RecordValue>> result;
-  for (const JsonValue& member : value_.members())
-    result.emplace_back(member.key(), RecordValue(member));
-  return result;
-}
-
-std::vector<RecordValue> RecordValue::elements() const {
-  std::vector<RecordValue> result;
-  for (const JsonValue& element : value_.elements()) result.emplace_back(element);
-  return result;
-}
-
 std::string RecordValue::text() const {
-  std::string text(value_.text());
+  std::string text(JsonValue::text());
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   return text;
@@ -70,12 +52,10 @@ std::string RecordValue::utc() const {
   return text;
 }
 
-std::int64_t RecordValue::integer(int least) const {
-  return value_.whole_number(least, max_integer);
-}
+std::int64_t RecordValue::integer(int least) const { return whole_number(least, max_integer); }
 
 double RecordValue::not_negative() const {
-  const double value = value_.number();
+  const double value = number();
   if (!(value >= 0)) complain("is negative");
   return value;
 }
@@ -93,19 +73,19 @@ double RecordValue::sample() const {
 }
 
 std::vector<std::pair<std::string, std::string>> RecordValue::leaves() const {
-  if (value_.is_string()) return {{"", text()}};
-  if (value_.is_number()) return {{"", write_shortest(value_.number())}};
+  if (is_string()) return {{"", text()}};
+  if (is_number()) return {{"", write_shortest(number())}};
   std::vector<std::pair<std::string, std::string>> all;
-  if (value_.is_array()) {
+  if (is_array()) {
     std::string list;
     for (const RecordValue& element : elements())
       for (const auto& [name, text] : element.leaves()) list += (list.empty() ? "" : ", ") + text;
     return {{"", list}};
   }
-  if (!value_.is_object()) return {{"", boolean() ? "yes" : "no"}};
-  for (const auto& [key, member] : members())
+  if (!is_object()) return {{"", boolean() ? "yes" : "no"}};
+  for (const RecordValue& member : members())
     for (const auto& [name, text] : member.leaves())
-      all.emplace_back(key + (name.empty() ? "" : " " + name), text);
+      all.emplace_back(std::string(member.key()) + (name.empty() ? "" : " " + name), text);
   return all;
 }
 

@@ -16,14 +16,14 @@ namespace desmo::report {
 
 /// Refers to a value of a document, which must outlive it. Everything throws InputError, naming
 /// file and place, when the value is not what is asked for.
-class RecordValue {
+class RecordValue : public JsonValue {
  public:
-  explicit RecordValue(JsonValue value) : value_(value) {}
+  RecordValue(JsonValue value) : JsonValue(value) {}  // NOLINT
 
-  RecordValue operator[](std::string_view key) const { return RecordValue(value_[key]); }
-  std::optional<RecordValue> find(std::string_view key) const;       ///< optional member
-  std::vector<std::pair<std::string, RecordValue>> members() const;  ///< of an object
-  std::vector<RecordValue> elements() const;                         ///< of an array
+  RecordValue operator[](std::string_view key) const { return JsonValue::operator[](key); }
+  std::optional<RecordValue> find(std::string_view key) const { return JsonValue::find(key); }
+  std::vector<RecordValue> members() const { return checked(JsonValue::members()); }
+  std::vector<RecordValue> elements() const { return checked(JsonValue::elements()); }
 
   /// Reads an optional member by one of the functions below, or by a function of this type.
   template <class Read>
@@ -44,8 +44,6 @@ class RecordValue {
   std::string name() const;    ///< letters, digits, "_" and "-" only: it becomes part of file names
   std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
   std::string utc() const;     ///< a date that there is, and a time: 2026-11-21T17:48:47Z
-  bool is_number() const { return value_.is_number(); }
-  bool boolean() const { return value_.boolean(); }
   std::int64_t integer(int least) const;  ///< in least ... 1e9
   double not_negative() const;            ///< 0 ... 1e100, so that sums stay finite
   double positive() const;                ///< above 0, at most 1e100
@@ -57,10 +55,10 @@ class RecordValue {
   /// Returns which of some words the text is, by position.
   std::size_t one_of(std::initializer_list<std::string_view> words) const;
 
-  [[noreturn]] void complain(const std::string& what) const { value_.complain(what); }
-
  private:
-  JsonValue value_;
+  static std::vector<RecordValue> checked(const std::vector<JsonValue>& values) {
+    return {values.begin(), values.end()};
+  }
 };
 
 }  // namespace desmo::report

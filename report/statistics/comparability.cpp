@@ -10,23 +10,19 @@
 namespace desmo::report {
 namespace {
 
-Timing timing_of_steps(bool is_ok, const std::vector<double>& seconds) {
-  if (!is_ok) return {{std::nullopt, failed_mark}, {}, {}};
-  return {{summarise(seconds), {}}, {}, {}};
-}
+const CandidateKey& timing_key(const CandidateKey& key) { return key; }
 
-std::map<CandidateKey, Timing> timings_of(const std::map<CandidateKey, TimedSize>& entries) {
+/// Returns the times of a step of all sizes or points: those that are "ok" have samples.
+template <class Entries>
+std::map<CandidateKey, Timing> timings_of(const Entries& entries) {
   std::map<CandidateKey, Timing> all;
-  for (const auto& [key, entry] : entries)
-    all[key] = timing_of_steps(entry.status == Status::ok, entry.seconds_per_step);
-  return all;
-}
-
-std::map<CandidateKey, Timing> timings_of(const std::map<PointKey, Point>& points) {
-  std::map<CandidateKey, Timing> all;
-  for (const auto& [key, point] : points)
-    all[timing_key(key)] =
-        timing_of_steps(point.status == Point::Status::ok, point.seconds_per_step);
+  for (const auto& [key, entry] : entries) {
+    Measured& time = all[timing_key(key)].time;
+    if (entry.seconds_per_step.empty())
+      time.mark = failed_mark;
+    else
+      time.seconds = summarise(entry.seconds_per_step);
+  }
   return all;
 }
 

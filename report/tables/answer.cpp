@@ -8,8 +8,6 @@
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -87,16 +85,24 @@ TextValues words_of(const Record& record) {
                      {{"case", case_in_front(record)}, {"coordinates", size_compared(record)}});
 }
 
-}  // namespace
+/// How many times as fast a formulation is as the fastest global_automatic_<sparse> with the same
+/// guess and tolerance, and with the paper's settings.
+struct Best {
+  std::optional<SpeedUp> like_for_like, papers_settings;
+};
 
+/// Finds the fastest formulation by groups or blocks with the guess and the tolerance of the
+/// fastest global reference. side_by_side: "lanes", "segments", or "" for neither.
 std::optional<Best> best_generated(const Record& record, std::string_view side_by_side) {
   const std::optional<CandidateKey> reference = best_reference(record);
   if (!reference) return std::nullopt;
   const auto key = generated_like(record, *parse_configuration(reference->id), side_by_side);
   if (!key) return std::nullopt;
-  return Best{*key, over(record, reference_like(record, *key), *key),
-              over(record, papers_reference(record), *key)};
+  return Best{over(record, reference_like(record, *key), *key).speed_up,
+              over(record, papers_reference(record), *key).speed_up};
 }
+
+}  // namespace
 
 Table best_formulations(const Record& record) {
   Table table = headed_table("best", words_of(record));
@@ -151,8 +157,7 @@ bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };
   const std::optional<Best> best = best_generated(record, "");
-  return !means.empty() && best && best->like_for_like.speed_up &&
-         best->like_for_like.speed_up->value > 1 &&
+  return !means.empty() && best && best->like_for_like && best->like_for_like->value > 1 &&
          value(*std::ranges::max_element(means, {}, value)) >=
              1.5 * value(*std::ranges::min_element(means, {}, value));
 }
@@ -174,15 +179,14 @@ TextValues what_gains(const Record& record) {
                                           {"lanes", "lanes", "lanes_too"},
                                           {"segments", "segments", "segments_too"}}) {
     const std::optional<Best> best = best_generated(record, kind);
-    const bool is_measured = best && best->like_for_like.speed_up;
-    const TextValue times(
-        way, is_measured ? two_digits(best->like_for_like.speed_up->value) : missing_mark);
+    const bool is_measured = best && best->like_for_like;
+    const TextValue times(way, is_measured ? two_digits(best->like_for_like->value) : missing_mark);
     values.push_back(times);
     if (*clause)
       values.emplace_back(clause,
                           is_measured ? sentence(std::string("answer.") + clause, {times}) : "");
-    if (is_measured && best->papers_settings.speed_up)
-      over_paper.push_back(two_digits(best->papers_settings.speed_up->value));
+    if (is_measured && best->papers_settings)
+      over_paper.push_back(two_digits(best->papers_settings->value));
   }
   const TextValue ratios("ratios", in_a_row(over_paper));
   values.emplace_back("paper_too",

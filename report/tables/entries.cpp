@@ -4,8 +4,6 @@
 
 #include "report/statistics/paper.h"
 #include "report/statistics/variants.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 
@@ -22,22 +20,16 @@ Entry seconds_entry(const Measured& measured, Spread spread) {
   const bool is_range = spread == Spread::range;
   if (!s.has_interval()) {
     const std::string order = write_order(s.value);
-    return {order,
-            is_range ? std::vector<std::string>{order, "", "", count}
-                     : std::vector<std::string>{order, "", count},
-            {}};
+    return is_range ? composed("{}", {order, "", "", count}) : composed("{}", {order, "", count});
   }
-  const std::string value = write(s.value, style), half = write(s.half_range(), style),
-                    median = write(s.median, style), least = write(s.least, style),
-                    largest = write(s.largest, style);
+  const std::string value = write(s.value, style), median = write(s.median, style);
   if (is_range)
-    return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
-  if (spread == Spread::half_range) return {value + " ±" + half, {value, half, count}, {}};
-  if (median == value) return {value, {value, "", count}, {}};
-  return {value + " (median " + median + ")", {value, median, count}, {}};
+    return composed("{} ({} – {})", {value, write(s.least, style), write(s.largest, style), count});
+  if (spread == Spread::half_range)
+    return composed("{} ±{}", {value, write(s.half_range(), style), count});
+  if (median == value) return composed("{}", {value, "", count});
+  return composed("{} (median {})", {value, median, count});
 }
-
-Entry digits_entry(std::string digits) { return {digits, {digits}, {}}; }
 
 Entry number_entry(const std::optional<double>& value, int significant) {
   return value ? digits_entry(write_significant(*value, significant)) : note_entry(missing_mark);
@@ -45,7 +37,7 @@ Entry number_entry(const std::optional<double>& value, int significant) {
 
 Entry count_entry(std::size_t count) { return digits_entry(std::to_string(count)); }
 
-Entry reference_entry() { return {"1.00 reference", {"1.00"}, "reference"}; }
+Entry reference_entry() { return composed("{}", {"1.00"}, "reference"); }
 
 Entry instant_entry(const Record& record, const Measured& measured, int significant) {
   if (!measured.seconds) return note_entry(missing_mark);
@@ -68,17 +60,18 @@ std::string ratio_text(const SpeedUp& ratio) {
 
 Entry ratio_entry(const SpeedUp& ratio, bool with_percent) {
   const DigitStyle style = ratio_digits(ratio.value);
-  const std::string value = ratio_text(ratio), low = write(ratio.low, style),
-                    high = write(ratio.high, style), percent = write_fixed(ratio.percent, 1);
-  Entry entry{value, {value, "", ""}, {}};
-  if (ratio.spread) entry = {value + " [" + low + ", " + high + "]", {value, low, high}, {}};
+  std::string form = "{}";
+  std::vector<std::string> digits{ratio_text(ratio), "", ""};
+  if (ratio.spread) {
+    form += " [{}, {}]";
+    digits = {digits[0], write(ratio.low, style), write(ratio.high, style)};
+  }
   if (with_percent) {
     const bool shown = ratio.spread && ratio.percent >= 0;  // of what is slower the ratio says it
-    entry.digits.push_back(shown ? percent : "");
-    if (shown) entry.shown += " (" + percent + " %)";
+    digits.push_back(shown ? write_fixed(ratio.percent, 1) : "");
+    if (shown) form += " ({} %)";
   }
-  if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
-  return entry;
+  return composed(form, digits, ratio.inconclusive() ? inconclusive_mark : "");
 }
 
 Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent) {
@@ -111,14 +104,9 @@ Entry compared(Entry published, const Entry& ours) {
 
 Entry step_time_entry(const std::vector<double>& samples) {
   const StepTime time = step_time(samples);
-  if (samples.size() < 2) {
-    const std::string order = write_order(time.seconds * 1e6);
-    return {order, {order, ""}, {}};
-  }
+  if (samples.size() < 2) return composed("{}", {write_order(time.seconds * 1e6), ""});
   const DigitStyle style = significant_digits(time.seconds * 1e6, 4);
-  const std::string least = write(time.seconds * 1e6, style);
-  const std::string again = write(time.again * 1e6, style);
-  return {least + " – " + again, {least, again}, {}};
+  return composed("{} – {}", {write(time.seconds * 1e6, style), write(time.again * 1e6, style)});
 }
 
 Entry step_time_entry(const NamedPoint* point) {

@@ -1,4 +1,4 @@
-// Numbers and measurements as places of a table.
+// Numbers and measurements as places of a table, with what tables are written with.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,14 @@
 #include "report/statistics/measurements.h"
 #include "report/statistics/selection.h"
 #include "report/statistics/statistics.h"
+#include "report/text/digits.h"
 #include "report/text/document.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 
 /// Adds a reservation about what the entry shows.
 void add_note(Entry& entry, const std::string& note);
-
-/// Shows digits, the only quantity.
-Entry digits_entry(std::string digits);
 
 /// Writes so many significant digits, or the mark of what is missing.
 Entry number_entry(const std::optional<double>& value, int significant);

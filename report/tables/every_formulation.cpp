@@ -11,8 +11,6 @@
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -40,9 +38,8 @@ Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& refer
   if (key == *reference) return reference_entry();
   const MeasuredSpeedUp ratio = measured_speed_up(record, *reference, key);
   if (!ratio.speed_up) return note_entry(ratio.mark);
-  Entry entry = digits_entry(ratio_text(*ratio.speed_up));
-  if (ratio.speed_up->inconclusive()) add_note(entry, inconclusive_mark);
-  return entry;
+  return composed("{}", {ratio_text(*ratio.speed_up)},
+                  ratio.speed_up->inconclusive() ? inconclusive_mark : "");
 }
 
 }  // namespace
@@ -131,9 +128,8 @@ Section threads(const Record& record) {
 namespace {
 
 Entry phase_entry(double seconds, double total) {
-  const std::string microseconds = write_significant(seconds * 1e6, 3),
-                    percent = write_fixed(total > 0 ? 100 * seconds / total : 0, 0);
-  return {microseconds + " (" + percent + " %)", {microseconds, percent}, {}};
+  const double percent = total > 0 ? 100 * seconds / total : 0;
+  return composed("{} ({} %)", {write_significant(seconds * 1e6, 3), write_fixed(percent, 0)});
 }
 
 }  // namespace

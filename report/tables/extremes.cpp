@@ -7,7 +7,6 @@
 #include "report/statistics/variants.h"
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -5,8 +5,6 @@
 
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -101,14 +99,10 @@ Section history_section(const History& history) {
       last[i] = count;
       if (std::abs(change) <= marked) continue;
       add_note(row.back(), "moved");
-      const std::string percent = percent_of(change);
-      moves.rows.push_back({point.commit,
-                            date,
-                            point.title,
-                            history.candidates[i],
+      moves.rows.push_back({point.commit, date, point.title, history.candidates[i],
                             count_entry(static_cast<std::size_t>(before)),
                             count_entry(static_cast<std::size_t>(count)),
-                            {percent + " %", {percent}, {}}});
+                            composed("{} %", {percent_of(change)})});
     }
   }
   std::vector<double> changes{0};  // of each candidate since its first; none is no change

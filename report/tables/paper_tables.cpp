@@ -8,8 +8,6 @@
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -34,8 +32,8 @@ void add_both(Table& table, std::vector<Entry> ours, std::vector<Entry> paper) {
   if (published) table.rows.push_back(std::move(paper));
 }
 
-}  // namespace
-
+/// Returns what the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with
+/// the quantities of ours: {seconds, median, repetitions}, {speed_up, low, high, percent}.
 Entry published_seconds_entry(const std::string& row, const Variant& variant) {
   const PublishedTable& table = published_cpu_seconds();
   const std::string digits = table.text(row, variant.paper_name);
@@ -44,20 +42,22 @@ Entry published_seconds_entry(const std::string& row, const Variant& variant) {
   return digits_entry(digits);
 }
 
-Entry published_speed_up_entry(const std::string& row, const Variant& variant, bool with_percent) {
+Entry published_speed_up_entry(const std::string& row, const Variant& variant,
+                               bool with_percent = true) {
   const std::string value = published_speed_up().text(row, variant.paper_name);
   const std::string percent = published_improvement_percent().text(row, variant.paper_name);
   if (value.empty()) return note_entry(missing_mark);
-  if (!with_percent) return {value, {value, "", ""}, {}};
-  return {value + " (" + percent + " %)", {value, "", "", percent}, {}};
+  if (!with_percent) return composed("{}", {value, "", ""});
+  return composed("{} ({} %)", {value, "", "", percent});
 }
+
+}  // namespace
 
 Table cpu_times(const Record& record, std::string_view family) {
   const Sources source = sources(record);
   const char* const solver = family == papers_own ? "table1.ma27_too" : "table1.ma27_in_place";
   Table table = headed_table(
       "table1", timed_words(record, {{"family", family},
-                                     {"duration", write_shortest(record.settings.duration_seconds)},
                                      {"paper_motion", source.warning.empty()
                                                           ? ""
                                                           : sentence("table1.other_motion",
@@ -132,12 +132,6 @@ std::string legend(const Variant& variant) {
   return name.ends_with("LAP") ? name + "ACK" : name;
 }
 
-TextValues values_of(const Record& record) {
-  return timed_words(record, {{"cpu", record.machine.cpu},
-                              {"date", record.date.substr(0, 10)},
-                              {"duration", write_shortest(record.settings.duration_seconds)}});
-}
-
 /// Adds a row for each size; `entry_of` gives a variant's time at a size.
 template <typename EntryOf>
 void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
@@ -153,7 +147,7 @@ void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
 Table figure_of_times(const Record& record) {
   const Sources source = sources(record);
   const bool same = source.warning.empty();
-  Table table = headed_table("figure5", values_of(record));
+  Table table = headed_table("figure5", timed_words(record));
   if (!same) table.notes.push_back(table.caption = source.warning);
   table.notes.push_back(sentence("figure5.paper_machine"));
   table.notes.push_back(sentence("figure5.lines"));
@@ -176,7 +170,7 @@ Table figure_of_times(const Record& record) {
 }
 
 Table figure_of_speed_ups(const Record& record) {
-  Table table = headed_table("figure6", values_of(record));
+  Table table = headed_table("figure6", timed_words(record));
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(table.caption = source.ratio_warning);
   const std::vector<std::string> quantities{"speed_up", "low", "high"};

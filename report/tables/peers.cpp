@@ -5,7 +5,6 @@
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {

@@ -77,6 +77,9 @@ TextValues timed_words(const Record& record, const TextValues& more) {
                                                 : intervals ? "common.undisturbed_and_median"
                                                             : "common.undisturbed")},
                    {"definition", definition_of_time(record, intervals)},
+                   {"cpu", record.machine.cpu},
+                   {"date", record.date.substr(0, 10)},
+                   {"duration", write_shortest(record.settings.duration_seconds)},
                    {"repetitions", repetitions(record)},
                    {"one_digit", intervals && found.most > 0 && found.least < min_for_interval
                                      ? "; " + sentence("common.one_digit")

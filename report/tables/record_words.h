@@ -21,6 +21,7 @@ bool is_first_look(const Record& record);
 /// - time: "undisturbed time" where the record has timing windows, "median" where it has none
 /// - time_and_median: the same, "(and median)" where that is another time
 /// - definition: what an undisturbed time is; may be empty
+/// - cpu, date, duration [s]: of what was measured on, when, and of the motion
 /// - repetitions: "5 repetitions", "3 to 5 repetitions", of all candidates that were measured
 /// - the words of the block "intervals", which are empty in a first look
 /// - one_digit: how times without an interval are shown, where there are some besides others

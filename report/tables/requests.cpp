@@ -5,15 +5,12 @@
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
 Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
-  const std::string some = std::to_string(solved), whole = std::to_string(all);
-  return {some + " of " + whole, {some, whole}, {}};
+  return composed("{} of {}", {std::to_string(solved), std::to_string(all)});
 }
 
 /// The row of a request; of null, of what solves everything with the formulation of a key.

@@ -6,8 +6,6 @@
 
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -23,10 +21,9 @@ Entry break_even_entry(const Curve& dense, const Curve& sparse) {
     return note_entry(sentence("break_even.dense", {{"unknowns", write_shortest(r.largest)}}));
   if (!r.break_even)
     return note_entry(sentence("break_even.sparse", {{"unknowns", write_shortest(r.smallest)}}));
-  const std::string value = write_fixed(r.break_even->unknowns, 0),
-                    low = write_shortest(r.break_even->low),
-                    high = write_shortest(r.break_even->high);
-  return {value + " [" + low + ", " + high + "]", {value, low, high}, {}};
+  const auto& [unknowns, low, high] = *r.break_even;
+  return composed("{} [{}, {}]",
+                  {write_fixed(unknowns, 0), write_shortest(low), write_shortest(high)});
 }
 
 }  // namespace
@@ -90,23 +87,19 @@ Entry slope_entry(const Curve& curve) {
   const std::string count = std::to_string(fit.count),
                     gap = curve.failed ? ", a size " + std::string(failed_mark) : "";
   if (!fit.slope) return note_entry(sentence("growth_exponents.too_few", {{"sizes", count}}) + gap);
-  const auto& [slope, lowest, highest, points] = *fit.slope;
-  const std::string value = write_fixed(slope, 3), low = write_fixed(lowest, 3),
-                    high = write_fixed(highest, 3),
-                    note = (!is_linear(slope)                         ? "not linear"
-                            : is_linear(lowest) && is_linear(highest) ? "linear"
-                                                                      : "uncertain") +
-                           gap;
-  return {value + " [" + low + ", " + high + "] n=" + count + " " + note,
-          {value, low, high, count},
-          note};
+  const auto& [slope, low, high, points] = *fit.slope;
+  const char* const growth = !is_linear(slope)                   ? "not linear"
+                             : is_linear(low) && is_linear(high) ? "linear"
+                                                                 : "uncertain";
+  return composed("{} [{}, {}] n={}",
+                  {write_fixed(slope, 3), write_fixed(low, 3), write_fixed(high, 3), count},
+                  growth + gap);
 }
 
 /// "8.28 at 558"
 Entry cost_entry(const CurvePoint& point) {
-  const std::string cost = write_significant(point.nanoseconds(), 3),
-                    size = std::to_string(point.coordinates);
-  return {cost + " at " + size, {cost, size}, {}};
+  return composed("{} at {}",
+                  {write_significant(point.nanoseconds(), 3), std::to_string(point.coordinates)});
 }
 
 Table exponents(const std::vector<Curve>& curves) {

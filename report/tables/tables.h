@@ -21,18 +21,6 @@ namespace desmo::report {
 /// formulations. Puts no number into a sentence where fewer than three repetitions were measured.
 Section answer(const Record& record);
 
-/// A formulation at the truck's largest size, and how many times as fast it is as the fastest
-/// global_automatic_<sparse> with the same guess and tolerance, and with the paper's settings.
-struct Best {
-  CandidateKey key;
-  MeasuredSpeedUp like_for_like;
-  MeasuredSpeedUp papers_settings;
-};
-
-/// Finds the fastest formulation by groups or blocks with the guess and the tolerance of the
-/// fastest global reference. side_by_side: "lanes", "segments", or "" for neither.
-std::optional<Best> best_generated(const Record& record, std::string_view side_by_side);
-
 /// Lists the references and the best formulations with the paper's settings and with the best.
 Table best_formulations(const Record& record);
 
@@ -47,12 +35,6 @@ Table cpu_times(const Record& record, std::string_view family);
 /// global reference alike: speed-up and improvement, ours above the paper's, which is marked in or
 /// out of our interval.
 Table speed_ups(const Record& record, std::string_view family);
-
-/// Returns what the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with
-/// the quantities of ours: {seconds, median, repetitions}, {speed_up, low, high, percent}.
-Entry published_seconds_entry(const std::string& row, const Variant& variant);
-Entry published_speed_up_entry(const std::string& row, const Variant& variant,
-                               bool with_percent = true);
 
 /// Returns the data of figure 5, CPU time over coordinates: a row for each sparse solver and size.
 Table figure_of_times(const Record& record);

@@ -8,8 +8,6 @@
 
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/text/digits.h"
-#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {

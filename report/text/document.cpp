@@ -5,6 +5,15 @@
 
 namespace desmo::report {
 
+Entry composed(std::string_view form, std::vector<std::string> digits, std::string note) {
+  std::string shown(form);
+  for (const std::string& number : digits)
+    if (const std::size_t at = shown.find("{}"); at != shown.npos && !number.empty())
+      shown.replace(at, 2, number);
+  if (!note.empty()) shown += " " + note;
+  return {std::move(shown), std::move(digits), std::move(note)};
+}
+
 // What stands in place of a number has no digits; the reference is drawn as a line, if at all.
 bool Table::has_marks() const {
   for (const auto& row : rows)

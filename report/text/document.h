@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,13 @@ struct Entry {
     return false;
   }
 };
+
+/// Shows digits in a form: each "{}" is the next of them that is not empty; then the note.
+/// composed("{} [{}, {}]", {"1.2", "1.0", "1.4"}) is "1.2 [1.0, 1.4]"
+Entry composed(std::string_view form, std::vector<std::string> digits, std::string note = {});
+
+/// Shows digits, the only quantity.
+inline Entry digits_entry(std::string digits) { return composed("{}", {std::move(digits)}); }
 
 inline Entry note_entry(std::string note) { return {note, {}, note}; }
 

@@ -6,9 +6,10 @@ namespace desmo::report {
 namespace {
 
 Json level_errors(double position) {
-  return {{"position", {{"max", position}, {"rms", position / 2}}},
-          {"velocity", {{"max", 2 * position}, {"rms", position}}},
-          {"acceleration", {{"max", 4 * position}, {"rms", position}}}};
+  const auto max = [](double error) { return Json{{"max", error}}; };
+  return {{"position", max(position)},
+          {"velocity", max(2 * position)},
+          {"acceleration", max(4 * position)}};
 }
 
 Json series(const std::string& case_name, int coordinates, double step, int instants) {
@@ -32,10 +33,6 @@ Json unsolved_point(const std::string& id, const char* status, const char* messa
 }
 
 Json floor_of(Json floor) {
-  const auto levels = [](double a, double b, double c) {
-    return Json{{"position", a}, {"velocity", b}, {"acceleration", c}};
-  };
-  floor["compared"] = 21;
   floor["reference"] = levels(4e-33, 5e-33, 6e-33);
   floor["condition"] = 1000.0;
   floor["limit"] = {{"double", levels(1.1e-13, 1.1e-10, 1.1e-7)},
@@ -51,9 +48,7 @@ Json solved_point(const std::string& id, double microseconds, double error, doub
   point["status"] = "ok";
   point["error"] = level_errors(error);
   point["iterations_per_step"] = iterations;
-  point["time_per_step"]["clock"] = "cpu";
-  point["time_per_step"]["seconds"] = {1.5e-6 * microseconds, 1e-6 * microseconds,
-                                       1.02e-6 * microseconds};
+  point["time_per_step"] = step_time(microseconds);
   return point;
 }
 
@@ -65,10 +60,7 @@ Json& point_of(Json& record, const std::string& id) {
 }
 
 Json points_record() {
-  Json record = structured_record();
-  record.erase("paper");
-  record["schema_version"] = "2.0.0";
-  record["record"]["command"] = "desmo_bench accuracy --synthetic";
+  Json record = empty_record();
   record["record"]["settings"]["tolerance"] = 1e-12;
   set_motion(record, 1);
   const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack";

@@ -35,6 +35,21 @@ Json complete_record() { return Json::parse(read_text(data_file("complete.json")
 Json structured_record() { return Json::parse(read_text(data_file("structured.json"))); }
 Json origins_record() { return Json::parse(read_text(data_file("origins.json"))); }
 
+Json levels(double position, double velocity, double acceleration) {
+  return {{"position", position}, {"velocity", velocity}, {"acceleration", acceleration}};
+}
+
+Json step_time(double microseconds) {
+  return {{"clock", "cpu"},
+          {"seconds", {1.5e-6 * microseconds, 1e-6 * microseconds, 1.02e-6 * microseconds}}};
+}
+
+Json empty_record() {
+  Json record = structured_record();
+  record.erase("paper");
+  return record;
+}
+
 Json changed(Json record, const std::string& place, const Json& value) {
   record[Json::json_pointer(place)] = value;
   return record;

@@ -130,24 +130,26 @@ TEST(Statistics, NoSlopeOfTwoSizes) {
 }
 
 TEST(Digits, OrderOfMagnitude) {
-  EXPECT_EQ(write_order(31.1), "30");
-  EXPECT_EQ(write_order(0.795), "0.8");
-  EXPECT_EQ(write_order(0.96), "1");
-  EXPECT_EQ(write_order(96), "100");
-  EXPECT_EQ(write_order(5.89), "6");
-  EXPECT_EQ(write_order(0), "0");
-  EXPECT_EQ(write_order(3.14e-13), "3e-13");
+  for (const auto& [value, text] : {std::pair{31.1, "30"},
+                                    {0.795, "0.8"},
+                                    {0.96, "1"},
+                                    {96.0, "100"},
+                                    {5.89, "6"},
+                                    {0.0, "0"},
+                                    {3.14e-13, "3e-13"}})
+    EXPECT_EQ(write_order(value), text);
 }
 
 TEST(Digits, Significant) {
-  EXPECT_EQ(write_significant(7.1, 4), "7.100");
-  EXPECT_EQ(write_significant(0.607, 4), "0.6070");
-  EXPECT_EQ(write_significant(9.99996, 4), "10.00");
-  EXPECT_EQ(write_significant(12345.6, 4), "12346");
-  EXPECT_EQ(write_significant(0.000012345, 3), "0.0000123");
-  EXPECT_EQ(write_significant(3.14e-13, 2), "3.1e-13");
-  EXPECT_EQ(write_significant(1e9, 2), "1.0e+09");
-  EXPECT_EQ(write_significant(0, 3), "0.00");
+  for (const auto& [value, digits, text] : {std::tuple{7.1, 4, "7.100"},
+                                            {0.607, 4, "0.6070"},
+                                            {9.99996, 4, "10.00"},
+                                            {12345.6, 4, "12346"},
+                                            {0.000012345, 3, "0.0000123"},
+                                            {3.14e-13, 2, "3.1e-13"},
+                                            {1e9, 2, "1.0e+09"},
+                                            {0.0, 3, "0.00"}})
+    EXPECT_EQ(write_significant(value, digits), text);
 }
 
 TEST(Digits, RatiosAndNegativeZero) {

@@ -200,26 +200,6 @@ TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
   EXPECT_CONTAINS(entry_at(table, {"global_automatic_lapack"}, "remark").shown, "O(n^3)");
 }
 
-/// An option of the solver is no setting of the paper's, nor is a checked run: neither is
-/// the reference, even where it is faster, and both are held against it.
-TEST(EveryFormulation, ReferencesNothingButThePapersAlgorithm) {
-  for (const std::string other : {"/btf:off", "/check:proof"}) {
-    Json json = complete_record();
-    for (const char* family : {"cholmod", "umfpack", "klu"})
-      set_samples(json, 558, "global_automatic_" + std::string(family), {0.3, 0.3, 0.3});
-    set_samples(json, 558, "group_symbolic_inlined", {0.1, 0.1, 0.1});
-    Json faster = candidate_of(json, truck, 558, "global_automatic_klu");
-    faster["id"] = "global_automatic_klu" + other;
-    json["paper"]["cells"].push_back(faster);
-    set_samples(json, 558, faster["id"], {0.2, 0.2, 0.2});
-    const Table table = every_formulation(record_from(json), truck, 558);
-    for (const char* column : {"speed-up", "like for like"}) {
-      EXPECT_EQ(entry_at(table, {"group_symbolic_inlined"}, column).shown, "3.00") << other;
-      EXPECT_EQ(entry_at(table, {faster["id"]}, column).shown, "1.50") << other;
-    }
-  }
-}
-
 TEST(EveryFormulation, SaysWhatExceedsTheAllowedError) {
   Json json = complete_record();
   candidate_of(json, truck, 558, "group_symbolic_lapack")["verification"]["velocity"] = 2e-6;
