@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "cases/mechanism/formatted.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
@@ -68,12 +68,9 @@ Comparison VerifyingObserver::compare() const {
   ResultDigest results;
   for_each([&](const ReferenceInstant& r, const State& solved) {
     ++errors.instants;
-    bench::compare(errors.position, results, solved.q, r.q, scales_.position,
-                   allowed_difference.position);
-    bench::compare(errors.velocity, results, solved.qd, r.qd, scales_.velocity,
-                   allowed_difference.velocity);
-    bench::compare(errors.acceleration, results, solved.qdd, r.qdd, scales_.acceleration,
-                   allowed_difference.acceleration);
+    for (const Level level : all_levels)
+      bench::compare(errors[level], results, values_at(solved, level), values_at(r, level),
+                     scales_[level], allowed_difference[level]);
   });
   return {errors, results.hex()};
 }
@@ -99,25 +96,19 @@ std::string verification_failure(const Differences& e, std::size_t expected_inst
   if (static_cast<std::size_t>(e.instants) != expected_instants)
     return "compared with the reference at " + std::to_string(e.instants) +
            " instants instead of " + std::to_string(expected_instants);
-  if (e.position <= bound.position && e.velocity <= bound.velocity &&
-      e.acceleration <= bound.acceleration)
+  if (std::ranges::all_of(all_levels, [&](Level level) { return e[level] <= bound[level]; }))
     return {};
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "differs from the reference by %.1e in position, %.1e in velocity, %.1e "
-                "in acceleration (allowed: %.0e, %.0e, %.0e)",
-                e.position, e.velocity, e.acceleration, bound.position, bound.velocity,
-                bound.acceleration);
-  return text;
+  return formatted(
+      "differs from the reference by %.1e in position, %.1e in velocity, %.1e "
+      "in acceleration (allowed: %.0e, %.0e, %.0e)",
+      e.position, e.velocity, e.acceleration, bound.position, bound.velocity, bound.acceleration);
 }
 
 void require_agreement(const Model& m, const PerLevel<double>& floor) {
   for (const Level level : all_levels) {
     if (floor[level] <= highest_floor) continue;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1e", floor[level]);
-    throw std::runtime_error(m.name + ": no reference: two quadruple solutions differ by " + text +
-                             " of the scale");
+    throw std::runtime_error(m.name + ": no reference: two quadruple solutions differ by " +
+                             formatted("%.1e of the scale", floor[level]));
   }
 }
 

@@ -20,10 +20,14 @@ namespace desmo::bench {
 /// The suite's own cases are of ordinary size, so one allowed difference fits them all, and a
 /// scale, itself computed, cannot hide an error. Errors of formulations/verification are relative:
 /// they judge mechanisms of any size.
-struct Differences {
+struct Differences : PerLevel<double> {
   int instants = 0;
-  double position = 0, velocity = 0, acceleration = 0;
 };
+
+/// Returns q, q̇ or q̈ of a state, a reference or an answer.
+const auto& values_at(const auto& solved, Level level) {
+  return level == Level::position ? solved.q : level == Level::velocity ? solved.qd : solved.qdd;
+}
 
 /// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
 void widen(double& largest, double a, double b);

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -10,25 +11,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(RangeStop stop) {
-  switch (stop) {
-    case RangeStop::dead_point:
-      return "dead_point";
-    case RangeStop::full_turn:
-      return "full_turn";
-    case RangeStop::zero_length:
-      return "zero_length";
-    case RangeStop::other_branch:
-      return "other_branch";
-    case RangeStop::start:
-      return "start";
-    case RangeStop::not_reached:
-      return "not_reached";
-    case RangeStop::none:
-      break;
-  }
-  return "none";
-}
+/// Names by RangeStop.
+constexpr std::array stop_names{"dead_point", "full_turn",   "zero_length", "other_branch",
+                                "start",      "not_reached", "none"};
+
+static_assert(stop_names.size() == static_cast<std::size_t>(RangeStop::none) + 1);
 
 std::string sentence(const NamedEnd& e, const NamedRange& r) {
   switch (e.end.stop) {
@@ -73,7 +60,7 @@ std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
 
 Json end_json(const NamedEnd& e, const DisplayUnit& unit, const Model& m) {
   Json j = {{"direction", e.direction},
-            {"stop", name_of(e.end.stop)},
+            {"stop", stop_names[static_cast<std::size_t>(e.end.stop)]},
             {"value", unit.from_si(e.end.value)},
             {"beyond", unit.from_si(e.end.beyond)}};
   if (e.end.stop == RangeStop::full_turn) j["turns"] = e.end.turns;

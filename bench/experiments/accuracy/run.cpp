@@ -30,12 +30,6 @@ constexpr double long_motion_seconds = 0.3;  // a motion that takes longer has t
 
 double rounded(double value) { return bench::rounded(value, 6); }
 
-Json per_level(const PerLevel<double>& values) {
-  Json j;
-  for (const Level level : all_levels) j[level_names[level]] = values[level];
-  return j;
-}
-
 /// Leaves out an error that is not finite, or none at all: JSON has no number for it.
 Json error_json(const SolutionError& error) {
   constexpr double max_error = 1e100;
@@ -59,12 +53,12 @@ Json motion_json(const AccuracySeries& series) {
 Json floor_json(const AccuracySeries& series, const Problem& problem) {
   Json j = motion_json(series);
   j["compared"] = problem.reference.instants.size();
-  j["reference"] = per_level(problem.reference.floor);
+  j["reference"] = bench::per_level_json(problem.reference.floor);
   const double k = max_condition(problem);
   if (!std::isfinite(k)) return j;  // singular somewhere: nothing can be predicted
   j["condition"] = k;
-  j["limit"] = {{"double", per_level(accuracy_limit(k, std::ldexp(1, -53)))},
-                {"float", per_level(accuracy_limit(k, std::ldexp(1, -24)))}};
+  j["limit"] = {{"double", bench::per_level_json(accuracy_limit(k, std::ldexp(1, -53)))},
+                {"float", bench::per_level_json(accuracy_limit(k, std::ldexp(1, -24)))}};
   return j;
 }
 

@@ -4,7 +4,6 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <regex>
 #include <stdexcept>
 #include <string>
@@ -90,24 +89,25 @@ bool measure(const Options& options, const bench::CommandLine& line) {
                       .cases = std::regex(options.cases)};
   bench::RecordWriter recording = begin_record(options, line);
   Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
-  std::size_t defects = 0;
-  std::string summaries;
-  std::optional<bench::Progress> progress;
-  progress.emplace("rows", static_cast<double>(rows.size()));
-  selection.done = [&](double share) { progress->done(share); };
+  bool is_right = true;
+  bench::Progress progress("rows", static_cast<double>(rows.size()));
+  selection.done = [&](double share) { progress.done(share); };
   for (const Extreme* row : rows) {
     const std::vector<Result> results = row_results(*row, selection);
-    if (results.empty()) progress->done();
+    if (results.empty()) progress.done();
     lists["rows"].push_back(row_json(*row));
-    for (const Result& result : results) lists["results"].push_back(result_json(result));
-    summaries += summary(*row, results);
-    defects += count(results, ExtremeVerdict::defect);
+    for (const Result& result : results) {
+      lists["results"].push_back(result_json(result));
+      if (result.verification.verdict != ExtremeVerdict::defect) continue;
+      is_right = false;
+      progress.clear();
+      std::cerr << "row " << row->number << ", " << result.case_name << ", " << result.id << ": "
+                << result.verification.reason << '\n';
+    }
   }
-  progress.reset();
-  std::cout << summaries << std::flush;
   if (lists["results"].empty()) throw std::invalid_argument("nothing matches --filter and --case");
   recording.write(time_grid(30, 0.01), lists);
-  return defects == 0;
+  return is_right;
 }
 
 }  // namespace

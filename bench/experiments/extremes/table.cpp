@@ -6,7 +6,6 @@
 
 #include "bench/experiments/extremes/case_run.h"
 #include "bench/experiments/extremes/known_case.h"
-#include "cases/mechanism/formatted.h"
 #include "formulations/id.h"
 
 namespace desmo::extremes {
@@ -71,30 +70,6 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
     if (selection.done) selection.done(1.0 / static_cast<double>(cases.size()));
   }
   return results;
-}
-
-std::size_t count(const std::vector<Result>& results, ExtremeVerdict verdict) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      results, [&](const Result& r) { return r.verification.verdict == verdict; }));
-}
-
-std::string summary(const Extreme& row, const std::vector<Result>& results) {
-  std::string text = formatted(
-      "%2d %-22.*s as expected %4zu, missed %4zu, DEFECT %4zu, n/a %4zu\n", row.number,
-      static_cast<int>(row.name.size()), row.name.data(),
-      count(results, ExtremeVerdict::as_expected), count(results, ExtremeVerdict::missed),
-      count(results, ExtremeVerdict::defect), count(results, ExtremeVerdict::not_applicable));
-  using Kind = std::pair<std::string, ExtremeVerdict>;
-  std::map<Kind, std::vector<const Result*>> found;
-  for (const Result& r : results)
-    if (const ExtremeVerdict v = r.verification.verdict;
-        v == ExtremeVerdict::missed || v == ExtremeVerdict::defect)
-      found[{r.case_name, v}].push_back(&r);
-  for (const auto& [kind, all] : found)
-    text += "     " + std::string(kind.second == ExtremeVerdict::defect ? "DEFECT" : "missed") +
-            " by " + std::to_string(all.size()) + ": " + kind.first + "; " + all.front()->id +
-            ": " + all.front()->verification.reason + "\n";
-  return text;
 }
 
 }  // namespace desmo::extremes

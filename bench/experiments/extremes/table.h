@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <regex>
 #include <string>
@@ -31,13 +30,5 @@ struct Selection {
 /// Returns the results of a row in the formulations selected. A case with which others are compared
 /// is tried with them, selected or not.
 std::vector<Result> row_results(const Extreme& row, const Selection& selection);
-
-/// Returns the number of results with a verdict.
-std::size_t count(const std::vector<Result>& results, ExtremeVerdict verdict);
-
-/// Returns the results of a row in words: a line with the number of each verdict, then a line for
-/// each case and kind of verdict that is not as expected. It counts the formulations concerned, and
-/// names the first with its reason.
-std::string summary(const Extreme& row, const std::vector<Result>& results);
 
 }  // namespace desmo::extremes

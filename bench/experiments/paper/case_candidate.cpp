@@ -41,10 +41,11 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
 }
 
 CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Options& options,
-                             const Settings& s, Clock by, std::string_view id_suffix)
+                             const Settings& s, Clock by, CheckMode mode)
     : FormulationCandidate(chosen_grid(d.with_units(1).grid, options), d.name, n,
-                           id_with(v, s).append(id_suffix), {&v, s}, by, {}),
-      definition_(d) {
+                           id_with(v, s).append(suffix_of(mode)), {&v, s}, by, {}),
+      definition_(d),
+      check_(mode) {
   if (std::string reason = too_costly(v, n, options); !reason.empty())
     refuse(not_run(std::move(reason)));
 }
@@ -88,36 +89,26 @@ void CaseCandidate::profile() {
   phases_ = measure_phases(variant(), settings(), problem().plan.model, first);
 }
 
-CheckedCandidate::CheckedCandidate(const Case& d, int n, const Variant& v, const Options& options,
-                                   CheckMode mode)
-    : CaseCandidate(d, n, v, options, {}, Clock::cpu, bench::suffix_of(mode)), mode_(mode) {}
-
-Summary CheckedCandidate::run(Formulation& formulation, Observer& observer) const {
-  return bench::run_under_check(formulation, grid(), asked_, observer, mode_);
+Summary CaseCandidate::run(Formulation& formulation, Observer& observer) const {
+  return run_under_check(formulation, grid(), asked_, observer, check_);
 }
 
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {
   std::vector<std::unique_ptr<CaseCandidate>> candidates;
   for (const Case& c : cases()) {
-    const auto make = [&](int n, const Variant& v, const Settings& settings = {},
-                          Clock clock = Clock::cpu) {
-      candidates.push_back(std::make_unique<CaseCandidate>(c, n, v, options, settings, clock));
+    const auto make = [&](int n, const TimedConfiguration& t) {
+      candidates.push_back(
+          std::make_unique<CaseCandidate>(c, n, *t.variant, options, t.settings, t.clock, t.check));
     };
     for (const int n : c.sizes)
-      for (const Variant& v : variants()) make(n, v);
+      for (const Variant& v : variants()) make(n, {{&v, {}}});
     for (const int n : c.extra_sizes)
       for (const Variant& v : variants())
-        if (runs_at_extra_sizes(v)) make(n, v);
-    for (const TimedConfiguration& t : beyond_the_table())
-      if (t.check != CheckMode::none)
-        candidates.push_back(
-            std::make_unique<CheckedCandidate>(c, c.sizes.back(), *t.variant, options, t.check));
-      else
-        make(c.sizes.back(), *t.variant, t.settings, t.clock);
+        if (runs_at_extra_sizes(v)) make(n, {{&v, {}}});
+    for (const TimedConfiguration& t : beyond_the_table()) make(c.sizes.back(), t);
     for (const std::string& id : options.formulations)
       for (const int n : c.sizes)
-        for (const TimedConfiguration& t : with_counterpart(id))
-          make(n, *t.variant, t.settings, t.clock);
+        for (const TimedConfiguration& t : with_counterpart(id)) make(n, t);
   }
   return candidates;
 }

@@ -17,13 +17,13 @@ namespace desmo::paper {
 /// Returns why a formulation is not run with so many coordinates; empty when it is.
 std::string too_costly(const Variant& variant, int coordinates, const Options& options);
 
-/// A case at one size with one formulation.
-class CaseCandidate : public FormulationCandidate {
+/// A case at one size with one formulation, perhaps in a checked run.
+class CaseCandidate final : public FormulationCandidate {
  public:
   /// Refuses the candidate (Refusal::Kind::not_run), with the reason, where it would be too costly.
   CaseCandidate(const Case& definition, int coordinates, const Variant& variant,
                 const Options& options, const Settings& settings = {}, Clock clock = Clock::cpu,
-                std::string_view id_suffix = {});
+                CheckMode check = CheckMode::none);
 
   void profile() override;
   void add_to(nlohmann::ordered_json& lists) const override;
@@ -35,22 +35,12 @@ class CaseCandidate : public FormulationCandidate {
   /// Returns the whole case, which is made at the first call: those of all candidates are too many.
   const Problem& problem() const override;
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
-
-  const Case& definition_;
-  std::optional<PhaseTimes> phases_;
-  mutable std::optional<Problem> problem_;
-};
-
-/// A case at one size with one formulation, in a checked run.
-class CheckedCandidate final : public CaseCandidate {
- public:
-  CheckedCandidate(const Case& definition, int coordinates, const Variant& variant,
-                   const Options& options, CheckMode mode);
-
- private:
   Summary run(Formulation& formulation, Observer& observer) const override;
 
-  const CheckMode mode_;
+  const Case& definition_;
+  const CheckMode check_;
+  std::optional<PhaseTimes> phases_;
+  mutable std::optional<Problem> problem_;
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.

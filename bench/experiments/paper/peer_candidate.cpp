@@ -32,12 +32,10 @@ void solve(Peer& peer, const TimeGrid& grid, int i) {
 
 void compare(Differences& errors, const Peer::Answer& answer, const ReferenceInstant& reference) {
   ++errors.instants;
-  for (std::size_t k = 0; k < answer.coordinates.size(); ++k) {
-    const int i = answer.coordinates[k];
-    widen(errors.position, answer.q[k], reference.q[i]);
-    widen(errors.velocity, answer.qd[k], reference.qd[i]);
-    widen(errors.acceleration, answer.qdd[k], reference.qdd[i]);
-  }
+  for (std::size_t k = 0; k < answer.coordinates.size(); ++k)
+    for (const Level level : all_levels)
+      widen(errors[level], values_at(answer, level)[k],
+            values_at(reference, level)[answer.coordinates[k]]);
 }
 
 class PeerAnalysis final : public Analysis {

@@ -54,17 +54,13 @@ class VerifyingRequest final : public ComparingObserver {
       for (const OutputComponent& a : request_.components) {
         const std::size_t place =
             std::ranges::lower_bound(request_.coordinates, a.kept) - request_.coordinates.begin();
-        const auto compare = [&](Level level, double& largest, const std::vector<double>& found,
-                                 const std::vector<double>& reference, double unit) {
-          if (a.level < level) return;
-          const double value = found[place];
-          widen(largest, value, reference[a.whole]);
-          results.add(value, reference[a.whole], unit);
-        };
-        compare(Level::position, errors.position, solved.q, r.q, allowed_difference.position);
-        compare(Level::velocity, errors.velocity, solved.qd, r.qd, allowed_difference.velocity);
-        compare(Level::acceleration, errors.acceleration, solved.qdd, r.qdd,
-                allowed_difference.acceleration);
+        for (const Level level : all_levels) {
+          if (a.level < level) break;
+          const double value = values_at(solved, level)[place];
+          const double right = values_at(r, level)[a.whole];
+          widen(errors[level], value, right);
+          results.add(value, right, allowed_difference[level]);
+        }
       }
     });
     return {errors, results.hex()};

@@ -112,8 +112,7 @@ std::unique_ptr<ComparingObserver> SceneCandidate::comparing(
 }
 
 Summary SceneCandidate::run(Formulation& formulation, Observer& observer) const {
-  if (check_ == CheckMode::none) return FormulationCandidate::run(formulation, observer);
-  return bench::run_under_check(formulation, grid(), asked_, observer, check_);
+  return run_under_check(formulation, grid(), asked_, observer, check_);
 }
 
 void SceneCandidate::add_to(nlohmann::ordered_json& lists) const {

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "bench/kit/formulation_candidate.h"
+#include "bench/kit/record/record.h"
 #include "commit.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/runtime/digest.h"
@@ -115,10 +116,7 @@ Json settings_json(const TimeGrid& grid) {
           {"step_seconds", grid.step},
           {"duration_seconds", grid.time(grid.instants - 1)},
           {"instants", grid.instants},
-          {"allowed",
-           {{"position", allowed_difference.position},
-            {"velocity", allowed_difference.velocity},
-            {"acceleration", allowed_difference.acceleration}}}};
+          {"allowed", per_level_json(allowed_difference)}};
 }
 
 }  // namespace

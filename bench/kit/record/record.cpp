@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/kit/problem.h"
 #include "bench/kit/record/environment.h"
 
 namespace desmo::bench {
@@ -73,10 +74,16 @@ std::string record_layout(const Json& head, const Json& sections) {
   return text + "\n}\n";
 }
 
+Json per_level_json(const PerLevel<double>& values) {
+  Json j;
+  for (const Level level : all_levels) j[level_names[level]] = values[level];
+  return j;
+}
+
 Json errors_json(const Differences& errors, Level level) {
-  Json j = {{"instants", errors.instants}, {"position", errors.position}};
-  if (level >= Level::velocity) j["velocity"] = errors.velocity;
-  if (level >= Level::acceleration) j["acceleration"] = errors.acceleration;
+  Json j = {{"instants", errors.instants}};
+  for (const Level l : all_levels)
+    if (l <= level) j[level_names[l]] = errors[l];
   return j;
 }
 

@@ -49,6 +49,9 @@ nlohmann::ordered_json record_head(const std::string& command, const TimeGrid& g
 std::string record_layout(const nlohmann::ordered_json& head,
                           const nlohmann::ordered_json& sections);
 
+/// Returns a value by the names of the levels.
+nlohmann::ordered_json per_level_json(const PerLevel<double>& values);
+
 /// Returns `verification` of a candidate, down to a level: others were not compared.
 nlohmann::ordered_json errors_json(const Differences& errors, Level level = Level::acceleration);
 
