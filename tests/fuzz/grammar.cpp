@@ -113,12 +113,6 @@ class Expansion {
     if (rule == "around") return 3 * random_.around_zero();
     if (rule == "long")
       return "raw:" + std::string(random_.one_in(2) ? "1" : "0.") + std::string(400, '0');
-    if (rule == "name") {
-      const std::vector<Pointer> all = places(root_);
-      const Pointer& any = random_.pick(all);
-      const Json& found = root_.at(any);
-      return found.is_string() || any.empty() ? found : Json(any.back());
-    }
     return value(random_.pick(rules_.at(rule)));
   }
 

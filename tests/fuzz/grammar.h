@@ -24,8 +24,8 @@ Json* mechanism_in(Json& root);
 /// A rule is a list of alternatives. In texts of alternatives and patches stand
 /// - `$rule`: a value drawn by it; `$rule*` in a list: none or some; `member?`: half the time
 /// - `$point`, `$vector`, `$mobile`, `$coordinate`: a name that the mechanism has (of a body)
-/// - `$new`, `$name`, `$joint`, `$around`, `$long`: a new name, any text or member of the document,
-///   a type of joint, a number from -3 to 3, a number of 400 digits
+/// - `$new`, `$joint`, `$around`, `$long`: a new name, a type of joint, a number from -3 to 3, a
+///   number of 400 digits
 /// - in a path, `*`: any member or element; `**`: any place; `**number`: any number
 /// - `:x` after any of these: the same wherever the patch says so again.
 class Grammar {

@@ -22,7 +22,7 @@ void repeat_member(Json& root, Random& random);
 /// coordinates. Otherwise every scene with changed drivers would be refused.
 void give_motion_to_drivers(Json& root);
 
-/// Replaces some bytes or tokens, regardless of their meaning.
+/// Replaces some bytes, a token or a line, regardless of their meaning.
 void spoil_text(std::string& text, const Grammar& grammar, Random& random);
 
 }  // namespace desmo::fuzz

@@ -15,7 +15,7 @@ void mutate(Json& root, const Grammar& grammar, Random& random) {
   const bool is_scene = root.is_object() && root.contains("mechanism");
   if (random.one_in(8))
     grammar.patch(root, "any", random);
-  else if (random.one_in(100))
+  else if (random.one_in(60))
     repeat_member(root, random);
   else if (random.one_in(3))
     move_geometry(root, random);

@@ -33,10 +33,15 @@ Span any_token(std::string_view text, Random& random) {
   return random.pick(all);
 }
 
+/// Returns a line with its end: a member, of most; or a token, or some bytes.
 Span any_span(std::string_view text, Random& random) {
   if (random.one_in(2)) return any_token(text, random);
-  const std::size_t begin = random.below(text.size() + 1);
-  const std::size_t size = random.below(random.one_in(8) ? 200 : 5);
+  std::size_t begin = random.below(text.size() + 1),
+              size = random.below(random.one_in(8) ? 200 : 5);
+  if (random.one_in(4)) {
+    begin = text.rfind('\n', begin) + 1;  // of none it is the first
+    size = text.find('\n', begin) - begin + 1;
+  }
   return {begin, std::min(size, text.size() - begin)};
 }
 
