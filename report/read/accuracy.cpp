@@ -10,9 +10,8 @@ SeriesKey read_series(const RecordValue& node) {
 }
 
 Floor read_floor(const RecordValue& node) {
-  Floor floor{.reference = read_levels(node["reference"], &RecordValue::not_negative),
-              .condition = node.maybe("condition", &RecordValue::positive)};
-  if (!floor.condition) return floor;
+  Floor floor{.reference = read_levels(node["reference"], &RecordValue::not_negative)};
+  if (!node.maybe("condition", &RecordValue::positive)) return floor;
   floor.in_double = read_levels(node["limit"]["double"], &RecordValue::not_negative);
   floor.in_float = read_levels(node["limit"]["float"], &RecordValue::not_negative);
   return floor;

@@ -26,10 +26,9 @@ struct SeriesKey {
 
 /// Errors below which nothing is to be expected in a series. Relative, as errors are.
 struct Floor {
-  LevelNumbers reference;           ///< how far its two solutions differ
-  std::optional<double> condition;  ///< κ, the largest; nothing where a position is singular
-  std::optional<LevelNumbers> in_double = {},
-                              in_float = {};  ///< errors that κ lets be expected; with κ
+  LevelNumbers reference;  ///< how far its two solutions differ
+  /// Errors that conditioning lets be expected; none where a position is singular.
+  std::optional<LevelNumbers> in_double = {}, in_float = {};
 };
 
 /// The largest errors of a motion. Empty for a level whose error is beyond all measure.

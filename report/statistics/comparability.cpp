@@ -137,10 +137,6 @@ void compare_work(Comparison& all, const Record& first, const Record& second) {
 
 }  // namespace
 
-bool are_of_two_machines(const Record& first, const Record& second) {
-  return first.machine.cpu != second.machine.cpu;
-}
-
 std::vector<Difference> why_incomparable(const Record& first, const Record& second) {
   Comparison all;
   compare_environment(all, first, second);

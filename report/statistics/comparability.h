@@ -25,9 +25,6 @@ std::vector<Difference> why_incomparable(const Record& first, const Record& seco
 /// agree in everything that why_incomparable() compares, but for the environment.
 std::vector<Difference> different_work_reason(const Record& first, const Record& second);
 
-/// Tells whether the records are of two CPU models.
-bool are_of_two_machines(const Record& first, const Record& second);
-
 /// Times of one experiment by one clock.
 struct TimedGroup {
   std::string name;  ///< of its table

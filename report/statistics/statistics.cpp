@@ -100,8 +100,6 @@ SampleSummary summarise(std::span<const double> samples, const Windows& windows)
   const std::size_t n = sorted.size();
   const double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
   SampleSummary s{.value = median,
-                  .low = sorted.front(),
-                  .high = sorted.back(),
                   .median = median,
                   .least = sorted.front(),
                   .largest = sorted.back(),
@@ -109,8 +107,7 @@ SampleSummary summarise(std::span<const double> samples, const Windows& windows)
                   .windows = windows.least,
                   .without_best = {}};
   if (windows.least.empty()) return s;
-  s.value = s.low = windows.samples.empty() ? sum(windows.least) : undisturbed(windows);
-  s.high = std::max(s.value, median);
+  s.value = windows.samples.empty() ? sum(windows.least) : undisturbed(windows);
   if (windows.samples.size() > 1) s.without_best = undisturbed_without_best(windows);
   return s;
 }

@@ -31,13 +31,11 @@ inline constexpr std::size_t min_for_interval = 3;
 
 /// The repetitions of one measurement.
 struct SampleSummary {
-  /// The time and its interval.
-  /// - with samples of timing windows: the undisturbed time, up to the median
-  /// - with least times of windows alone: the sum of these, up to the median
-  /// - without windows: the median, from the least to the largest sample
+  /// The time.
+  /// - with samples of timing windows: the undisturbed time
+  /// - with least times of windows alone: the sum of these
+  /// - without windows: the median
   double value = 0;
-  double low = 0;
-  double high = 0;
   double median = 0;  ///< of an even count: the mean of the two in the middle
   double least = 0;
   double largest = 0;

@@ -31,17 +31,6 @@ TEST_F(CheckProgram, NamesWhatHasBecomeSlowerInMarkdownToo) {
   EXPECT_CONTAINS(out_, "Slower: truck\\_suspension/114/group\\_symbolic\\_klu.");
 }
 
-TEST_F(CheckProgram, PrintsARiseAsANumber) {
-  Json json = check_sample();
-  slow_down(json, watched, 1.1);
-  EXPECT_EQ(check(json.dump(), "--format json"), 3);
-  double largest = 0;
-  const Json report = Json::parse(out_);
-  for (const Json& row : report["sections"][0]["tables"][0]["rows"])
-    largest = std::max(largest, row["change"]["percent"].get<double>());
-  EXPECT_NEAR(largest, 10, 1);
-}
-
 TEST_F(CheckProgram, WrongNumerics) {
   Json json = check_sample();
   fail_head(json, watched);

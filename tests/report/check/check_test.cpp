@@ -16,18 +16,6 @@ std::vector<std::string> pending_lines(const CheckOutcome& j) {
   return lines;
 }
 
-TEST(Check, AnUnchangedTreePasses) {
-  const CheckOutcome j = judged(check_sample());
-  EXPECT_EQ(j.verdict, CheckVerdict::pass);
-  ASSERT_EQ(j.time.candidates.size(), 3u);
-  for (const TimeFinding& f : j.time.candidates) {
-    EXPECT_EQ(f.outcome, Finding::same) << f.candidate;
-    EXPECT_NEAR(f.first.ratio, 1, 0.004) << f.candidate;
-    EXPECT_EQ(f.first.rounds, 25u);
-  }
-  EXPECT_TRUE(pending(j).empty());
-}
-
 // Times of the watched candidate by the factor that head takes longer, in the first pass and, where
 // there is one, the second.
 TEST(Check, JudgesTimesByBothPasses) {
@@ -40,7 +28,8 @@ TEST(Check, JudgesTimesByBothPasses) {
   };
   using enum CheckVerdict;
   for (const Passes& p :
-       {Passes{1.10, {}, inconclusive, Finding::unconfirmed, true},
+       {Passes{1, {}, pass, Finding::same},
+        Passes{1.10, {}, inconclusive, Finding::unconfirmed, true},
         Passes{1.10, 1.09, regression, Finding::regression},
         Passes{1.10, 1.01, pass, Finding::refuted},
         Passes{1.10, 0.90, inconclusive, Finding::noisy, true},  // faster does not confirm slower

@@ -167,7 +167,6 @@ TEST(RecordReader, RefusesARecordOfTwoOrigins) {
 }
 
 TEST(RecordReader, RefusesEndlessNestingAndSize) {
-  EXPECT_CONTAINS(complaint(std::string(1'000'000, '[')), "nested more than 32 levels deep");
   std::string objects;
   for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
   EXPECT_CONTAINS(complaint(objects), "nested more than 32 levels deep");

@@ -105,22 +105,5 @@ TEST(Comparability, WithoutACellInCommonThereIsNothingToCompare) {
   EXPECT_EQ(reasons(origins_record(), other), Names{"measurements in common"});
 }
 
-TEST(Machines, StandSideBySideWithSpeedUpsAndNoSeconds) {
-  const Record a = record_from(origins_record());
-  Json json = Json::parse(replaced(origins_record().dump(), a.machine.cpu, "Other CPU"));
-  const Record b = record_from(json);
-  EXPECT_TRUE(are_of_two_machines(a, b));
-  EXPECT_FALSE(are_of_two_machines(a, a));
-  EXPECT_TRUE(different_work_reason(a, b).empty());
-  const Table table = table_named(make_report(a, {&b}), "machines");
-  EXPECT_FALSE(table.rows.empty());
-  for (const Column& column : table.columns)
-    EXPECT_EQ(std::ranges::count(column.quantities, "seconds"), 0) << column.name;
-  const std::vector<std::string> row{"truck_suspension", "114", "group_symbolic_klu"};
-  EXPECT_EQ(entry_at(table, row, "A").shown, entry_at(table, row, "B").shown);
-  set_motion(json, 3);
-  EXPECT_FALSE(different_work_reason(a, record_from(json)).empty());
-}
-
 }  // namespace
 }  // namespace desmo::report::comparability_test

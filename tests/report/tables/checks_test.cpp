@@ -41,11 +41,6 @@ TEST(Checks, CostAStepAndTheStart) {
   EXPECT_NEAR(value("start ms"), 3, 0.3);
 }
 
-TEST(Checks, HaveNoTableWhereNoRunWasChecked) {
-  const Document document = make_report(record_from(complete_record()));
-  EXPECT_THROW(table_named(document, "checks"), std::runtime_error);
-}
-
 TEST(Checks, WithoutABareRunHaveAMark) {
   Json json = checked_record();
   erase_candidate(json, truck, coordinates, bare);

@@ -93,13 +93,6 @@ TEST(Requests, HaveNoRatioWithoutEverything) {
       failed_mark);
 }
 
-TEST(Requests, AreLeftOutWhereTheRecordHasNone) {
-  Json json = structured_record();
-  json["paper"].erase("requests");
-  for (const Section& section : make_report(record_from(json)).sections)
-    EXPECT_NE(section.title, "What a request costs");
-}
-
 TEST(Requests, AreCheckedWhenRead) {
   Json json = structured_record();
   expect_refusals(
