@@ -1,8 +1,9 @@
 #include "formulations/verification/run/assembly_error.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/scaling/scales.h"
@@ -13,38 +14,48 @@ namespace desmo {
 
 namespace {
 
+/// The weighted equations of a group as a function of its unknowns, these in natural magnitudes.
+struct WeightedEquations {
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+
+  const DenseGroup& group;
+  const std::vector<double>& magnitudes;
+  std::vector<double>& state;  // the last one asked for
+
+  int inputs() const { return static_cast<int>(group.unknowns().size()); }
+  int values() const { return inputs(); }
+  double& unknown(int i) const { return state[group.unknowns()[i]]; }
+  double scale(int i) const { return magnitudes[group.unknowns()[i]]; }
+  void take(const Eigen::VectorXd& x) const {
+    for (int i = 0; i < inputs(); ++i) unknown(i) = x[i] * scale(i);
+  }
+  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& phi) const {
+    take(x);
+    phi = group.weights().cwiseProduct(group.residual(state));
+    return 0;
+  }
+  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) const {
+    take(x);
+    jacobian = group.weights().asDiagonal() * group.jacobian(state);
+    for (int i = 0; i < inputs(); ++i) jacobian.col(i) *= scale(i);
+    return 0;
+  }
+};
+
 /// Comes as near to solving a group as it can: Levenberg and Marquardt's method, which also gets
-/// through singular positions. Unknowns are in natural magnitudes.
+/// through singular positions.
 void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
               std::vector<double>& state) {
-  constexpr int max_steps = 200;
-  constexpr double max_damping = 1e12, settled = 1e-12;
-  const auto weighted = [&](const std::vector<double>& at) -> Eigen::VectorXd {
-    return group.weights().cwiseProduct(group.residual(at));
-  };
-  Eigen::VectorXd scales(group.unknowns().size());
-  for (int i = 0; i < scales.size(); ++i) scales[i] = magnitudes[group.unknowns()[i]];
-  Eigen::VectorXd phi = weighted(state);
-  double damping = 1e-3;
-  for (int step = 0; step < max_steps && phi.allFinite() && damping < max_damping; ++step) {
-    const Eigen::MatrixXd a =
-        group.weights().asDiagonal() * group.jacobian(state) * scales.asDiagonal();
-    Eigen::MatrixXd normal = a.transpose() * a;
-    normal.diagonal().array() += damping;
-    const Eigen::VectorXd change = scales.cwiseProduct(normal.ldlt().solve(a.transpose() * phi));
-    std::vector<double> trial = state;
-    for (int i = 0; i < change.size(); ++i) trial[group.unknowns()[i]] -= change[i];
-    const Eigen::VectorXd next = weighted(trial);
-    if (!(next.squaredNorm() < phi.squaredNorm())) {
-      damping *= 10;
-      continue;
-    }
-    const bool last = next.squaredNorm() > (1 - settled) * phi.squaredNorm();
-    state = trial;
-    phi = next;
-    damping /= 10;
-    if (last) return;
-  }
+  WeightedEquations equations{group, magnitudes, state};
+  Eigen::VectorXd x(equations.inputs());
+  for (int i = 0; i < x.size(); ++i) x[i] = equations.unknown(i) / equations.scale(i);
+  Eigen::LevenbergMarquardt<WeightedEquations> method(equations);
+  method.parameters.ftol = method.parameters.xtol = Eigen::NumTraits<double>::epsilon();
+  method.minimize(x);
+  equations.take(x);
 }
 
 /// Whether a group is assembled there, though Newton's method may not have found the position, or
