@@ -32,7 +32,7 @@ void CheckedMotion::begin(double time) {
   lost_.reset();
   on_path_ = false;
   const FoundStart start = find_start(m_, time);
-  follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
+  if (follower_->chosen) follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
   start_ = start.stage;
   first_flag_.reset();
   if (!start.passed.empty())
