@@ -26,12 +26,13 @@ struct Containment {
 
   /// Adds a delivered instant, and expects that no radius is below the error.
   Certificate add(Certifier& certifier, const ReferenceInstant& delivered,
-                  const ReferenceInstant& exact) {
+                  const ReferenceInstant& exact, ErrorSets sets = ErrorSets::boxes) {
     const Certificate c = certifier.certify({.index = 0,
                                              .time = delivered.time,
                                              .q = delivered.q,
                                              .qd = delivered.qd,
-                                             .qdd = delivered.qdd});
+                                             .qdd = delivered.qdd},
+                                            sets);
     ++instants;
     proven += c.proven;
     compare(Level::position, c, delivered.q, exact.q, exact.remainder.q);

@@ -55,7 +55,8 @@ Tally prove_steps(const Model& m, const std::vector<double>& begins, double leng
     for (int i = 0; i <= inner + 1; ++i) times.push_back(t + length * i / (inner + 1));
   std::ranges::sort(times);
   const Certified at(m, double_solution(m, times));
-  PathProof path(m);
+  const Certifier blocks(m);
+  PathProof path(m, blocks);
   Tally tally;
   const std::size_t stride = inner + 1;
   for (std::size_t k = 0; k + stride < times.size(); k += stride + 1) {
@@ -135,7 +136,8 @@ TEST(PathProof, RefusesWholeTurns) {
       std::vector<ReferenceInstant> turned = solved;
       turned[1].q[e.first] += 2 * std::numbers::pi;
       const Certified at(m, turned);
-      EXPECT_FALSE(PathProof(m).prove(at(0), at(1)).proven) << l.name << ' ' << e.name;
+      EXPECT_FALSE(PathProof(m, Certifier(m)).prove(at(0), at(1)).proven)
+          << l.name << ' ' << e.name;
     }
   }
 }
@@ -152,7 +154,8 @@ TEST(PathProof, RefusesOtherBranches) {
     double size = 0;
     for (const double q : m.estimate) size = std::max(size, std::abs(q));
     std::normal_distribution<double> off(0, size);
-    PathProof path(m);
+    const Certifier blocks(m);
+    PathProof path(m, blocks);
     for (int i = 0; i < (DESMO_SANITIZED ? 2 : 20); ++i) {
       Model far = m;
       for (double& q : far.estimate) q += off(generator);
@@ -181,7 +184,8 @@ TEST(PathProof, AsksForAStepThatEndsAtAKnot) {
   m.drivers[0].motion = make_spline({0, 1, 2}, {0.5, 0.7, 0.3}, SplineEnds::natural);
   const std::vector<double> times{0.98, 1, 1.02, 1.04, 2.5, 2.52};
   const Certified at(m, double_solution(m, times));
-  PathProof path(m);
+  const Certifier blocks(m);
+  PathProof path(m, blocks);
   EXPECT_EQ(path.first_knot(0.98, 1.02), 1);
   EXPECT_FALSE(path.first_knot(1, 1.02));
   EXPECT_FALSE(path.prove(at(0), at(2)).proven);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -15,6 +17,7 @@
 #include "formulations/verification/condition.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
+#include "tests/certificate/turned_chain.h"
 #include "tests/dead_point.h"
 
 namespace desmo::refinement_test {
@@ -105,6 +108,30 @@ TEST(Refinement, FindsRatesFromPositionsAlone) {
           << l.name << i;
     }
   }
+}
+
+/// Boxes grow from group to group of a long chain at one of these positions.
+TEST(Refinement, TakesBasesWhereBoxesGrow) {
+  const Model m = make_model(turned_chain(185));
+  Refinement refinement(m);
+  for (const ReferenceInstant& s : double_solution(m, std::array{0.0, 1.5, 2.0})) {
+    const RefinedInstant& refined = refinement.refine(instant_of(s));
+    EXPECT_TRUE(refined.proven);
+    EXPECT_LE(refined.passes, 3);
+    const Certificate boxes = Certifier(m).certify(instant_of(s));
+    const auto largest = [](std::span<const double> radii) { return std::ranges::max(radii); };
+    EXPECT_EQ(largest(boxes.radius.acceleration) > 1e-4, s.time == 1.5);
+    for (const Level level : all_levels) EXPECT_LE(largest(refined.radius[level]), 1e-12) << s.time;
+  }
+}
+
+/// Another pass, or bases, would cost as much again, and take nothing off.
+TEST(Refinement, TakesOnePassAlongAChainWhereBoxesDo) {
+  const Scene scene = make_scene(find_case("four_bar"), 558);
+  const Model m = make_model(scene);
+  Refinement refinement(m);
+  for (const ReferenceInstant& s : double_solution(m, std::array{0.5, 1.0}))
+    EXPECT_EQ(refinement.refine(instant_of(s)).passes, 1);
 }
 
 /// Rows between solved ones (Settings::stride) are far off where steps are long: digits double in

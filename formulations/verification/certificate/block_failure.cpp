@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "formulations/verification/certificate/block_proof.h"
+#include "formulations/verification/certificate/trial_box.h"
 
 namespace desmo {
 
@@ -29,7 +30,7 @@ ProofFailure BlockProof::failure(int lane) const {
   // rounding where the origin is near.
   const double size = batch_->magnitudes[worst][lane], error = e.sum[worst][lane];
   const double at = std::abs(state_.position[batch_->locals[worst]].mid[lane]);
-  if (error > size * 0x1p-50) {
+  if (error > size * min_trial) {
     if (std::max(drivers, time) > error / 2)
       return drivers > time ? ProofFailure::drivers : ProofFailure::time;
     if (error > at * Interval::unit) return ProofFailure::budget;

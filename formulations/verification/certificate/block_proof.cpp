@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/verification/certificate/trial_box.h"
+
 namespace desmo {
 
 namespace {
@@ -84,16 +86,14 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   y_ = linear ? &b.constant : &preconditioner_;
   if (linear) find_image(Level::position, all);
   LaneMask proven{};
-  constexpr int attempts = 7;
-  for (int attempt = 0; attempt < attempts && (lanes & !proven).any(); ++attempt) {
+  for (int attempt = 0; attempt < max_trial_boxes && (lanes & !proven).any(); ++attempt) {
     for (int i = 0; i < n; ++i) {
       // First, X is so large that one evaluation will do, and so small that it costs no digits: X²
-      // is far below a unit. Then it is larger than what the last test returned (epsilon inflation;
-      // Rump), also where that is zero: rates are compared with it.
+      // is far below a unit. It is never zero: rates are compared with it.
       const LaneNumbers last = attempt < 2 ? LaneNumbers(0) : 2 * contracted_[i];
       const LaneNumbers trial = attempt == 0 && !linear
                                     ? b.magnitudes[i] * 0x1p-36
-                                    : fma(b.magnitudes[i], 0x1p-50, (e.sum[i] + last) * 1.1);
+                                    : inflated(e.sum[i] + last, b.magnitudes[i]);
       trial_[i] = select(proven, trial_[i], trial);
       state_.position[b.locals[i]].radius = trial_[i];
     }

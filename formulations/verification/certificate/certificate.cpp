@@ -14,17 +14,20 @@ namespace desmo {
 class Certifier::Proof {
  public:
   Proof(const Model& model, std::span<const Level> levels, InitialResidual initial);
-  Certificate certify(const Instant& instant, const LiveRow* drivers);
+  Certificate certify(const Instant& instant, const LiveRow* drivers, ErrorSets sets);
+  const std::shared_ptr<BlockSchedule>& schedule() const { return schedule_; }
 
  private:
+  Certificate certify_in(const Instant& instant, const LiveRow* drivers, ErrorSets sets);
   void take(const Instant& instant, const LiveRow* drivers);
   void load(const ChainLink& link);
   void leave(const ChainLink& link);
 
   const Model& m_;
-  BlockSchedule schedule_;
+  std::shared_ptr<BlockSchedule> schedule_;
   BlockProof proof_;
   std::span<const Level> solved_;  // levels of the present instant
+  ErrorSets sets_ = ErrorSets::boxes;
   PerLevel<ErrorTable> errors_;
 };
 
@@ -45,13 +48,15 @@ BlockProof::Sizes sizes_of(const BlockSchedule& schedule) {
 }  // namespace
 
 Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to, InitialResidual initial)
-    : m_(m), schedule_(block_schedule(m, up_to, initial)), proof_(sizes_of(schedule_)) {
+    : m_(m),
+      schedule_(std::make_shared<BlockSchedule>(block_schedule(m, up_to, initial))),
+      proof_(sizes_of(*schedule_)) {
   for (const Level level : all_levels) {
     ErrorTable& e = errors_[level];
-    e.rows.resize(m.state_size() + schedule_.lent_rows);
+    e.rows.resize(m.state_size() + schedule_->lent_rows);
     for (std::vector<double>* values : {&e.radius, &e.correction, &e.rest})
       values->resize(m.coordinates());
-    e.generators.resize(schedule_.max_generators);
+    e.generators.resize(schedule_->max_generators);
     e.first_lent = m.state_size();
   }
   for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
@@ -94,28 +99,40 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
 
 /// Fills the lent rows of what a group reads, at each of the solved levels.
 void Certifier::Proof::load(const ChainLink& link) {
-  const int count = static_cast<int>(solved_.size());
+  const int count = sets_ == ErrorSets::bases ? static_cast<int>(solved_.size()) : 0;
   for (const Level level : solved_) {
     errors_[level].columns = count * link.symbols;
     for (const ChainLink::Source& source : link.sources)
-      schedule_.interfaces[source.interface].lend(level, source.row, count * source.symbol,
-                                                  errors_[level]);
+      schedule_->interfaces[source.interface].lend(level, source.row, count * source.symbol,
+                                                   errors_[level]);
   }
 }
 
 /// Encloses what later groups of a chain read of this one.
 void Certifier::Proof::leave(const ChainLink& link) {
-  for (const int index : link.interfaces) schedule_.interfaces[index].enclose(solved_, errors_);
+  const std::span<const Level> enclosed =
+      solved_.first(sets_ == ErrorSets::bases ? solved_.size() : 0);
+  for (const int index : link.interfaces) schedule_->interfaces[index].enclose(enclosed, errors_);
   for (const Level level : solved_) errors_[level].columns = 0;
 }
 
-Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* handed_in) {
+Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* handed_in,
+                                      ErrorSets sets) {
+  const Certificate found = certify_in(instant, handed_in, sets);
+  return found.proven || sets == ErrorSets::bases || schedule_->links.empty()
+             ? found
+             : certify_in(instant, handed_in, ErrorSets::bases);
+}
+
+Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* handed_in,
+                                         ErrorSets sets) {
+  sets_ = sets;
   solved_ = std::span(all_levels).first(instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3);
   take(instant, handed_in);
   Certificate result{.proven = true};
   int first_failure = INT_MAX;
-  for (CertificationStep& step : schedule_.steps) {
-    if (step.link >= 0) load(schedule_.links[step.link]);
+  for (CertificationStep& step : schedule_->steps) {
+    if (step.link >= 0) load(schedule_->links[step.link]);
     for (BlockBatch& batch : step.batches) {
       const PerLevel<LaneMask> proven = proof_.prove(batch, solved_.back(), errors_, instant.time);
       for (int lane = 0; lane < batch.blocks(); ++lane) {
@@ -138,7 +155,7 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
         }
       }
     }
-    if (step.link >= 0) leave(schedule_.links[step.link]);
+    if (step.link >= 0) leave(schedule_->links[step.link]);
   }
   for (const Level level : all_levels) {
     result.radius[level] = errors_[level].radius;
@@ -152,9 +169,14 @@ Certifier::Certifier(const Model& model, std::span<const Level> levels, InitialR
     : proof_(std::make_unique<Proof>(model, levels, initial)) {}
 Certifier::~Certifier() = default;
 
-Certificate Certifier::certify(const Instant& instant) { return proof_->certify(instant, nullptr); }
-Certificate Certifier::certify(const Instant& instant, const LiveRow& drivers) {
-  return proof_->certify(instant, &drivers);
+Certificate Certifier::certify(const Instant& instant, ErrorSets sets) {
+  return proof_->certify(instant, nullptr, sets);
 }
+Certificate Certifier::certify(const Instant& instant, const LiveRow& drivers) {
+  return proof_->certify(instant, &drivers, ErrorSets::boxes);
+}
+
+bool Certifier::has_long_chains() const { return !schedule()->links.empty(); }
+const std::shared_ptr<BlockSchedule>& Certifier::schedule() const { return proof_->schedule(); }
 
 }  // namespace desmo

@@ -22,6 +22,14 @@ enum class ProofFailure {
   budget,    ///< the delivered numbers are too far off; corrections did not reach the solution
 };
 
+/// What encloses the errors that a group of a long chain hands to the next.
+enum class ErrorSets {
+  boxes,  ///< along the coordinates; bases where these prove nothing
+  bases,  ///< that turn with the errors. Two to three times the price
+};
+
+struct BlockSchedule;
+
 /// Proof about one instant. Where `proven` is true, Φ(q, t) = 0 has exactly one solution
 /// within the radii of the positions around the delivered ones, and the rates of that solution are
 /// within the radii of the rates. Numbers of the file and the instant's time count as exact;
@@ -72,8 +80,8 @@ struct Certificate {
 /// - inflation of X, and the limit of its contraction: BlockProof::prove_positions()
 /// - (I − Y Φ_φ(X)) X: BlockProof::contract(); finish() adds it
 /// - rounding: `rounding`, counted at the top of block_image.cpp
-/// - change of basis: GroupInterface encloses what later groups of a long chain read in an
-///   orthonormal basis that turns with the errors (ErrorBasis), and hands it on
+/// - change of basis: where boxes grow, GroupInterface encloses what later groups of a long chain
+///   read in an orthonormal basis that turns with the errors (ErrorBasis), and hands it on
 ///
 ///   Certifier certifier(model);
 ///   const Certificate c = certifier.certify(instant);   // in an observer, for example
@@ -95,9 +103,14 @@ class Certifier {
 
   /// Certifies an instant of all coordinates, up to the levels that it has, with the motions of the
   /// model at its time. Allocates nothing.
-  Certificate certify(const Instant& instant);
+  Certificate certify(const Instant& instant, ErrorSets sets = ErrorSets::boxes);
   /// Certifies an instant with drivers that were handed in, which count as exact.
   Certificate certify(const Instant& instant, const LiveRow& drivers);
+
+  /// Returns whether the model has chains so long that ErrorSets::bases may bound errors better.
+  bool has_long_chains() const;
+  /// Returns the blocks of the model, for proofs that take turns with this one's.
+  const std::shared_ptr<BlockSchedule>& schedule() const;
 
  private:
   class Proof;

@@ -5,7 +5,7 @@
 namespace desmo {
 
 void GroupInterface::enclose(std::span<const Level> solved, const PerLevel<ErrorTable>& errors) {
-  enclosed = true;
+  enclosed = !solved.empty();
   for (const Level level : solved)
     for (const int row : rows) enclosed = enclosed && std::isfinite(errors[level].rows[row].sum);
   if (!enclosed) return;

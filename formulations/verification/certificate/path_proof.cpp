@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "formulations/verification/certificate/block_schedule.h"
 #include "formulations/verification/certificate/hermite.h"
 #include "formulations/verification/certificate/path_equations.h"
+#include "formulations/verification/certificate/trial_box.h"
 
 namespace desmo {
 
@@ -14,8 +16,6 @@ namespace {
 
 constexpr int degree = PathEquations::degree;
 constexpr double unit = Interval::unit;
-/// Tests of a block, each with a larger X. A contraction of 0.8 needs ten.
-constexpr int max_attempts = 10;
 using Polynomial5 = Quintic<double>;
 
 /// Time along the path: middle + half s, with exact doubles whose range covers both ends.
@@ -39,7 +39,7 @@ double size_of(const Polynomial5& c) {
 /// The tube of one step after the other.
 class PathProof::Tube {
  public:
-  Tube(const Model& model, InitialResidual initial);
+  Tube(const Model& model, std::shared_ptr<BlockSchedule> schedule);
 
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
   std::optional<double> first_knot(double from, double to) const;
@@ -60,7 +60,7 @@ class PathProof::Tube {
   LaneMask prove(BlockBatch& batch, const PathEquations& equations);
 
   const Model& m_;
-  BlockSchedule schedule_;
+  std::shared_ptr<BlockSchedule> schedule_;
   std::vector<PathEquations> equations_;  // of each batch, in their order
   Span span_{-1, 1};
   std::vector<Polynomial5> path_;     // of each coordinate
@@ -80,13 +80,13 @@ class PathProof::Tube {
   const Preconditioner* y_ = nullptr;
 };
 
-PathProof::Tube::Tube(const Model& m, InitialResidual initial)
-    : m_(m), schedule_(block_schedule(m, {}, initial)) {
+PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
+    : m_(m), schedule_(std::move(schedule)) {
   path_.resize(m.coordinates());
   gap_.resize(m.coordinates());
   radius_.resize(m.coordinates());
   int n = 0, inputs = 0, width = 0, states = 0;
-  for (CertificationStep& step : schedule_.steps)
+  for (CertificationStep& step : schedule_->steps)
     for (BlockBatch& batch : step.batches) {
       equations_.emplace_back(batch);
       const BlockShape& shape = batch.equations.shape();
@@ -265,10 +265,9 @@ LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
   find_image(b, equations);
   for (LaneNumbers& x : contracted_) x = 0;
   LaneMask proven{};
-  for (int attempt = 0; attempt < max_attempts && (!proven).any(); ++attempt) {
-    // Epsilon inflation (Rump): X is somewhat larger than what the last test returned.
+  for (int attempt = 0; attempt < max_trial_boxes && (!proven).any(); ++attempt) {
     for (int i = 0; i < n; ++i)
-      trial_[i] = max(gaps_[i], fma(b.magnitudes[i], 0x1p-50, (image_[i] + contracted_[i]) * 1.1));
+      trial_[i] = max(gaps_[i], inflated(image_[i] + contracted_[i], b.magnitudes[i]));
     contract(b, equations);
     proven = LaneMask::all();
     for (int i = 0; i < n; ++i) proven = proven & less(image_[i] + contracted_[i], trial_[i]);
@@ -300,7 +299,7 @@ PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const Certi
   find_path(from, to);
   find_drivers();
   std::size_t batch = 0;
-  for (CertificationStep& step : schedule_.steps)
+  for (CertificationStep& step : schedule_->steps)
     for (BlockBatch& b : step.batches) {
       const LaneMask proven = prove(b, equations_[batch++]);
       for (int lane = 0; lane < b.blocks(); ++lane)
@@ -310,8 +309,8 @@ PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const Certi
   return {.proven = true};
 }
 
-PathProof::PathProof(const Model& model, InitialResidual initial)
-    : tube_(std::make_unique<Tube>(model, initial)) {}
+PathProof::PathProof(const Model& model, const Certifier& certifier)
+    : tube_(std::make_unique<Tube>(model, certifier.schedule())) {}
 PathProof::~PathProof() = default;
 
 PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {

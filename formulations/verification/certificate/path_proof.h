@@ -6,7 +6,7 @@
 
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
-#include "formulations/verification/certificate/initial_residual.h"
+#include "formulations/verification/certificate/certificate.h"
 
 namespace desmo {
 
@@ -45,16 +45,15 @@ struct PathCertificate {
 /// inside. X holds the distance of the path from both instants and their radii, so the solution in
 /// the tube is the one that the certificates speak of.
 ///
-///   PathProof path(model);
+///   PathProof path(model, certifier);
 ///   if (path.prove(before, now).proven) …   // `now` continues `before`
 ///
-/// Costs one to three steps of `global_automatic_klu`. One thread at a time may use it.
+/// Costs one to three steps of `global_automatic_klu`.
 class PathProof {
  public:
-  /// Cuts the model into blocks and allocates everything. The model must outlive this. initial: as
-  /// in Certifier.
-  explicit PathProof(const Model& model, InitialResidual initial = {});
-  explicit PathProof(const Model&& model, InitialResidual initial = {}) = delete;
+  /// Allocates everything. Shares the blocks of the model, and of a homotopy, with a certifier, so
+  /// that one thread at a time may use both. The model must outlive this.
+  PathProof(const Model& model, const Certifier& certifier);
   ~PathProof();
 
   /// Proves the step between two instants of the model's motions, from.time < to.time. A step that

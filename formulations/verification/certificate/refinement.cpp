@@ -13,7 +13,7 @@ Refinement::Refinement(const Model& m, std::span<const Level> levels, InitialRes
     : m_(m), certifier_(m, levels, initial) {
   for (const Entity& e : m.entities)
     if (!e.fixed) kind_.insert(kind_.end(), e.size, is_length(e.kind) ? 0 : 1);
-  for (Values* values : {&next_, &radius_, &best_, &best_radius_, &rest_})
+  for (Values* values : {&next_, &radius_, &best_, &best_radius_})
     for (const Level level : all_levels) (*values)[level].resize(m.coordinates());
 }
 
@@ -29,28 +29,41 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     if (!given.acceleration.empty()) to.qdd = values.acceleration;
   };
   show(present, next_);
-  PerLevel<double> least{INFINITY, INFINITY, INFINITY};
+  PerLevel<std::array<double, 2>> least{};
+  ErrorSets sets = ErrorSets::boxes;
   for (int left = max_passes; left > 0; --left) {
     ++result_.passes;
-    const Certificate c = certifier_.certify(present);
+    const Certificate c = certifier_.certify(present, sets);
     if (result_.proven && !c.proven) break;
     result_.last = c;
     add_corrections(c);
     if (!c.proven) continue;
     if (!result_.proven) left = max_passes;  // an instant that was far off has yet to settle
-    const PerLevel<double> open = open_digits();
+    const PerLevel<Digits> now = digits(c);
     // Each level counts by itself: where a motion rests, rates are nothing but rounding.
-    const auto falls_below = [&](double share) {
-      return std::ranges::any_of(levels_, [&](Level l) { return open[l] < share * least[l]; });
-    };
-    if (result_.proven && !falls_below(1)) break;
-    const bool halves = falls_below(0.5);
-    least = open;
+    bool halves = false, is_right = true;
+    double before = 0, open = INFINITY;
+    for (const Level level : levels_) {
+      is_right &= now[level].open <= 1;
+      before = std::max(before, now[level].before);
+      if (now[level].open > 1) open = std::min(open, now[level].open);
+      // Sizes of rates fall, too, where a motion rests: what counts is the error itself.
+      double share = result_.proven ? 1 : 0;
+      for (const int kind : {0, 1})
+        if (least[level][kind] > 0) share *= now[level].rest[kind] / least[level][kind];
+      if (result_.proven && !(share < 1)) continue;
+      halves |= share < 0.5;
+      least[level] = now[level].rest;
+      best_[level] = next_[level];
+      best_radius_[level] = radius_[level];
+    }
     result_.proven = true;
-    best_ = next_;
-    best_radius_ = radius_;
-    const bool is_right = std::ranges::all_of(levels_, [&](Level l) { return open[l] <= 1; });
-    if (is_right || !halves) break;
+    if (is_right) break;
+    // What another pass may take off is of second order in the errors.
+    const double second = c.condition * before;
+    if (halves && second * second * Interval::unit > open / 2) continue;
+    if (sets == ErrorSets::bases || !certifier_.has_long_chains()) break;
+    sets = ErrorSets::bases;
   }
   if (result_.proven) {
     show(result_.instant, best_);
@@ -71,22 +84,23 @@ void Refinement::add_corrections(const Certificate& c) {
       const double sum = x + correction;
       const double of_correction = sum - x;
       const double rounding = (x - (sum - of_correction)) + (correction - of_correction);
-      rest_[level][i] = std::isfinite(c.rest[level][i]) ? c.rest[level][i] : 0;
       radius_[level][i] = (c.rest[level][i] + std::abs(rounding)) * (1 + 2 * Interval::unit);
       x = sum;
     }
 }
 
-/// Returns what the corrections leave at each level, in roundings of the largest number of its
-/// kind. Below one, nothing is left to correct. A kind that does not move has the size that the
-/// other's rates, or its velocity, give it (Scales).
-PerLevel<double> Refinement::open_digits() const {
-  PerLevel<std::array<double, 2>> rest{}, size{};
+/// Returns the errors at each level. A kind that does not move has the size that the other's rates,
+/// or its velocity, give it (Scales).
+PerLevel<Refinement::Digits> Refinement::digits(const Certificate& c) const {
+  PerLevel<Digits> result{};
+  PerLevel<std::array<double, 2>> correction{}, size{};
   size.position[1] = 1;  // [rad]
   for (const Level level : levels_)
     for (int i = 0; i < m_.coordinates(); ++i) {
       const int kind = kind_[i];
-      rest[level][kind] = std::max(rest[level][kind], rest_[level][i]);
+      if (const double r = c.rest[level][i]; std::isfinite(r))
+        result[level].rest[kind] = std::max(result[level].rest[kind], r);
+      correction[level][kind] = std::max(correction[level][kind], std::abs(c.correction[level][i]));
       if (const double x = std::abs(next_[level][i]); std::isfinite(x))
         size[level][kind] = std::max(size[level][kind], x);
     }
@@ -95,13 +109,15 @@ PerLevel<double> Refinement::open_digits() const {
   if (v[1] == 0 && q[0] > 0) v[1] = v[0] / q[0];
   for (const int kind : {0, 1})
     if (q[kind] > 0) a[kind] = std::max(a[kind], v[kind] * (v[kind] / q[kind]));
-  PerLevel<double> most{};
   for (const Level level : levels_)
-    for (const int kind : {0, 1})
-      if (size[level][kind] > 0)
-        most[level] =
-            std::max(most[level], rest[level][kind] / (Interval::unit * size[level][kind]));
-  return most;
+    for (const int kind : {0, 1}) {
+      const double unit = Interval::unit * size[level][kind];
+      if (!(unit > 0)) continue;
+      Digits& most = result[level];
+      most.open = std::max(most.open, most.rest[kind] / unit);
+      most.before = std::max(most.before, (correction[level][kind] + most.rest[kind]) / unit);
+    }
+  return result;
 }
 
 }  // namespace desmo

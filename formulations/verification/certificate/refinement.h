@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "formulations/verification/certificate/certificate.h"
@@ -38,18 +39,26 @@ class Refinement {
   /// the next call. Allocates nothing.
   const RefinedInstant& refine(const Instant& instant);
 
+  const Certifier& certifier() const { return certifier_; }
+
  private:
   using Values = PerLevel<std::vector<double>>;
+  /// Errors at a level.
+  struct Digits {
+    double before = 0;             ///< before the corrections: roundings of the largest number
+    double open = 0;               ///< after them, likewise
+    std::array<double, 2> rest{};  ///< after them, of each kind, in its unit
+  };
 
   void add_corrections(const Certificate& certificate);
-  PerLevel<double> open_digits() const;
+  PerLevel<Digits> digits(const Certificate& certificate) const;
 
   const Model& m_;
   Certifier certifier_;
   std::vector<int> kind_;          // of each coordinate: 0 a length, 1 a rotation
   std::span<const Level> levels_;  // of the present instant
   Values next_, radius_;           // with corrections of the last pass
-  Values best_, best_radius_, rest_;
+  Values best_, best_radius_;
   RefinedInstant result_;
 };
 

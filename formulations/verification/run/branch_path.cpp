@@ -28,7 +28,7 @@ bool are_apart(const CertifiedInstant& a, const CertifiedInstant& b) {
 }  // namespace
 
 BranchPath::BranchPath(const Model& m, int budget, InitialResidual initial)
-    : m_(m), budget_(budget), path_(m, initial), refinement_(m, {}, initial) {
+    : m_(m), budget_(budget), refinement_(m, {}, initial), path_(m, refinement_.certifier()) {
   for (Memory* memory : {&memory_, &predicted_}) {
     for (const Level level : all_levels) memory->values[level].resize(m.coordinates());
     memory->radius.resize(m.coordinates());

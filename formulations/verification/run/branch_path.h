@@ -62,8 +62,8 @@ class BranchPath {
 
   const Model& m_;
   const int budget_;
-  PathProof path_;
   Refinement refinement_;
+  PathProof path_;  // shares its blocks
   Memory memory_;
   CertifiedInstant present_;
   Memory predicted_;
