@@ -72,12 +72,31 @@ TEST(ChangePoints, ArePassedWhateverIsAskedForAndHoweverStepsAreTaken) {
         expect_scott_russell(id, grid, level);
 }
 
-TEST(ChangePoints, FailWhereTheMotionStartsThere) {
-  const Model m = make_model(scene_file("scott_russell"));
-  for (const char* id : {"global_automatic_klu", "block_automatic_lapack"}) {
-    const CheckedSummary s = solve_checked(m, {2, 1. / 15, 4}, id).summary;
-    EXPECT_NE(s.outcome(), Outcome::converged) << id;
-  }
+/// The way from the drawing leads to the point, from which the motion goes on: from 90° at once, or
+/// later, or back to where it came from.
+TEST(ChangePoints, MayBeWhereTheMotionStarts) {
+  Model m = make_model(scene_file("scott_russell"));
+  const int x = m.coordinate("C.x");
+  const std::vector<Motion> motions{Polynomial{{pi / 2, 0.5}}, Polynomial{{pi / 2, -0.5}},
+                                    Polynomial{{pi / 2, 0, 0, 0.25}},
+                                    Polynomial{{pi / 2, 0, -0.5}}};
+  for (const char* id : {"global_automatic_klu", "block_automatic_lapack"})
+    for (const Motion& motion : motions) {
+      m.drivers[0].motion = motion;
+      const CheckedRows r = solve_checked(m, {0, 1. / 16, 33}, id);
+      SCOPED_TRACE(id + std::to_string(&motion - motions.data()) + describe(r.summary, m));
+      EXPECT_EQ(r.summary.outcome(), Outcome::degraded);
+      ASSERT_EQ(r.rows.size(), 33u);
+      for (const CheckedRow& row : r.rows) {
+        const MotionSample<double> theta = sample(motion, row.time);
+        const bool starts = row.time == 0;
+        EXPECT_EQ(row.flag.has_value(), starts) << row.time;
+        if (starts) EXPECT_EQ(row.flag->kind, RowFlag::Kind::on_point);
+        EXPECT_NEAR(row.values.position[x], 2 * std::cos(theta.position), starts ? 1e-7 : 1e-12);
+        if (starts) continue;
+        EXPECT_NEAR(row.values.velocity[x], -2 * theta.velocity * std::sin(theta.position), 1e-9);
+      }
+    }
 }
 
 /// Expects the rocker of a parallelogram to stay parallel to its crank.

@@ -33,12 +33,15 @@ void CheckedMotion::begin(double time) {
   on_path_ = false;
   const FoundStart start = find_start(m_, time);
   if (follower_->chosen) follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
-  start_ = start.stage;
+  start_ = start.point ? FoundStart::Stage::reached : start.stage;
   first_flag_.reset();
-  if (!start.passed.empty())
+  if (!start.passed.empty() || start.point)
     first_flag_ = {
         .kind = RowFlag::Kind::crossing, .after = time, .before = time, .group = start.group};
-  if (start.stage == FoundStart::Stage::reached) {
+  point_ = start.point;
+  if (point_) {
+    on_path_ = true;
+  } else if (start.stage == FoundStart::Stage::reached) {
     const Instant at{.index = 0, .time = time, .q = start.q, .qd = {}, .qdd = {}};
     const auto begins = [&] {
       const RefinedInstant& r = follower_->refinement.refine(at);
@@ -53,8 +56,9 @@ void CheckedMotion::begin(double time) {
 void CheckedMotion::keep_last() {
   const CertifiedInstant& present = follower_->path.present();
   last_.on_path = on_path_;
+  last_.point = point_;
   last_.lost = lost_;
-  if (!on_path_) return;
+  if (!follows()) return;
   last_.time = present.time;
   for (const Level level : all_levels)
     last_.values[level].assign(present.values[level].begin(), present.values[level].end());
@@ -63,9 +67,10 @@ void CheckedMotion::keep_last() {
 
 void CheckedMotion::return_to_last() {
   lost_ = last_.lost;
-  point_.reset();
+  point_ = last_.point;
   const auto& [q, qd, qdd] = last_.values;
-  on_path_ = last_.on_path && follower_->path.start_at({last_.time, {q, qd, qdd}, last_.radius});
+  on_path_ = last_.on_path &&
+             (point_ || follower_->path.start_at({last_.time, {q, qd, qdd}, last_.radius}));
 }
 
 bool CheckedMotion::is_on_step(const Instant& instant) const {
@@ -85,14 +90,15 @@ const CheckedInstant& CheckedMotion::check(const Instant& solved) {
     const RefinedInstant* const found = r.proven ? &r : nullptr;
     if (reach(solved, found, may_pass)) break;
     if (!may_pass) {
-      choose_other_equations(on_path_ ? follower_->path.present().values.position : solved.q);
+      choose_other_equations(follows() ? follower_->path.present().values.position : solved.q);
       continue;
     }
     if (!found) {
       deliver_unproven(solved, r);
       break;
     }
-    // Proven, but not to continue the motion. What comes after it continues it.
+    // The instant is proven, but no proven path leads to it: its branch is unknown. The motion
+    // starts anew from it.
     if (!lost_)
       lost_ = {.kind = RowFlag::Kind::branch,
                .after = step_.time,
@@ -112,7 +118,7 @@ const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
   for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
     result_ = {};
     if (reach(wanted, nullptr, may_pass)) break;
-    if (may_pass || !on_path_) return nullptr;
+    if (may_pass || !follows()) return nullptr;
     choose_other_equations(follower_->path.present().values.position);
   }
   complete_flag();
@@ -144,8 +150,10 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
       deliver_path(at);
       return true;
     }
-    if (may_pass) point_ = pass_change_point(follower_->model, path.present());
-    if (!point_) return false;
+    std::optional<PassedPoint> point;
+    if (may_pass) point = pass_change_point(follower_->model, path.present());
+    if (!point) return false;
+    point_ = std::make_shared<const PassedPoint>(std::move(*point));
     result_.flag = {.kind = RowFlag::Kind::crossing,
                     .after = point_->after,
                     .before = point_->before,
@@ -162,7 +170,7 @@ bool CheckedMotion::choose_other_equations(std::span<const double> q) {
   auto chosen = with_chosen_equations(follower_->model, q);
   if (!chosen) return false;
   auto other = std::make_unique<Follower>(std::move(chosen), m_, levels_);
-  if (on_path_) {  // both choices have to agree on the last instant
+  if (follows()) {  // both choices have to agree on the last instant
     const CertifiedInstant& present = follower_->path.present();
     const RefinedInstant& r = other->refinement.refine({.index = 0,
                                                         .time = present.time,

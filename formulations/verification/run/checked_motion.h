@@ -57,6 +57,8 @@ class CheckedMotion {
     BranchPath path;
   };
 
+  /// Returns whether the path begins at the last proven instant.
+  bool follows() const { return on_path_ && !point_; }
   bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);
   bool choose_other_equations(std::span<const double> q);
   void deliver(const RefinedInstant& refined);
@@ -78,14 +80,15 @@ class CheckedMotion {
     PerLevel<std::vector<double>> values;
     std::vector<double> radius;
     bool on_path = false;
+    std::shared_ptr<const PassedPoint> point;
     std::optional<RowFlag> lost;
   } last_;
   FoundStart::Stage start_ = FoundStart::Stage::reached;
-  bool on_path_ = false;               // the path begins at the last proven instant
+  bool on_path_ = false;               // the branch is known
   FollowedStep step_;                  // the last one
   std::optional<RowFlag> lost_;        // since then the branch is unknown
   std::optional<RowFlag> first_flag_;  // of the first row, whose way from the drawing crosses
-  std::optional<PassedPoint> point_;   // a change point, beyond which the path has not begun
+  std::shared_ptr<const PassedPoint> point_;  // beyond it the path has not begun
   std::vector<double> on_point_, no_rates_;
   std::vector<double> tolerances_;  // of each coordinate
   mutable std::vector<double> slack_;

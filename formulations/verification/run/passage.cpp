@@ -38,9 +38,9 @@ class Departure {
   Departure(const Model& m, const DriverLine& line, double start)
       : m_(m), line_(line), start_(start) {}
 
-  /// Returns about the first time at which the drivers are that far from the origin of the line, in
-  /// arc; infinity: they never are. Between knots, a motion that rests leaves as a power of time,
-  /// so the time is doubled.
+  /// Returns about the first time at which the drivers are `distance` away from the line's origin,
+  /// in the unit of arc; infinity where they never are. Steps are doubled from each knot on, since
+  /// drivers that rest there depart as a power of time.
   double time_at(double distance) const {
     const auto is_away = [&](double t) {
       return line_.distance(drivers_at(m_, t).position, 0) >= distance;
@@ -57,8 +57,9 @@ class Departure {
     }
   }
 
-  /// Returns whether the drivers leave in a direction that does not become that of the line near
-  /// its origin. near: a distance in arc; far: a larger one.
+  /// Returns whether the drivers' path fails to be tangent to the line at the line's origin, or the
+  /// drivers never reach the distance `far`. near < far: distances from the origin in the unit of
+  /// arc.
   bool has_corner(double near, double far) const {
     if (m_.drivers.size() == 1) return false;
     const double first = time_at(near), second = time_at(far);

@@ -8,7 +8,7 @@
 
 namespace desmo {
 
-/// A change point that a motion passes, or at which it turns back.
+/// A change point that a motion passes, turns back at or rests on.
 struct PassedPoint {
   double time;           ///< of the point [s], about
   double after, before;  ///< of the proven instants next to it [s]; before: infinite where the

@@ -116,6 +116,23 @@ FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, Foun
   return step;
 }
 
+/// Passes the change point on which the motion begins, if the way of the drivers ends at one.
+/// going: the model with the drivers on that way, of which found.share is proven
+void pass_at_start(const Model& m, const Model& going, double time, FoundStart& found) {
+  std::vector<double> direction;
+  for (const Driver& d : going.drivers) direction.push_back(sample(d.motion, found.share).velocity);
+  auto point = pass_change_point(m, {0, {found.q, {}, {}}, {}}, direction, time);
+  if (!point) return;
+  const std::vector<bool> driven = independent_coordinates(m);
+  for (const Entity& e : m.entities) {
+    if (e.fixed || e.kind != EntityKind::angle || driven[e.first]) continue;
+    const double turns = turn * std::round((found.q[e.first] - m.estimate[e.first]) / turn);
+    point->polynomials[e.first].front() -= turns;
+    if (!point->values.position.empty()) point->values.position[e.first] -= turns;
+  }
+  found.point = std::make_shared<const PassedPoint>(std::move(*point));
+}
+
 /// Leads the drivers from the drawing to their values at a time.
 FollowedStep lead_drivers(const Model& m, double time, bool with_turns, FoundStart& found) {
   Model going = m;
@@ -125,6 +142,7 @@ FollowedStep lead_drivers(const Model& m, double time, bool with_turns, FoundSta
     d.motion = straight(m.estimate[e.first], d.motion, time, whole ? INFINITY : turn);
   }
   const FollowedStep step = follow(going, {}, true, found);
+  if (step.end == PathEnd::stuck) pass_at_start(m, going, time, found);
   if (step.end == PathEnd::same)
     for (const Driver& d : m.drivers)
       found.q[m.entities[d.coordinate].first] = sample(d.motion, time).position;

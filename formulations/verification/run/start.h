@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "formulations/model/model.h"
 
 namespace desmo {
+
+struct PassedPoint;
 
 /// Positions to which the drawing leads.
 struct FoundStart {
@@ -19,6 +22,9 @@ struct FoundStart {
   std::vector<double> passed{};  ///< change points that the drivers passed, as shares of their way
   /// All coordinates: at the start where it is reached, else where the last proof was.
   std::vector<double> q;
+  /// The change point on which the motion begins, where nothing is proven, and its smooth
+  /// continuation; null: it begins on none. The stage is `drivers` then.
+  std::shared_ptr<const PassedPoint> point{};
 };
 
 /// Finds the positions at a time [s] on the branch that the model's estimate, the drawing,
@@ -29,7 +35,8 @@ struct FoundStart {
 /// - then all drivers go straight from where they are drawn to their values at that time. Driven
 ///   angles make their whole turns; where these are more than a path has tests for, and a turn
 ///   leads back to where it begins, none of them.
-///   Change points on the way are passed on the smooth continuation (pass_change_point()).
+///   Change points on the way are passed on the smooth continuation (pass_change_point()). The
+///   motion may begin on one, if its drivers leave that smoothly.
 ///
 /// A part that is blocked goes on by other equations of an overconstrained group, if these are
 /// independent there (with_chosen_equations()); else no other way is sought than a change point's.
