@@ -48,6 +48,7 @@ TEST_F(View, IsOnePageThatLoadsNothing) {
   EXPECT_EQ(page.find("WebGLRenderer"), std::string::npos) << "a page needs no WebGL";
   ASSERT_EQ(desmo("view slider_crank -o out/page.html"), 0) << err_;
   EXPECT_EQ(out_, "");
+  EXPECT_TRUE(says("accuracy: 401 of 401 rows proven")) << err_;
   EXPECT_EQ(text_of(out("page.html")), page) << "the same bytes every time";
 }
 
@@ -95,7 +96,8 @@ TEST_F(View, ShowsHowFarAMechanismGetsThatLocks) {
 TEST_F(View, FlagsWhatIsNotProven) {
   // In one step past where it locks.
   write("scene.json", slider_crank(49, R"(, "time": {"start": 0.19, "end": 0.31, "step": 0.12})"));
-  ASSERT_EQ(desmo("view scene.json"), 0) << err_;
+  ASSERT_EQ(desmo("view scene.json --quiet"), 0) << err_;
+  EXPECT_TRUE(says("accuracy: degraded: 1 row of 2")) << err_;
   const Json flags = Json::parse(data_of(out_, "data"))["flags"];
   ASSERT_EQ(flags.size(), 1u);
   EXPECT_EQ(flags[0]["kind"], "branch");

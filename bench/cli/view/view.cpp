@@ -10,6 +10,7 @@
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
 #include "bench/cli/interruption.h"
+#include "bench/cli/solve/check_notes.h"
 #include "bench/cli/view/page_data.h"
 #include "bench/cli/view/page_template.h"
 #include "cases/io/new_files.h"
@@ -108,6 +109,10 @@ void view(const ViewOptions& options) {
                                        (recording.solved() > 0
                                             ? "\ndesmo: the page shows the last position before it"
                                             : "\ndesmo: the page shows the initial estimate"));
+  const std::string note = options.quiet
+                               ? note_on_flags(summary, model, input.units)
+                               : note_on_proofs(summary, Level::acceleration, model, input.units);
+  std::fputs(note.c_str(), stderr);
 }
 
 }  // namespace
@@ -122,7 +127,7 @@ void add_view(CLI::App& program) {
                    "Write to this file, whole or not at all, instead of standard output")
       ->check(refuse_empty);
   add_units(*command, options->units);
-  command->add_flag("--quiet", options->quiet, "No progress");
+  command->add_flag("--quiet", options->quiet, "No progress, and no notes but flags");
   command->footer(
       "Examples:\n"
       "  desmo view slider_crank -o motion.html\n"
