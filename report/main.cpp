@@ -130,7 +130,8 @@ int main(int argc, char** argv) {
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");
   add_format(tables_app, command.formats);
-  tables_app->add_option("--table", command.tables, "Only the table of this name; repeatable");
+  tables_app->add_option("--table", command.tables,
+                         "Only the table of this name; repeatable. An unknown name lists all");
   tables_app->add_option("--beside", command.beside,
                          "Also the speed-ups of these records that other machines made");
   tables_app->add_option("--history", command.history, "Also this file of bench/check --history");

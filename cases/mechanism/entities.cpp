@@ -83,9 +83,11 @@ void check_carried(const Mechanism& d, int body, std::vector<int> carried,
 void check_length(const Mechanism& d, int i) {
   const Mechanism::Body& body = d.bodies[i];
   if (body.points.size() != 2)
-    refuse(d, Part::body, i,
-           "has a length but " + std::to_string(body.points.size()) +
-               " points; a length is for a body of exactly two, leave it out");
+    refuse(
+        d, Part::body, i,
+        "has a length but " + std::to_string(body.points.size()) +
+            " points; a length is for a body of exactly two. Leave it out, and draw the points at "
+            "their distances: more than two keep those of the nominal positions");
   if (!std::isfinite(*body.length) || !(*body.length > 0))
     refuse(d, Part::body, i, "the length is not above 0; give the distance of its two points");
   const Mechanism::Point &p = d.points[body.points[0]], &q = d.points[body.points[1]];
