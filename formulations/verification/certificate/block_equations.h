@@ -32,14 +32,14 @@ class BlockEquations {
 
   const BlockShape& shape() const { return shape_; }
   bool is_linear() const { return shape_.linear; }
-  /// Returns the radius of a local state that is fixed; 0 for others.
+  /// Returns by how much a fixed local state may differ from its double; 0 for others.
   const LaneNumbers& radius(int state) const { return radii_[state]; }
 
   /// Evaluates Φ and its time derivatives up to a level, nearly without rounding. Overwrites phi.
   void motion(const States& x, Level level, const PerLevel<LaneInterval*>& phi) const;
-  /// Evaluates Φ_q. Overwrites the entries that are not constant.
+  /// Evaluates Φ_q. Overwrites all entries of equations that are not linear.
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
-  /// Writes the constant entries of Φ_q, each rounded once, and zeros elsewhere.
+  /// Writes the entries of linear equations in Φ_q, as midpoints and radii, and zeros elsewhere.
   void constant_jacobian(LaneMatrix& to) const;
   /// Evaluates Φ̇_q and, at the level of accelerations, Φ̈_q. Overwrites the entries of equations
   /// whose derivatives are not constant.

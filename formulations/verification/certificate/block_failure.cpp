@@ -5,7 +5,8 @@
 
 namespace desmo {
 
-/// Compares the terms of the image and of X for the unknown that is farthest from a proof.
+/// Returns the largest cause of failure at the unknown that is farthest from a proof. Compares the
+/// terms of the image and of the contraction of X.
 ProofFailure BlockProof::failure(int lane) const {
   const ErrorColumns& e = errors_.position;
   const int n = shape_->unknowns;

@@ -58,9 +58,10 @@ struct Certificate {
   PerLevel<std::span<const double>> correction{}, rest{};
 };
 
-/// Proves error bounds of solved instants, whatever solved them. Blocks of the equations are
-/// verified in solution order, each by Krawczyk's test about the delivered values: with an
-/// approximate inverse Y of Φ_φ at these, known errors δ of what comes before, and a trial box X,
+/// A prover of radii of solved instants, whichever formulation solved them. It verifies the blocks
+/// of the equations in solution order, each by Krawczyk's test about the delivered values. φ are
+/// the block's unknowns, h its inputs with known errors δ. With an approximate inverse Y of Φ_φ and
+/// a trial box X,
 ///
 ///   −Y Φ − Y Φ_h δ + (I − Y Φ_φ(X)) X  inside X
 ///
@@ -87,8 +88,8 @@ struct Certificate {
 ///   const Certificate c = certifier.certify(instant);   // in an observer, for example
 ///   if (c.proven) std::cout << c.radius.position[i];    // |q[i] − exact| is not larger
 ///
-/// An instant costs about as much as a step of `global_automatic_klu`, in a long chain several. One
-/// thread at a time may use a certifier.
+/// An instant costs about as much as a step of `global_automatic_klu`, in a long chain three to
+/// four; bases make it seven. One thread at a time may use a certifier.
 class Certifier {
  public:
   /// Cuts the model into blocks and allocates everything. levels: the level up to which each

@@ -18,7 +18,7 @@ struct RefinedInstant {
 };
 
 /// Refinement of solved instants, whatever solved them: certifies one and adds the corrections,
-/// again while that halves the radii. One pass is the rule. All formulations then deliver the same
+/// again where that halves the errors. One pass is the rule. All formulations then deliver the same
 /// numbers but for the last digits.
 ///
 ///   Refinement refinement(model);

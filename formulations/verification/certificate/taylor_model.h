@@ -132,7 +132,8 @@ struct TaylorModel {
       1 + 64 * 0x1p-53;                     // covers the rounding of at most 60 positive terms
   static constexpr double tiny = 0x1p-500;  // covers products that underflow
 
-  /// Returns a remainder. rounded: the sum of all magnitudes that were rounded.
+  /// Returns a remainder, enlarged by rounding errors. rounded: the sum of the magnitudes of all
+  /// rounded numbers.
   static Bound with_rounding(const Bound& rest, const Bound& rounded) {
     return (rest + Bound(Traits::unit) * rounded) * Bound(above) + Bound(tiny);
   }

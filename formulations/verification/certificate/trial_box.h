@@ -7,11 +7,12 @@ namespace desmo {
 /// Trial boxes X of a block, each larger than the one before. A contraction of 0.8 needs ten.
 inline constexpr int max_trial_boxes = 10;
 
-/// Smallest radius of X, over the magnitude of its coordinate: in its last digits.
+/// Smallest radius of X relative to the magnitude of its coordinate: a few units in the last place.
+/// Bounds of rates are divided by the radius, so it must not be zero.
 inline constexpr double min_trial = 0x1p-50;
 
 /// Returns the radius of the next X from the image of the last one: somewhat larger (epsilon
-/// inflation; Rump), also where that is zero.
+/// inflation; Rump).
 inline LaneNumbers inflated(const LaneNumbers& image, const LaneNumbers& magnitude) {
   constexpr double growth = 1.1;
   return fma(magnitude, min_trial, image * growth);

@@ -134,7 +134,7 @@ namespace {
 /// every other time: after each failure twice as many steps are proven before the next try.
 class Growth {
  public:
-  /// Returns the factor of the step after one that was proven.
+  /// Notes that a step was proven. Returns the factor from its length to that of the next step.
   double proven() {
     if (doubled_) wait_ = 1;
     doubled_ = left_ == 0;

@@ -32,7 +32,8 @@ bool is_kept(const Model& m, const std::pair<int, int>& row) {
   return !(m.constraints[row.first].left_out >> row.second & 1);
 }
 
-/// Chooses the equations of a group. Returns whether they are others.
+/// Replaces the kept equations of a group where others are clearly more independent. Returns
+/// whether it replaced them.
 bool choose(Model& m, const GroupSystem& s, const MatrixXd& all) {
   MatrixXd kept(s.unknowns, s.unknowns);
   int count = 0;

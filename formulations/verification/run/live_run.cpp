@@ -257,7 +257,7 @@ const RefinedInstant* LiveRun::follow(const LiveRow& row, double begin, LiveSumm
   return return_to(row.time, c.refinement->refine(instant_of(0, end, options_.level)), summary);
 }
 
-/// Lets the formulation go on from what the path has found, which is the answer.
+/// Makes a refined instant the row's result. The formulation continues from its positions.
 const RefinedInstant* LiveRun::return_to(double time, const RefinedInstant& found,
                                          LiveSummary& summary) {
   steps_of(formulation_).return_to(found.instant.q, time);

@@ -49,7 +49,8 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   /// Report on the drivers' way from the last proven row. time: as far as that is proven.
   FollowedStep path{};
 
-  /// Returns whether the row was solved, but not reached along the motion: it was refused.
+  /// Returns whether the row failed because no proven motion leads to it. The formulation may have
+  /// solved it or not.
   bool is_unreached() const {
     return status != Status::solved && path.tests > 0 && path.end == PathEnd::stuck;
   }
