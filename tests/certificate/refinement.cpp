@@ -113,12 +113,13 @@ TEST(Refinement, FindsRatesFromPositionsAlone) {
 /// Boxes grow from group to group of a long chain at one of these positions.
 TEST(Refinement, TakesBasesWhereBoxesGrow) {
   const Model m = make_model(turned_chain(185));
+  Certifier certifier(m);
   Refinement refinement(m);
   for (const ReferenceInstant& s : double_solution(m, std::array{0.0, 1.5, 2.0})) {
     const RefinedInstant& refined = refinement.refine(instant_of(s));
     EXPECT_TRUE(refined.proven);
     EXPECT_LE(refined.passes, 3);
-    const Certificate boxes = Certifier(m).certify(instant_of(s));
+    const Certificate boxes = certifier.certify(instant_of(s));
     const auto largest = [](std::span<const double> radii) { return std::ranges::max(radii); };
     EXPECT_EQ(largest(boxes.radius.acceleration) > 1e-4, s.time == 1.5);
     for (const Level level : all_levels) EXPECT_LE(largest(refined.radius[level]), 1e-12) << s.time;
