@@ -22,10 +22,10 @@ enum class ProofFailure {
   budget,    ///< the delivered numbers are too far off; corrections did not reach the solution
 };
 
-/// What encloses the errors that a group of a long chain hands to the next.
+/// Sets that enclose the errors which a group of a long chain hands to the next.
 enum class ErrorSets {
   boxes,  ///< along the coordinates; bases where these prove nothing
-  bases,  ///< that turn with the errors. Two to three times the price
+  bases,  ///< orthonormal, which turn with the errors; at twice the price
 };
 
 struct BlockSchedule;
@@ -89,7 +89,7 @@ struct Certificate {
 ///   if (c.proven) std::cout << c.radius.position[i];    // |q[i] − exact| is not larger
 ///
 /// An instant costs about as much as a step of `global_automatic_klu`, in a long chain three to
-/// four; bases make it seven. One thread at a time may use a certifier.
+/// four, in bases six. One thread at a time may use a certifier.
 class Certifier {
  public:
   /// Cuts the model into blocks and allocates everything. levels: the level up to which each
