@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "cases/mechanism/level.h"
 #include "cases/numbers/derived.h"
 
 namespace desmo {
@@ -76,8 +77,10 @@ struct MotionSample {
   S position, velocity, acceleration;
 };
 
+// Functions that sample evaluate up to a level; what is above it is 0.
+
 /// Evaluates Σ c[i] tⁱ and its first two derivatives by Horner's rule.
-template <class S>
+template <Level up_to = Level::acceleration, class S>
 MotionSample<S> sample_polynomial(std::span<const double> c, const S& t,
                                   std::span<const Remainder> remainders = {}) {
   if (c.empty()) return {S(0), S(0), S(0)};
@@ -86,20 +89,20 @@ MotionSample<S> sample_polynomial(std::span<const double> c, const S& t,
   };
   S z = number(c.size() - 1), first(0), half_second(0);
   for (std::size_t i = c.size() - 1; i-- > 0;) {
-    half_second = half_second * t + first;
-    first = first * t + z;
+    if constexpr (up_to >= Level::acceleration) half_second = half_second * t + first;
+    if constexpr (up_to >= Level::velocity) first = first * t + z;
     z = z * t + number(i);
   }
   return {z, first, S(2) * half_second};
 }
 
-template <class S>
+template <Level up_to = Level::acceleration, class S>
 MotionSample<S> sample(const Polynomial& m, const S& t) {
-  return sample_polynomial(std::span<const double>(m.coefficients), t,
-                           std::span<const Remainder>(m.remainders));
+  return sample_polynomial<up_to>(std::span<const double>(m.coefficients), t,
+                                  std::span<const Remainder>(m.remainders));
 }
 
-template <class S>
+template <Level up_to = Level::acceleration, class S>
 MotionSample<S> sample(const HarmonicSum& m, const S& t) {
   using std::cos;
   using std::sin;
@@ -114,13 +117,13 @@ MotionSample<S> sample(const HarmonicSum& m, const S& t) {
     k += 3;
     const S sine = sin(angle);
     z.position = z.position + a * sine;
-    z.velocity = z.velocity + a * w * cos(angle);
-    z.acceleration = z.acceleration - a * w * w * sine;
+    if constexpr (up_to >= Level::velocity) z.velocity = z.velocity + a * w * cos(angle);
+    if constexpr (up_to >= Level::acceleration) z.acceleration = z.acceleration - a * w * w * sine;
   }
   return z;
 }
 
-template <class S>
+template <Level up_to = Level::acceleration, class S>
 MotionSample<S> sample(const Spline& m, const S& t) {
   // Only inner knots are searched, so that the outer cubics reach beyond the table.
   const auto begin = m.knots().begin() + 1, end = m.knots().end() - 1;
@@ -128,13 +131,13 @@ MotionSample<S> sample(const Spline& m, const S& t) {
       std::upper_bound(begin, end, t, [](const S& time, double knot) { return time < S(knot); }) -
       begin;
   const S since_knot = t - S(m.knots()[i]);
-  return sample_polynomial(std::span<const double>(m.pieces()[i]), since_knot);
+  return sample_polynomial<up_to>(std::span<const double>(m.pieces()[i]), since_knot);
 }
 
 /// Returns z(t), ż(t), z̈(t) of a motion, evaluated in the scalar S of t [s].
-template <class S>
+template <Level up_to = Level::acceleration, class S>
 MotionSample<S> sample(const Motion& motion, const S& t) {
-  return std::visit([&](const auto& m) { return sample(m, t); }, motion);
+  return std::visit([&](const auto& m) { return sample<up_to>(m, t); }, motion);
 }
 
 /// Equally spaced instants. Each is computed from its index, never accumulated.

@@ -138,7 +138,7 @@ void PathProof::Tube::find_drivers() {
   time.c[1] = span_.half;
   for (const Driver& d : m_.drivers) {
     const int i = m_.entities[d.coordinate].first;
-    const Exact z = sample(d.motion, time).position;
+    const Exact z = sample<Level::position>(d.motion, time).position;
     double rest = z.rest;
     for (int k = 0; k <= degree; ++k) {
       const Interval c = z.c[k].enclosure();
