@@ -87,6 +87,22 @@ TEST(FourBarRange, PassesTheChangePointsOfAParallelogram) {
   }
 }
 
+TEST(FourBarRange, PassesItsChangePointFromEveryStart) {
+  // Steps come to lie next to the change point in every way, also where rounding decides.
+  const Links kin{0.4, 1.1, 0.5, 1};
+  for (int degrees = 3; degrees < 360; degrees += 3) {
+    const double start = degrees * pi / 180;
+    const DriverRange r = range_of(four_bar(kin, start));
+    for (const RangeEnd& e : {r.down, r.up}) {
+      EXPECT_EQ(e.stop, RangeStop::full_turn) << degrees;
+      EXPECT_EQ(e.turns, 2) << degrees;
+    }
+    ASSERT_GE(r.change_points.size(), 2u) << degrees;
+    for (const ChangePoint& c : r.change_points)
+      EXPECT_NEAR(std::remainder(c.value, 2 * pi), 0, 1e-9) << degrees;
+  }
+}
+
 TEST(FourBarRange, IsNeverThatOfTheOtherBranchNextToAChangePoint) {
   for (const double off : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     const Links longer{1, 2 + off, 1, 2}, shorter{1, 2 - off, 1, 2};

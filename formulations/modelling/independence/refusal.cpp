@@ -70,10 +70,12 @@ std::string unclear(double uncertain) {
 void refuse_assembly(const Model& m, const GroupSystem& s, const VectorXd& phi) {
   Eigen::Index worst = 0;
   if (phi.allFinite()) phi.cwiseAbs().maxCoeff(&worst);
-  throw std::invalid_argument(where(m, s) +
-                              "cannot be assembled near its nominal position; constraint '" +
-                              m.constraints[s.rows[worst].first].name +
-                              "' is satisfied worst; check the dimensions of these bodies");
+  const Constraint& c = m.constraints[s.rows[worst].first];
+  std::string joined;  // a definition of an angle has the length of its line, too
+  for (const EntityId e : c.operands) joined += (joined.empty() ? "" : ", ") + m.entities[e].name;
+  throw std::invalid_argument(
+      where(m, s) + "cannot be assembled near its nominal position; constraint '" + c.name +
+      "' (between " + joined + ") is satisfied worst; check the dimensions of these bodies");
 }
 
 void require_determined(const Model& m, const GroupSystem& s, const SelectedRows& selected,

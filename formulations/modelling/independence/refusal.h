@@ -13,7 +13,8 @@ struct Contradiction {
   double moved;    ///< displacement of the drivers, in natural magnitudes
 };
 
-/// Throws std::invalid_argument, naming group, bodies and the constraint with the largest |Φ|.
+/// Throws std::invalid_argument, naming group, bodies and the constraint with the largest |Φ|,
+/// with all that it joins.
 [[noreturn]] void refuse_assembly(const Model& model, const GroupSystem& system,
                                   const Eigen::VectorXd& phi);
 

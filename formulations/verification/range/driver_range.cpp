@@ -70,6 +70,8 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
   for (const DriverSweep* sweep : {&down, &up})
     range.change_points.insert(range.change_points.end(), sweep->change_points().begin(),
                                sweep->change_points().end());
+  for (ChangePoint& c : range.change_points)  // no digit of such a value means anything
+    if (std::abs(c.value) < DriverSweep::accuracy * curve.scale()) c.value = 0;
   std::ranges::sort(range.change_points, {}, &ChangePoint::value);
   // A double root next to an end of a turn is found at both.
   const auto is_double = [&](const ChangePoint& c, double value) {

@@ -184,9 +184,15 @@ RangeEnd DriverSweep::run_from(Point point) {
   for (int step = 0; step < max_steps; ++step) {
     const auto again = [&] { return (length /= 2) > min_step; };
     std::optional<Point> next = curve().step(point, length);
+    bool is_across = false;
     if (!next) {
       if (again()) continue;
-      return stuck_at(point, far);
+      // So near to a crossing rounding decides; from further away the curve leads across it.
+      next = curve().step(far.point, far.arc + crossing_step);
+      if (!next || forward(*next) <= 0) return stuck_at(point, far);
+      is_across = true;
+      length = far.arc + crossing_step;
+      point = std::exchange(far, {far.point, 0}).point;
     }
     if (forward(*next) <= 0) {
       // Signs of B do not change at a dead point: a step across a gap is not one.
@@ -207,11 +213,11 @@ RangeEnd DriverSweep::run_from(Point point) {
     const std::vector<int> changed = changed_blocks(before, after);
     const bool crosses = next->sign != point.sign || !changed.empty();
     if (crosses) {
-      if (length > crossing_step) {
+      if (length > crossing_step && !is_across) {
         length /= 2;
         continue;
       }
-      const double value = find_crossing(curve(), point, *next, changed.size());
+      const double value = find_crossing(curve(), far, length, changed.size());
       if (is_positive(model(), driven()) && std::abs(value) < same * curve().scale())
         return {.stop = RangeStop::zero_length};
       change_points_.push_back(

@@ -107,12 +107,15 @@ double interpolated(std::span<const double> xs, std::span<const double> ys, doub
   return y;
 }
 
-double find_crossing(SolutionCurve& curve, const Point& from, const Point& to, std::size_t blocks) {
+double find_crossing(SolutionCurve& curve, const EarlierPoint& before, double length,
+                     std::size_t blocks) {
   constexpr double wide = 1e-4;
   std::vector<double> determinants, values;
-  for (const auto& [base, side] : {std::pair(&from, -1.0), std::pair(&to, 1.0)})
+  const Point& from = before.point;
+  const double arc = before.arc + length;
+  for (const auto& [nearest, side] : {std::pair(0.0, -1.0), std::pair(arc, 1.0)})
     for (const double distance : {wide, 2 * wide})
-      if (const std::optional<Point> p = curve.step(*base, side * distance)) {
+      if (const std::optional<Point> p = curve.step(from, nearest + side * distance)) {
         determinants.push_back(side *
                                std::exp((p->log_determinant - from.log_determinant) /
                                         static_cast<double>(std::max<std::size_t>(1, blocks))));
@@ -120,7 +123,9 @@ double find_crossing(SolutionCurve& curve, const Point& from, const Point& to, s
       }
   const double value = interpolated(determinants, values, 0);
   const bool is_known = values.size() == 4 && std::isfinite(value);
-  return is_known ? value : (curve.value(from) + curve.value(to)) / 2;
+  if (is_known) return value;
+  const std::optional<Point> to = curve.step(from, arc);
+  return to ? (curve.value(from) + curve.value(*to)) / 2 : curve.value(from);
 }
 
 }  // namespace desmo
