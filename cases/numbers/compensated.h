@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cfloat>
 #include <cmath>
-#include <complex>
-#include <type_traits>
 
 #include "cases/numbers/derived.h"
 #include "cases/numbers/interval.h"
+#include "cases/numbers/turn.h"
 
 namespace desmo {
 
@@ -16,8 +14,8 @@ namespace desmo {
 /// J. Sci. Comput. 26, 2005). It suits residuals, where all leading digits cancel. S: double, or
 /// LaneNumbers for four numbers.
 ///
-/// Assumptions: those of intervals; sine and cosine of `long double` within one unit in its last
-/// place.
+/// Assumptions: those of intervals; of angles above 2^21, sine and cosine of `long double` within
+/// one unit in its last place.
 template <class S>
 struct Compensated {
   S value{0}, correction{0}, radius{0};
@@ -62,12 +60,12 @@ struct Compensated {
     return quotient(value, rest, 2 * value, far / (2 * a.value));
   }
   friend Compensated sin(const Compensated& a) {
-    const Turn at = turn(a.value);
-    return turned(a, at.sine, at.of_sine, at.cosine);
+    const Turn<S> at = turn(a.value);
+    return turned(a, at.sine, at.of_sine, at.cosine, at.off);
   }
   friend Compensated cos(const Compensated& a) {
-    const Turn at = turn(a.value);
-    return turned(a, at.cosine, at.of_cosine, -at.sine);
+    const Turn<S> at = turn(a.value);
+    return turned(a, at.cosine, at.of_cosine, -at.sine, at.off);
   }
   /// Adds factor × x, where x is exact.
   void add_product(const Compensated& factor, const S& x) {
@@ -116,69 +114,18 @@ struct Compensated {
     return {value, correction, relative < half ? radius : S(INFINITY)};
   }
 
-  /// Returns cosine and sine of an angle in extended precision.
-  static std::complex<long double> extended_turn(double angle) {
-    // Of larger angles, and in other precisions, the library does this itself, slowly.
-    constexpr double largest = 1e6;
-    const double quarters =
-        std::abs(angle) < largest ? std::nearbyint(angle * 0x1.45f306dc9c883p-1) : 0;
-    if (LDBL_MANT_DIG != 64 || quarters == 0) {
-      const long double x = angle;
-      return {std::cos(x), std::sin(x)};
-    }
-    // The first two products and the first difference are exact (Cody & Waite).
-    constexpr long double high = 0x6487ed51p-30L, middle = 0x85a308d3p-65L,
-                          low = 0x2633145c06e0e689p-130L;  // of π/2
-    const long double k = quarters, x = ((angle - k * high) - k * middle) - k * low;
-    const long double cosine = std::cos(x), sine = std::sin(x);
-    switch (static_cast<long>(quarters) & 3) {
-      case 0:
-        return {cosine, sine};
-      case 1:
-        return {-sine, cosine};
-      case 2:
-        return {-cosine, -sine};
-      default:
-        return {sine, -cosine};
-    }
-  }
-
-  /// Sine and cosine of an angle; what the doubles lack of extended precision.
-  struct Turn {
-    S sine, of_sine, cosine, of_cosine;
-  };
-  static Turn turn(const S& angle) {
-    if constexpr (std::is_same_v<S, double>) {
-      const std::complex<long double> z = extended_turn(angle);
-      const double sine = static_cast<double>(z.imag()), cosine = static_cast<double>(z.real());
-      return {sine, static_cast<double>(z.imag() - sine), cosine,
-              static_cast<double>(z.real() - cosine)};
-    } else {
-      Turn all;
-      for (int lane = 0; lane < S::count; ++lane) {
-        const auto [s, of_s, c, of_c] = Compensated<double>::turn(angle[lane]);
-        all.sine.set(lane, s), all.of_sine.set(lane, of_s);
-        all.cosine.set(lane, c), all.of_cosine.set(lane, of_c);
-      }
-      return all;
-    }
-  }
   /// Returns the sine or cosine f of an angle a, from f at the double a.value.
-  /// - value + remainder: f(a.value)
+  /// - value + remainder: f(a.value), within `off`
   /// - slope: f′(a.value), rounded to double
   static Compensated turned(const Compensated& a, const S& value, const S& remainder,
-                            const S& slope) {
+                            const S& slope, const S& off) {
     // f(a + e) = f(a) + f′(a) e + f″(ξ) e²/2 with |f″| ≤ 1
-    constexpr double last_place = 2 * LDBL_EPSILON;  // and that of the reduced angle
     const S first = slope * a.correction;
     const S correction = remainder + first;
     const S e = size(a.correction) + a.radius;
-    // Half of e² and of the last place exceed what `first` and the sum lose, 4 units of
-    // a.correction.
-    return {value, correction, S(last_place) + size(slope) * a.radius + e * e};
+    // Half of e² and half of `off` exceed what `first` and the sum lose, 4 units of a.correction.
+    return {value, correction, off + size(slope) * a.radius + e * e};
   }
-  template <class>
-  friend struct Compensated;
 };
 
 }  // namespace desmo

@@ -13,6 +13,7 @@
 
 #include "cases/mechanism/motion.h"
 #include "formulations/base/per_level.h"
+#include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo::compensated_test {
 namespace {
@@ -110,6 +111,48 @@ TEST(Compensated, CancelsWhatDoublesLose) {
   const Number remainder = Number(a) * Number(a) - Number(1 + 0x1p-29);
   EXPECT_EQ(remainder.value + remainder.correction, 0x1p-60);
   EXPECT_LT(remainder.radius, 0x1p-100);
+}
+
+TEST(Turn, HasABoundThatIsReached) {
+  std::mt19937 generator(3);
+  double worst = 0;
+  for (const double largest : {1e-3, 0.03, 4.0, 1e5, 0x1p21}) {
+    std::uniform_real_distribution<double> uniform(-largest, largest);
+    for (int i = 0; i < 20'000; ++i) {
+      const double angle = uniform(generator);
+      const Turn<double> t = turn(angle);
+      const Wide off = std::max<Wide>(abs(sin(Wide(angle)) - Wide(t.sine) - Wide(t.of_sine)),
+                                      abs(cos(Wide(angle)) - Wide(t.cosine) - Wide(t.of_cosine)));
+      ASSERT_LE(off, t.off) << angle;
+      worst = std::max(worst, static_cast<double>(off / t.off));
+    }
+  }
+  EXPECT_GT(worst, 0.5);
+}
+
+TEST(Turn, OfTheTableIsPrecise) {
+  const Wide step = acos(Wide(-1)) / 64;
+  for (int k = 0; k < 128; ++k) {
+    const Turn<double>& t = table_of_turns()[k];
+    EXPECT_LE(abs(sin(k * step) - Wide(t.sine) - Wide(t.of_sine)), 0x1p-95) << k;
+    EXPECT_LE(abs(cos(k * step) - Wide(t.cosine) - Wide(t.of_cosine)), 0x1p-95) << k;
+  }
+}
+
+TEST(Turn, IsTheSameInLanes) {
+  for (const double far : {1.0, 0x1p22}) {  // the second by the library, for all
+    LaneNumbers angles;
+    for (int lane = 0; lane < LaneNumbers::count; ++lane) angles.set(lane, far * (lane - 1.7));
+    const Turn<LaneNumbers> all = turn(angles);
+    for (int lane = 0; lane < LaneNumbers::count; ++lane) {
+      const Turn<double> one = far > 1 ? library_turn(angles[lane]) : turn(angles[lane]);
+      EXPECT_EQ(all.sine[lane], one.sine);
+      EXPECT_EQ(all.of_sine[lane], one.of_sine);
+      EXPECT_EQ(all.cosine[lane], one.cosine);
+      EXPECT_EQ(all.of_cosine[lane], one.of_cosine);
+      EXPECT_EQ(all.off[lane], one.off);
+    }
+  }
 }
 
 TEST(Compensated, HoldsSinesAndCosines) {
