@@ -11,6 +11,7 @@
 #include <iostream>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "cases/generators/dyad_chain.h"
 #include "formulations/groupwise/double_solution.h"
@@ -87,39 +88,44 @@ bool has_way(Model m, const std::vector<double>& to) {
   return way.go_to(1) && way.crossings() == 0 && way.max_condition() < max_condition;
 }
 
-/// All mechanisms from two turns before to two turns after the drawing. The arms of the delta are
-/// in line with its platform on the way of a turn.
+/// All mechanisms from two turns before to two turns after the drawing, each time at another
+/// instant. The arms of the delta are in line with its platform on the way of a turn.
 TEST(Start, IsOnTheBranchOfTheDrawing) {
   int reached = 0, blocked = 0;
   for (const auto& [m, grid] : every_motion()) {
-    const double end = grid.time(grid.instants - 1);
-    const std::vector<double> shifts =
-        DESMO_SANITIZED ? std::vector{0.3} : std::vector{0.0, 0.3, -0.45, 0.8, -1.6, 2.0};
-    for (const double turns : shifts)
-      for (const double time : {grid.start, grid.start + 0.37 * (end - grid.start)}) {
-        std::vector<double> to;
-        for (const Driver& d : m.drivers) {
-          to.push_back(sample(d.motion, time).position);
-          if (m.entities[d.coordinate].kind == EntityKind::angle) to.back() += turns * turn;
-        }
-        SCOPED_TRACE(m.name + ", " + std::to_string(turns) + " turns, " + std::to_string(time));
-        const Model held = held_at(m, to);
-        const FoundStart found = find_start(held, 0);
-        if (found.stage != Stage::reached) {
-          ++blocked;
-          EXPECT_EQ(found.stage, Stage::drivers);
-          EXPECT_FALSE(has_way(m, to)) << found.share;
-          continue;
-        }
-        ++reached;
-        EXPECT_EQ(found.share, 1);
-        const std::vector<double> right = in_short_steps(m, to, 0.01);
-        ASSERT_FALSE(right.empty());
-        EXPECT_LT(distance(m, found.q, right), 1e-9 * size_of(m));
-        for (const Entity& e : m.entities)
-          if (!e.fixed && e.kind == EntityKind::angle && !independent_coordinates(m)[e.first])
-            EXPECT_LE(std::abs(found.q[e.first] - m.estimate[e.first]), turn / 2 + 1e-9);
+    const double later = grid.start + 0.37 * (grid.time(grid.instants - 1) - grid.start);
+    std::vector<std::pair<double, double>> starts{{0.3, later}};
+    if (!DESMO_SANITIZED)
+      starts.insert(starts.end(), {{0, later},
+                                   {0, grid.start},
+                                   {-0.45, grid.start},
+                                   {0.8, later},
+                                   {-1.6, grid.start},
+                                   {2, later}});
+    for (const auto& [turns, time] : starts) {
+      std::vector<double> to;
+      for (const Driver& d : m.drivers) {
+        to.push_back(sample(d.motion, time).position);
+        if (m.entities[d.coordinate].kind == EntityKind::angle) to.back() += turns * turn;
       }
+      SCOPED_TRACE(m.name + ", " + std::to_string(turns) + " turns, " + std::to_string(time));
+      const Model held = held_at(m, to);
+      const FoundStart found = find_start(held, 0);
+      if (found.stage != Stage::reached) {
+        ++blocked;
+        EXPECT_EQ(found.stage, Stage::drivers);
+        EXPECT_FALSE(has_way(m, to)) << found.share;
+        continue;
+      }
+      ++reached;
+      EXPECT_EQ(found.share, 1);
+      const std::vector<double> right = in_short_steps(m, to, 0.01);
+      ASSERT_FALSE(right.empty());
+      EXPECT_LT(distance(m, found.q, right), 1e-9 * size_of(m));
+      for (const Entity& e : m.entities)
+        if (!e.fixed && e.kind == EntityKind::angle && !independent_coordinates(m)[e.first])
+          EXPECT_LE(std::abs(found.q[e.first] - m.estimate[e.first]), turn / 2 + 1e-9);
+    }
   }
   std::cout << reached << " reached, " << blocked << " blocked\n";
   EXPECT_GE(reached, 10 * blocked);
