@@ -55,26 +55,21 @@ Scene at_rest(Mechanism mechanism) {
 Input of_scene(Input input, SceneFile file) {
   input.scene = std::move(file.scene);
   input.units = std::move(file.units);
+  input.named_files = std::move(file.files);
   return input;
 }
 
 Input from_text(const std::string& text, const std::string& source, const std::string& file,
                 const std::filesystem::path& folder, bool mechanism_will_do) {
   const JsonDocument document(text, source);
-  const auto text_of = [&](const char* key) {
-    const auto value = document.root().find(key);
-    return std::string(value && value->is_string() ? value->text() : "");
-  };
-  if (text_of("format") != "desmo-mechanism") {
-    const std::string mechanism = text_of("mechanism");
-    return of_scene({source, file, mechanism.empty() ? "" : (folder / mechanism).string(), {}, {}},
-                    parse_scene_file(text, source, folder));
-  }
+  const auto format = document.root().find("format");
+  if (!format || !format->is_string() || format->text() != "desmo-mechanism")
+    return of_scene({source, file, {}, {}, {}}, parse_scene_file(text, source, folder));
   if (!mechanism_will_do)
     throw InputError(source + ": /format: a mechanism says nothing of motion and time; give a " +
                      "scene that names it (an example: desmo show slider_crank --scene)");
   ReadMechanism read = mechanism_from(document.root());
-  return {source, file, "", std::move(read.units), at_rest(std::move(read.mechanism))};
+  return {source, file, {}, std::move(read.units), at_rest(std::move(read.mechanism))};
 }
 
 Input from_file(const std::string& name, bool mechanism_will_do) {
@@ -119,10 +114,10 @@ Input load(const std::string& argument, bool mechanism_will_do) {
   if (argument.find_first_of("/.") != std::string::npos)
     return from_file(argument, mechanism_will_do);
   if (const LibraryMechanism* const found = find_library(argument))
-    return of_scene({argument, "", "", {}, {}},
+    return of_scene({argument, "", {}, {}, {}},
                     parse_scene_file(found->scene, "library/" + argument + ".scene.json", {}));
   if (std::optional<Scene> scene = scalable_case(argument))
-    return {argument, "", "", {.length = {scene->mechanism.length_unit}}, std::move(*scene)};
+    return {argument, "", {}, {.length = {scene->mechanism.length_unit}}, std::move(*scene)};
   std::error_code ignored;
   if (std::filesystem::exists(argument, ignored)) return from_file(argument, mechanism_will_do);
   std::vector<std::string_view> names = library_names();
@@ -152,7 +147,8 @@ void protect_input(const std::string& output, const Input& input, const std::str
                                           ", which is read; give another file");
   };
   protect(input.file, "the scene");
-  protect(input.mechanism_file, "the mechanism of the scene");
+  for (const fs::path& named : input.named_files)
+    protect(named.string(), "a file that the scene names");
   protect(drivers == "-" ? std::string(standard_input) : drivers, "the file of the drivers");
 }
 

@@ -1,7 +1,9 @@
 // Input of the commands: a file, standard input, or a name.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "bench/cli/units.h"
 #include "cases/mechanism/scene.h"
@@ -10,9 +12,9 @@
 namespace desmo::cli {
 
 struct Input {
-  std::string source;          ///< for messages
-  std::string file;            ///< path of what was read, /dev/stdin where that is "-"; empty: none
-  std::string mechanism_file;  ///< path of the mechanism that the scene names; empty: none
+  std::string source;  ///< for messages
+  std::string file;    ///< path of what was read, /dev/stdin where that is "-"; empty: none
+  std::vector<std::filesystem::path> named_files;  ///< that it names, and were read
   DisplayUnits units;  ///< in which its numbers are written and read; inside they are in SI units
   Scene scene;         ///< for a mechanism file: drivers at rest, no instants
 };
@@ -29,8 +31,8 @@ Input load_scene(const std::string& argument, UnitSystem units = UnitSystem::fil
 /// Loads like load_scene(), but accepts mechanism files too.
 Input load_mechanism(const std::string& argument);
 
-/// Throws Error (usage_error) where an output would replace a file that is read: the scene, its
-/// mechanism's, or that of the drivers' rows ("" for none). All are as given on the command line,
+/// Throws Error (usage_error) where an output would replace a file that is read: the scene, one
+/// that it names, or that of the drivers' rows ("" for none). All are as given on the command line,
 /// standard input included.
 void protect_input(const std::string& output, const Input& input, const std::string& drivers = "");
 

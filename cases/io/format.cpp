@@ -4,6 +4,7 @@
 #include <span>
 
 #include "cases/io/readers.h"
+#include "cases/io/text_file.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {
@@ -23,6 +24,9 @@ const DisplayUnit& read_unit(const JsonValue& value, std::span<const DisplayUnit
 }
 
 }  // namespace
+
+std::span<const DisplayUnit> known_length_units() { return length_units; }
+std::span<const DisplayUnit> known_angle_units() { return angle_units; }
 
 int check_format(const JsonValue& root, std::string_view format, int latest) {
   const JsonValue given = root["format"];
@@ -44,7 +48,7 @@ int check_format(const JsonValue& root, std::string_view format, int latest) {
 std::string checked_name(const JsonValue& place, std::string_view name) {
   if (!is_name(name))
     place.complain(in_quotes(name) + " is not a name; use 1 to " + std::to_string(max_name) +
-                   " letters, digits and _ . / - (not first)");
+                   " letters, digits, blanks (within) and _ . / - (not first)");
   return std::string(name);
 }
 
@@ -55,6 +59,30 @@ FileUnits read_units(const JsonValue& root, FileUnits units) {
   if (const auto value = given->find("length")) units.length = read_unit(*value, length_units);
   if (const auto value = given->find("angle")) units.angle = read_unit(*value, angle_units);
   return units;
+}
+
+DisplayUnit read_rate_unit(const JsonValue& value, bool is_of_angle, std::string_view base) {
+  std::vector<DisplayUnit> rates;
+  if (is_of_angle) rates.push_back({"rpm", std::numbers::pi / 30});
+  for (const DisplayUnit& unit : is_of_angle ? known_angle_units() : known_length_units())
+    if (is_of_angle || (unit.name == "1") == (base == "1"))
+      rates.push_back({unit.name + "/s", unit.in_si});
+  return read_unit(value, rates);
+}
+
+NamedFiles::Text NamedFiles::read_named(const JsonValue& value, const std::string& kind) {
+  const std::string_view name = value.text();
+  if (name.empty() || name.find('\0') != name.npos)
+    value.complain(in_quotes(name) + " is no file name; give that of a " + kind + " file");
+  const std::filesystem::path file = (folder / name).lexically_normal();
+  try {
+    std::string text = read_text(file);
+    read.push_back(file);
+    return {file.string(), std::move(text)};
+  } catch (const UnreadableFile& error) {
+    value.complain("the " + kind + " file '" + printable(file.string(), 300) +
+                   "': " + error.what());
+  }
 }
 
 }  // namespace desmo

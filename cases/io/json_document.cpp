@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cases/io/comments.h"
 #include "cases/io/files.h"
 #include "cases/io/text_file.h"
 #include "cases/mechanism/names.h"
@@ -66,7 +67,8 @@ std::string syntax_error(std::string_view text, std::size_t at, int library_id,
   if (is_not_finite(word_at(text, at)))
     return "NaN and Infinity are not numbers of JSON; give a finite number";
   if (library_id == number_overflow) return "the number is too large; give one below 1e100";
-  if (text[at] == '/' || text[at] == '#') return "JSON has no comments; leave them out";
+  if (text[at] == '/' || text[at] == '#')
+    return "is no comment; begin one with //, or write it between /* and */";
   const std::string message = library_message(library_what);
   if (message.find("UTF-8") != message.npos)
     return "the text is not UTF-8; save the file in that encoding";
@@ -165,10 +167,11 @@ class JsonDocument::Builder {
 JsonDocument::JsonDocument(std::string_view text, std::string file_name)
     : file_name_(std::move(file_name)) {
   if (text.size() > max_file) complain("top level", "the text is larger than 64 MiB; divide it");
-  if (text.find_first_not_of(" \t\r\n") == text.npos)
+  const std::string plain = without_comments(text);
+  if (plain.find_first_not_of(" \t\r\n") == plain.npos)
     complain("top level", "the text is empty; give one JSON object");
   Builder builder(*this, text);
-  nlohmann::json::sax_parse(text, &builder);
+  nlohmann::json::sax_parse(plain, &builder);
   if (const auto zero = text.find('\0'); zero != text.npos)  // which the library takes for the end
     complain(line_and_column(text, zero), "a byte of value 0 is no text; leave it out");
 }

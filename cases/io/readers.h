@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,8 +32,28 @@ struct FileUnits : DisplayUnits {
   bool length_is_open = false, angle_is_open = false;
 };
 
+/// Return the units of lengths and angles that files may name.
+std::span<const DisplayUnit> known_length_units();
+std::span<const DisplayUnit> known_angle_units();
+
 /// Reads `units` of a file; defaults hold for units that it leaves out.
 FileUnits read_units(const JsonValue& root, FileUnits units);
+
+/// Reads a unit of velocity, such as "deg/s" or "rpm", which is of angles. base_length: "m" or "1".
+DisplayUnit read_rate_unit(const JsonValue& value, bool is_of_angle, std::string_view base_length);
+
+/// Files that a file names, relative to its folder.
+struct NamedFiles {
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> read{};  ///< those that were read
+
+  /// A file that has been read.
+  struct Text {
+    std::string name, text;
+  };
+  /// Reads the file that a value names. kind: "mechanism", for messages.
+  Text read_named(const JsonValue& value, const std::string& kind);
+};
 
 // Sections of a mechanism file, in reading order:
 
@@ -68,11 +90,30 @@ std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int d
 
 /// Reads `motion`. Returns one motion for each driven coordinate, in the mechanism's order, in
 /// metres (or the mechanism's free unit) or radians.
+/// - files: where tables are
 /// - known: the motions of coordinates that `motion` leaves out, one for each driven coordinate;
 ///   empty: it may leave out none
 /// Throws InputError, also for a length whose unit the file leaves open.
 std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechanism,
-                                 const FileUnits& units, std::vector<Motion> known);
+                                 const FileUnits& units, NamedFiles& files,
+                                 std::vector<Motion> known);
+
+/// Reads one motion, of this coordinate.
+Motion read_motion(const JsonValue& value, const Mechanism& mechanism,
+                   const Mechanism::Coordinate& coordinate, const FileUnits& units,
+                   NamedFiles& files);
+
+/// A table of a motion: times [s] and values.
+struct MotionTable {
+  std::vector<double> times, values;
+};
+
+/// Reads a table from the CSV file that a value names.
+/// - column: name of the values; without a heading there are two columns
+/// - unit: of the values, where the heading names none
+/// - units: those that it may name
+MotionTable read_table_file(const JsonValue& value, NamedFiles& files, std::string_view column,
+                            const DisplayUnit& unit, std::span<const DisplayUnit> units);
 
 /// Throws InputError when a table does not cover the grid's instants. motions: from read_motions().
 void check_tables(const JsonValue& root, const Mechanism& mechanism,

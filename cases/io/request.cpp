@@ -124,7 +124,7 @@ class RequestReader {
   }
 
   void check_pattern(const JsonValue& pattern) {
-    if (pattern.text().size() > max_name)
+    if (characters(pattern.text()) > max_name)
       pattern.complain("the pattern is longer than " + std::to_string(max_name) +
                        " characters; shorten it");
     if (++patterns_ > max_patterns)

@@ -66,23 +66,14 @@ Start from_generator(const JsonValue& value) {
   }
 }
 
-ReadMechanism from_file(const JsonValue& value, const std::filesystem::path& folder) {
-  const std::string_view name = value.text();
-  if (name.empty() || name.find('\0') != name.npos)
-    value.complain(in_quotes(name) + " is no file name; give that of a mechanism file");
-  const std::filesystem::path file = (folder / name).lexically_normal();
-  std::string text;
-  try {
-    text = read_text(file);
-  } catch (const UnreadableFile& error) {
-    value.complain("the mechanism file '" + printable(file.string(), 300) + "': " + error.what());
-  }
-  const JsonDocument document(text, file.string());
+ReadMechanism from_file(const JsonValue& value, NamedFiles& files) {
+  const auto [name, text] = files.read_named(value, "mechanism");
+  const JsonDocument document(text, name);
   return mechanism_from(document.root());
 }
 
-Start read_start(const JsonValue& value, const std::filesystem::path& folder, LibraryGives gives) {
-  if (value.is_string()) return without_motion(from_file(value, folder));
+Start read_start(const JsonValue& value, NamedFiles& files, LibraryGives gives) {
+  if (value.is_string()) return without_motion(from_file(value, files));
   if (!value.is_object())
     value.complain(
         "is no mechanism; give a file name, a mechanism, {\"library\": name} or "
@@ -108,6 +99,10 @@ FileUnits units_of_motion(const JsonValue& root, int version, const DisplayUnits
 }
 
 TimeGrid read_time(const JsonValue& value) {
+  if (const auto at = value.find("at")) {
+    value.allow({"at"});
+    return {at->number(), 1, 1};
+  }
   value.allow({"start", "end", "step"});
   const auto start_given = value.find("start");
   const double start = start_given ? start_given->number() : 0;
@@ -152,20 +147,21 @@ SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder,
   const int version = check_format(root, "desmo-scene", latest_version);
   root.allow({"$schema", "format", "version", "name", "mechanism", "units", "motion", "time",
               "request", "formulation", "tolerance"});
-  Start start = read_start(root["mechanism"], folder, gives);
+  NamedFiles files{folder};
+  Start start = read_start(root["mechanism"], files, gives);
   Scene scene;
   scene.mechanism = std::move(start.mechanism);
   const auto name = root.find("name");
   scene.name = name ? std::string(name->line()) : scene.mechanism.name;
   FileUnits units = units_of_motion(root, version, start.units);
-  scene.motions = read_motions(root, scene.mechanism, units, std::move(start.motions));
+  scene.motions = read_motions(root, scene.mechanism, units, files, std::move(start.motions));
   const auto time = root.find("time");
   scene.grid = time || !start.grid ? read_time(root["time"]) : *start.grid;
   check_tables(root, scene.mechanism, scene.motions, scene.grid);
   scene.request = read_request(root, scene.mechanism);
   if (const auto id = root.find("formulation")) scene.formulation = read_formulation(*id);
   if (const auto given = root.find("tolerance")) scene.tolerance = read_tolerance(*given);
-  return {std::move(scene), std::move(units)};
+  return {std::move(scene), std::move(units), std::move(files.read)};
 }
 
 }  // namespace

@@ -3,17 +3,18 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cases/io/units.h"
 #include "cases/mechanism/scene.h"
 
 namespace desmo {
 
-/// A scene, and the units in which its file writes motions: its own, or those of the mechanism
-/// where it names none.
+/// A scene, and what else its file tells.
 struct SceneFile {
   Scene scene;
-  DisplayUnits units;
+  DisplayUnits units;  ///< of motions: its own, or those of the mechanism where it names none
+  std::vector<std::filesystem::path> files;  ///< others that were read: mechanism, tables
 };
 
 /// Reads a scene like parse_scene() (cases/io/files.h), with its units.

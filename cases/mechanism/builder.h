@@ -58,9 +58,9 @@ class MechanismBuilder {
   }
   /// Lists further points and vectors that a body carries.
   void carry(int body, const std::vector<int>& points, const std::vector<int>& vectors = {}) {
-    auto& [name, own_points, own_vectors, length] = d_.bodies[body];
-    own_points.insert(own_points.end(), points.begin(), points.end());
-    own_vectors.insert(own_vectors.end(), vectors.begin(), vectors.end());
+    Mechanism::Body& b = d_.bodies[body];
+    b.points.insert(b.points.end(), points.begin(), points.end());
+    b.vectors.insert(b.vectors.end(), vectors.begin(), vectors.end());
   }
   /// Adds a joint between bodies a and b with the points and vectors that JointType names. Without
   /// a name release() gives it the one that it would have in a file.

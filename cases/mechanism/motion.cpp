@@ -1,5 +1,6 @@
 #include "cases/mechanism/motion.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -101,6 +102,12 @@ void check(const std::vector<double>& times, const std::vector<double>& values, 
     refuse("that is periodic must end with the value it begins with");
 }
 
+void add_to(double& value, Remainder& rest, const Derived& distance) {
+  const Derived sum = (Derived(value, rest) + distance).rounded();
+  value = sum.value;
+  rest = sum.remainder();
+}
+
 }  // namespace
 
 Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends) {
@@ -114,16 +121,75 @@ Spline make_spline(std::vector<double> times, std::vector<double> values, Spline
   const std::vector<double> second = second_derivatives(h, slope, ends);
 
   Spline spline;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Spline::Piece piece{values[i], slope[i] - h[i] * (2 * second[i] + second[i + 1]) / 6,
-                              second[i] / 2, (second[i + 1] - second[i]) / (6 * h[i])};
-    for (const double c : piece)
-      if (!std::isfinite(c))
-        throw std::invalid_argument("a table of times and values is too steep to be computed with");
-    spline.pieces_.push_back(piece);
-  }
-  spline.knots_ = std::move(times);
+  for (std::size_t i = 0; i < n; ++i)
+    spline.add(times[i], {values[i], slope[i] - h[i] * (2 * second[i] + second[i + 1]) / 6,
+                          second[i] / 2, (second[i + 1] - second[i]) / (6 * h[i])});
+  spline.knots_.push_back(times.back());
+  spline.first_time_ = times.front();
+  spline.last_time_ = times.back();
   return spline;
+}
+
+void Spline::add(double knot, const std::array<Derived, 4>& piece) {
+  knots_.push_back(knot);
+  Piece& values = pieces_.emplace_back();
+  std::array<Remainder, 4>& rest = remainders_.emplace_back();
+  for (int k = 0; k < 4; ++k) {
+    if (!std::isfinite(piece[k].value))
+      throw std::invalid_argument("the motion is too steep to be computed with");
+    values[k] = piece[k].value;
+    rest[k] = piece[k].remainder();
+  }
+}
+
+/// The distance is covered in the times up, steady and up again. Pieces are exact cubics of the
+/// time since their rounded knots, so that the motion is continuous but for a part in 2^100.
+Spline make_spline(const Trapezoid& of) {
+  const bool is_back = of.distance.value < 0;
+  const Derived s = is_back ? -of.distance : of.distance, v = of.velocity, a = of.acceleration;
+  const bool is_triangle = (v * v).value >= (a * s).value;
+  const Derived up = is_triangle ? sqrt(s / a) : v / a;
+  const Derived end = Derived(of.start) + (is_triangle ? up * 2 : up + s / v);
+  const double steady = (Derived(of.start) + up).rounded().value,
+               brakes = is_triangle ? steady : (end - up).rounded().value,
+               rests = end.rounded().value;
+  if (!(of.start < steady && brakes < rests && std::isfinite(rests)) ||
+      (!is_triangle && !(steady < brakes)))
+    throw std::invalid_argument("the times at which it changes cannot be told apart");
+
+  Spline spline;
+  const auto add = [&](double knot, std::array<Derived, 4> piece) {
+    for (Derived& c : piece) c = (is_back ? -c : c).rounded();
+    spline.add(knot, piece);
+  };
+  const Derived half = a / 2, left = end - brakes;
+  add(of.start - (rests - of.start), {});  // the outer knots do not matter
+  add(of.start, {0, 0, half, 0});
+  if (!is_triangle) add(steady, {v * (Derived(steady) - of.start) - v * up / 2, v, 0, 0});
+  add(brakes, {s - half * left * left, a * left, -half, 0});
+  add(rests, {s, 0, 0, 0});
+  spline.knots_.push_back(rests + (rests - of.start));
+  return spline;
+}
+
+void Spline::shift(const Derived& distance) {
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    add_to(pieces_[i].front(), remainders_[i].front(), distance);
+}
+
+Motion shifted(Motion motion, const Derived& distance) {
+  if (auto* const polynomial = std::get_if<Polynomial>(&motion)) {
+    const std::size_t count = std::max<std::size_t>(1, polynomial->coefficients.size());
+    polynomial->coefficients.resize(count);
+    polynomial->remainders.resize(count);
+    add_to(polynomial->coefficients.front(), polynomial->remainders.front(), distance);
+  } else if (auto* const sum = std::get_if<HarmonicSum>(&motion)) {
+    sum->remainders.resize(1 + 3 * sum->terms.size());
+    add_to(sum->mean, sum->remainders.front(), distance);
+  } else {
+    std::get<Spline>(motion).shift(distance);
+  }
+  return motion;
 }
 
 TimeGrid time_grid(double seconds, double step) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <variant>
 #include <vector>
@@ -41,35 +42,60 @@ enum class SplineEnds {
   periodic,  ///< z, ż and z̈ at the last knot as at the first
 };
 
-/// Cubic spline through the points of a table, twice continuously differentiable. Outside of the
-/// table its first and last cubic are continued; a periodic spline is not repeated either.
+/// Cubic polynomials, one after the other. Outside of their knots the first and the last one are
+/// continued.
 class Spline {
  public:
   /// Coefficients of z = c₀ + c₁ τ + c₂ τ² + c₃ τ³, where τ is the time since the interval's first
   /// knot.
   using Piece = std::array<double, 4>;
 
-  double first_time() const { return knots_.front(); }
-  double last_time() const { return knots_.back(); }
+  /// Return between which times the motion is meant [s]; those of a table end with it.
+  double first_time() const { return first_time_; }
+  double last_time() const { return last_time_; }
   const std::vector<double>& knots() const { return knots_; }   ///< ascending, two or more
   const std::vector<Piece>& pieces() const { return pieces_; }  ///< one for each interval
+  void shift(const Derived& distance);                          ///< adds it to z(t)
+  /// Remainders of a piece's coefficients.
+  std::span<const Remainder> remainders(std::size_t piece) const { return remainders_[piece]; }
 
   friend Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
+  friend Spline make_spline(const struct Trapezoid& trapezoid);
 
  private:
   Spline() = default;
+  void add(double knot, const std::array<Derived, 4>& piece);
 
+  double first_time_ = -std::numeric_limits<double>::infinity();
+  double last_time_ = std::numeric_limits<double>::infinity();
   std::vector<double> knots_;
   std::vector<Piece> pieces_;
+  std::vector<std::array<Remainder, 4>> remainders_;
 };
 
-/// Interpolates a table of times [s] and values. Throws std::invalid_argument unless there are as
+/// Interpolates a table of times [s] and values, twice continuously differentiable. A periodic
+/// spline is not repeated outside of its table. Throws std::invalid_argument unless there are as
 /// many times as values, two or more (periodic: three). All must be finite, the times strictly
 /// ascending, and (periodic) the last value equal to the first.
 Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
 
+/// The fastest motion from rest at z = 0 to rest at z = `distance` within limits of velocity and
+/// acceleration: its velocity is a trapezoid over time, or a triangle.
+struct Trapezoid {
+  Derived distance;                ///< not 0
+  Derived velocity, acceleration;  ///< limits, positive
+  double start = 0;                ///< time at which it begins [s]
+};
+
+/// Makes a spline of a trapezoid, with the rest before and after. Knots are where the acceleration
+/// jumps, rounded. Throws std::invalid_argument when they coincide or anything overflows.
+Spline make_spline(const Trapezoid& trapezoid);
+
 /// Prescribed motion of one independent coordinate.
 using Motion = std::variant<Polynomial, HarmonicSum, Spline>;
+
+/// Returns z(t) + distance.
+Motion shifted(Motion motion, const Derived& distance);
 
 /// z, ż and z̈ at one instant.
 template <class S>
@@ -131,7 +157,8 @@ MotionSample<S> sample(const Spline& m, const S& t) {
       std::upper_bound(begin, end, t, [](const S& time, double knot) { return time < S(knot); }) -
       begin;
   const S since_knot = t - S(m.knots()[i]);
-  return sample_polynomial<up_to>(std::span<const double>(m.pieces()[i]), since_knot);
+  return sample_polynomial<up_to>(std::span<const double>(m.pieces()[i]), since_knot,
+                                  m.remainders(i));
 }
 
 /// Returns z(t), ż(t), z̈(t) of a motion, evaluated in the scalar S of t [s].
@@ -144,7 +171,7 @@ MotionSample<S> sample(const Motion& motion, const S& t) {
 struct TimeGrid {
   double start = 0;            ///< [s]
   double step = 0;             ///< [s], positive
-  int instants = 0;            ///< number of instants, both ends included
+  int instants = 0;            ///< number of instants, both ends included; 1: the start alone
   int steps_per_interval = 1;  ///< number of steps between instants
 
   double time(int i) const { return start + i * steps_per_interval * step; }

@@ -16,11 +16,6 @@ constexpr std::size_t min_contained = 3;  // characters of a part of a name
 constexpr std::size_t max_suggestions = 3;
 constexpr std::size_t max_listed = 8;
 
-bool is_name_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '.' || c == '/' || c == '-';
-}
-
 // Levenshtein's distance, or limit + 1 when it is larger. Only a band of 2 limit + 1 diagonals is
 // evaluated: the search for a misspelt name visits every name of a mechanism.
 int edit_distance(std::string_view a, std::string_view b, int limit) {
@@ -49,6 +44,32 @@ bool misleads(char32_t c) {
          in(0xe0000, 0xe0fff);
 }
 
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string_view("_./- ").find(c) != std::string_view::npos;
+}
+
+// Blanks beyond ASCII's could not be told from it.
+bool shows_nothing(char32_t c) {
+  return misleads(c) || c == 0xa0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x202f ||
+         c == 0x205f || c == 0x3000;
+}
+
+// Calls found(character, its bytes) for each character until it returns true. Bytes that are no
+// UTF-8 come one by one. Returns whether it did.
+template <class F>
+bool for_each_character(std::string_view text, F found) {
+  while (!text.empty()) {
+    const char* next = text.data();
+    const utf::code_point c = utf::utf_traits<char>::decode(next, text.data() + text.size());
+    const bool is_valid = utf::is_valid_codepoint(c);
+    const std::size_t bytes = is_valid ? next - text.data() : 1;
+    if (found(is_valid ? c : utf::illegal, text.substr(0, bytes))) return true;
+    text.remove_prefix(bytes);
+  }
+  return false;
+}
+
 std::string list(std::span<const std::string_view> names) {
   std::string text;
   for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
@@ -58,8 +79,12 @@ std::string list(std::span<const std::string_view> names) {
 }  // namespace
 
 bool is_name(std::string_view text) {
-  return !text.empty() && text.size() <= max_name && text.front() != '-' &&
-         std::ranges::all_of(text, is_name_character);
+  if (text.empty() || characters(text) > max_name) return false;
+  if (text.front() == '-' || text.front() == ' ' || text.back() == ' ') return false;
+  if (text.starts_with("d/dt ") || text.starts_with("d2/dt2 ")) return false;  // names of rates
+  return !for_each_character(text, [](utf::code_point c, std::string_view bytes) {
+    return c == utf::illegal || (c < 0x80 ? !is_plain(bytes.front()) : shows_nothing(c));
+  });
 }
 
 bool matches(std::string_view pattern, std::string_view name) {
@@ -114,20 +139,20 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
 
 std::string printable(std::string_view text, std::size_t limit) {
   std::string shown;
-  for (std::size_t characters = 0; !text.empty(); ++characters) {
-    if (characters == limit) return shown + "...";
-    const char* next = text.data();
-    const utf::code_point c = utf::utf_traits<char>::decode(next, text.data() + text.size());
-    const bool is_valid = utf::is_valid_codepoint(c);
-    const std::size_t bytes = is_valid ? next - text.data() : 1;
-    if (!is_valid)
-      shown += formatted("\\x%02x", static_cast<unsigned char>(text[0]));
+  std::size_t characters = 0;
+  for_each_character(text, [&](utf::code_point c, std::string_view bytes) {
+    if (characters++ == limit) {
+      shown += "...";
+      return true;
+    }
+    if (c == utf::illegal)
+      shown += formatted("\\x%02x", static_cast<unsigned char>(bytes.front()));
     else if (misleads(c))
       shown += formatted("\\u%04x", static_cast<unsigned>(c));
     else
-      shown += text.substr(0, bytes);
-    text.remove_prefix(bytes);
-  }
+      shown += bytes;
+    return false;
+  });
   return shown;
 }
 

@@ -10,8 +10,9 @@ namespace desmo {
 /// Maximum length of a name in a file, in characters.
 constexpr std::size_t max_name = 100;
 
-/// Returns whether a text is a name: 1 to `max_name` letters, digits and `_ . / -`, not beginning
-/// with `-`.
+/// Returns whether a text is a name: 1 to `max_name` visible characters beyond ASCII, or ASCII
+/// letters, digits, blanks and `_ . / -`, not beginning with `-` or a blank nor ending with one.
+/// Columns of rates begin with `d/dt `, names do not.
 bool is_name(std::string_view text);
 
 /// Returns whether a name matches a pattern, in which `*` stands for any number of characters.

@@ -1,5 +1,8 @@
 #include "cases/numbers/derived.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "cases/numbers/compensated.h"
 
 namespace desmo {
@@ -9,6 +12,12 @@ namespace {
 using Number = Compensated<double>;
 
 Derived derived(const Number& x) { return {x.value, {x.correction, x.radius}}; }
+
+/// Returns a number times 2^exponent, exactly, so that squares neither overflow nor vanish.
+Derived scaled(const Derived& x, int exponent) {
+  return {std::ldexp(x.value, exponent),
+          {std::ldexp(x.correction, exponent), std::ldexp(x.radius, exponent)}};
+}
 
 }  // namespace
 
@@ -21,6 +30,20 @@ Derived Derived::about(double other) const {
 Derived operator+(const Derived& a, const Derived& b) { return derived(Number(a) + Number(b)); }
 Derived operator*(const Derived& a, const Derived& b) { return derived(Number(a) * Number(b)); }
 Derived operator/(const Derived& a, const Derived& b) { return derived(Number(a) / Number(b)); }
-Derived sqrt(const Derived& a) { return derived(sqrt(Number(a))); }
+Derived sqrt(const Derived& a) {
+  const bool is_zero = a.value == 0 && a.correction == 0 && a.radius == 0;
+  return is_zero ? a : derived(sqrt(Number(a)));
+}
+
+Derived atan2(const Derived& y, const Derived& x) {
+  const double angle = std::atan2(y.value, x.value);
+  const int exponent = std::ilogb(std::max(std::abs(y.value), std::abs(x.value)));
+  const Derived v = scaled(y, -exponent), u = scaled(x, -exponent);
+  // The direction seen from that of the rounded angle: its angle is the sine, but for sine³/5.
+  const Derived at_sine = derived(sin(Number(angle))), at_cosine = derived(cos(Number(angle)));
+  Derived sine = (v * at_cosine - u * at_sine) / sqrt(u * u + v * v);
+  sine.radius += std::pow(std::abs(sine.value + sine.correction) + sine.radius, 3) / 5;
+  return (Derived(angle) + sine).about(angle);
+}
 
 }  // namespace desmo

@@ -27,6 +27,8 @@ struct Derived {
   Remainder remainder() const { return {correction, radius}; }
   /// Returns the same number about another value, which is near.
   Derived about(double other) const;
+  /// Returns the same number about the double nearest to it.
+  Derived rounded() const { return about(value + correction); }
 
   friend Derived operator-(const Derived& a) { return {-a.value, {-a.correction, a.radius}}; }
   friend Derived operator+(const Derived& a, const Derived& b);
@@ -34,6 +36,8 @@ struct Derived {
   friend Derived operator*(const Derived& a, const Derived& b);
   friend Derived operator/(const Derived& a, const Derived& b);
   friend Derived sqrt(const Derived& a);
+  /// Returns the angle of the direction (x, y), which is not 0, about std::atan2 of the values.
+  friend Derived atan2(const Derived& y, const Derived& x);
 };
 
 /// Returns a derived number in another scalar: the value, which formulations use. A wider one has

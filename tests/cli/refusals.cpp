@@ -180,7 +180,7 @@ TEST_F(Cli, NothingThatIsReadIsReplaced) {
     EXPECT_TRUE(says("this is the scene, which is read; give another file")) << command << err_;
   }
   EXPECT_EQ(desmo("solve scene.json --format csv -o mechanism.json"), 64);
-  EXPECT_TRUE(says("this is the mechanism of the scene, which is read")) << err_;
+  EXPECT_TRUE(says("this is a file that the scene names, which is read")) << err_;
   write("rows.csv", "0 0 360 0\n");
   EXPECT_EQ(desmo("solve scene.json --drivers rows.csv -o rows.csv"), 64);
   EXPECT_TRUE(says("this is the file of the drivers, which is read")) << err_;

@@ -203,6 +203,83 @@ TEST_F(Cli, ExplainsWhatIsNotSolved) {
   EXPECT_TRUE(says("solved: 8 of 8 unknowns, 1 of 1 driver")) << err_;
 }
 
+/// At 10 rpm a turn takes six seconds; before and after it all is as it is drawn.
+TEST_F(Cli, TurnsASixBarFromWhereItIsDrawn) {
+  write("scene.json", R"({"format": "desmo-scene", "version": 2,
+    "mechanism": {"library": "watt_six_bar"},
+    "motion": {"theta": {"type": "speed", "value": 10, "unit": "rpm"}},
+    "time": {"end": 6, "step": 0.1}, "request": [{"points": ["A", "P"]}]})");
+  for (const char* how : {"", " --formulation group_automatic_klu", " --check mechanism"}) {
+    ASSERT_EQ(desmo("solve scene.json --quiet --strict" + std::string(how)), 0) << err_;
+    ASSERT_EQ(lines().size(), 62u);
+    for (int i = 0; i <= 60; ++i) {
+      const std::vector<double> row = numbers(lines()[1 + i]);
+      const double angle = std::atan2(0.8, 0.6) + i * std::numbers::pi / 30;
+      EXPECT_NEAR(row[1], std::cos(angle), 4e-15) << i;
+      EXPECT_NEAR(row[2], std::sin(angle), 4e-15) << i;
+      if (i % 60 == 0) {
+        EXPECT_NEAR(row[3], 7, 1e-13) << i;
+        EXPECT_NEAR(row[4], 7, 1e-13) << i;
+      }
+    }
+  }
+}
+
+/// Solved times are doubles next to what is written.
+TEST_F(Cli, WritesTimesAsTheyWereAskedFor) {
+  const std::pair<const char*, std::vector<std::string>> grids[] = {
+      {R"({"end": 0.7, "step": 0.1})", {"0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7"}},
+      {R"({"start": -0.1, "end": 0.2, "step": 0.1})", {"-0.1", "0", "0.1", "0.2"}},
+      {R"({"start": 1.1, "end": 1.4, "step": 0.1})", {"1.1", "1.2", "1.3", "1.4"}},
+      {R"({"start": 1e-5, "end": 3e-5, "step": 1e-5})", {"1e-05", "2e-05", "3e-05"}},
+      {R"({"end": 1, "step": 0.333333333333333})",
+       {"0", "0.333333333333333", "0.666666666666666", "0.999999999999999"}},
+      {R"({"at": 0.30000000000000004})", {"0.30000000000000004"}},
+  };
+  for (const auto& [grid, expected] : grids) {
+    write("scene.json", slider_crank(150, std::string(R"(, "time": )") + grid));
+    for (const char* format : {"csv", "jsonl"}) {
+      ASSERT_EQ(desmo("solve scene.json --quiet --format " + std::string(format)), 0) << err_;
+      std::vector<std::string> times = lines();
+      times.erase(times.begin());
+      for (std::string& line : times)
+        line = line.substr(line.front() == '[', line.find(',') - (line.front() == '['));
+      EXPECT_EQ(times, expected) << format;
+    }
+  }
+}
+
+TEST_F(Cli, TakesNamesWithBlanksAndUmlauts) {
+  std::string scene = slider_crank(150, R"(, "time": {"end": 0.2, "step": 0.1},
+    "request": [{"points": ["Groß*"], "angles": ["*ä rad"], "level": "velocity"}])");
+  const std::pair<std::string, std::string> names[] = {{"\"C\"", "\"Großer Kopf\""},
+                                                       {"\"theta\"", "\"Zahn ä rad\""},
+                                                       {"\"rod\"", "\"Pleuel 1\""},
+                                                       {"\"short\"", "\"Kurbel ü 1\""}};
+  for (const auto& [old, by] : names)
+    for (std::size_t at = 0; (at = scene.find(old, at)) != std::string::npos; at += by.size())
+      scene.replace(at, old.size(), by);
+  write("scene.json", scene);
+  const std::string heading =
+      "t [s],Großer Kopf.x [mm],Großer Kopf.y [mm],d/dt Großer Kopf.x [mm/s],"
+      "d/dt Großer Kopf.y [mm/s],Zahn ä rad [deg],d/dt Zahn ä rad [deg/s]";
+  ASSERT_EQ(desmo("solve scene.json --quiet -o out/rows.csv"), 0) << err_;
+  out_ = text_of(out("rows.csv"));
+  EXPECT_EQ(lines().front(), heading);
+  const std::string last = lines().back().substr(0, 20);
+  ASSERT_EQ(desmo("solve scene.json --quiet --drivers out/rows.csv"), 0) << err_;
+  EXPECT_EQ(lines().front(), heading + ",outcome");
+  EXPECT_EQ(lines().back().substr(0, 20), last);
+  ASSERT_EQ(desmo("solve scene.json --quiet --formulation group_symbolic_explicit"), 0) << err_;
+  EXPECT_EQ(lines().back().substr(0, 12), last.substr(0, 12));
+  ASSERT_EQ(desmo("range scene.json"), 0) << err_;
+  EXPECT_TRUE(prints("Zahn ä rad, from 0 deg")) << out_;
+  ASSERT_EQ(desmo("inspect scene.json"), 0) << err_;
+  EXPECT_TRUE(prints("Pleuel 1")) << out_;
+  ASSERT_EQ(desmo("view scene.json -o out/page.html"), 0) << err_;
+  EXPECT_NE(text_of(out("page.html")).find("Großer Kopf.x"), std::string::npos);
+}
+
 TEST_F(Cli, ReadsScenesFromStandardInput) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"));
   ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;

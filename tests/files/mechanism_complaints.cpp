@@ -30,7 +30,8 @@ TEST(MechanismFile, TextThatIsNotJsonIsRefusedAtItsPlace) {
             .find("the number is too large; "),
         std::string::npos);
   EXPECT_NE(mechanism_complaint("{\"a\": \"\xff\xfe\"}").find("not UTF-8"), std::string::npos);
-  EXPECT_NE(mechanism_complaint("{} // note").find("no comments"), std::string::npos);
+  EXPECT_NE(mechanism_complaint("{} # note").find("line 1, column 4: is no comment; begin one "),
+            std::string::npos);
 }
 
 TEST(MechanismFile, KeysGivenTwiceAreRefused) {
@@ -79,7 +80,10 @@ TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
       {"\"mm\"", "\"km\"",
        "/units/length: unknown unit 'km'; there are 'm', 'mm', 'cm', 'in', '1'"},
       {"\"deg\"", "true", "/units/angle: is true; give a text"},
-      {"\"slider_crank\"", "\"slider crank\"", "/name: 'slider crank' is not a name; use "},
+      {"\"slider_crank\"", "\"slider:crank\"", "/name: 'slider:crank' is not a name; use "},
+      {"\"C\": [200", "\" C\": [200", "/points/ C: ' C' is not a name; "},
+      {"\"C\": [200", "\"d/dt C\": [200", "/points/d~1dt C: 'd/dt C' is not a name; "},
+      {"\"C\": [200", "\"C\u00a0\": [200", "/points/C\u00a0: 'C\u00a0' is not a name; "},
       {"\"C\": [200", "\"-C\": [200", "/points/-C: '-C' is not a name; "},
       {"\"C\": [200", "\"\": [200", "/points/: '' is not a name; "},
       {"\"C\": [200", "\"C*\": [200", "/points/C*: 'C*' is not a name; "},

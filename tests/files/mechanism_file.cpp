@@ -40,6 +40,22 @@ TEST(MechanismFile, IsReadInSiUnitsAndInItsOrder) {
   EXPECT_EQ(d.coordinates[1].type, Mechanism::CoordinateType::along);
 }
 
+TEST(MechanismFile, MayHaveComments) {
+  const std::string noted = replaced(replaced("// of Größe 2\n/* \"units\": */" + slider_crank,
+                                              "[50, 0]", "[50, /* y: */ 0] /*\"*/"),
+                                     "\"slider_crank\"", "\"a//b\"");
+  EXPECT_EQ(parse_mechanism(noted, "").name, "a//b");
+  EXPECT_EQ(parse_mechanism(noted, "").points[1].position[0], 50e-3);
+  expect_start(mechanism_complaint("/* ü\n */ {\"a\": /**/ // ]\n  ]}"),
+               "m.json: line 3, column 3: ");
+  expect_start(mechanism_complaint("{\"a\": 1} /* no end"),
+               "m.json: line 1, column 10: is no comment");
+  expect_start(mechanism_complaint("{\"a\": 1 / 2}"), "m.json: line 1, column 9: is no comment");
+  expect_start(mechanism_complaint("{\"a\": 1} /*/"), "m.json: line 1, column 10: is no comment");
+  expect_start(mechanism_complaint("// nothing"), "m.json: top level: the text is empty");
+  EXPECT_NE(mechanism_complaint("{} //\xff\n]").find("line 2, column 1"), std::string::npos);
+}
+
 TEST(MechanismFile, DirectionsAreDefinedInAnyOrder) {
   const Mechanism d = parse_mechanism(spatial, "m.json");
   const auto expect_direction = [&](int i, double x, double y, double z) {

@@ -33,6 +33,20 @@ TEST(Names, PatternsMatchAnyCharacters) {
   EXPECT_FALSE(matches(std::string(50, '*') + "b", std::string(100, 'a')));
 }
 
+TEST(Names, HaveBlanksAndLettersOfAnyLanguage) {
+  for (const char* name : {"a", "_", "Größe 2", "a b  c", "κ/角", ".x-"})
+    EXPECT_TRUE(is_name(name)) << name;
+  for (const char* name : {"", " a", "a ", "-a", "a*", "a\tb", "a\u00a0b", "a\u3000b", "a\u200bb",
+                           "\xff", "a\xc3", "a,b", "a[", "d/dt a", "d2/dt2 a"})
+    EXPECT_FALSE(is_name(name)) << name;
+  std::string longest;
+  for (std::size_t i = 0; i < max_name; ++i) longest += "ü";
+  EXPECT_TRUE(is_name(longest));
+  EXPECT_FALSE(is_name(longest + "x"));
+  EXPECT_TRUE(matches("Gr*e ?*", "Größe ?x"));
+  EXPECT_TRUE(matches("*ö*", "Größe"));
+}
+
 TEST(Names, AreShownSafely) {
   EXPECT_EQ(printable("größe"), "größe");
   EXPECT_EQ(printable("a\x1b[0m\n"), "a\\u001b[0m\\u000a");

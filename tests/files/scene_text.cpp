@@ -28,5 +28,13 @@ TEST(SceneText, ChangesNothingButTheFormulation) {
             replaced(without, "-1.5e3", "-1.5e3,\n  \"formulation\": \"" + id + "\""));
 }
 
+TEST(SceneText, KeepsComments) {
+  const std::string noted = "// \"formulation\": \"a\"\n{\"b\": 1 // last\n} // }\n";
+  EXPECT_EQ(with_formulation(noted, id),
+            replaced(noted, "1 //", "1,\n  \"formulation\": \"" + id + "\" //"));
+  const std::string old = replaced(noted, "{", "{\"formulation\": /* old */ \"c\", ");
+  EXPECT_EQ(with_formulation(old, id), replaced(old, "\"c\"", '"' + id + '"'));
+}
+
 }  // namespace
 }  // namespace desmo::scene_text_test

@@ -2,44 +2,17 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <set>
 
 #include "bench/cli/errors.h"
+#include "cases/io/csv.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 namespace {
 
 constexpr std::size_t max_line = std::size_t{1} << 20;
-
-bool is_number(std::string_view field, double& value) {
-  if (field.starts_with('+')) field.remove_prefix(1);
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  return error == std::errc{} && end == field.data() + field.size();
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// Splits at commas or tabs where there are any, and else at blanks. Semicolons are not taken: next
-/// to them commas may be decimal ones.
-void split(std::string_view line, std::vector<std::string_view>& fields) {
-  fields.clear();
-  const bool at_blanks = line.find_first_of(",\t") == std::string_view::npos;
-  while (true) {
-    const std::size_t end = line.find_first_of(at_blanks ? " " : ",\t");
-    fields.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return;
-    line.remove_prefix(end + 1);
-    if (at_blanks) line = trimmed(line);
-  }
-}
 
 }  // namespace
 
@@ -92,16 +65,13 @@ void DriverRows::read_heading(const std::vector<std::string_view>& fields) {
   time_column_ = fields.size();
   std::set<std::string_view> seen;
   for (std::size_t k = 0; k < fields.size(); ++k) {
-    std::string_view field = fields[k];
-    if (field.size() > 1 && field.front() == '"' && field.back() == '"')
-      field = field.substr(1, field.size() - 2);
-    const std::size_t bracket = field.ends_with(']') ? field.rfind(" [") : std::string_view::npos;
-    const std::string_view name = field.substr(0, bracket);
-    const auto takes = [&](const std::string& unit) {
+    const auto [name, given, has_unit] = column_heading(fields[k]);
+    const auto takes = [&, name = name, given = given,
+                        has_unit = has_unit](const std::string& unit) {
       if (!seen.insert(name).second)
         fail(k, desmo::in_quotes(std::string(name)) + " stands there twice; leave one out");
-      if (bracket != std::string_view::npos && field.substr(bracket) != " [" + unit + "]")
-        fail(k, desmo::in_quotes(std::string(field)) + ": the unit is " + unit +
+      if (has_unit && given != unit)
+        fail(k, desmo::in_quotes(fields[k]) + ": the unit is " + unit +
                     (unit == "s" ? "" : " (with --units si, that of SI)"));
     };
     if (name == "t") {
@@ -142,9 +112,9 @@ bool DriverRows::next(LiveRow& row) {
   do
     if (!read_line(text_)) return false;
   while (trimmed(text_).empty());
-  split(trimmed(text_), fields_);
+  split_fields(text_, fields_);
   double value = 0;
-  if (targets_.empty() && !is_number(fields_[0], value)) {
+  if (targets_.empty() && !to_number(fields_[0], value)) {
     read_heading(fields_);
     return next(row);
   }
@@ -156,7 +126,7 @@ bool DriverRows::next(LiveRow& row) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const auto& [order, driver] = targets_[k];
     if (k != time_column_ && (order < 0 || wanted_[driver] < 0)) continue;
-    if (!is_number(fields_[k], value))
+    if (!to_number(fields_[k], value))
       fail(k, desmo::in_quotes(std::string(fields_[k])) + " is not a number");
     if (k == time_column_)
       row.time = value;

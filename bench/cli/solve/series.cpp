@@ -1,24 +1,17 @@
 #include "bench/cli/solve/series.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "bench/cli/solve/check_notes.h"
+#include "bench/cli/solve/time_text.h"
 
 namespace desmo::cli {
 namespace {
 
 constexpr std::size_t enough_to_write = std::size_t{1} << 16;
-
-void append_number(double value, std::string& text) {
-  char digits[32];
-  const double unsigned_zero = value + 0.0;  // −0 + 0 = 0
-  const auto end = std::to_chars(digits, digits + sizeof digits, unsigned_zero).ptr;
-  text.append(digits, end);
-}
 
 void append_word(std::string_view word, std::string& text) {
   if (word.empty())
@@ -49,7 +42,7 @@ class Csv final : public SeriesFormat {
   }
   void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
               std::string_view remark) const override {
-    append_number(instant.time, text);
+    append_time(instant.time, heading.grid, text);
     for (const Column& c : heading.columns) {
       text += ',';
       if (is_known(c, instant)) append_number(c.value(instant), text);
@@ -76,7 +69,7 @@ class JsonLines final : public SeriesFormat {
               std::string_view remark) const override {
     text += '[';
     if (std::isfinite(instant.time))
-      append_number(instant.time, text);
+      append_time(instant.time, heading.grid, text);
     else
       text += "null";
     for (const Column& c : heading.columns) {

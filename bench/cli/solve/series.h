@@ -19,9 +19,10 @@ struct SeriesHeading {
   std::string mechanism, scene, formulation;
   std::vector<Column> columns;  ///< the time, which comes first, left out
   std::string remark;           ///< name of a last column of words; empty: there is none
+  TimeGrid grid{};              ///< whose times are written as they were asked for
 };
 
-/// Text format of a series. Numbers have the fewest digits that read back as the same double.
+/// Text format of a series. Other numbers have the fewest digits that read back as the same double.
 class SeriesFormat {
  public:
   virtual ~SeriesFormat() = default;

@@ -202,12 +202,14 @@ void solve(const SolveOptions& options) {
   const Task task{options, input, chosen, whole, plan, output, named};
   KernelTable kernels;
   const auto formulation = make_solver(task, kernels);
-  const SeriesHeading heading{whole.name, input.scene.name,
+  const SeriesHeading heading{whole.name,
+                              input.scene.name,
                               id_with(*chosen.variant, chosen.settings),
                               make_columns(plan, input.scene, input.units),
                               !options.drivers.empty()                    ? "outcome"
                               : options.flags || format_wanted == "jsonl" ? "flag"
-                                                                          : ""};
+                                                                          : "",
+                              options.drivers.empty() ? input.scene.grid : TimeGrid{}};
   if (options.drivers.empty())
     solve_motion(task, *formulation, heading, std::move(format));
   else

@@ -153,7 +153,7 @@ void keep_product_of_two(EquationWriter& w, const std::string& name, const Rigid
 template <int D>
 void keep_product(EquationWriter& w, const std::string& name, const RigidBody& body,
                   const Direction& a, const Direction& b) {
-  const Drawing<double> drawing{w.mechanism};
+  const BodyDrawing<double> drawing{w.mechanism};
   if (!w.note_product(a, b, nominal::dot(drawing.direction(body, a), drawing.direction(body, b))))
     return;
   if (!a.is_line() && a.vector == b.vector)

@@ -21,20 +21,6 @@ Vec direction(const Mechanism& d, const Mechanism::Direction& direction) {
                              : d.vectors[direction.vector].direction;
 }
 
-double value(const Mechanism& d, const Mechanism::Coordinate& c) {
-  using enum Mechanism::CoordinateType;
-  if (c.type == component) return d.points[c.point].position[c.axis];
-  const Vec w = direction(d, c.of);
-  if (c.type == distance) return norm(w);
-  if (c.type == along) return dot(w, d.vectors[c.vector].direction);
-  if (d.dimension == 3) {
-    const double cosine = dot(w, direction(d, c.from));
-    return std::atan2(dot(w, direction(d, c.towards)), c.opposite ? -cosine : cosine);
-  }
-  const Vec x = c.from.is_given() ? direction(d, c.from) : Vec{1, 0, 0};
-  return std::atan2(x[0] * w[1] - x[1] * w[0], dot(x, w));
-}
-
 double size(const Mechanism& d) {
   double largest = 0;
   for (const Mechanism::Point& p : d.points)

@@ -66,8 +66,6 @@ double dot(const Vec& a, const Vec& b);
 double norm(const Vec& a);
 /// Returns a direction: a vector as declared, or a line with its length.
 Vec direction(const Mechanism& mechanism, const Mechanism::Direction& d);
-/// Returns the value of a relative coordinate: an angle [rad] or a length.
-double value(const Mechanism& mechanism, const Mechanism::Coordinate& coordinate);
 /// Returns the largest distance of a point from the first one; 1 for a mechanism without extent.
 double size(const Mechanism& mechanism);
 /// Returns the length that the body declares for the two points of a line, if any.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/mechanism/drawing.h"
 #include "formulations/modelling/coordinates/placement.h"
 
 namespace desmo {
@@ -140,8 +141,9 @@ class Modeller {
       for (const int b : order) add_entities(b, static_cast<int>(position), g);
       for (const int c : measured_by_[position]) {
         const bool angle = result_.measured[c].type == Mechanism::CoordinateType::angle;
-        const double start = result_.measured[c].estimate ? *result_.measured[c].estimate
-                                                          : nominal::value(d_, result_.measured[c]);
+        const double start = result_.measured[c].estimate
+                                 ? *result_.measured[c].estimate
+                                 : Drawing<double>{d_}.value(result_.measured[c]);
         result_.coordinates[c] = m_.add(angle ? EntityKind::angle : EntityKind::distance,
                                         result_.measured[c].name, std::array{start}, g);
       }

@@ -1,42 +1,16 @@
 #pragma once
 
-#include <array>
-#include <type_traits>
-
-#include "cases/numbers/derived.h"
+#include "cases/mechanism/drawing.h"
 #include "formulations/constraints/vec.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
 
 namespace desmo {
 
-/// The nominal positions of a mechanism as the file means them, in a scalar S: double, in which
-/// dimensions are rounded, or Derived.
+/// A drawing with the dimensions that bodies state.
 template <class S>
-struct Drawing {
-  using Vec = std::array<S, 3>;
-  using Direction = Mechanism::Direction;
-
-  const Mechanism& mechanism;
-
-  static Vec origin() { return {}; }
-  Vec point(int p) const {
-    const Mechanism::Vec& x = mechanism.points[p].position;
-    return {S(x[0]), S(x[1]), S(x[2])};
-  }
-  Vec vector(int v) const {
-    const Mechanism::Vector& u = mechanism.vectors[v];
-    const auto component = [&](int i) -> S {
-      if constexpr (std::is_same_v<S, double>)
-        return u.direction[i];
-      else
-        return {u.direction[i], u.remainder[i]};
-    };
-    return {component(0), component(1), component(2)};
-  }
-  Vec direction(const Direction& d) const {
-    return d.is_line() ? vec::difference<3>(point(d.from).data(), point(d.to).data())
-                       : vector(d.vector);
-  }
+struct BodyDrawing : Drawing<S> {
+  using typename Drawing<S>::Vec, typename Drawing<S>::Direction;
+  using Drawing<S>::direction;
 
   /// Returns a vector of the length that a line has on a body: the stated one, along the first
   /// axis, or the line itself.

@@ -67,12 +67,12 @@ bool is_rounding(double value, double magnitude);
 
 /// Returns the dimensions that a kind measures, zero where they are at rounding level.
 ///
-/// - operands<S>(drawing): positions of the operands of the kind in a Drawing<S>
+/// - operands<S>(drawing): positions of the operands of the kind in a BodyDrawing<S>
 /// - magnitude: that of what a dimension is the difference of; 0: of nothing
 template <class Kind, class Operands>
 std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double magnitude,
                                               const Operands& operands) {
-  const auto in = [&]<class S>(const Drawing<S>& drawing) {
+  const auto in = [&]<class S>(const BodyDrawing<S>& drawing) {
     const auto positions = operands(drawing);
     static_assert(positions.size() <= Kind::operand_sizes.size());
     std::array<const S*, Kind::operand_sizes.size()> x{};
@@ -81,8 +81,8 @@ std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double
     Kind::measure(x.data(), c.data());
     return c;
   };
-  const std::array<double, Kind::constants> rounded = in(Drawing<double>{mechanism});
-  std::array<Derived, Kind::constants> c = in(Drawing<Derived>{mechanism});
+  const std::array<double, Kind::constants> rounded = in(BodyDrawing<double>{mechanism});
+  std::array<Derived, Kind::constants> c = in(BodyDrawing<Derived>{mechanism});
   for (int k = 0; k < Kind::constants; ++k)
     c[k] = is_rounding(rounded[k], magnitude) ? Derived(0) : c[k].about(rounded[k]);
   return c;

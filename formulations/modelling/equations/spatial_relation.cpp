@@ -8,7 +8,7 @@ namespace desmo {
 
 namespace {
 
-using ExactVec = Drawing<Derived>::Vec;
+using ExactVec = BodyDrawing<Derived>::Vec;
 
 ExactVec cross(const ExactVec& a, const ExactVec& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -39,8 +39,8 @@ std::vector<Derived> coefficients_in_space(const Mechanism& d, const RigidBody& 
   const auto& basis = body.basis.directions;
   const int n = static_cast<int>(basis.size());
   if (n == 0) return {};
-  const Drawing<double> rounded{d};
-  const Drawing<Derived> exact{d};
+  const BodyDrawing<double> rounded{d};
+  const BodyDrawing<Derived> exact{d};
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions(3, n);
   std::vector<ExactVec> exact_directions;
   for (int k = 0; k < n; ++k) {

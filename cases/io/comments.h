@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace desmo {
+
+/// Returns a JSON text with blanks in place of its comments, `// …` to the end of the line and
+/// `/* … */`, so that everything else keeps its place. A comment without an end stays.
+std::string without_comments(std::string_view text);
+
+}  // namespace desmo

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "cases/mechanism/mechanism.h"
+#include "cases/numbers/derived.h"
+
+namespace desmo {
+
+/// The nominal positions of a mechanism as the file means them, in a scalar S: double, in which
+/// dimensions are rounded, or Derived.
+template <class S>
+struct Drawing {
+  using Vec = std::array<S, 3>;
+  using Direction = Mechanism::Direction;
+
+  const Mechanism& mechanism;
+
+  static Vec origin() { return {}; }
+  Vec point(int p) const {
+    const Mechanism::Vec& x = mechanism.points[p].position;
+    return {S(x[0]), S(x[1]), S(x[2])};
+  }
+  Vec vector(int v) const {
+    const auto& [name, u, along, remainder] = mechanism.vectors[v];
+    return {as<S>({u[0], remainder[0]}), as<S>({u[1], remainder[1]}), as<S>({u[2], remainder[2]})};
+  }
+  /// Returns a direction: a vector, or a line with its length.
+  Vec direction(const Direction& d) const {
+    if (!d.is_line()) return vector(d.vector);
+    const Vec from = point(d.from), to = point(d.to);
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  }
+
+  /// Returns the value of a relative coordinate: an angle [rad] or a length.
+  S value(const Mechanism::Coordinate& c) const {
+    using enum Mechanism::CoordinateType;
+    using std::atan2;
+    using std::sqrt;
+    if (c.type == component) return point(c.point)[c.axis];
+    const Vec w = direction(c.of);
+    if (c.type == distance) return sqrt(dot(w, w));
+    if (c.type == along) return dot(w, vector(c.vector));
+    if (mechanism.dimension == 3) {
+      const S cosine = dot(w, direction(c.from));
+      return atan2(dot(w, direction(c.towards)), c.opposite ? -cosine : cosine);
+    }
+    const Vec x = c.from.is_given() ? direction(c.from) : Vec{S(1), S(0), S(0)};
+    return atan2(x[0] * w[1] - x[1] * w[0], dot(x, w));
+  }
+
+ private:
+  static S dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+};
+
+}  // namespace desmo
