@@ -31,6 +31,8 @@ class Conversion {
   }
 
   Tree run(const std::vector<Motion>& motions) {
+    if (!d_.couplings.empty())
+      throw std::invalid_argument("simbody: '" + d_.name + "' has couplings");
     find_links();
     do close_links();
     while (place_next());

@@ -6,7 +6,29 @@
 namespace desmo {
 namespace {
 
+/// What others call a joint, and how it is written as a coupling.
+struct CouplingName {
+  std::string_view type, example;
+};
+constexpr CouplingName coupling_names[] = {
+    {"gear", R"({"wheel1": 20, "wheel2": 40})"},
+    {"rack", R"({"pinion": 15, "travel": -1})"},
+    {"screw", R"({"turn": 5, "travel": -360})"},
+    {"belt", R"({"pulley1": 60, "pulley2": -30})"},
+};
+
+void refuse_coupling(const JsonValue& value) {
+  for (const auto& [type, example] : coupling_names)
+    if (value.text() == type)
+      value.complain("'" + std::string(type) +
+                     "' is a coupling of coordinates and no joint; join the bodies to what carries "
+                     "them, declare a coordinate of each, and give \"couplings\": {\"name\": "
+                     "{\"sum\": " +
+                     std::string(example) + "}}");
+}
+
 Mechanism::JointType read_type(const JsonValue& value) {
+  refuse_coupling(value);
   std::vector<std::string_view> names;
   for (const JointForm& known : joint_forms())
     if (std::ranges::find(names, known.name) == names.end()) names.push_back(known.name);

@@ -52,6 +52,7 @@ JsonValue place_of(const JsonValue& root, const Mechanism& d, const MechanismErr
   if (part == Part::body) return i == 0 ? root["ground"] : root["bodies"][d.bodies[i].name];
   if (part == Part::joint) return root["joints"].elements()[i];
   if (part == Part::coordinate) return root["coordinates"][d.coordinates[i].name];
+  if (part == Part::coupling) return root["couplings"][d.couplings[i].name];
   return root;
 }
 
@@ -84,7 +85,7 @@ Mechanism::Direction read_direction(const JsonValue& value, const Names& names) 
 ReadMechanism mechanism_from(const JsonValue& root) {
   check_format(root, "desmo-mechanism", 1);
   root.allow({"$schema", "format", "version", "name", "title", "dimension", "units", "points",
-              "vectors", "ground", "bodies", "joints", "coordinates", "drivers"});
+              "vectors", "ground", "bodies", "joints", "coordinates", "couplings", "drivers"});
   Mechanism d;
   d.name = checked_name(root["name"], root["name"].text());
   if (const auto title = root.find("title")) d.title = title->line();
@@ -98,6 +99,7 @@ ReadMechanism mechanism_from(const JsonValue& root) {
   d.joints = read_joints(root, names);
   name_joints(d);
   d.coordinates = read_coordinates(root, d.dimension, units, names);
+  d.couplings = read_couplings(root, d.coordinates, units, names);
   try {
     validate(d);
   } catch (const MechanismError& error) {

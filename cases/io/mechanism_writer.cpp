@@ -38,6 +38,9 @@ class Writer {
       j["coordinates"][c.name] = write(c);
       if (c.driven) j["drivers"].push_back(c.name);
     }
+    for (const Mechanism::Coupling& coupling : d_.couplings)
+      for (const auto& [coordinate, factor] : coupling.terms)
+        j["couplings"][coupling.name]["sum"][d_.coordinates[coordinate].name] = factor.value;
     return j;
   }
 

@@ -86,6 +86,12 @@ std::vector<Mechanism::Joint> read_joints(const JsonValue& root, const Names& na
 std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int dimension,
                                                     const DisplayUnits& units, Names& names);
 
+/// Reads couplings. Factors are those of lengths in metres (or the free unit) and angles in
+/// radians.
+std::vector<Mechanism::Coupling> read_couplings(
+    const JsonValue& root, const std::vector<Mechanism::Coordinate>& coordinates,
+    const DisplayUnits& units, const Names& names);
+
 // Sections of a scene file:
 
 /// Reads `motion`. Returns one motion for each driven coordinate, in the mechanism's order, in

@@ -75,6 +75,10 @@ class MechanismBuilder {
     c.type = type;
     return c;
   }
+  /// Couples coordinates, given by their positions in the list.
+  void couple(std::string name, std::vector<Mechanism::Coupling::Term> terms) {
+    d_.couplings.push_back({std::move(name), std::move(terms)});
+  }
 
   /// Returns the mechanism; the builder is then empty.
   Mechanism release() {

@@ -13,7 +13,7 @@ namespace desmo {
 /// point at its position in the file.
 class MechanismError : public std::invalid_argument {
  public:
-  enum class Part { description, point, vector, body, joint, coordinate };
+  enum class Part { description, point, vector, body, joint, coordinate, coupling };
 
   MechanismError(Part part, int index, const std::string& message)
       : std::invalid_argument(message), part_(part), index_(index) {}
@@ -49,5 +49,8 @@ void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
 void check_joints(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
 void check_coordinates(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
+
+/// Checks that couplings relate coordinates of which one at least is not driven.
+void check_couplings(const Mechanism& mechanism);
 
 }  // namespace desmo

@@ -109,9 +109,10 @@ void check_extent(const Mechanism& d, int i) {
 }  // namespace
 
 void check_names(const Mechanism& d) {
-  std::set<std::string_view> bodies, joints, quantities;
+  std::set<std::string_view> bodies, joints, couplings, quantities;
   check_unique(d, Part::body, d.bodies, bodies, "the bodies (the first is the ground)");
   check_unique(d, Part::joint, d.joints, joints, "the joints");
+  check_unique(d, Part::coupling, d.couplings, couplings, "the couplings");
   const char* const among = "the points, vectors and coordinates";
   check_unique(d, Part::point, d.points, quantities, among);
   check_unique(d, Part::vector, d.vectors, quantities, among);

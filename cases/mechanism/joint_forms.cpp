@@ -24,8 +24,21 @@ std::span<const JointForm> joint_forms() {
                 "one point of both bodies, and a vector of each"},
       JointForm{spherical, 3, "spherical", 1, 0, 0, 0, 3, "one point, of both bodies"},
       JointForm{fixed, 3, "fixed", 0, 0, 0, 0, 6, "no points or vectors"},
+      JointForm{hinge, 3, "hinge", 2, 0, 0, 0, 5, "two points, of both bodies"},
+      JointForm{point_on_line, 3, "point_on_line", 0, 2, 0, 1, 2,
+                "a vector and a point of the first body, and a point of the second"},
+      JointForm{point_on_plane, 3, "point_on_plane", 0, 2, 0, 1, 1,
+                "a vector and a point of the first body, and a point of the second", true},
+      JointForm{planar, 3, "planar", 0, 2, 1, 0, 3,
+                "one vector, the normal, of both bodies, and a point of each", true},
   };
   return table;
+}
+
+bool slides(Mechanism::JointType type) {
+  return std::ranges::any_of(joint_forms(), [&](const JointForm& f) {
+    return f.type == type && f.own_points > 0 && !f.in_plane;
+  });
 }
 
 const JointForm* find_joint_form(Mechanism::JointType type, int dimension) {

@@ -10,7 +10,8 @@ namespace desmo {
 /// Form of a joint type in the plane or in space: its name in files, the points and vectors that it
 /// joins, and the freedoms that it removes. Each list of a joint holds either entities that both
 /// bodies carry (common) or entities of one body each (own), the first body's before the second's.
-/// A joint with own points slides: they lie on a line along its first vector.
+/// Own points lie on a line along the first vector; or in_plane, where that is a normal, they keep
+/// their distance along it.
 struct JointForm {
   Mechanism::JointType type;
   int dimension;
@@ -18,10 +19,14 @@ struct JointForm {
   int common_points, own_points, common_vectors, own_vectors;
   int freedoms_removed;
   std::string_view takes;  ///< description for messages
+  bool in_plane = false;   ///< see above
 
   int points() const { return common_points + own_points; }
   int vectors() const { return common_vectors + own_vectors; }
 };
+
+/// Returns whether a joint of this type slides along a line.
+bool slides(Mechanism::JointType type);
 
 /// Returns every type of joint in each dimension in which it exists.
 std::span<const JointForm> joint_forms();

@@ -48,8 +48,16 @@ void check_carried(const Mechanism& d, int i, const JointForm& form, const std::
   }
 }
 
-// Two vectors that both bodies keep hold the axis and the angle about it.
-void check_common_vectors(const Mechanism& d, int i, const JointForm& form) {
+// Two vectors that both bodies keep hold the axis and the angle about it; two points hold the axis.
+void check_axis(const Mechanism& d, int i, const JointForm& form) {
+  if (form.common_points == 2) {
+    const Mechanism::Point &p = d.points[d.joints[i].points[0]],
+                           &q = d.points[d.joints[i].points[1]];
+    if (!direction(p.position, q.position))
+      refuse(d, Part::joint, i,
+             "its points " + in_quotes(p.name) + " and " + in_quotes(q.name) +
+                 " coincide; the axis goes through two different places");
+  }
   if (form.common_vectors < 2) return;
   const std::vector<int>& vectors = d.joints[i].vectors;
   if (!common_normal(d.vectors[vectors[0]].direction, d.vectors[vectors[1]].direction))
@@ -79,7 +87,7 @@ void check_joints(const Mechanism& d, const Carriers& points, const Carriers& ve
                  " takes " + std::string(form.takes));
     check_carried(d, i, form, joint.points, form.common_points, d.points, points, "point");
     check_carried(d, i, form, joint.vectors, form.common_vectors, d.vectors, vectors, "vector");
-    check_common_vectors(d, i, form);
+    check_axis(d, i, form);
   }
 }
 

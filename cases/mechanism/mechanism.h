@@ -54,6 +54,13 @@ struct Mechanism {
     universal,           ///< space: a shared point; for each body a vector, at a constant angle
     spherical,           ///< space: a shared point
     fixed,               ///< the two bodies move as one
+    hinge,               ///< space: two shared points, through which the axis goes
+    point_on_line,       ///< space: a vector and a point of the first body; a point of the second
+                         ///< that slides along that line
+    point_on_plane,      ///< space: a vector, the normal, and a point of the first body; a point of
+                         ///< the second, which keeps its distance from that plane
+    planar,              ///< space: a shared vector, the normal; a point of each body, of which one
+                         ///< keeps its distance from the plane through the other
   };
 
   struct Joint {
@@ -94,6 +101,19 @@ struct Mechanism {
     bool driven = false;             ///< a motion is prescribed (Scene::motions)
   };
 
+  /// A linear relation between coordinates, such as a gear: Σ factor · coordinate keeps the value
+  /// that it has in the nominal position. Angles count with their whole turns [rad].
+  struct Coupling {
+    struct Term {
+      int coordinate;
+      Derived factor;
+    };
+    static constexpr int min_terms = 2, max_terms = 4;
+
+    std::string name;
+    std::vector<Term> terms;
+  };
+
   std::string name;
   std::string title;              ///< description in one line, may be empty
   int dimension = 3;              ///< 2 or 3
@@ -103,6 +123,7 @@ struct Mechanism {
   std::vector<Body> bodies;  ///< the first is the ground
   std::vector<Joint> joints;
   std::vector<Coordinate> coordinates;
+  std::vector<Coupling> couplings;
 };
 
 /// Names each joint that has no name: type/first body/second body, such as `revolute/crank/rod`;
@@ -112,16 +133,19 @@ void name_joints(Mechanism& mechanism);
 /// Checks a mechanism. Throws MechanismError, a std::invalid_argument, naming the offender and the
 /// remedy, unless:
 /// - dimension is 2 or 3, and all numbers are finite
-/// - names are not empty, and unique among bodies, among joints, and among points, vectors and
-///   coordinates together
+/// - names are not empty, and unique among bodies, among joints, among couplings, and among points,
+///   vectors and coordinates together
 /// - indices are in range, and nothing is listed twice
 /// - in the plane third components are 0; vectors have length 1
 /// - each joint has two bodies, which carry the entities that its type and the dimension require
-/// - the vectors of a spatial prismatic joint are not parallel
+/// - the vectors of a spatial prismatic joint are not parallel, the points of a hinge apart
 /// - joints connect all bodies that carry the same entity there
 /// - an `along` vector has its points on a body that carries it
 /// - coordinates refer to different entities, carried by bodies; an angle in space has `from` and
 ///   `towards` at a right angle, and a direction that is not perpendicular to both
+/// - couplings relate two to four different coordinates, not all of them driven, by factors that
+/// are
+///   not 0
 /// - no line used as a direction has zero length, nor do all points of a body without vectors
 ///   coincide
 /// - a given length is positive and its body has exactly two points

@@ -58,13 +58,14 @@ void check_sharing(const Mechanism& d, const Carriers& points, const Carriers& v
 
 void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
   // In the order of Part.
-  static constexpr const char* kinds[] = {"mechanism", "point", "vector",
-                                          "body",      "joint", "coordinate"};
+  static constexpr const char* kinds[] = {"mechanism", "point",      "vector",  "body",
+                                          "joint",     "coordinate", "coupling"};
   const std::string& name = part == Part::point        ? d.points[index].name
                             : part == Part::vector     ? d.vectors[index].name
                             : part == Part::body       ? d.bodies[index].name
                             : part == Part::joint      ? d.joints[index].name
                             : part == Part::coordinate ? d.coordinates[index].name
+                            : part == Part::coupling   ? d.couplings[index].name
                                                        : d.name;
   throw MechanismError(
       part, index,
@@ -84,6 +85,7 @@ void validate(const Mechanism& d) {
   check_joints(d, points, vectors);
   check_sharing(d, points, vectors);
   check_coordinates(d, points, vectors);
+  check_couplings(d);
 }
 
 }  // namespace desmo

@@ -95,6 +95,7 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
 /// all at once, as in a motion that takes a unit of time. Returns false where one needs shorter
 /// steps.
 bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
+  int steps = 1;
   for (int l = 0; l < lanes_; ++l) {
     for (const DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
@@ -102,14 +103,15 @@ bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first
     for (std::size_t k = 0; k < alone_.q.size(); ++k)    // some never move
       state_.now().q[k * lanes_ + l] = state_.before().q[k * lanes_ + l] = alone_.q[k];
     changes_[l] = driver_changes(model_, first, grid.time(l * length));
+    steps = std::max(steps, continuation_steps(model_, changes_[l]));
   }
   for (PartInLanes& part : parts_in_lanes_) {
     if (!part.together) continue;
     part.together->take_branches();
     if (!part.together->assembled()) return false;
   }
-  constexpr double step = 1.0 / continuation_steps;
-  for (int i = 0; i <= continuation_steps; ++i) {
+  const double step = 1.0 / steps;
+  for (int i = 0; i <= steps; ++i) {
     predict(step, i);
     for (std::size_t d = 0; d < model_.drivers.size(); ++d) {
       const int driven = model_.entities[model_.drivers[d].coordinate].first;

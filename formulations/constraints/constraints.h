@@ -56,7 +56,7 @@ using ConstraintKinds = std::tuple<
     FrameAngle<1, false>, Reach<2>, Reach<3>, PlanarBearing<false>, PlanarBearing<true>,
     PlanarBearingFrom<Between::vector_and_vector>, PlanarBearingFrom<Between::vector_and_line>,
     PlanarBearingFrom<Between::line_and_vector>, PlanarBearingFrom<Between::line_and_line>,
-    PlanarBearingFrom<Between::lines_at_point>>;
+    PlanarBearingFrom<Between::lines_at_point>, Coupling<2>, Coupling<3>, Coupling<4>>;
 
 inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
 

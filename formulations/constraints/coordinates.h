@@ -1,8 +1,8 @@
 #pragma once
 
 // Constraint kinds that define relative coordinates in the plane and in space: components and
-// distances, and angles in a frame. Angles in the plane are in planar_angles.h. The concept of a
-// kind is described in formulations/constraints/constraints.h.
+// distances, angles in a frame, and couplings of coordinates. Angles in the plane are in
+// planar_angles.h. The concept of a kind is described in formulations/constraints/constraints.h.
 
 #include <array>
 #include <cmath>
@@ -31,6 +31,27 @@ struct Component : LinearKind<1> {
   static void jacobian(const S* const*, const S*, Entry&& entry) {
     entry(0, 0, Axis, S(1));
     entry(0, 1, 0, S(-1));
+  }
+};
+
+/// A linear relation of N scalar coordinates: Σ kᵢ sᵢ − c = 0. Operands s₁ … s_N; c = {k₁ … k_N,
+/// c}. Angles count with their whole turns.
+template <int N>
+struct Coupling : LinearKind<1> {
+  static constexpr std::string_view name =
+      std::array<std::string_view, 3>{"coupling_2", "coupling_3", "coupling_4"}[N - 2];
+  static constexpr auto operand_sizes = vec::sizes<N>(1);
+  static constexpr int constants = N + 1, entries = N;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    phi[0] = c[0] * x[0][0];
+    for (int k = 1; k < N; ++k) phi[0] = phi[0] + c[k] * x[k][0];
+    phi[0] = phi[0] - c[N];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const*, const S* c, Entry&& entry) {
+    for (int k = 0; k < N; ++k) entry(0, k, 0, c[k]);
   }
 };
 

@@ -23,22 +23,24 @@ template <class Solver>
 class DrawnStart {
  public:
   /// drivers: their values at the first instant.
-  DrawnStart(const Model& m, std::span<const double> drivers) : m_(m), solver_(m) {
+  DrawnStart(const Model& m, std::span<const double> drivers)
+      : m_(m), solver_(m), coupled_(coupled_angles(m)) {
+    const bool turns_count = std::ranges::find(coupled_, true) != coupled_.end();
     to_.assign(drivers.begin(), drivers.end());
     const std::vector<double> magnitude = natural_magnitudes(m);
     for (std::size_t k = 0; k < to_.size(); ++k) {
       const Entity& e = m.entities[m.drivers[k].coordinate];
       drawn_.push_back(m.estimate[e.first]);
       double way = to_[k] - drawn_[k];
-      if (e.kind == EntityKind::angle && std::abs(way) > max_turns * turn)
+      if (!turns_count && e.kind == EntityKind::angle && std::abs(way) > max_turns * turn)
         way = std::remainder(way, turn);
       way_.push_back(way);
       farthest_ = std::max(farthest_, std::abs(way) / magnitude[e.first]);
     }
   }
 
-  /// Returns the positions there; nothing where no steps lead there. Angles that are not driven are
-  /// those nearest to the drawing, whole turns apart.
+  /// Returns the positions there; nothing where no steps lead there. Angles that are neither driven
+  /// nor coupled are those nearest to the drawing, whole turns apart.
   std::optional<std::vector<double>> find() {
     solver_.set_homotopy(1);
     const auto solve_drawing = [&](double s) { solver_.set_homotopy(1 - s); };
@@ -52,8 +54,9 @@ class DrawnStart {
     solver_.drive(std::span<const double>(to_));
     std::vector<double> q = solver_.q();
     const std::vector<bool> driven = independent_coordinates(m_);
-    for (const Entity& e : m_.entities)
-      if (!e.fixed && e.kind == EntityKind::angle && !driven[e.first])
+    for (std::size_t i = 0; i < m_.entities.size(); ++i)
+      if (const Entity& e = m_.entities[i];
+          !e.fixed && e.kind == EntityKind::angle && !driven[e.first] && !coupled_[i])
         q[e.first] -= turn * whole_turns(q[e.first] - m_.estimate[e.first]);
     return q;
   }
@@ -62,7 +65,7 @@ class DrawnStart {
   static constexpr double turn = 2 * std::numbers::pi;
   /// Change of drivers in a step, and correction of its prediction, in natural magnitudes.
   static constexpr double max_change = 0.1;
-  static constexpr double max_turns = 4;       // that are made; of more, none
+  static constexpr double max_turns = 4;       // that are made unless all count; of more, none
   static constexpr double settled = 1e-9;      // correction after which nothing is in doubt
   static constexpr double min_step = 0x1p-40;  // of the whole way
 
@@ -111,6 +114,7 @@ class DrawnStart {
 
   const Model& m_;
   Solver solver_;
+  const std::vector<bool> coupled_;       // angles, by entity
   std::vector<double> drawn_, to_, way_;  // of the drivers
   double farthest_ = 0;                   // way, in natural magnitudes
 };

@@ -140,6 +140,16 @@ std::vector<bool> independent_coordinates(const Model& m) {
   return independent;
 }
 
+std::vector<bool> coupled_angles(const Model& m) {
+  std::vector<bool> coupled(m.entities.size(), false);
+  for (const Constraint& c : m.constraints)
+    visit_kind(c.kind, [&](auto kind) {
+      for (const EntityId e : c.operands)
+        if (kind.linear && m.entities[e].kind == EntityKind::angle) coupled[e] = true;
+    });
+  return coupled;
+}
+
 std::string_view constraint_kind_name(int kind) {
   std::string_view name;
   visit_kind(kind, [&](auto tag) { name = decltype(tag)::name; });

@@ -9,12 +9,16 @@
 
 namespace desmo {
 
+/// Returns whether a coupling reads an angle, so that whole turns count.
+bool whole_turns_count(const Model& model);
+
 /// Returns how far each driver has to move from a state to where it is at time t [s]. Whole turns
-/// are left out.
+/// are left out, unless couplings count them.
 std::vector<double> driver_changes(const Model& model, const State& from, double t);
 
-/// Steps of a continuation that goes well.
-inline constexpr int continuation_steps = 8;
+/// Returns the steps of a continuation that goes well. changes: of the drivers. Where couplings
+/// count whole turns, drivers turn by at most 0.1 rad in a step.
+int continuation_steps(const Model& model, std::span<const double> changes);
 
 /// Moves the drivers of a solved state in proportion to where they are at time t [s], give or take
 /// whole turns: how an instant in the middle of a motion is reached without those before it. solve:

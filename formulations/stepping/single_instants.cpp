@@ -62,6 +62,7 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
     return summary;
   }
   last = state;  // what is solved once is in both
+  if (whole_turns_count(model()) && lead_drivers_to(t)) last.q = state.q;
   summary = solve_at(t, level);
   // The estimate may be far off: a fixed number of iterations is for steps.
   for (int i = 0; i < settings().max_iterations && summary.ok() &&
@@ -79,6 +80,16 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
   return summary;
 }
 
+bool TimeStepping::lead_drivers_to(double t) {
+  const State start = now_.state;
+  const auto solve = [&](State& to, std::span<const double> from) {
+    return sequence_.solve_positions(to, from);
+  };
+  if (continue_drivers_to(model(), t, now_.state, solve)) return true;
+  now_.state = start;
+  return false;
+}
+
 bool TimeStepping::start_at(std::span<const double> q, double t) {
   set_read_outside({});
   State &state = now_.state, &last = before_.state;
@@ -88,10 +99,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
     clear_rates(*s);
   }
   forget();
-  const auto solve = [&](State& to, std::span<const double> from) {
-    return sequence_.solve_positions(to, from);
-  };
-  assembled_ = continue_drivers_to(model(), t, state, solve);
+  assembled_ = lead_drivers_to(t);
   if (!assembled_) return false;
   now_.time = t;
   last.q = state.q;

@@ -38,6 +38,16 @@ TEST_F(Cli, ListsWhatThereIs) {
   EXPECT_EQ(desmo("list dogs"), 64);
 }
 
+TEST_F(Cli, ShowsCouplingsInTheirGroups) {
+  const std::string scene = "'" DESMO_SOURCE_DIR "/tests/load/scenes/planetary_gear.scene.json'";
+  ASSERT_EQ(desmo("inspect " + scene), 0) << err_;
+  EXPECT_TRUE(prints("couplings     inner_mesh, outer_mesh"));
+  ASSERT_EQ(desmo("inspect --json " + scene), 0) << err_;
+  const Json groups = Json::parse(out_)["groups"];
+  EXPECT_EQ(groups[0]["couplings"], Json::array());
+  EXPECT_EQ(groups[1]["couplings"], Json({"inner_mesh", "outer_mesh"}));
+}
+
 TEST_F(Cli, ShowsWhatIsThenReadBack) {
   for (const LibraryMechanism& m : library()) {
     const std::string name(m.name);

@@ -62,6 +62,9 @@ Inspection inspect(const Input& input) {
   for (const Driver& driver : m.drivers)
     result.groups[m.entities[driver.coordinate].group].drivers.push_back(
         m.entities[driver.coordinate].name);
+  for (const Constraint& c : m.constraints)
+    if (constraint_kind_name(c.kind).starts_with("coupling"))
+      result.groups[c.group].couplings.push_back(c.name.substr(0, c.name.rfind(':')));
   try {
     for (PartDefinition& block : make_partition(m, Partition::block)) {
       InspectedGroup& group = result.groups[block.groups.front()];

@@ -10,8 +10,9 @@
 namespace desmo::cli {
 
 struct InspectedGroup {
-  int moving_bodies = 0;             ///< N_m of the paper; bodies fixed to each other are one
-  std::vector<std::string> drivers;  ///< n_c of the paper: coordinates driven in it
+  int moving_bodies = 0;               ///< N_m of the paper; bodies fixed to each other are one
+  std::vector<std::string> drivers;    ///< n_c of the paper: coordinates driven in it
+  std::vector<std::string> couplings;  ///< coupling equations that it determines, or are left out
   std::vector<int> unknowns;
   std::vector<PartDefinition> blocks;  ///< irreducible blocks, in solution order
   bool on_ground = false;              ///< joined to the ground

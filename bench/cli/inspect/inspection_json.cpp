@@ -48,6 +48,7 @@ Json groups_json(const Inspection& inspection) {
                     {"bodies", group.bodies},
                     {"moving_bodies", inspected.moving_bodies},
                     {"driven", inspected.drivers},
+                    {"couplings", inspected.couplings},
                     {"unknowns", inspected.unknowns.size()},
                     {"entities", entity_names(m, group.entities)},
                     {"on_ground", inspected.on_ground},

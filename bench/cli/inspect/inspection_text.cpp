@@ -43,6 +43,7 @@ std::string group_text(const Inspection& inspection, GroupId g) {
             std::to_string(inspected.drivers.size()) + ")";
   text += "\n" + line(group.bodies.size() == 1 ? "body" : "bodies", enumerate(group.bodies));
   if (!inspected.drivers.empty()) text += line("driven", enumerate(inspected.drivers));
+  if (!inspected.couplings.empty()) text += line("couplings", enumerate(inspected.couplings));
   text += line("unknowns", std::to_string(inspected.unknowns.size()));
   text += line("blocks", block_sizes(inspected.blocks));
   text += line("entities", enumerate(entity_names(m, group.entities)));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/mechanism/drawing.h"
+#include "cases/mechanism/joint_forms.h"
 #include "formulations/modelling/coordinates/placement.h"
 
 namespace desmo {
@@ -105,7 +106,7 @@ class Modeller {
   void place_coordinates() {
     result_.measured = d_.coordinates;
     for (const Mechanism::Joint& j : d_.joints)
-      if (d_.dimension == 3 && slides(j) && !declares_distance(d_, j)) {
+      if (d_.dimension == 3 && slides(j.type) && !declares_distance(d_, j)) {
         Mechanism::Coordinate& c = result_.measured.emplace_back();
         c.name = j.name + "/distance";
         c.type = Mechanism::CoordinateType::along;
@@ -210,12 +211,8 @@ class Modeller {
 
 }  // namespace
 
-bool slides(const Mechanism::Joint& j) {
-  return j.points.size() == 2;  // a point of each body
-}
-
 bool declares_distance(const Mechanism& d, const Mechanism::Joint& j) {
-  return slides(j) && std::ranges::any_of(d.coordinates, [&](const Mechanism::Coordinate& c) {
+  return slides(j.type) && std::ranges::any_of(d.coordinates, [&](const Mechanism::Coordinate& c) {
            return c.type == Mechanism::CoordinateType::along && c.vector == j.vectors[0] &&
                   std::minmax({c.of.from, c.of.to}) == std::minmax({j.points[0], j.points[1]});
          });

@@ -19,8 +19,6 @@ struct Coordinates {
   std::vector<EntityId> coordinates;  ///< entity of each relative coordinate
 };
 
-/// Returns whether a joint slides (see JointForm), so that the distance along it can define it.
-bool slides(const Mechanism::Joint& joint);
 /// Returns whether the mechanism declares the distance along a sliding joint as a coordinate.
 bool declares_distance(const Mechanism& mechanism, const Mechanism::Joint& joint);
 

@@ -8,12 +8,17 @@ namespace {
 
 using Direction = Mechanism::Direction;
 
-/// What drivers are measured from, and so is needed by the first group that carries it.
-struct NeededByDrivers {
-  explicit NeededByDrivers(const Mechanism& d)
+/// What drivers and couplings are measured from, and so is needed by the first group that carries
+/// it.
+struct NeededAtOnce {
+  explicit NeededAtOnce(const Mechanism& d)
       : points(d.points.size(), false), vectors(d.vectors.size(), false) {
-    for (const Mechanism::Coordinate& c : d.coordinates) {
-      if (!c.driven) continue;
+    std::vector<bool> is_coupled(d.coordinates.size(), false);
+    for (const Mechanism::Coupling& coupling : d.couplings)
+      for (const auto& [coordinate, factor] : coupling.terms) is_coupled[coordinate] = true;
+    for (std::size_t i = 0; i < d.coordinates.size(); ++i) {
+      const Mechanism::Coordinate& c = d.coordinates[i];
+      if (!c.driven && !is_coupled[i]) continue;
       for (const Direction* direction : {&c.of, &c.from, &c.towards}) {
         if (direction->is_line())
           points[direction->from] = points[direction->to] = true;
@@ -30,7 +35,7 @@ struct NeededByDrivers {
 /// The structural group that finds what these bodies carry; -1: none does.
 template <class InBasis>
 int finder(const RigidBodies& rigid, const Structure& structure, const std::vector<int>& carriers,
-           bool needed_by_driver, InBasis&& in_basis) {
+           bool needed_at_once, InBasis&& in_basis) {
   if (carriers.empty() || carriers.front() == 0) return -1;
   std::vector<int> building, following;  // groups of the bodies that build on it, and the others
   for (const int r : carriers)
@@ -43,7 +48,7 @@ int finder(const RigidBodies& rigid, const Structure& structure, const std::vect
   // that is the only one and nothing needs it before.
   const bool one_builds = building.front() == building.back();
   const bool needed_before =
-      needed_by_driver ||
+      needed_at_once ||
       std::ranges::upper_bound(following, building.front()) - following.begin() > 1;
   return one_builds && !needed_before ? building.front() : following.front();
 }
@@ -64,7 +69,7 @@ int Placement::of(const Mechanism::Coordinate& c) const {
 }
 
 Placement place_entities(const Mechanism& d, const RigidBodies& rigid, const Structure& structure) {
-  const NeededByDrivers needed(d);
+  const NeededAtOnce needed(d);
   Placement result;
   for (int p = 0; p < static_cast<int>(d.points.size()); ++p)
     result.of_point.push_back(finder(rigid, structure, rigid.of_point[p], needed.points[p],

@@ -17,8 +17,8 @@ struct Placement {
 };
 
 /// Assigns each point and vector to the first group with a body that carries it. There is one
-/// exception: where a later group alone has the entity in the basis of a body, and no driver and no
-/// second body needs it before, the entity is assigned to that group.
+/// exception: where a later group alone has the entity in the basis of a body, and no driver, no
+/// coupling and no second body needs it before, the entity is assigned to that group.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
                          const Structure& structure);
 

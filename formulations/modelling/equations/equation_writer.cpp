@@ -22,6 +22,7 @@ Candidates write_all(EquationWriter& w) {
   write_body_equations<D>(w);
   write_joint_equations(w);
   write_coordinate_equations<D>(w);
+  write_coupling_equations(w);
   return w.release();
 }
 

@@ -99,6 +99,9 @@ void write_body_equations(EquationWriter& writer);
 /// relative coordinates imply all others.
 void write_joint_equations(EquationWriter& writer);
 
+/// Writes the couplings of coordinates.
+void write_coupling_equations(EquationWriter& writer);
+
 /// Writes the definitions of all relative coordinates, in D dimensions. Throws
 /// std::invalid_argument, naming the coordinate, when a definition does not fit the nominal
 /// position or cannot be written.

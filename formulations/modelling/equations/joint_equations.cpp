@@ -1,3 +1,4 @@
+#include "cases/mechanism/joint_forms.h"
 #include "formulations/modelling/equations/equation_writer.h"
 
 namespace desmo {
@@ -25,13 +26,26 @@ void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
                         {w.vector(a.vector), w.vector(b.vector)}, product);
 }
 
+/// The second point stays at the same distance from the plane through the first.
+void keep_distance(EquationWriter& w, const Mechanism::Joint& j) {
+  w.constrain<Projection<3>>(
+      Origin::joint, j.name + ": distance from the plane",
+      {w.vector(j.vectors[0]), w.point(j.points[0]), w.point(j.points[1])},
+      measured<Projection<3>>(w.mechanism, w.reach, [&](const auto& drawing) {
+        return std::array{drawing.vector(j.vectors[0]), drawing.point(j.points[0]),
+                          drawing.point(j.points[1])};
+      }));
+}
+
 }  // namespace
 
 void write_joint_equations(EquationWriter& w) {
   for (const Mechanism::Joint& j : w.mechanism.joints) {
     if (w.rigid.of_body[j.bodies[0]] == w.rigid.of_body[j.bodies[1]]) continue;
     if (w.mechanism.dimension == 2) {
-      if (slides(j) && !declares_distance(w.mechanism, j)) keep_offset(w, j);
+      if (slides(j.type) && !declares_distance(w.mechanism, j)) keep_offset(w, j);
+    } else if (find_joint_form(j.type, 3)->in_plane) {
+      keep_distance(w, j);
     } else if (j.type == Mechanism::JointType::universal) {
       keep_angle(w, j);
     }

@@ -23,6 +23,18 @@ std::vector<Restriction> find_restrictions(const Mechanism& d, const RigidBodies
     if (all.back().bodies.empty())
       throw std::invalid_argument("driver '" + c.name + "' measures nothing that can move");
   }
+  for (const Mechanism::Coupling& coupling : d.couplings) {
+    Restriction r{{}, 1};
+    for (const auto& [coordinate, factor] : coupling.terms) {
+      const std::vector<int> related = bodies_related(rigid, d.coordinates[coordinate]);
+      r.bodies.insert(r.bodies.end(), related.begin(), related.end());
+    }
+    std::ranges::sort(r.bodies);
+    r.bodies.erase(std::unique(r.bodies.begin(), r.bodies.end()), r.bodies.end());
+    if (r.bodies.empty())
+      throw std::invalid_argument("coupling '" + coupling.name + "' relates nothing that can move");
+    all.push_back(std::move(r));
+  }
   return all;
 }
 

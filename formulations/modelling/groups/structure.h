@@ -14,7 +14,8 @@ struct StructuralGroup {
   std::vector<int> bodies;  ///< positions in RigidBodies::list, ascending
   std::vector<int> after;   ///< earlier groups that it is joined to, ascending
   int freedoms = 0;         ///< freedoms of its bodies
-  int restrictions = 0;  ///< freedoms that its joints and drivers remove, redundant ones included
+  int restrictions =
+      0;  ///< freedoms that its joints, drivers and couplings remove, redundant ones included
 };
 
 /// The structural groups of a mechanism.
@@ -23,15 +24,15 @@ struct Structure {
   std::vector<int> of_body;             ///< group of each rigid body; -1: the ground
 };
 
-/// The effect of a joint or driver on the freedoms of bodies.
+/// The effect of a joint, a driver or a coupling on the freedoms of bodies.
 struct Restriction {
   std::vector<int> bodies;  ///< rigid bodies that it connects, without the ground, ascending
   int count;                ///< number of freedoms that it removes
 };
 
 /// Returns the restrictions of all joints between different rigid bodies, then those of the
-/// drivers. Throws std::invalid_argument, naming the driver, when a driver measures nothing that
-/// can move.
+/// drivers, then those of the couplings. Throws std::invalid_argument, naming the driver or the
+/// coupling, when one measures nothing that can move.
 std::vector<Restriction> find_restrictions(const Mechanism& mechanism, const RigidBodies& rigid);
 
 /// Returns the rigid bodies, without the ground, whose relative position a coordinate measures,

@@ -53,6 +53,18 @@ double unit_of(const Model& m, const Constraint& c) {
   return 1;
 }
 
+/// Returns the other constraints that contradict the one that is off most. The smallest residual is
+/// a combination of rows that depend on each other: those that take part.
+std::vector<int> contradicted(const GroupSystem& s, const VectorXd& off, int constraint) {
+  std::vector<int> others;
+  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+    const int other = s.rows[i].first;
+    if (other == constraint || (!others.empty() && others.back() == other)) continue;
+    if (std::abs(off[i]) > max_misfit) others.push_back(other);
+  }
+  return others;
+}
+
 /// Moves a group's drivers a little from an assembled position, first forwards, then backwards.
 /// Returns nullopt when all its candidates, dependent ones included, can follow in one direction
 /// but for max_misfit, extrapolated to a movement by one natural magnitude.
@@ -76,7 +88,8 @@ std::optional<Contradiction> find_contradiction(const Model& m, const GroupSyste
     const VectorXd far = extrapolated(half, whole);
     if (off <= max_misfit && far.cwiseAbs().maxCoeff() <= max_misfit) return {};
     const int constraint = s.rows[worst].first;
-    found = {constraint, off * unit_of(m, m.constraints[constraint]), way};
+    found = {constraint, off * unit_of(m, m.constraints[constraint]), way,
+             contradicted(s, whole, constraint)};
   }
   return found;
 }

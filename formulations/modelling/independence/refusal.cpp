@@ -49,15 +49,21 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
   return m.entities[entity_of_coordinate(m)[s.columns[largest]]].name;
 }
 
-/// "…: with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best"
+/// "…: with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best, against
+/// 'rod2/length'"
 [[noreturn]] void refuse(const std::string& text, const Contradiction& c, const Model& m,
                          const GroupSystem& s) {
   const Constraint& constraint = m.constraints[c.constraint];
   const bool is_of_length = std::ranges::any_of(
       constraint.operands, [&](EntityId e) { return is_length(m.entities[e].kind); });
+  constexpr std::size_t shown = 4;
+  std::string others;
+  for (std::size_t i = 0; i < c.others.size() && i < shown; ++i)
+    others += (i == 0 ? ", against '" : ", '") + m.constraints[c.others[i]].name + "'";
+  if (c.others.size() > shown) others += ", …";
   throw ContradictionError(text + ": with its drivers (" + driver_names(m, s) + ") moved by " +
                                formatted("%g", c.moved) + ", '" + constraint.name + "' is off by ",
-                           c.amount, " at best", is_of_length ? m.length_unit : "1");
+                           c.amount, " at best" + others, is_of_length ? m.length_unit : "1");
 }
 
 /// "rounding of its positions is 2e-06 of the shortest of its lengths"

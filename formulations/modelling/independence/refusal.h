@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "formulations/modelling/independence/row_selection.h"
 
@@ -11,6 +12,7 @@ struct Contradiction {
   int constraint;  ///< constraint with the largest residual at the least-squares position
   double amount;   ///< the residual: a length if the constraint has lengths, else a number or [rad]
   double moved;    ///< displacement of the drivers, in natural magnitudes
+  std::vector<int> others{};  ///< constraints that contradict it
 };
 
 /// Throws std::invalid_argument, naming group, bodies and the constraint with the largest |Φ|,

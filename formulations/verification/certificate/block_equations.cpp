@@ -162,7 +162,8 @@ struct BlockEquations::FunctionsOf {
 BlockEquations::BlockEquations(const std::vector<const ShapedBlock*>& lanes)
     : shape_(lanes.front()->shape),
       constants_(lanes.front()->constants.size() + 1),
-      remainders_(shape_.states()) {
+      remainders_(shape_.states()),
+      at_origin_(shape_.unknowns) {
   for (int lane = 0; lane < LaneNumbers::count; ++lane) {
     const ShapedBlock& block = *lanes[lane];
     for (std::size_t k = 0; k < block.constants.size(); ++k)
@@ -188,11 +189,17 @@ void BlockEquations::add(const BlockShape::Object& o) {
   const Compensated<LaneNumbers>* constants = constants_.data() + o.first_constant;
   visit_kind(o.kind, [&]<class Kind>(Kind) {
     if constexpr (Kind::linear) {
-      // Such kinds are homogeneous, too: Φ = Φ_q q.
+      // Φ = Φ_q q + Φ(0)
       using S = Compensated<LaneNumbers>;
       const int* slot = o.slots.data();
-      const std::array<const S*, Kind::operand_sizes.size()> none{};
-      Kind::jacobian(none.data(), constants, [&](int r, int operand, int i, const S& factor) {
+      const std::array<S, 3> zero{};
+      std::array<const S*, Kind::operand_sizes.size()> origin;
+      origin.fill(zero.data());
+      std::array<S, Kind::rows> at_origin;
+      Kind::residual(origin.data(), constants, at_origin.data());
+      for (int r = 0; r < Kind::rows; ++r)
+        if (o.rows[r] >= 0) at_origin_[o.rows[r]] = at_origin[r];
+      Kind::jacobian(origin.data(), constants, [&](int r, int operand, int i, const S& factor) {
         if (o.rows[r] >= 0) terms_.push_back({o.rows[r], o.operands[operand] + i, *slot, factor});
         ++slot;
       });
@@ -218,11 +225,16 @@ void BlockEquations::find_offsets(const std::vector<const ShapedBlock*>& lanes) 
   const auto has_slack = [](const ShapedBlock* block) {
     return std::ranges::any_of(block->slack, [](double radius) { return radius > 0; });
   };
-  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(lanes, has_slack)) return;
-  offsets_.resize(shape_.unknowns);
+  const auto is_offset = [](const Compensated<LaneNumbers>& x) {
+    return (!is_zero(abs(x.value) + abs(x.correction) + x.radius)).any();
+  };
+  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(lanes, has_slack) &&
+      std::ranges::none_of(at_origin_, is_offset))
+    return;
+  offsets_ = at_origin_;
   for (std::size_t row = 0; row < offsets_.size(); ++row)
     for (int lane = 0; lane < LaneNumbers::count; ++lane)
-      offsets_[row].radius.set(lane, lanes[lane]->slack[row]);
+      offsets_[row].radius.set(lane, offsets_[row].radius[lane] + lanes[lane]->slack[row]);
   for (const Term& t : terms_) offsets_[t.row] = offsets_[t.row] + t.factor * remainders_[t.state];
 }
 

@@ -75,8 +75,9 @@ class BlockEquations {
   std::vector<Compensated<LaneNumbers>> remainders_;  // of local states that are fixed, value 0
   std::vector<LaneNumbers> radii_;                    // the same as radii of the values
   std::vector<Object> objects_;
-  std::vector<Term> terms_;  // by rows
-  /// Sums that remainders of fixed states and of Φ add to rows of terms; empty: none.
+  std::vector<Term> terms_;                          // by rows
+  std::vector<Compensated<LaneNumbers>> at_origin_;  // Φ(0) of linear equations, by row
+  /// Sums that Φ(0), remainders of fixed states and of Φ add to rows of terms; empty: none.
   std::vector<Compensated<LaneNumbers>> offsets_;
   std::vector<int> constant_entries_;  // of Φ_q
 };

@@ -46,6 +46,18 @@ Polynomial straight(double from, const Motion& motion, double time, double turn)
   return {{from, short_way}, {{}, {way.correction, way.radius}}};
 }
 
+/// Returns the angles that are neither driven nor coupled. Equations read them as sines and
+/// cosines, so whole turns do not matter.
+std::vector<int> free_angles(const Model& m) {
+  const std::vector<bool> driven = independent_coordinates(m), coupled = coupled_angles(m);
+  std::vector<int> angles;
+  for (std::size_t i = 0; i < m.entities.size(); ++i)
+    if (const Entity& e = m.entities[i];
+        !e.fixed && e.kind == EntityKind::angle && !driven[e.first] && !coupled[i])
+      angles.push_back(e.first);
+  return angles;
+}
+
 /// A way from 0 to 1, in whichever equations of overconstrained groups lead on.
 class Way {
  public:
@@ -123,12 +135,10 @@ void pass_at_start(const Model& m, const Model& going, double time, FoundStart& 
   for (const Driver& d : going.drivers) direction.push_back(sample(d.motion, found.share).velocity);
   auto point = pass_change_point(m, {0, {found.q, {}, {}}, {}}, direction, time);
   if (!point) return;
-  const std::vector<bool> driven = independent_coordinates(m);
-  for (const Entity& e : m.entities) {
-    if (e.fixed || e.kind != EntityKind::angle || driven[e.first]) continue;
-    const double turns = turn * std::round((found.q[e.first] - m.estimate[e.first]) / turn);
-    point->polynomials[e.first].front() -= turns;
-    if (!point->values.position.empty()) point->values.position[e.first] -= turns;
+  for (const int i : free_angles(m)) {
+    const double turns = turn * std::round((found.q[i] - m.estimate[i]) / turn);
+    point->polynomials[i].front() -= turns;
+    if (!point->values.position.empty()) point->values.position[i] -= turns;
   }
   found.point = std::make_shared<const PassedPoint>(std::move(*point));
 }
@@ -149,14 +159,9 @@ FollowedStep lead_drivers(const Model& m, double time, bool with_turns, FoundSta
   return step;
 }
 
-/// Brings angles that are not driven near others. Equations read them as sines and cosines, so
-/// whole turns do not matter.
+/// Brings free angles near others.
 void take_nearest_turns(const Model& m, std::span<const double> others, std::span<double> q) {
-  const std::vector<bool> driven = independent_coordinates(m);
-  for (const Entity& e : m.entities) {
-    if (e.fixed || e.kind != EntityKind::angle || driven[e.first]) continue;
-    q[e.first] -= turn * std::round((q[e.first] - others[e.first]) / turn);
-  }
+  for (const int i : free_angles(m)) q[i] -= turn * std::round((q[i] - others[i]) / turn);
 }
 
 /// Returns whether a turn of the drivers that are more than one from their values at a time leads

@@ -1,0 +1,242 @@
+// Gears, belts, racks, screws and mimic joints against closed forms: in every partition, with
+// automatic and generated equations, and proven.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <ostream>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formulations/stepping/formulation_core.h"
+#include "formulations/verification/run/checked_run.h"
+#include "tests/everything.h"
+#include "tests/library/geometry.h"
+#include "tests/load/loading.h"
+
+namespace desmo::load::couplings_test {
+namespace {
+
+using namespace desmo::exact;
+
+constexpr Real pi = 3.14159265358979323846264338327950288L, degree = pi / 180;
+
+/// Numbers of a model by their names.
+using Values = std::map<std::string, Jet>;
+
+void add(Values& values, const std::string& name, const Vec2& x) {
+  values[name + ".x"] = x[0];
+  values[name + ".y"] = x[1];
+}
+
+/// Returns c0 + c1 t + c2 t² degrees.
+Jet degrees(double time, Real c0, Real c1, Real c2) {
+  const Jet t = Jet::time(time);
+  return Jet(degree) * (Jet(c0) + t * (Jet(c1) + Jet(c2) * t));
+}
+
+Values gear_train(double t) {
+  const Jet a = degrees(t, 900, 720, -90);
+  const Jet c0 = atan2(Jet(5), Jet(-20)), b0 = Jet(pi / 2);
+  const Jet b = b0 - Jet(20.0L / 30) * a, c = c0 + Jet(20.0L / 50) * a;
+  Values v{{"b", b}, {"c", c}};
+  add(v, "B", Vec2{{Jet(0.05L), 0}} + polar(Jet(0.02L), b));
+  add(v, "C", Vec2{{Jet(0.13L), 0}} + polar(Jet(std::sqrt(0.02L * 0.02L + 0.005L * 0.005L)), c));
+  return v;
+}
+
+/// The ratio of sun and arm is 1 + 60/24, as textbooks print it.
+Values planetary_gear(double t) {
+  const Jet sun = degrees(t, 0, 630, 60), drawn = atan2(Jet(3), Jet(10));
+  const Jet arm = (sun - drawn) / Jet(1 + 60.0L / 24);
+  const Jet planet = atan2(Jet(6), Jet(8)) - Jet(42.0L / 18) * arm;
+  Values v{{"arm_angle", arm}, {"planet_angle", planet}};
+  add(v, "Q", polar(Jet(0.042L), arm) + polar(Jet(0.01L), planet));
+  return v;
+}
+
+Values rack_steering(double t) {
+  const Jet pinion = Jet(-1.5L) + Jet(4) * sin(Jet(pi) * Jet::time(t));
+  const Jet travel = Jet(0.3L) + Jet(0.015L) * (pinion + Jet(pi / 2));
+  Values v{{"travel", travel}};
+  const Jet rod = sqrt(Jet(0.28L * 0.28L + 0.03L * 0.03L)),
+            arm = sqrt(Jet(0.02L * 0.02L + 0.13L * 0.13L));
+  const Vec2 left{{travel - Jet(0.6L), 0}}, right{{travel, 0}};
+  add(v, "EL", meet(left, rod, Vec2{{Jet(-0.6L), Jet(0.1L)}}, arm, Side::left));
+  add(v, "ER", meet(right, rod, Vec2{{Jet(0.6L), Jet(0.1L)}}, arm, Side::right));
+  return v;
+}
+
+/// The tip goes along the x axis, and the tool keeps its direction.
+Values belt_arm(double t) {
+  const Jet drawn = atan2(Jet(0.4L), Jet(0.3L)), shoulder = degrees(t, 750, 200, 40);
+  const Jet turned = shoulder - drawn, elbow = Jet(-2) * drawn - Jet(2) * turned;
+  const Jet wrist = Jet(pi / 2) + drawn + turned;
+  const Vec2 W{{cos(shoulder), 0}};
+  Values v{{"elbow", elbow}, {"wrist", wrist}};
+  add(v, "E", polar(Jet(0.5L), shoulder));
+  add(v, "W", W);
+  add(v, "T", W + Vec2{{0, Jet(0.1L)}});
+  return v;
+}
+
+Values screw_jack(double t) {
+  const Jet turn = degrees(t, 20, 720, -100);
+  const Jet lift = Jet(0.04L) + Jet(0.005L / 360 / degree) * turn;
+  Values v{{"lift", lift}, {"A.z", lift}, {"B.z", lift}};
+  add(v, "B", polar(Jet(0.02L), turn));
+  return v;
+}
+
+Values mimic_gripper(double t) {
+  const Vec2 H{{0, Jet(0.05L) + Jet(0.03L) * sin(Jet(pi) * Jet::time(t))}};
+  const Vec2 P{{Jet(-0.2L), Jet(0.3L)}}, K0{{Jet(-0.25L), Jet(0.15L)}}, T0{{Jet(-0.1L), Jet(0.6L)}};
+  const Vec2 K = meet(H, norm(K0 - Vec2{{0, Jet(0.05L)}}), P, norm(K0 - P), Side::left);
+  const Vec2 T = carried(P, K, P, K0, T0);
+  const Jet alpha = angle(T - P), beta = Jet(pi) - alpha;
+  Values v{{"alpha", alpha}, {"beta", beta}};
+  add(v, "TL", T);
+  add(v, "TR", Vec2{{-T[0], T[1]}});
+  return v;
+}
+
+/// What is geared to an angle that nothing drives starts three turns from the drawing, too.
+Values wound_drum(double t) {
+  const Jet theta = degrees(t, 1140, 300, 0), rel = theta - Jet(pi / 2);
+  const Jet drum = Jet(pi / 2) - Jet(10.0L / 30) * theta;
+  Values v{{"rel", rel}, {"drum", drum}};
+  add(v, "B", Vec2{{3, 0}} + polar(Jet(1), drum));
+  return v;
+}
+
+struct Coupled {
+  const char* scene;
+  Values (*at)(double t);
+};
+
+void PrintTo(const Coupled& coupled, std::ostream* out) { *out << coupled.scene; }
+
+constexpr Coupled all[] = {
+    {"gear_train", gear_train},       {"planetary_gear", planetary_gear},
+    {"rack_steering", rack_steering}, {"belt_arm", belt_arm},
+    {"screw_jack", screw_jack},       {"mimic_gripper", mimic_gripper},
+    {"wound_drum", wound_drum},
+};
+
+/// Every coupling counts whole turns, so angles are compared as they are.
+class Couplings : public Loading, public testing::WithParamInterface<Coupled> {
+ protected:
+  void SetUp() override {
+    Loading::SetUp();
+    scene_ = read_scene(fs::path(DESMO_SOURCE_DIR) / "tests/load/scenes" /
+                        (std::string(GetParam().scene) + ".scene.json"));
+    model_ = make_model(scene_);
+    for (int i = 0; i < scene_.grid.instants; ++i)
+      exact_.push_back(GetParam().at(scene_.grid.time(i)));
+    for (const Values& values : exact_)
+      for (const auto& [name, x] : values) {
+        auto& largest = scale_.emplace(name, std::array{1.0, 1.0, 1.0}).first->second;
+        const Real of_level[] = {x.v, x.d, x.dd};
+        for (int level = 0; level < 3; ++level)
+          largest[level] = std::max(largest[level], static_cast<double>(std::abs(of_level[level])));
+      }
+  }
+
+  void compare(int i, const PerLevel<std::span<const double>>& found, const std::string& what) {
+    for (const auto& [name, x] : exact_[i]) {
+      const Real of_level[] = {x.v, x.d, x.dd};
+      for (const Level level : all_levels) {
+        const int l = static_cast<int>(level);
+        const double value = model_.value(name, found[level], level);
+        EXPECT_NEAR(value, static_cast<double>(of_level[l]), 1e-12 * scale_[name][l])
+            << what << ": " << name << ", level " << l << ", row " << i;
+      }
+    }
+  }
+
+  std::unique_ptr<Formulation> made(const std::string& id, KernelTable& table) {
+    const Configuration c = parse_id(id, {.tolerance = 1e-14});
+    if (c.variant->evaluation == Evaluation::symbolic) {
+      EXPECT_EQ(load(table, id).problem, "") << id;
+    }
+    auto f = make_formulation(*c.variant, model_, c.settings, table);
+    EXPECT_TRUE(std::ranges::all_of(parts_of(*f), &DefinedPart::as_named)) << id;
+    return f;
+  }
+
+  /// Compares a run that is not checked.
+  void compare_run(const std::string& id, KernelTable& table) {
+    const auto f = made(id, table);
+    Everything found(scene_.grid.instants);
+    EXPECT_TRUE(f->run(scene_.grid, {}, found).ok()) << id;
+    const std::size_t n = static_cast<std::size_t>(model_.coordinates());
+    for (int i = 0; i < scene_.grid.instants; ++i) {
+      const std::span<const double> all = found.all[i];
+      ASSERT_EQ(all.size(), 3 * n) << id;
+      compare(i, {all.first(n), all.subspan(n, n), all.last(n)}, id);
+    }
+  }
+
+  std::vector<Values> exact_;
+  std::map<std::string, std::array<double, 3>> scale_;  // largest of a motion, at least 1
+};
+
+TEST_P(Couplings, KeepTheClosedForm) {
+  KernelTable table;
+  for (const std::string id :
+       {"global_automatic_klu", "group_automatic_lapack", "block_automatic_eigen",
+        "global_symbolic_klu", "group_symbolic_lapack", "group_symbolic_inlined",
+        "group_symbolic_explicit", "block_symbolic_inlined", "block_symbolic_explicit"}) {
+    const auto f = made(id, table);
+    CheckOptions options;
+    int rows = 0, flagged = 0;
+    options.checked = [&](const CheckedInstant& i) {
+      ++rows;
+      flagged += i.flag.has_value();
+      compare(i.instant.index, {i.instant.q, i.instant.qd, i.instant.qdd}, id + ", checked");
+    };
+    Everything found(scene_.grid.instants);
+    EXPECT_TRUE(run_checked(*f, scene_.grid, {}, found, options).ok()) << id;
+    EXPECT_EQ(rows, scene_.grid.instants) << id;
+    EXPECT_EQ(flagged, 0) << id;
+    compare_run(id, table);
+    if (HasFailure()) return;
+  }
+}
+
+class CouplingsInSegments : public Couplings {};
+
+TEST_P(CouplingsInSegments, CountWholeTurns) {
+  KernelTable table;
+  compare_run("group_symbolic_explicit/segments:4", table);
+  compare_run("group_automatic_lapack/threads:2", table);
+}
+
+TEST_P(Couplings, AreReadAgainAsTheyAreWritten) {
+  const Mechanism again = parse_mechanism(write_mechanism(scene_.mechanism), "again.json");
+  ASSERT_EQ(again.couplings.size(), scene_.mechanism.couplings.size());
+  for (std::size_t k = 0; k < again.couplings.size(); ++k) {
+    const Mechanism::Coupling &a = again.couplings[k], &b = scene_.mechanism.couplings[k];
+    EXPECT_EQ(a.name, b.name);
+    ASSERT_EQ(a.terms.size(), b.terms.size());
+    for (std::size_t i = 0; i < a.terms.size(); ++i) {
+      EXPECT_EQ(a.terms[i].coordinate, b.terms[i].coordinate);
+      EXPECT_EQ(a.terms[i].factor.value, b.terms[i].factor.value);
+    }
+  }
+}
+
+std::string scene_name(const testing::TestParamInfo<Coupled>& info) { return info.param.scene; }
+
+INSTANTIATE_TEST_SUITE_P(Table, Couplings, testing::ValuesIn(all), scene_name);
+INSTANTIATE_TEST_SUITE_P(Table, CouplingsInSegments,
+                         testing::Values(Coupled{"belt_arm", belt_arm},
+                                         Coupled{"wound_drum", wound_drum}),
+                         scene_name);
+
+}  // namespace
+}  // namespace desmo::load::couplings_test

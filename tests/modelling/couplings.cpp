@@ -1,0 +1,131 @@
+// Couplings: their equations and groups, what follows from them, and what they contradict.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/modelling/common.h"
+
+namespace desmo::couplings_test {
+namespace {
+
+/// Returns wheels on the ground, of which the first is driven, with these numbers of teeth. Each
+/// meshes with the next, and the last with the first.
+Mechanism ring_of_gears(const std::vector<double>& teeth, double last_teeth) {
+  Sketch d("ring", 2);
+  const int n = static_cast<int>(teeth.size());
+  for (int i = 0; i < n; ++i) {
+    const std::string number = std::to_string(i + 1);
+    const Vec at = polar(1, 2 * i);
+    const int pivot = d.ground_point("O" + number, at),
+              rim = d.point("A" + number, at + polar(0.1, 0.3 + i));
+    d.body("wheel" + number, {pivot, rim});
+    d.angle("turn" + number, line(pivot, rim)).driven = i == 0;
+  }
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    d.couple("mesh" + std::to_string(i + 1),
+             {{i, teeth[i]}, {next, next == 0 ? last_teeth : teeth[next]}});
+  }
+  return d.release_pinned();
+}
+
+TEST(Coupling, OfTwoWheelsPutsOneAfterTheOther) {
+  Sketch d("wheels", 2);
+  const int O = d.ground_point("O", {0, 0, 0}), P = d.ground_point("P", {3, 0, 0});
+  const int A = d.point("A", {1, 0, 0}), B = d.point("B", {3, 2, 0});
+  d.bodies({{"driven", {P, B}}, {"driver", {O, A}}});
+  d.angle("b", line(P, B));
+  d.angle("a", line(O, A)).driven = true;
+  d.couple("mesh", {{0, 40}, {1, 20}});
+  const ModellingResult r = model_mechanism(d.release_pinned(), turning);
+  EXPECT_TRUE(std::ranges::none_of(r.left_out, &LeftOut::redundant));
+  ASSERT_EQ(r.model.groups.size(), 2u);
+  EXPECT_EQ(r.model.groups[0].bodies, std::vector<std::string>{"driver"});
+  EXPECT_EQ(r.model.groups[1].after, std::vector<GroupId>{0});
+  // 40 b + 20 a keeps 40 · π/2; Φ is in units of the largest factor.
+  const auto equations = equations_of(r.model, 1);
+  const auto mesh = std::ranges::find(equations, "coupling_2", &Stated::kind);
+  ASSERT_NE(mesh, equations.end());
+  EXPECT_EQ(mesh->operands, (std::vector<std::string>{"b", "a"}));
+  EXPECT_EQ(mesh->constants, (std::vector<double>{1, 0.5, std::numbers::pi / 2}));
+}
+
+TEST(Coupling, OfAngleAndLengthHasTheUnitOfLength) {
+  Sketch d("rack", 2);
+  const int O = d.ground_point("O", {0, 1, 0}), M = d.ground_point("M", {0, 0, 0});
+  const int x = d.ground_vector("x", {1, 0, 0});
+  const int A = d.point("A", {1, 1, 0}), R = d.point("R", {2, 0, 0});
+  const int pinion = d.body("pinion", {O, A}), rack = d.body("rack", {R}, {x});
+  d.joint(JointType::revolute, Sketch::ground, pinion, {O});
+  d.joint(JointType::prismatic, Sketch::ground, rack, {M, R}, {x});
+  d.angle("a", line(O, A)).driven = true;
+  d.along("s", M, R, x);
+  d.couple("rack", {{0, -30}, {1, 4}});
+  const Solved s(d.release(), {Polynomial{{0, 1}}}, std::array{0.0, 7.0});
+  EXPECT_NEAR(s.scalar(1, "s"), 2 + 7 * 7.5, 1e-12);
+  for (const Constraint& c : s.model().constraints)
+    if (c.name == "rack: coupling") {
+      EXPECT_EQ(c.constants, (std::vector<double>{-7.5, 1, 2}));
+    }
+}
+
+TEST(Coupling, ThatFollowsFromOthersIsLeftOut) {
+  const ModellingResult r = model_mechanism(ring_of_gears({20, 30, 50, 40}, 20), turning);
+  std::vector<LeftOut> couplings;  // lengths follow from angles besides
+  std::ranges::copy_if(r.left_out, std::back_inserter(couplings),
+                       [](const LeftOut& l) { return l.equation.ends_with("coupling"); });
+  ASSERT_EQ(couplings.size(), 1u);
+  EXPECT_TRUE(couplings[0].redundant);
+  std::vector<std::string> all = couplings[0].follows_from;
+  all.push_back(couplings[0].equation);
+  std::ranges::sort(all);
+  EXPECT_EQ(all, (std::vector<std::string>{"mesh1: coupling", "mesh2: coupling", "mesh3: coupling",
+                                           "mesh4: coupling"}));
+}
+
+TEST(Coupling, ThatContradictsOthersIsRefusedWithAllOfThem) {
+  expect_refused(ring_of_gears({20, 30, 50}, 20), turning,
+                 {"contradict each other as it moves", "'mesh1: coupling'", "'mesh2: coupling'",
+                  "'mesh3: coupling'", "'turn1'"});
+  expect_refused(ring_of_gears({20, 30, 50, 40}, 21), turning,
+                 {"contradict", "'mesh1: coupling'", "'mesh2: coupling'", "'mesh3: coupling'",
+                  "'mesh4: coupling'"});
+}
+
+TEST(Coupling, TakesAFreedom) {
+  Mechanism d = ring_of_gears({20, 30, 50, 40}, 20);
+  d.couplings.erase(d.couplings.begin() + 1, d.couplings.end());
+  expect_refused(d, turning, {"under-constrained: 2 freedoms among 'wheel3', 'wheel4'"});
+}
+
+TEST(Coupling, OfWhatIsMeaninglessIsRefused) {
+  const Mechanism right = ring_of_gears({20, 30, 50, 40}, 20);
+  const auto with = [&](auto&& change) {
+    Mechanism d = right;
+    change(d);
+    return d;
+  };
+  using Terms = std::vector<Mechanism::Coupling::Term>;
+  const auto terms = [&](const Terms& list) {
+    return with([&](Mechanism& d) { d.couplings[0].terms = list; });
+  };
+  expect_refused(terms({{0, 1.0}}), turning, {"coupling 'mesh1': relates 1 coordinate"});
+  expect_refused(terms({{0, 1.0}, {1, 1.0}, {2, 1.0}, {3, 1.0}, {0, 1.0}}), turning,
+                 {"relates 5 coordinates; give two to four"});
+  expect_refused(terms({{0, 1.0}, {0, 1.0}}), turning, {"lists 'turn1' twice"});
+  expect_refused(terms({{0, 1.0}, {9, 1.0}}), turning, {"coordinate that does not exist"});
+  expect_refused(terms({{0, 1.0}, {1, 0.0}}), turning, {"the factor of 'turn2' is 0"});
+  expect_refused(with([](Mechanism& d) { d.couplings[1].name = "mesh1"; }), turning,
+                 {"given twice among the couplings"});
+  expect_refused(with([](Mechanism& d) { d.coordinates[1].driven = true; }), {still, still},
+                 {"coupling 'mesh1': all its coordinates are driven"});
+}
+
+}  // namespace
+}  // namespace desmo::couplings_test
