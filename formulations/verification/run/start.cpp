@@ -152,7 +152,8 @@ FollowedStep lead_drivers(const Model& m, double time, bool with_turns, FoundSta
     d.motion = straight(m.estimate[e.first], d.motion, time, whole ? INFINITY : turn);
   }
   const FollowedStep step = follow(going, {}, true, found);
-  if (step.end == PathEnd::stuck) pass_at_start(m, going, time, found);
+  const bool is_blocked = step.end == PathEnd::stuck && step.tests < BranchPath::max_tests;
+  if (is_blocked) pass_at_start(m, going, time, found);
   if (step.end == PathEnd::same)
     for (const Driver& d : m.drivers)
       found.q[m.entities[d.coordinate].first] = sample(d.motion, time).position;
