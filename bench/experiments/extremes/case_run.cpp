@@ -15,6 +15,7 @@
 #include "formulations/stepping/formulation_core.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
+#include "formulations/verification/run/relative_radius.h"
 
 namespace desmo::extremes {
 
@@ -84,7 +85,7 @@ constexpr std::size_t early = 1000;
 class Record final : public Observer {
  public:
   Record(const KnownCase& known, const Formulation& formulation, CaseRun& run)
-      : case_(known), run_(run) {
+      : case_(known), model_(formulation.model()), run_(run) {
     for (const DefinedPart& part : parts_of(formulation))
       if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
     for (const Answers& answers : known.answers) run.errors.emplace_back(answers.right.size());
@@ -102,6 +103,13 @@ class Record final : public Observer {
                 ? CaseRun::Flag::degraded
                 : CaseRun::Flag::doubtful;
     stated_ = {row.condition, row.relative_radius};
+    if (case_.answers.empty()) return;
+    // Over the scales that errors are taken over: those of the run are of other instants.
+    const PerLevel<double> radius =
+        relative_radius(model_, row.radius, case_.answers.front().scales).largest;
+    for (const Level level : all_levels)
+      if (std::isfinite(stated_.radius[level]) && radius[level] > 0)
+        stated_.radius[level] = radius[level];
   }
 
   Flow observe(const Instant& instant) noexcept override {
@@ -158,6 +166,7 @@ class Record final : public Observer {
   }
 
   const KnownCase& case_;
+  const Model& model_;
   CaseRun& run_;
   std::size_t first_ = 0, early_heap_ = 0;
   long unknowns_ = 0;

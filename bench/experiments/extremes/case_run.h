@@ -34,7 +34,7 @@ struct CaseRun {
   /// Statements of the proof about an instant.
   struct Stated {
     double condition;
-    PerLevel<double> radius;  ///< CheckedInstant::relative_radius
+    PerLevel<double> radius;  ///< over the scales that errors are taken over
   };
 
   /// Returns the worst of the flags, or why there are none.
