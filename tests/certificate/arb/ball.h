@@ -44,6 +44,17 @@ class Ball {
     return result;
   }
 
+  /// Returns a lower bound of the distance from a number.
+  double least_distance(const Ball& from) const {
+    const Ball d = *this - from;
+    arf_t bound;
+    arf_init(bound);
+    arb_get_abs_lbound_arf(bound, d.x_, bits);
+    const double result = arf_get_d(bound, ARF_RND_DOWN);
+    arf_clear(bound);
+    return result;
+  }
+
   friend Ball operator-(const Ball& a) {
     return with(a, a, [](auto z, auto x, auto) { arb_neg(z, x); });
   }
