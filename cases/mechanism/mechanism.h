@@ -143,9 +143,8 @@ void name_joints(Mechanism& mechanism);
 /// - an `along` vector has its points on a body that carries it
 /// - coordinates refer to different entities, carried by bodies; an angle in space has `from` and
 ///   `towards` at a right angle, and a direction that is not perpendicular to both
-/// - couplings relate two to four different coordinates, not all of them driven, by factors that
-/// are
-///   not 0
+/// - couplings relate two to four different coordinates, not all of them driven, and no factor
+///   is 0
 /// - no line used as a direction has zero length, nor do all points of a body without vectors
 ///   coincide
 /// - a given length is positive and its body has exactly two points
