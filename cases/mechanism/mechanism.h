@@ -34,6 +34,13 @@ struct Mechanism {
     std::array<Remainder, 3> remainder{};  ///< of the direction
   };
 
+  /// The shape of a body in a frame of its own, of which only the place is drawn.
+  struct Frame {
+    Vec origin, rotation;  ///< nominal place; rotation vector [rad], in the plane along z
+    std::vector<Vec> points;
+    std::vector<std::array<Derived, 3>> vectors;  ///< of length 1
+  };
+
   /// A rigid body. Its points and vectors are listed by preference as basis of the body's
   /// coordinates. Several bodies may carry the same point or vector if joints connect them there.
   struct Body {
@@ -42,6 +49,10 @@ struct Mechanism {
     /// Distance between the two points of a body that has no others, where nominal positions are
     /// only estimates. Without it the nominal distance holds.
     std::optional<double> length;
+    /// Its shape, where nominal positions and directions are only estimates. Points that joints of
+    /// the body slide then stay on the line or in the plane, without an offset, and universal
+    /// joints are at a right angle.
+    std::optional<Frame> own{};
   };
 
   enum class JointType {
@@ -148,6 +159,8 @@ void name_joints(Mechanism& mechanism);
 /// - no line used as a direction has zero length, nor do all points of a body without vectors
 ///   coincide
 /// - a given length is positive and its body has exactly two points
+/// - a body with a frame of its own is not the ground, has no length and no fixed joint, and gives
+///   each of its points and vectors in that frame
 void validate(const Mechanism& mechanism);
 
 }  // namespace desmo
