@@ -184,16 +184,20 @@ RangeEnd DriverSweep::run_from(Point point) {
   for (int step = 0; step < max_steps; ++step) {
     const auto again = [&] { return (length /= 2) > min_step; };
     std::optional<Point> next = curve().step(point, length);
+    if (!next && again()) continue;
+    // So near to a crossing rounding decides, and may turn a step back; from further away the curve
+    // leads across it.
     bool is_across = false;
-    if (!next) {
-      if (again()) continue;
-      // So near to a crossing rounding decides; from further away the curve leads across it.
-      next = curve().step(far.point, far.arc + crossing_step);
-      if (!next || forward(*next) <= 0) return stuck_at(point, far);
-      is_across = true;
-      length = far.arc + crossing_step;
-      point = std::exchange(far, {far.point, 0}).point;
+    if (length <= crossing_step && (!next || forward(*next) <= 0)) {
+      std::optional<Point> across = curve().step(far.point, far.arc + crossing_step);
+      is_across = across && forward(*across) > 0;
+      if (is_across) {
+        next = std::move(across);
+        length = far.arc + crossing_step;
+        point = std::exchange(far, {far.point, 0}).point;
+      }
     }
+    if (!next) return stuck_at(point, far);
     if (forward(*next) <= 0) {
       // Signs of B do not change at a dead point: a step across a gap is not one.
       if (next->sign == point.sign)
