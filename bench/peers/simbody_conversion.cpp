@@ -33,6 +33,9 @@ class Conversion {
   Tree run(const std::vector<Motion>& motions) {
     if (!d_.couplings.empty())
       throw std::invalid_argument("simbody: '" + d_.name + "' has couplings");
+    for (const Mechanism::Body& body : d_.bodies)
+      if (body.own)
+        throw std::invalid_argument("simbody: '" + body.name + "' has a frame, and is not drawn");
     find_links();
     do close_links();
     while (place_next());

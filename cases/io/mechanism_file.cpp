@@ -6,40 +6,14 @@
 namespace desmo {
 namespace {
 
-std::vector<Mechanism::Point> read_points(const JsonValue& root, int dimension, double unit,
-                                          Names& names) {
-  std::vector<Mechanism::Point> points;
-  for (const JsonValue& value : root["points"].members()) {
-    Mechanism::Vec position = read_components(value, dimension);
-    for (double& component : position) component *= unit;
-    points.push_back({checked_name(value, value.key()), position});
-    names.points.add(value.key());
-  }
-  return points;
-}
-
-Mechanism::Body read_body(const JsonValue& value, std::string name, double unit,
-                          const Names& names) {
-  Mechanism::Body body{std::move(name), {}, {}, {}};
-  if (const auto points = value.find("points")) body.points = names.points.find_each(*points);
-  if (const auto vectors = value.find("vectors")) body.vectors = names.vectors.find_each(*vectors);
-  if (const auto length = value.find("length")) body.length = length->number() * unit;
-  return body;
-}
-
-std::vector<Mechanism::Body> read_bodies(const JsonValue& root, double unit, Names& names) {
-  const JsonValue ground = root["ground"];
-  ground.allow({"points", "vectors"});
-  std::vector<Mechanism::Body> bodies{read_body(ground, "ground", unit, names)};
-  names.bodies.add(ground.key());
-  for (const JsonValue& value : root["bodies"].members()) {
-    if (value.key() == ground.key())
-      value.complain("'ground' is the name of the ground; choose another for this body");
-    value.allow({"points", "vectors", "length"});
-    bodies.push_back(read_body(value, checked_name(value, value.key()), unit, names));
-    names.bodies.add(value.key());
-  }
-  return bodies;
+/// Returns where a point or vector is first given: by the file, or in the frame of a body.
+JsonValue place_of(const JsonValue& root, std::string_view kind, const std::string& name) {
+  std::vector<JsonValue> owners = root["bodies"].members();
+  owners.insert(owners.begin(), root);
+  for (const JsonValue& owner : owners)
+    if (const auto list = owner.find(kind); list && list->is_object())
+      if (const auto place = list->find(name)) return *place;
+  return root;
 }
 
 // Where the file describes what validate() refuses.
@@ -47,8 +21,8 @@ JsonValue place_of(const JsonValue& root, const Mechanism& d, const MechanismErr
   using Part = MechanismError::Part;
   const int i = error.index();
   const Part part = error.part();
-  if (part == Part::point) return root["points"][d.points[i].name];
-  if (part == Part::vector) return root["vectors"][d.vectors[i].name];
+  if (part == Part::point) return place_of(root, "points", d.points[i].name);
+  if (part == Part::vector) return place_of(root, "vectors", d.vectors[i].name);
   if (part == Part::body) return i == 0 ? root["ground"] : root["bodies"][d.bodies[i].name];
   if (part == Part::joint) return root["joints"].elements()[i];
   if (part == Part::coordinate) return root["coordinates"][d.coordinates[i].name];
@@ -93,9 +67,9 @@ ReadMechanism mechanism_from(const JsonValue& root) {
   DisplayUnits units = read_units(root, {});
   d.length_unit = units.base_length();
   Names names;
-  d.points = read_points(root, d.dimension, units.length.in_si, names);
+  d.points = read_points(root["points"], d.dimension, units, names);
   d.vectors = read_vectors(root, d.dimension, d.points, names);
-  d.bodies = read_bodies(root, units.length.in_si, names);
+  read_bodies(root, d, units, names);
   d.joints = read_joints(root, names);
   name_joints(d);
   d.coordinates = read_coordinates(root, d.dimension, units, names);

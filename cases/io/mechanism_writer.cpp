@@ -55,9 +55,22 @@ class Writer {
 
   Json body(const Mechanism::Body& b) const {
     Json j = Json::object();
+    if (b.own) return shape(b, *b.own);
     for (const int p : b.points) j["points"].push_back(point(p));
     for (const int v : b.vectors) j["vectors"].push_back(d_.vectors[v].name);
     if (b.length) j["length"] = *b.length;
+    return j;
+  }
+
+  Json shape(const Mechanism::Body& b, const Mechanism::Frame& own) const {
+    Json j = {{"at", components(own.origin)}};
+    for (int i = d_.dimension == 2 ? 2 : 0; i < 3; ++i) j["at"].push_back(own.rotation[i]);
+    for (std::size_t k = 0; k < b.points.size(); ++k)
+      j["points"][point(b.points[k])] = components(own.points[k]);
+    for (std::size_t k = 0; k < b.vectors.size(); ++k) {
+      const auto& [x, y, z] = own.vectors[k];
+      j["vectors"][d_.vectors[b.vectors[k]].name] = components({x.value, y.value, z.value});
+    }
     return j;
   }
 

@@ -75,9 +75,18 @@ Mechanism::Vec read_components(const JsonValue& value, int dimension);
 /// Reads a vector's name, or a list of two points.
 Mechanism::Direction read_direction(const JsonValue& value, const Names& names);
 
+std::vector<Mechanism::Point> read_points(const JsonValue& list, int dimension,
+                                          const DisplayUnits& units, Names& names);
+
+/// Reads `vectors` of the file, or of a body's frame.
 std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension,
                                             const std::vector<Mechanism::Point>& points,
                                             Names& names);
+
+/// Reads the ground and the bodies. Adds points and vectors that only their frames have, at the
+/// nominal place of the first of these.
+void read_bodies(const JsonValue& root, Mechanism& mechanism, const DisplayUnits& units,
+                 Names& names);
 
 /// Reads joints; names of those without one are empty.
 std::vector<Mechanism::Joint> read_joints(const JsonValue& root, const Names& names);

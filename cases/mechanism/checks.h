@@ -30,6 +30,9 @@ class MechanismError : public std::invalid_argument {
 [[noreturn]] void refuse(const Mechanism& mechanism, MechanismError::Part part, int index,
                          const std::string& what);
 
+/// Returns a vector as a body carries it: in the body's frame, if it has one, or as drawn.
+Mechanism::Vec carried_vector(const Mechanism& mechanism, int body, int vector);
+
 /// Returns whether an index is within a list.
 template <class List>
 bool is_in(int index, const List& list) {

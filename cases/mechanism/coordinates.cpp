@@ -110,12 +110,20 @@ class CoordinateCheck {
     if (c_.from.is_line() || c_.towards.is_line())
       complain("the directions where it is 0 and π/2 must be vectors in space; declare vectors");
     const Mechanism::Vec u = check_direction(c_.from), v = check_direction(c_.towards);
-    if (std::abs(dot(u, v)) > right_angle)
+    if (std::abs(cosine(c_.from.vector, c_.towards.vector)) > right_angle)
       complain("the directions where it is 0 and π/2 are not at a right angle; choose another");
     if (std::hypot(dot(w, u), dot(w, v)) <= right_angle)
       complain(text(c_.of) + " is perpendicular to the plane of " + text(c_.from) + " and " +
                text(c_.towards) +
                ", where its projection vanishes and has no angle; choose another direction");
+  }
+
+  // Of two vectors, if possible on a body with a frame: others are but drawn.
+  double cosine(int u, int v) const {
+    int carrier = 0;
+    for (const auto& [vector, body] : vectors_.of(u))
+      if (d_.bodies[body].own && vectors_.carries(body, v)) carrier = body;
+    return dot(carried_vector(d_, carrier, u), carried_vector(d_, carrier, v));
   }
 
   std::string text(const Mechanism::Direction& of) const {

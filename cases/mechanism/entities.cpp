@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "cases/mechanism/checks.h"
 #include "cases/mechanism/directions.h"
@@ -16,6 +17,10 @@ constexpr double unit_length_rounding = 1e-9;
 
 bool finite(const Mechanism::Vec& x) {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+bool is_unit(const Mechanism::Vec& u) {
+  return std::abs(std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1) <= unit_length_rounding;
 }
 
 template <class Entry>
@@ -53,14 +58,27 @@ void check_along(const Mechanism& d, int i, const Carriers& points, const Carrie
     refuse(d, Part::vector, i,
            "no body that carries it carries " + in_quotes(d.points[p].name) + " and " +
                in_quotes(d.points[q].name) + "; add the points to the body");
+  for (const auto& [vector, body] : carriers) {
+    const Mechanism::Body& carrier = d.bodies[body];
+    if (!carrier.own || !points.carries(body, p) || !points.carries(body, q)) continue;
+    const auto at = [&](int point) {
+      return carrier.own->points[std::ranges::find(carrier.points, point) - carrier.points.begin()];
+    };
+    const auto line = direction(at(p), at(q));
+    const Mechanism::Vec u = carried_vector(d, body, i);
+    if (!line ||
+        std::hypot((*line)[0] - u[0], (*line)[1] - u[1], (*line)[2] - u[2]) > unit_length_rounding)
+      refuse(d, Part::vector, i,
+             "does not point from " + in_quotes(d.points[p].name) + " to " +
+                 in_quotes(d.points[q].name) + " in the frame of " + in_quotes(carrier.name) +
+                 "; give it there by \"along\", too");
+  }
 }
 
 void check_vectors(const Mechanism& d) {
   for (int i = 0; i < static_cast<int>(d.vectors.size()); ++i) {
     const Mechanism::Vec& u = d.vectors[i].direction;
-    const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-    if (!(std::abs(length - 1) <= unit_length_rounding))
-      refuse(d, Part::vector, i, "is not of length 1; divide it by its length");
+    if (!is_unit(u)) refuse(d, Part::vector, i, "is not of length 1; divide it by its length");
     if (d.dimension == 2 && u[2] != 0)
       refuse(d, Part::vector, i, "has a third component that is not 0; in the plane it must be");
   }
@@ -97,16 +115,48 @@ void check_length(const Mechanism& d, int i) {
                " coincide; estimate different positions");
 }
 
+void check_frame(const Mechanism& d, int i) {
+  const Mechanism::Body& body = d.bodies[i];
+  if (i == 0 || body.length)
+    refuse(d, Part::body, i, "has a frame of its own and is the ground, or has a length; draw it");
+  if (body.own->points.size() != body.points.size() ||
+      body.own->vectors.size() != body.vectors.size())
+    refuse(d, Part::body, i, "has a frame of its own; give each point and vector in it");
+  std::vector<Mechanism::Vec> all = body.own->points;
+  for (const auto& [x, y, z] : body.own->vectors) {
+    all.push_back({x.value, y.value, z.value});
+    if (!is_unit(all.back()))
+      refuse(d, Part::body, i, "has a vector in its frame that is not of length 1; divide it");
+  }
+  all.push_back(body.own->origin);
+  for (const Mechanism::Vec& x : all)
+    if (d.dimension == 2 && x[2] != 0)
+      refuse(d, Part::body, i, "has a frame with a third component; in the plane it must be 0");
+  all.push_back(body.own->rotation);
+  for (const Mechanism::Vec& x : all)
+    if (!finite(x)) refuse(d, Part::body, i, "has a frame that is not finite; give finite numbers");
+}
+
 // A body that carries points alone is where they are apart.
 void check_extent(const Mechanism& d, int i) {
   const Mechanism::Body& body = d.bodies[i];
   if (i == 0 || body.points.size() < 2 || !body.vectors.empty()) return;
-  for (const int p : body.points)
-    if (direction(d.points[body.points[0]].position, d.points[p].position)) return;
+  const auto position = [&](std::size_t k) {
+    return body.own ? body.own->points[k] : d.points[body.points[k]].position;
+  };
+  for (std::size_t k = 1; k < body.points.size(); ++k)
+    if (direction(position(0), position(k))) return;
   refuse(d, Part::body, i, "all its points coincide, a link of zero length; move them apart");
 }
 
 }  // namespace
+
+Mechanism::Vec carried_vector(const Mechanism& d, int body, int vector) {
+  const Mechanism::Body& b = d.bodies[body];
+  if (!b.own) return d.vectors[vector].direction;
+  const auto& [x, y, z] = b.own->vectors[std::ranges::find(b.vectors, vector) - b.vectors.begin()];
+  return {x.value, y.value, z.value};
+}
 
 void check_names(const Mechanism& d) {
   std::set<std::string_view> bodies, joints, couplings, quantities;
@@ -125,6 +175,7 @@ void check_entities(const Mechanism& d) {
   for (int i = 0; i < static_cast<int>(d.bodies.size()); ++i) {
     check_carried(d, i, d.bodies[i].points, d.points, "point");
     check_carried(d, i, d.bodies[i].vectors, d.vectors, "vector");
+    if (d.bodies[i].own) check_frame(d, i);
     if (d.bodies[i].length) check_length(d, i);
     check_extent(d, i);
   }

@@ -88,6 +88,12 @@ void check_joints(const Mechanism& d, const Carriers& points, const Carriers& ve
     check_carried(d, i, form, joint.points, form.common_points, d.points, points, "point");
     check_carried(d, i, form, joint.vectors, form.common_vectors, d.vectors, vectors, "vector");
     check_axis(d, i, form);
+    for (const int b : joint.bodies)
+      if (joint.type == Mechanism::JointType::fixed && d.bodies[b].own)
+        refuse(d, Part::joint, i,
+               "fixes " + in_quotes(d.bodies[b].name) +
+                   ", which has a frame of its own, where that is drawn, which is an estimate; "
+                   "give the points and vectors of both as those of one body");
   }
 }
 

@@ -1,5 +1,5 @@
-// Gears, belts, racks, screws and mimic joints against closed forms: in every partition, with
-// automatic and generated equations, and proven.
+// Gears, belts, racks, screws and mimic joints, and bodies by tables of their points, against
+// closed forms: in every partition, with automatic and generated equations, and proven.
 
 #include <algorithm>
 #include <array>
@@ -113,6 +113,29 @@ Values wound_drum(double t) {
   return v;
 }
 
+/// Nothing is coupled, nor drawn: bodies have frames, of which the scene knows the place roughly.
+Values excavator(double t) {
+  const auto cylinder = [&](Real mean, Real amplitude, Real frequency) {
+    return Jet(mean) + Jet(amplitude) * sin(Jet(2 * pi * frequency) * Jet::time(t));
+  };
+  const Vec2 O{{0, 0}}, G{{Jet(0.45L), Jet(-0.35L)}};
+  const Vec2 b{{Jet(1.9L), Jet(0.75L)}}, d{{Jet(2.2L), Jet(1.05L)}}, s{{Jet(3.8L), Jet(0.1L)}};
+  const Vec2 B = meet(G, cylinder(2.15L, 0.1L, 0.5L), O, norm(b), Side::right);
+  const Vec2 D = carried(O, B, O, b, d), S = carried(O, B, O, b, s);
+  const Vec2 e{{Jet(-0.55L), Jet(0.15L)}}, k{{Jet(0.1L), Jet(0.45L)}}, h{{Jet(1.55L), 0}};
+  const Vec2 E = meet(D, cylinder(1.95L, 0.2L, 0.5L), S, norm(e), Side::left);
+  const Vec2 K = carried(S, E, O, e, k), H = carried(S, E, O, e, h),
+             T = carried(S, E, O, e, {{Jet(1.85L), 0}});
+  const Vec2 J = meet(K, cylinder(1.45L, 0.15L, 1), H, Jet(0.42L), Side::left);
+  const Vec2 n{{Jet(0.05L), Jet(0.32L)}};
+  const Vec2 N = meet(J, Jet(0.4L), T, norm(n), Side::left);
+  Values v;
+  add(v, "D", D), add(v, "S", S), add(v, "K", K), add(v, "J", J), add(v, "N", N);
+  add(v, "u", unit(B - G)), add(v, "v", unit(E - D));
+  add(v, "tip", carried(T, N, O, n, {{1, Jet(-0.1L)}}));
+  return v;
+}
+
 struct Coupled {
   const char* scene;
   Values (*at)(double t);
@@ -124,7 +147,7 @@ constexpr Coupled all[] = {
     {"gear_train", gear_train},       {"planetary_gear", planetary_gear},
     {"rack_steering", rack_steering}, {"belt_arm", belt_arm},
     {"screw_jack", screw_jack},       {"mimic_gripper", mimic_gripper},
-    {"wound_drum", wound_drum},
+    {"wound_drum", wound_drum},       {"excavator", excavator},
 };
 
 /// Every coupling counts whole turns, so angles are compared as they are.

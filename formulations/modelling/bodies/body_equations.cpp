@@ -26,11 +26,11 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
   if (basis.directions.empty())  // a second name for the same place
     return w.constrain<Rigid<2, 0>>(Origin::body, r.name, {r.target, w.point(basis.origin)}, {});
   const Direction& d = basis.directions.front();
-  const double length = nominal::norm(nominal::direction(w.mechanism, d));
+  const double length = nominal::norm(BodyDrawing<double>{w.mechanism}.direction(r.body, d));
   // Seen from the origin, all four kinds measure the same.
   const auto c = measured<PlanarRelation<false, false>>(
       w.mechanism, r.magnitude / length, [&](const auto& drawing) {
-        return std::array{drawing.direction(r.body, r.offset), drawing.direction(d)};
+        return std::array{drawing.direction(r.body, r.offset), drawing.direction(r.body, d)};
       });
   if (r.is_point() && d.is_line())
     w.constrain<PlanarRelation<true, true>>(Origin::body, r.name,
@@ -107,7 +107,7 @@ void relate_point(EquationWriter& w, const std::string& prefix, const RigidBody&
              body,
              w.point(p),
              {-1, body.basis.origin, p},
-             w.reach});
+             w.reach_of(body)});
 }
 
 /// Writes the same equation for a vector.
@@ -140,7 +140,7 @@ void keep_product_of_two(EquationWriter& w, const std::string& name, const Rigid
   } else if (b.is_line()) {
     w.constrain<Projection<3>>(
         Origin::body, product_name, {w.vector(a.vector), w.point(b.from), w.point(b.to)},
-        measured<Projection<3>>(w.mechanism, w.reach, [&](const auto& drawing) {
+        measured<Projection<3>>(w.mechanism, w.reach_of(body), [&](const auto& drawing) {
           return std::array{drawing.direction(body, a), drawing.origin(),
                             drawing.direction(body, b)};
         }));
@@ -162,7 +162,7 @@ void keep_product(EquationWriter& w, const std::string& name, const RigidBody& b
     return w.constrain<Length<D>>(Origin::body, name + w.text(a) + " length",
                                   {w.point(a.from), w.point(a.to)},
                                   measured<Length<D>>(w.mechanism, 0, [&](const auto& drawn) {
-                                    return std::array{drawn.origin(), drawn.span(body, a)};
+                                    return std::array{drawn.origin(), drawn.direction(body, a)};
                                   }));
   if constexpr (D == 3) keep_product_of_two(w, name, body, a, b);
 }
@@ -175,7 +175,7 @@ void keep_along(EquationWriter& w, const std::string& name, const RigidBody& bod
   w.constrain<Rigid<D, 1>>(Origin::body, name + vector.name + " along " + w.text(line),
                            {w.point(to), w.point(from), w.vector(v)},
                            measured<Rigid<D, 1>>(w.mechanism, 0, [&](const auto& drawing) {
-                             return std::array{drawing.span(body, line), drawing.origin()};
+                             return std::array{drawing.direction(body, line), drawing.origin()};
                            }));
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cases/mechanism/disjoint_sets.h"
+#include "formulations/modelling/bodies/drawing.h"
 
 namespace desmo {
 
@@ -16,22 +17,11 @@ Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[
 double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
 
-Vec direction(const Mechanism& d, const Mechanism::Direction& direction) {
-  return direction.is_line() ? d.points[direction.to].position - d.points[direction.from].position
-                             : d.vectors[direction.vector].direction;
-}
-
 double size(const Mechanism& d) {
   double largest = 0;
   for (const Mechanism::Point& p : d.points)
     largest = std::max(largest, norm(p.position - d.points.front().position));
   return largest > 0 ? largest : 1;
-}
-
-std::optional<double> stated_length(const RigidBody& body, const Mechanism::Direction& line) {
-  for (const auto& [a, b, length] : body.lengths)
-    if (line.is_line() && std::minmax({line.from, line.to}) == std::minmax({a, b})) return length;
-  return std::nullopt;
 }
 
 }  // namespace nominal
@@ -59,6 +49,7 @@ bool extend(std::vector<Vec>& orthonormal, Vec v, double min_sine) {
 
 Basis choose_basis(const Mechanism& d, const RigidBody& body) {
   const std::size_t enough = d.dimension == 2 ? 1 : 3;
+  const BodyDrawing<double> drawing{d};
   Basis basis;
   std::vector<Vec> orthonormal;
   if (!body.points.empty()) basis.origin = body.points.front();
@@ -66,12 +57,12 @@ Basis choose_basis(const Mechanism& d, const RigidBody& body) {
   for (const double min_sine : {0.1, 1e-6}) {
     for (const int v : body.vectors)
       if (!follows_from_points(d, body, v) && orthonormal.size() < enough && !basis.has_vector(v) &&
-          extend(orthonormal, d.vectors[v].direction, min_sine))
+          extend(orthonormal, drawing.direction(body, {v}), min_sine))
         basis.directions.push_back({v});
     for (const int p : body.points) {
       const Mechanism::Direction line{-1, basis.origin, p};
       if (orthonormal.size() < enough && !basis.has_point(p) &&
-          extend(orthonormal, nominal::direction(d, line), min_sine))
+          extend(orthonormal, drawing.direction(body, line), min_sine))
         basis.directions.push_back(line);
     }
   }
@@ -127,16 +118,36 @@ std::vector<int> merge_fixed(const Mechanism& d) {
   return first;
 }
 
-/// Where a fixed joint adds other points to a link, all have their places in the nominal position.
-void require_nominal_lengths(const Mechanism& d, const RigidBody& body) {
-  for (const auto& [a, b, given] : body.lengths) {
-    const double actual = nominal::norm(nominal::direction(d, {-1, a, b}));
-    if (std::abs(actual - given) > 1e-9 * given)
-      throw std::invalid_argument(
-          "body '" + d.bodies[body.bodies.front()].name + "': the length of '" + d.points[a].name +
-          "'-'" + d.points[b].name +
-          "' is not that of the nominal positions, but a fixed joint joins it to other points; "
-          "give nominal positions with that length");
+/// Gives two points their stated distance. Where a fixed joint adds others, all have their places
+/// in the nominal position.
+void state_length(const Mechanism& d, const Mechanism::Body& part, RigidBody& body) {
+  const Drawing<Derived> drawing{d};
+  const int p = part.points[0], q = part.points[1];
+  auto line = drawing.direction({-1, p, q});
+  const Derived drawn = sqrt(line[0] * line[0] + line[1] * line[1] + line[2] * line[2]);
+  if (body.bodies.front() == 0 || body.points.size() > 2) {
+    if (std::abs(drawn.value - *part.length) <= 1e-9 * *part.length) return;
+    throw std::invalid_argument(
+        "body '" + d.bodies[body.bodies.front()].name + "': the length of '" + d.points[p].name +
+        "'-'" + d.points[q].name +
+        "' is not that of the nominal positions, but a fixed joint joins it to other points; "
+        "give nominal positions with that length");
+  }
+  for (Derived& x : line) x = x * (*part.length / drawn);
+  if (body.vectors.empty()) line = {*part.length, 0, 0};  // exactly
+  body.own_points = {drawing.origin(), line};
+  body.own_vectors.clear();
+  for (const int v : body.vectors) body.own_vectors.push_back(drawing.vector(v));
+}
+
+/// Finds the shape of a body of which the drawing is an estimate.
+void find_shape(const Mechanism& d, RigidBody& body) {
+  for (const int b : body.bodies) {
+    const Mechanism::Body& part = d.bodies[b];
+    if (part.length) state_length(d, part, body);
+    if (!part.own) continue;  // alone: no joint fixes such a body
+    for (const auto& [x, y, z] : part.own->points) body.own_points.push_back({x, y, z});
+    body.own_vectors = part.own->vectors;
   }
 }
 
@@ -165,8 +176,11 @@ void require_representable(const Mechanism& d) {
   for (const Mechanism::Body& body : d.bodies) {
     if (&body == &d.bodies.front()) continue;  // its points are where they are
     if (body.length) require_representable(*body.length, body.name);
-    for (const int p : body.points) {
-      const Mechanism::Vec &a = d.points[body.points.front()].position, &b = d.points[p].position;
+    for (std::size_t k = 0; k < body.points.size(); ++k) {
+      const auto position = [&](std::size_t of) {
+        return body.own ? body.own->points[of] : d.points[body.points[of]].position;
+      };
+      const Vec a = position(0), b = position(k);
       require_representable(std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]), body.name);
     }
   }
@@ -193,9 +207,8 @@ RigidBodies find_rigid_bodies(const Mechanism& d) {
       const Mechanism::Body& part = d.bodies[b];
       points.add(part.points, r, body.points);
       vectors.add(part.vectors, r, body.vectors);
-      if (part.length) body.lengths.push_back({part.points[0], part.points[1], *part.length});
     }
-    if (r == 0 || body.points.size() > 2) require_nominal_lengths(d, body);
+    find_shape(d, body);
     for (const int p : body.points) rigid.of_point[p].push_back(r);
     for (const int v : body.vectors) rigid.of_vector[v].push_back(r);
     if (r == 0) continue;

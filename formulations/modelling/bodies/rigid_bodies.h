@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -26,12 +26,9 @@ struct RigidBody {
   Basis basis;
   int freedoms = 0;  ///< 3 or 6, less motions that move no point or vector (a rod's spin)
 
-  /// The distance between its two points that a body of the mechanism declares.
-  struct GivenLength {
-    int a, b;  ///< points
-    double length;
-  };
-  std::vector<GivenLength> lengths;
+  /// Where its drawing is an estimate, its points and vectors in a frame of its own; else empty.
+  std::vector<std::array<Derived, 3>> own_points, own_vectors;
+  bool has_shape() const { return !own_points.empty() || !own_vectors.empty(); }
 };
 
 /// The rigid bodies of a mechanism, in the order of their first body.
@@ -64,12 +61,8 @@ using Vec = Mechanism::Vec;
 Vec operator-(const Vec& a, const Vec& b);
 double dot(const Vec& a, const Vec& b);
 double norm(const Vec& a);
-/// Returns a direction: a vector as declared, or a line with its length.
-Vec direction(const Mechanism& mechanism, const Mechanism::Direction& d);
 /// Returns the largest distance of a point from the first one; 1 for a mechanism without extent.
 double size(const Mechanism& mechanism);
-/// Returns the length that the body declares for the two points of a line, if any.
-std::optional<double> stated_length(const RigidBody& body, const Mechanism::Direction& d);
 
 }  // namespace nominal
 

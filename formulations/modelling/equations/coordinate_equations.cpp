@@ -61,7 +61,7 @@ void define_from_x_axis(const Definition& definition) {
     definition.as<PlanarAngle>(
         {w.point(c.of.from), w.point(c.of.to), value},
         measured<PlanarAngle>(w.mechanism, 0, [&](const auto& drawing) {
-          return std::array{drawing.origin(), drawing.span(body_of(definition, c.of), c.of)};
+          return std::array{drawing.origin(), drawing.direction(body_of(definition, c.of), c.of)};
         }));
   else
     definition.as<PlanarDirection>({w.vector(c.of.vector), value});
@@ -73,7 +73,7 @@ Derived ratio_of_lengths(const Definition& definition) {
   return measured<PlanarTurn<Between::lines_at_point>>(w.mechanism, 0, [&](const auto& drawing) {
     const auto span = [&](const Direction& d) {
       using Vec = decltype(drawing.origin());
-      return d.is_line() ? drawing.span(body_of(definition, d), d) : Vec{1, 0, 0};
+      return d.is_line() ? drawing.direction(body_of(definition, d), d) : Vec{1, 0, 0};
     };
     return std::array{drawing.origin(), span(c.of), span(c.from)};
   })[0];
@@ -122,9 +122,20 @@ void define_spatial_angle(const Definition& definition) {
   }
 }
 
+/// Returns whether a body that carries one of these has a frame, so that the drawing is an
+/// estimate.
+bool is_estimated(const EquationWriter& w, const Mechanism::Coordinate& c) {
+  for (const auto& carriers :
+       {w.rigid.of_point[c.of.from], w.rigid.of_point[c.of.to], w.rigid.of_vector[c.vector]})
+    for (const int r : carriers)
+      if (w.mechanism.bodies[w.rigid.list[r].bodies.front()].own) return true;
+  return false;
+}
+
 void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
+  if (is_estimated(w, c)) return;
   const Mechanism& d = w.mechanism;
-  const Vec s = nominal::direction(d, c.of), u = d.vectors[c.vector].direction;
+  const Vec s = Drawing<double>{d}.direction(c.of), u = d.vectors[c.vector].direction;
   const double along = nominal::dot(s, u);
   const Vec off = s - Vec{along * u[0], along * u[1], along * u[2]};
   if (nominal::norm(off) > 1e-6 * nominal::size(d))

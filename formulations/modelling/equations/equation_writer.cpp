@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -10,10 +11,11 @@ namespace desmo {
 
 namespace {
 
-double max_coordinate(const Mechanism& d) {
+template <class Points, class Position = std::identity>
+double max_coordinate(const Points& points, Position position = {}) {
   double largest = 0;
-  for (const Mechanism::Point& p : d.points)
-    for (const double x : p.position) largest = std::max(largest, std::abs(x));
+  for (const auto& p : points)
+    for (const double x : std::invoke(position, p)) largest = std::max(largest, std::abs(x));
   return largest;
 }
 
@@ -30,7 +32,15 @@ Candidates write_all(EquationWriter& w) {
 
 EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
                                Coordinates coordinates)
-    : mechanism(d), rigid(bodies), reach(max_coordinate(d)), coordinates_(std::move(coordinates)) {}
+    : mechanism(d),
+      rigid(bodies),
+      reach(max_coordinate(d.points, &Mechanism::Point::position)),
+      coordinates_(std::move(coordinates)) {}
+
+double EquationWriter::reach_of(const RigidBody& body) const {
+  const auto& own = mechanism.bodies[body.bodies.front()].own;
+  return own ? max_coordinate(own->points) : reach;
+}
 
 EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vector& vector) {
   return coordinates_.model.add_fixed(EntityKind::vector, std::move(name),

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/modelling/bodies/drawing.h"
 #include "formulations/modelling/equations/candidates.h"
-#include "formulations/modelling/equations/drawing.h"
 
 namespace desmo {
 
@@ -21,6 +21,9 @@ class EquationWriter {
   const Mechanism& mechanism;
   const RigidBodies& rigid;
   const double reach;  ///< largest absolute coordinate of a point, nominally
+
+  /// Returns that of a body's shape, which is drawn or has a frame.
+  double reach_of(const RigidBody& body) const;
 
   EntityId point(int p) const { return coordinates_.points[p]; }
   EntityId vector(int v) const { return coordinates_.vectors[v]; }

@@ -5,11 +5,21 @@ namespace desmo {
 
 namespace {
 
+/// Returns what a joint keeps constant: as drawn, or none where the drawing of a body is an
+/// estimate.
+template <class Kind, class Operands>
+std::array<Derived, Kind::constants> kept(const EquationWriter& w, const Mechanism::Joint& j,
+                                          double magnitude, const Operands& operands) {
+  for (const int b : j.bodies)
+    if (w.mechanism.bodies[b].own) return {};
+  return measured<Kind>(w.mechanism, magnitude, operands);
+}
+
 /// What slides stays at the same offset from the line along which it does.
 void keep_offset(EquationWriter& w, const Mechanism::Joint& j) {
   w.constrain<Offset>(Origin::joint, j.name + ": offset",
                       {w.vector(j.vectors[0]), w.point(j.points[0]), w.point(j.points[1])},
-                      measured<Offset>(w.mechanism, w.reach, [&](const auto& drawing) {
+                      kept<Offset>(w, j, w.reach, [&](const auto& drawing) {
                         return std::array{drawing.vector(j.vectors[0]), drawing.point(j.points[0]),
                                           drawing.point(j.points[1])};
                       }));
@@ -18,7 +28,7 @@ void keep_offset(EquationWriter& w, const Mechanism::Joint& j) {
 /// The axes of a universal joint stay at the same angle.
 void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
   const Mechanism::Direction a{j.vectors[0]}, b{j.vectors[1]};
-  const auto product = measured<Dot<3>>(w.mechanism, 1, [&](const auto& drawing) {
+  const auto product = kept<Dot<3>>(w, j, 1, [&](const auto& drawing) {
     return std::array{drawing.vector(a.vector), drawing.vector(b.vector)};
   });
   if (w.note_product(a, b, product[0].value))
@@ -28,13 +38,13 @@ void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
 
 /// The second point stays at the same distance from the plane through the first.
 void keep_distance(EquationWriter& w, const Mechanism::Joint& j) {
-  w.constrain<Projection<3>>(
-      Origin::joint, j.name + ": distance from the plane",
-      {w.vector(j.vectors[0]), w.point(j.points[0]), w.point(j.points[1])},
-      measured<Projection<3>>(w.mechanism, w.reach, [&](const auto& drawing) {
-        return std::array{drawing.vector(j.vectors[0]), drawing.point(j.points[0]),
-                          drawing.point(j.points[1])};
-      }));
+  w.constrain<Projection<3>>(Origin::joint, j.name + ": distance from the plane",
+                             {w.vector(j.vectors[0]), w.point(j.points[0]), w.point(j.points[1])},
+                             kept<Projection<3>>(w, j, w.reach, [&](const auto& drawing) {
+                               return std::array{drawing.vector(j.vectors[0]),
+                                                 drawing.point(j.points[0]),
+                                                 drawing.point(j.points[1])};
+                             }));
 }
 
 }  // namespace

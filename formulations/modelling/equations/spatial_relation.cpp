@@ -44,8 +44,8 @@ std::vector<Derived> coefficients_in_space(const Mechanism& d, const RigidBody& 
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions(3, n);
   std::vector<ExactVec> exact_directions;
   for (int k = 0; k < n; ++k) {
-    directions.col(k) = Eigen::Vector3d(rounded.direction(basis[k]).data());
-    exact_directions.push_back(exact.direction(basis[k]));
+    directions.col(k) = Eigen::Vector3d(rounded.direction(body, basis[k]).data());
+    exact_directions.push_back(exact.direction(body, basis[k]));
   }
   const Eigen::VectorXd solution = directions.colPivHouseholderQr().solve(
       Eigen::Vector3d(rounded.direction(body, offset).data()));

@@ -77,7 +77,7 @@ class VariedDrawing {
   }
 
   /// Dimensions vary with what they are measured between. Those that the drawing does not have come
-  /// from a stated length: they are products or ratios of up to three more numbers.
+  /// from a stated length or a frame: they are products or ratios of up to three more numbers.
   template <class Kind>
   void vary_dimensions(Constraint& c) const {
     std::array<Derived, Kind::constants> drawn;

@@ -1,0 +1,147 @@
+// Points and bodies of a mechanism file.
+#include <cmath>
+
+#include "cases/io/readers.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+using Vec = Mechanism::Vec;
+
+/// Returns a vector turned by a rotation vector.
+Vec turned(const Vec& x, const Vec& rotation) {
+  const double angle = std::hypot(rotation[0], rotation[1], rotation[2]);
+  if (angle == 0) return x;
+  const Vec k{rotation[0] / angle, rotation[1] / angle, rotation[2] / angle};
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  const double along = (1 - cosine) * (k[0] * x[0] + k[1] * x[1] + k[2] * x[2]);
+  return {cosine * x[0] + sine * (k[1] * x[2] - k[2] * x[1]) + along * k[0],
+          cosine * x[1] + sine * (k[2] * x[0] - k[0] * x[2]) + along * k[1],
+          cosine * x[2] + sine * (k[0] * x[1] - k[1] * x[0]) + along * k[2]};
+}
+
+class BodyReader {
+ public:
+  BodyReader(Mechanism& d, const DisplayUnits& units, Names& names)
+      : d_(d), units_(units), names_(names) {}
+
+  void read(const JsonValue& root) {
+    const JsonValue ground = root["ground"];
+    ground.allow({"points", "vectors"});
+    d_.bodies.push_back({"ground", {}, {}, {}});
+    names_.bodies.add(ground.key());
+    const std::vector<JsonValue> members = root["bodies"].members();
+    for (const JsonValue& value : members) {
+      if (value.key() == ground.key())
+        value.complain("'ground' is the name of the ground; choose another for this body");
+      value.allow({"at", "points", "vectors", "length"});
+      d_.bodies.push_back({checked_name(value, value.key()), {}, {}, {}});
+      names_.bodies.add(value.key());
+    }
+    drawn_points_ = d_.points.size();
+    drawn_vectors_ = d_.vectors.size();
+    for (std::size_t b = 0; b < members.size(); ++b)
+      if (has_frame(members[b])) read_shape(members[b], d_.bodies[b + 1]);
+    read_lists(ground, d_.bodies.front());
+    for (std::size_t b = 0; b < members.size(); ++b)
+      if (!has_frame(members[b])) read_lists(members[b], d_.bodies[b + 1]);
+  }
+
+ private:
+  static bool has_frame(const JsonValue& body) {
+    const auto points = body.find("points"), vectors = body.find("vectors");
+    return body.find("at") || (points && points->is_object()) || (vectors && vectors->is_object());
+  }
+
+  void read_shape(const JsonValue& value, Mechanism::Body& body) {
+    value.allow({"at", "points", "vectors"});
+    Mechanism::Frame& frame = body.own.emplace();
+    read_place(value["at"], frame);
+    Names own;
+    std::vector<Mechanism::Point> points;
+    if (const auto list = value.find("points"))
+      points = read_points(*list, d_.dimension, units_, own);
+    for (const auto& [name, position] : points) {
+      Vec x = turned(position, frame.rotation);
+      for (int i = 0; i < 3; ++i) x[i] += frame.origin[i];
+      body.points.push_back(place(d_.points, names_.points, own.points, body.points, {name, x}));
+      frame.points.push_back(position);
+    }
+    for (const auto& [name, u, along, remainder] : read_vectors(value, d_.dimension, points, own)) {
+      body.vectors.push_back(place(d_.vectors, names_.vectors, own.vectors, body.vectors,
+                                   {name, turned(u, frame.rotation), {}}));
+      auto& exact = frame.vectors.emplace_back();
+      for (int i = 0; i < 3; ++i) exact[i] = {u[i], remainder[i]};
+    }
+  }
+
+  /// Returns the position of the next of a body's entities. Adds it unless it is drawn already.
+  template <class Entity>
+  static int place(std::vector<Entity>& all, NameTable& names, const NameTable& own,
+                   const std::vector<int>& listed, Entity entity) {
+    const std::string_view name = own.names()[listed.size()];
+    if (const auto known = names.position(name)) return *known;
+    names.add(name);
+    all.push_back(std::move(entity));
+    return static_cast<int>(all.size()) - 1;
+  }
+
+  void read_place(const JsonValue& value, Mechanism::Frame& frame) const {
+    const std::vector<JsonValue> numbers = value.elements();
+    const int n = d_.dimension;
+    if (numbers.size() != static_cast<std::size_t>(n == 2 ? 3 : 6))
+      value.complain("has " + std::to_string(numbers.size()) + " numbers; give the origin and " +
+                     (n == 2 ? "the angle: three" : "the rotation vector: six"));
+    for (int i = 0; i < n; ++i) frame.origin[i] = numbers[i].number() * units_.length.in_si;
+    for (std::size_t i = n; i < numbers.size(); ++i)
+      frame.rotation[n == 2 ? 2 : i - n] = numbers[i].number() * units_.angle.in_si;
+  }
+
+  void read_lists(const JsonValue& value, Mechanism::Body& body) const {
+    const auto points = value.find("points"), vectors = value.find("vectors");
+    if (const auto length = value.find("length"))
+      body.length = length->number() * units_.length.in_si;
+    if (points) body.points = names_.points.find_each(*points);
+    if (vectors) body.vectors = names_.vectors.find_each(*vectors);
+    if (points && !body.length) require_drawn(*points, "point", body.points, drawn_points_);
+    if (vectors) require_drawn(*vectors, "vector", body.vectors, drawn_vectors_);
+  }
+
+  /// The shape of a body without a frame is drawn: not where others are estimated to be.
+  static void require_drawn(const JsonValue& list, const std::string& kind,
+                            const std::vector<int>& listed, std::size_t drawn) {
+    const std::vector<JsonValue> names = list.elements();
+    for (std::size_t k = 0; k < listed.size(); ++k)
+      if (listed[k] >= static_cast<int>(drawn))
+        names[k].complain("the " + kind + " " + in_quotes(names[k].text()) +
+                          " is given in the frame of another body only, which is an estimate; "
+                          "add it to the file's \"" +
+                          kind + "s\", or give this body a frame, too, by \"at\"");
+  }
+
+  Mechanism& d_;
+  const DisplayUnits& units_;
+  Names& names_;
+  std::size_t drawn_points_ = 0, drawn_vectors_ = 0;  // those of the file, in front
+};
+
+}  // namespace
+
+std::vector<Mechanism::Point> read_points(const JsonValue& list, int dimension,
+                                          const DisplayUnits& units, Names& names) {
+  std::vector<Mechanism::Point> points;
+  for (const JsonValue& value : list.members()) {
+    Vec position = read_components(value, dimension);
+    for (double& component : position) component *= units.length.in_si;
+    points.push_back({checked_name(value, value.key()), position});
+    names.points.add(value.key());
+  }
+  return points;
+}
+
+void read_bodies(const JsonValue& root, Mechanism& d, const DisplayUnits& units, Names& names) {
+  BodyReader(d, units, names).read(root);
+}
+
+}  // namespace desmo

@@ -1,0 +1,111 @@
+// Bodies in frames of their own: what joints of theirs keep constant, and what is refused.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "formulations/modelling/bodies/rigid_bodies.h"
+#include "formulations/modelling/equations/candidates.h"
+#include "formulations/modelling/groups/structure.h"
+#include "tests/modelling/common.h"
+
+namespace desmo::frames_test {
+namespace {
+
+/// A ground with joints, each to a body of its own that is drawn where it cannot be meant to be.
+Mechanism joined(int dimension) {
+  Sketch d("joined", dimension);
+  const int O = d.ground_point("O", {0, 0, 0});
+  const int u = d.ground_vector("u", dimension == 2 ? Vec{0.6, 0.8, 0} : Vec{0, 0.6, 0.8});
+  const auto add = [&](JointType type, const std::string& name, bool has_vector) {
+    const int P = d.point("P " + name, {1, 0.3, 0});
+    const int b = d.body(name, {P}, has_vector ? std::vector{u} : std::vector<int>{});
+    d.joint(type, Sketch::ground, b, {O, P}, {u});
+  };
+  if (dimension == 2) {
+    add(JointType::prismatic, "slider", true);
+    add(JointType::revolute_on_slider, "pin", false);
+    return d.release();
+  }
+  add(JointType::planar, "plate", true);
+  add(JointType::point_on_plane, "tip", false);
+  const int w = d.vector("w", {0, 0.8, 0.6});
+  d.joint(JointType::universal, Sketch::ground, d.body("shaft", {O}, {w}), {O}, {u, w});
+  return d.release();
+}
+
+Mechanism with_frames(Mechanism d) {
+  for (std::size_t b = 1; b < d.bodies.size(); ++b) {
+    Mechanism::Frame& own = d.bodies[b].own.emplace();
+    own.points.resize(d.bodies[b].points.size(), Vec{2, 1, 0});
+    own.vectors.resize(d.bodies[b].vectors.size(), {Derived(1), Derived(0), Derived(0)});
+  }
+  return d;
+}
+
+TEST(Frame, LetsJointsKeepNothingOfTheDrawing) {
+  for (const int dimension : {2, 3})
+    for (const bool has_frames : {false, true}) {
+      Mechanism d = joined(dimension);
+      if (has_frames) d = with_frames(d);
+      const RigidBodies rigid = find_rigid_bodies(d);
+      const Structure together = dimension == 2 ? Structure{{{{1, 2}, {}}}, {-1, 0, 0}}
+                                                : Structure{{{{1, 2, 3}, {}}}, {-1, 0, 0, 0}};
+      const Candidates all = make_candidates(d, rigid, together, {});
+      int found = 0;
+      for (std::size_t c = 0; c < all.origins.size(); ++c)
+        if (all.origins[c] == Origin::joint) {
+          ++found;
+          EXPECT_EQ(all.model.constraints[c].constants[0] == 0, has_frames)
+              << all.model.constraints[c].name;
+        }
+      EXPECT_EQ(found, dimension);
+    }
+}
+
+TEST(Frame, ThatIsNotWholeIsRefused) {
+  const auto refused = [](auto&& change, const std::string& what) {
+    Mechanism d = with_frames(joined(2));
+    change(d);
+    expect_refused(d, {}, {what});
+  };
+  const auto own = [](Mechanism& d) -> Mechanism::Frame& { return *d.bodies[1].own; };
+  refused([&](Mechanism& d) { own(d).points.clear(); }, "'slider': has a frame of its own; give ");
+  refused([&](Mechanism& d) { own(d).vectors.clear(); }, "'slider': has a frame of its own; give ");
+  refused([&](Mechanism& d) { own(d).vectors[0][1] = 1e-4; }, "not of length 1");
+  refused([&](Mechanism& d) { own(d).rotation[2] = NAN; }, "'slider': has a frame that is not fin");
+  refused([&](Mechanism& d) { own(d).points[0][2] = 1; }, "'slider': has a frame with a third");
+  refused([&](Mechanism& d) { d.bodies[0].own.emplace(); }, "'ground': has a frame of its own and");
+  refused([&](Mechanism& d) { d.bodies[1].length = 1; }, "'slider': has a frame of its own and");
+  refused(
+      [&](Mechanism& d) {
+        d.joints.push_back({"weld", JointType::fixed, {0, 1}, {}, {}});
+      },
+      "joint 'weld': fixes 'slider', which has a frame of its own");
+}
+
+/// A drawing is rough: directions that are perpendicular on a body need not be so in it.
+TEST(Frame, TellsWhetherDirectionsOfAnAngleArePerpendicular) {
+  Sketch d("carrier", 3);
+  const int O = d.ground_point("O", {0, 0, 0}), z = d.ground_vector("z", {0, 0, 1});
+  const int x = d.vector("x", {0.8, 0, 0.6}), P = d.point("P", {1, 1, 0});
+  const int body = d.body("body", {O}, {z, x});
+  d.joint(JointType::revolute, Sketch::ground, body, {O}, {z});
+  d.joint(JointType::spherical, body, d.body("arm", {O, P}), {O}, {});
+  Mechanism::Coordinate& c = d.coordinate("a", Mechanism::CoordinateType::angle);
+  c.of = line(O, P), c.from = {z}, c.towards = {x};
+  Mechanism m = d.release();
+  using Direction = std::array<Derived, 3>;
+  Mechanism::Frame& own = m.bodies[body].own.emplace();
+  own.points = {{}};
+  own.vectors = {Direction{0.0, 0.0, 1.0}, Direction{1.0, 0.0, 0.0}};
+  EXPECT_NO_THROW(validate(m));
+  own.vectors[1] = {0.6, 0.0, 0.8};
+  expect_refused(m, {}, {"'a'", "are not at a right angle"});
+}
+
+}  // namespace
+}  // namespace desmo::frames_test
