@@ -42,11 +42,10 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     const PerLevel<Digits> now = digits(c);
     // Each level counts by itself: where a motion rests, rates are nothing but rounding.
     bool halves = false, is_right = true;
-    double before = 0, open = INFINITY;
+    double before = 0;
     for (const Level level : levels_) {
       is_right &= now[level].open <= 1;
       before = std::max(before, now[level].before);
-      if (now[level].open > 1) open = std::min(open, now[level].open);
       // Sizes of rates fall, too, where a motion rests: what counts is the error itself.
       double share = result_.proven ? 1 : 0;
       for (const int kind : {0, 1})
@@ -59,9 +58,9 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     }
     result_.proven = true;
     if (is_right) break;
-    // What another pass may take off is of second order in the errors.
+    // What another pass takes off is of second order in the errors: is it seen in the last digit?
     const double second = c.condition * before;
-    if (halves && second * second * Interval::unit > open / 2) continue;
+    if (halves && second * second * Interval::unit > 0.5) continue;
     if (sets == ErrorSets::bases || !certifier_.has_long_chains()) break;
     sets = ErrorSets::bases;
   }
