@@ -174,8 +174,7 @@ TEST_F(Cli, NothingThatIsReadIsReplaced) {
   fs::create_hard_link(folder_ / "scene.json", folder_ / "same.csv");
   for (const char* command :
        {"solve scene.json --format csv -o scene.json", "solve scene.json --format csv -o ./link",
-        "solve scene.json -o same.csv", "solve - --format csv -o scene.json <scene.json",
-        "view scene.json -o scene.json"}) {
+        "solve scene.json -o same.csv", "solve - --format csv -o scene.json <scene.json"}) {
     EXPECT_EQ(desmo(command), 64) << command;
     EXPECT_TRUE(says("this is the scene, which is read; give another file")) << command << err_;
   }

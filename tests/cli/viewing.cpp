@@ -35,6 +35,12 @@ class View : public Cli {
   }
 };
 
+TEST_F(View, ReplacesNoSceneThatIsRead) {
+  ASSERT_EQ(desmo("show slider_crank --scene >scene.json"), 0);
+  EXPECT_EQ(desmo("view scene.json -o scene.json"), 64);
+  EXPECT_TRUE(says("this is the scene, which is read; give another file")) << err_;
+}
+
 TEST_F(View, IsOnePageThatLoadsNothing) {
   ASSERT_EQ(desmo("view slider_crank --quiet"), 0) << err_;
   EXPECT_EQ(err_, "");
