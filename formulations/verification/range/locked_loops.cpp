@@ -13,6 +13,8 @@ namespace desmo {
 namespace {
 
 using Eigen::MatrixXd;
+/// Finds small singular values as well as large ones.
+using Decomposition = Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner>;
 
 constexpr double moves = 1e-5;  // of the largest change of a component
 
@@ -43,9 +45,8 @@ LockedLoops find_locked_loops(const Model& m, const SolutionCurve& curve,
   const std::vector<double> lengths = CharacteristicLengths(m).of_coordinates();
   LockedLoops locked;
   for (const PartDefinition& block : curve.blocks()) {
-    const Eigen::BDCSVD<MatrixXd> here(scaled_jacobian(m, block, lengths, point.state),
-                                       Eigen::ComputeFullV);
-    const Eigen::BDCSVD<MatrixXd> there(scaled_jacobian(m, block, lengths, before.state));
+    const Decomposition here(scaled_jacobian(m, block, lengths, point.state), Eigen::ComputeFullV);
+    const Decomposition there(scaled_jacobian(m, block, lengths, before.state));
     const Eigen::Index n = here.singularValues().size();
     Eigen::Index nullity = 0;
     for (; nullity < n; ++nullity) {
