@@ -15,6 +15,13 @@ double largest(const Vec& x) { return std::max({std::abs(x[0]), std::abs(x[1]), 
 
 }  // namespace
 
+std::vector<Vec> shape_of(const Mechanism& d, const Mechanism::Body& body) {
+  if (body.own) return body.own->points;
+  std::vector<Vec> points;
+  for (const int p : body.points) points.push_back(d.points[p].position);
+  return points;
+}
+
 std::optional<Vec> unit_vector(const Vec& x) {
   const double scale = largest(x);  // so that no square overflows or vanishes
   if (!(scale > 0)) return std::nullopt;

@@ -1,12 +1,16 @@
-// Nominal directions of vectors and of lines.
+// Nominal directions of vectors and of lines, and the points that they join.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "cases/mechanism/mechanism.h"
 
 namespace desmo {
+
+/// Returns the points of a body: in the body's frame, if it has one, or as drawn.
+std::vector<Mechanism::Vec> shape_of(const Mechanism& mechanism, const Mechanism::Body& body);
 
 /// Returns x scaled to length 1; nothing when all components are zero.
 std::optional<Mechanism::Vec> unit_vector(const Mechanism::Vec& x);

@@ -58,21 +58,6 @@ void check_along(const Mechanism& d, int i, const Carriers& points, const Carrie
     refuse(d, Part::vector, i,
            "no body that carries it carries " + in_quotes(d.points[p].name) + " and " +
                in_quotes(d.points[q].name) + "; add the points to the body");
-  for (const auto& [vector, body] : carriers) {
-    const Mechanism::Body& carrier = d.bodies[body];
-    if (!carrier.own || !points.carries(body, p) || !points.carries(body, q)) continue;
-    const auto at = [&](int point) {
-      return carrier.own->points[std::ranges::find(carrier.points, point) - carrier.points.begin()];
-    };
-    const auto line = direction(at(p), at(q));
-    const Mechanism::Vec u = carried_vector(d, body, i);
-    if (!line ||
-        std::hypot((*line)[0] - u[0], (*line)[1] - u[1], (*line)[2] - u[2]) > unit_length_rounding)
-      refuse(d, Part::vector, i,
-             "does not point from " + in_quotes(d.points[p].name) + " to " +
-                 in_quotes(d.points[q].name) + " in the frame of " + in_quotes(carrier.name) +
-                 "; give it there by \"along\", too");
-  }
 }
 
 void check_vectors(const Mechanism& d) {
@@ -117,35 +102,31 @@ void check_length(const Mechanism& d, int i) {
 
 void check_frame(const Mechanism& d, int i) {
   const Mechanism::Body& body = d.bodies[i];
+  const Mechanism::Frame& own = *body.own;
   if (i == 0 || body.length)
     refuse(d, Part::body, i, "has a frame of its own and is the ground, or has a length; draw it");
-  if (body.own->points.size() != body.points.size() ||
-      body.own->vectors.size() != body.vectors.size())
+  if (own.points.size() != body.points.size() || own.vectors.size() != body.vectors.size())
     refuse(d, Part::body, i, "has a frame of its own; give each point and vector in it");
-  std::vector<Mechanism::Vec> all = body.own->points;
-  for (const auto& [x, y, z] : body.own->vectors) {
+  std::vector<Mechanism::Vec> all = own.points;
+  all.push_back(own.origin);
+  for (const auto& [x, y, z] : own.vectors) {
     all.push_back({x.value, y.value, z.value});
     if (!is_unit(all.back()))
       refuse(d, Part::body, i, "has a vector in its frame that is not of length 1; divide it");
   }
-  all.push_back(body.own->origin);
   for (const Mechanism::Vec& x : all)
-    if (d.dimension == 2 && x[2] != 0)
-      refuse(d, Part::body, i, "has a frame with a third component; in the plane it must be 0");
-  all.push_back(body.own->rotation);
-  for (const Mechanism::Vec& x : all)
-    if (!finite(x)) refuse(d, Part::body, i, "has a frame that is not finite; give finite numbers");
+    if (!finite(x) || !finite(own.rotation) || (d.dimension == 2 && x[2] != 0))
+      refuse(d, Part::body, i,
+             "has a frame with a number that is not finite or, in the plane, a third component");
 }
 
 // A body that carries points alone is where they are apart.
 void check_extent(const Mechanism& d, int i) {
   const Mechanism::Body& body = d.bodies[i];
   if (i == 0 || body.points.size() < 2 || !body.vectors.empty()) return;
-  const auto position = [&](std::size_t k) {
-    return body.own ? body.own->points[k] : d.points[body.points[k]].position;
-  };
-  for (std::size_t k = 1; k < body.points.size(); ++k)
-    if (direction(position(0), position(k))) return;
+  const std::vector<Mechanism::Vec> points = shape_of(d, body);
+  for (const Mechanism::Vec& p : points)
+    if (direction(points.front(), p)) return;
   refuse(d, Part::body, i, "all its points coincide, a link of zero length; move them apart");
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -69,22 +70,36 @@ TEST(Frame, LetsJointsKeepNothingOfTheDrawing) {
 TEST(Frame, ThatIsNotWholeIsRefused) {
   const auto refused = [](auto&& change, const std::string& what) {
     Mechanism d = with_frames(joined(2));
-    change(d);
+    change(d, *d.bodies[1].own);
     expect_refused(d, {}, {what});
   };
-  const auto own = [](Mechanism& d) -> Mechanism::Frame& { return *d.bodies[1].own; };
-  refused([&](Mechanism& d) { own(d).points.clear(); }, "'slider': has a frame of its own; give ");
-  refused([&](Mechanism& d) { own(d).vectors.clear(); }, "'slider': has a frame of its own; give ");
-  refused([&](Mechanism& d) { own(d).vectors[0][1] = 1e-4; }, "not of length 1");
-  refused([&](Mechanism& d) { own(d).rotation[2] = NAN; }, "'slider': has a frame that is not fin");
-  refused([&](Mechanism& d) { own(d).points[0][2] = 1; }, "'slider': has a frame with a third");
-  refused([&](Mechanism& d) { d.bodies[0].own.emplace(); }, "'ground': has a frame of its own and");
-  refused([&](Mechanism& d) { d.bodies[1].length = 1; }, "'slider': has a frame of its own and");
+  using Frame = Mechanism::Frame;
+  refused([](Mechanism&, Frame& f) { f.points.clear(); }, "'slider': has a frame of its own; give");
+  refused([](Mechanism&, Frame& f) { f.vectors[0][1] = 1e-4; }, "not of length 1");
+  refused([](Mechanism&, Frame& f) { f.rotation[2] = NAN; }, "has a frame with a number that is");
+  refused([](Mechanism&, Frame& f) { f.points[0][2] = 1; }, "or, in the plane, a third component");
+  refused([](Mechanism& d, Frame& f) { d.bodies[0].own = f; }, "is the ground, or has a length");
   refused(
-      [&](Mechanism& d) {
-        d.joints.push_back({"weld", JointType::fixed, {0, 1}, {}, {}});
+      [](Mechanism& d, Frame&) {
+        d.joints[0] = {"weld", JointType::fixed, {0, 1}, {}, {}};
       },
       "joint 'weld': fixes 'slider', which has a frame of its own");
+}
+
+/// Far from the origin, where a drawing has fewer digits.
+TEST(Frame, KeepsWhatIsSmallInIt) {
+  Sketch d("far", 2);
+  const int O = d.ground_point("O", {1e7, 0, 0});
+  const int A = d.point("A", {1e7 + 1, 0, 0}), P = d.point("P", {1e7, 0.3, 0});
+  const int arm = d.body("arm", {O, A, P});
+  d.joint(JointType::revolute, Sketch::ground, arm, {O});
+  d.angle("theta", line(O, A)).driven = true;
+  Mechanism m = d.release();
+  m.bodies[arm].own.emplace().points = {{0, 0, 0}, {1, 0, 0}, {0.25, 1e-9, 0}};
+  const Model model = model_mechanism(m, turning).model;
+  const auto relation = std::ranges::find(model.constraints, "arm: P rigid", &Constraint::name);
+  ASSERT_NE(relation, model.constraints.end());
+  EXPECT_EQ(relation->constants, (std::vector<double>{0.25, 1e-9}));
 }
 
 /// A drawing is rough: directions that are perpendicular on a body need not be so in it.

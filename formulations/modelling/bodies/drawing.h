@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <array>
 
 #include "cases/mechanism/drawing.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
@@ -16,17 +16,14 @@ struct BodyDrawing : Drawing<S> {
   /// Returns a direction on a body, in the frame of its shape.
   Vec direction(const RigidBody& body, const Direction& d) const {
     if (!body.has_shape()) return direction(d);
-    if (!d.is_line()) return in_shape(body.own_vectors, body.vectors, d.vector);
-    const Vec from = in_shape(body.own_points, body.points, d.from),
-              to = in_shape(body.own_points, body.points, d.to);
+    if (!d.is_line()) return rounded(body.own_vectors.at(d.vector));
+    const Vec from = rounded(body.own_points.at(d.from)), to = rounded(body.own_points.at(d.to));
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   }
 
  private:
-  static Vec in_shape(const std::vector<std::array<Derived, 3>>& own,
-                      const std::vector<int>& listed, int entity) {
-    const auto& [x, y, z] = own[std::ranges::find(listed, entity) - listed.begin()];
-    return {as<S>(x), as<S>(y), as<S>(z)};
+  static Vec rounded(const std::array<Derived, 3>& x) {
+    return {as<S>(x[0]), as<S>(x[1]), as<S>(x[2])};
   }
 };
 

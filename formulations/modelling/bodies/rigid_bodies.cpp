@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cases/mechanism/directions.h"
 #include "cases/mechanism/disjoint_sets.h"
 #include "formulations/modelling/bodies/drawing.h"
 
@@ -135,9 +136,8 @@ void state_length(const Mechanism& d, const Mechanism::Body& part, RigidBody& bo
   }
   for (Derived& x : line) x = x * (*part.length / drawn);
   if (body.vectors.empty()) line = {*part.length, 0, 0};  // exactly
-  body.own_points = {drawing.origin(), line};
-  body.own_vectors.clear();
-  for (const int v : body.vectors) body.own_vectors.push_back(drawing.vector(v));
+  body.own_points = {{p, drawing.origin()}, {q, line}};
+  for (const int v : body.vectors) body.own_vectors[v] = drawing.vector(v);
 }
 
 /// Finds the shape of a body of which the drawing is an estimate.
@@ -146,8 +146,12 @@ void find_shape(const Mechanism& d, RigidBody& body) {
     const Mechanism::Body& part = d.bodies[b];
     if (part.length) state_length(d, part, body);
     if (!part.own) continue;  // alone: no joint fixes such a body
-    for (const auto& [x, y, z] : part.own->points) body.own_points.push_back({x, y, z});
-    body.own_vectors = part.own->vectors;
+    for (std::size_t k = 0; k < part.points.size(); ++k) {
+      const auto& [x, y, z] = part.own->points[k];
+      body.own_points[part.points[k]] = {x, y, z};
+    }
+    for (std::size_t k = 0; k < part.vectors.size(); ++k)
+      body.own_vectors[part.vectors[k]] = part.own->vectors[k];
   }
 }
 
@@ -165,6 +169,7 @@ bool Basis::has_vector(int vector) const {
 }
 
 bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) {
+  if (d.bodies[body.bodies.front()].own) return false;  // its frame tells all
   const auto& along = d.vectors[vector].along;
   const auto carries = [&](int point) {
     return std::ranges::find(body.points, point) != body.points.end();
@@ -176,13 +181,10 @@ void require_representable(const Mechanism& d) {
   for (const Mechanism::Body& body : d.bodies) {
     if (&body == &d.bodies.front()) continue;  // its points are where they are
     if (body.length) require_representable(*body.length, body.name);
-    for (std::size_t k = 0; k < body.points.size(); ++k) {
-      const auto position = [&](std::size_t of) {
-        return body.own ? body.own->points[of] : d.points[body.points[of]].position;
-      };
-      const Vec a = position(0), b = position(k);
-      require_representable(std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]), body.name);
-    }
+    const std::vector<Vec> points = shape_of(d, body);
+    for (const Vec& p : points)
+      require_representable(
+          std::hypot(p[0] - points[0][0], p[1] - points[0][1], p[2] - points[0][2]), body.name);
   }
 }
 
