@@ -1,6 +1,6 @@
 // Jets against difference quotients in quadruple precision, and sums and products exactly.
 
-#include "formulations/groupwise/jet.h"
+#include "formulations/constraints/jet.h"
 
 #include <gtest/gtest.h>
 

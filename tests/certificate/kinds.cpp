@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
-#include "formulations/groupwise/jet.h"
+#include "formulations/constraints/jet.h"
 #include "formulations/verification/certificate/block_equations.h"
 
 namespace desmo::interval_kinds_test {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "formulations/constraints/constraints.h"
-#include "formulations/groupwise/jet.h"
+#include "formulations/constraints/jet.h"
 
 namespace desmo {
 

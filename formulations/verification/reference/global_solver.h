@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/groupwise/jet.h"
+#include "formulations/constraints/jet.h"
 #include "formulations/model/model.h"
 #include "formulations/verification/reference/whole_system.h"
 

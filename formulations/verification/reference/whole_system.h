@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
-#include "formulations/groupwise/jet.h"
+#include "formulations/constraints/jet.h"
 #include "formulations/model/model.h"
 
 namespace desmo {

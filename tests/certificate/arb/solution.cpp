@@ -6,7 +6,7 @@
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/groupwise/double_solution.h"
-#include "formulations/groupwise/jet.h"
+#include "formulations/constraints/jet.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
