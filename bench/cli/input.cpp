@@ -162,4 +162,12 @@ ModellingResult model_mechanism(const Input& input) {
   }
 }
 
+std::vector<Output> outputs_of(const Input& input, const Model& whole) {
+  try {
+    return desmo::outputs_of(input.scene, whole);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(input.source + ": " + error.what());
+  }
+}
+
 }  // namespace desmo::cli

@@ -8,6 +8,7 @@
 #include "bench/cli/units.h"
 #include "cases/mechanism/scene.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/planning/measures.h"
 
 namespace desmo::cli {
 
@@ -38,5 +39,9 @@ void protect_input(const std::string& output, const Input& input, const std::str
 
 /// Makes the model of an input. Throws InputError, naming the source.
 ModellingResult model_mechanism(const Input& input);
+
+/// Returns the outputs of the scene, in terms of its whole model. Throws InputError, naming the
+/// source.
+std::vector<Output> outputs_of(const Input& input, const Model& whole);
 
 }  // namespace desmo::cli

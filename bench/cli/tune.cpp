@@ -97,7 +97,7 @@ void tune(const TuneOptions& options) {
                                         " is not a scene file; save it first " +
                                         "('desmo show NAME --scene') and tune that");
   const Model whole_model = model_mechanism(input).model;
-  const Plan plan = make_plan(whole_model, outputs_of(input.scene, whole_model));
+  const Plan plan = make_plan(whole_model, outputs_of(input, whole_model));
   const accuracy::Goal goal = options.goal();
   if (plan.level() < goal.level)
     throw CommandError(usage_error, "--level " + std::string(bench::level_names[options.level]) +

@@ -63,8 +63,7 @@ class BodyReader {
     if (const auto list = value.find("points"))
       points = read_points(*list, d_.dimension, units_, own);
     for (const auto& [name, position] : points) {
-      Vec x = turned(position, frame.rotation);
-      for (int i = 0; i < 3; ++i) x[i] += frame.origin[i];
+      const Vec x = drawn_position(frame, position);
       body.points.push_back(place(d_.points, names_.points, own.points, body.points, {name, x}));
       frame.points.push_back(position);
     }
@@ -127,6 +126,12 @@ class BodyReader {
 };
 
 }  // namespace
+
+Vec drawn_position(const Mechanism::Frame& frame, const Vec& local) {
+  Vec x = turned(local, frame.rotation);
+  for (int i = 0; i < 3; ++i) x[i] += frame.origin[i];
+  return x;
+}
 
 std::vector<Mechanism::Point> read_points(const JsonValue& list, int dimension,
                                           const DisplayUnits& units, Names& names) {

@@ -88,13 +88,17 @@ void read_drivers(const JsonValue& list, const Names& names, std::vector<Coordin
 
 }  // namespace
 
+Coordinate read_coordinate(const JsonValue& value, int dimension, const DisplayUnits& units,
+                           const Names& names) {
+  return CoordinateReader(dimension, units, names).read(value);
+}
+
 std::vector<Coordinate> read_coordinates(const JsonValue& root, int dimension,
                                          const DisplayUnits& units, Names& names) {
   std::vector<Coordinate> coordinates;
-  const CoordinateReader reader(dimension, units, names);
   if (const auto list = root.find("coordinates"))
     for (const JsonValue& value : list->members()) {
-      coordinates.push_back(reader.read(value));
+      coordinates.push_back(read_coordinate(value, dimension, units, names));
       names.coordinates.add(value.key());
     }
   if (const auto drivers = root.find("drivers")) read_drivers(*drivers, names, coordinates);

@@ -88,12 +88,19 @@ std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension
 void read_bodies(const JsonValue& root, Mechanism& mechanism, const DisplayUnits& units,
                  Names& names);
 
+/// Returns the nominal position of a point of a body's frame.
+Mechanism::Vec drawn_position(const Mechanism::Frame& frame, const Mechanism::Vec& local);
+
 /// Reads joints; names of those without one are empty.
 std::vector<Mechanism::Joint> read_joints(const JsonValue& root, const Names& names);
 
 /// Reads relative coordinates and which of them are driven.
 std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int dimension,
                                                     const DisplayUnits& units, Names& names);
+
+/// Reads one of them.
+Mechanism::Coordinate read_coordinate(const JsonValue& value, int dimension,
+                                      const DisplayUnits& units, const Names& names);
 
 /// Reads couplings. Factors are those of lengths in metres (or the free unit) and angles in
 /// radians.
@@ -134,8 +141,13 @@ MotionTable read_table_file(const JsonValue& value, NamedFiles& files, std::stri
 void check_tables(const JsonValue& root, const Mechanism& mechanism,
                   const std::vector<Motion>& motions, const TimeGrid& grid);
 
-/// Reads `request`, in the order of first mention. An entity requested at several levels is listed
-/// once, at the highest. Returns an empty list when the file has no request.
-std::vector<RequestedEntity> read_request(const JsonValue& root, const Mechanism& mechanism);
+/// Adds the points and coordinates that entries of a request define in place to the mechanism.
+void add_definitions(const std::vector<JsonValue>& entries, const FileUnits& units,
+                     Mechanism& mechanism);
+
+/// Reads `request` into a scene that has its mechanism, in the order of first mention. What is
+/// requested at several levels is listed once, at the highest. What is defined there is added to
+/// the mechanism. units: those of the scene
+void read_request(const JsonValue& root, const FileUnits& units, Scene& scene);
 
 }  // namespace desmo

@@ -3,16 +3,19 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "cases/io/readers.h"
 #include "cases/mechanism/carriers.h"
+#include "cases/mechanism/joint_forms.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {
 namespace {
 
 using Kind = RequestedEntity::Kind;
+using MeasureKind = RequestedMeasure::Kind;
 
 constexpr int max_patterns = 100;  // each is compared with every name
 
@@ -29,7 +32,10 @@ class Selection {
   const std::string& key() const { return key_; }
   bool has(std::string_view name) const { return table_.position(name).has_value(); }
   const std::vector<int>& positions() const { return positions_; }
-  int find(const JsonValue& value) const { return positions_[table_.find(value)]; }
+  int find(const JsonValue& value) const { return find(value, value.text()); }
+  int find(const JsonValue& place, std::string_view name) const {
+    return positions_[table_.find(place, name)];
+  }
 
   std::vector<int> match(const JsonValue& pattern) const {
     std::vector<int> found;
@@ -49,15 +55,16 @@ class Selection {
 
 class RequestReader {
  public:
-  explicit RequestReader(const Mechanism& d) : d_(d), body_levels_(d.bodies.size()) {
+  explicit RequestReader(Scene& scene)
+      : d_(scene.mechanism),
+        body_levels_(d_.bodies.size()),
+        wanted_(scene.request),
+        measures_(scene.measures) {
     fill_selections();
   }
 
-  std::vector<RequestedEntity> read(const JsonValue& list) {
-    const std::vector<JsonValue> entries = list.elements();
-    if (entries.empty()) list.complain("asks for nothing; leave it out to ask for everything");
+  void read(const std::vector<JsonValue>& entries) {
     for (const JsonValue& entry : entries) read_entry(entry);
-    return std::move(wanted_);
   }
 
  private:
@@ -75,10 +82,16 @@ class RequestReader {
           .add(d_.coordinates[i].name, static_cast<int>(i));
     for (std::size_t i = 0; i < d_.bodies.size(); ++i)
       bodies_.add(d_.bodies[i].name, static_cast<int>(i));
+    for (std::size_t i = 1; i < d_.bodies.size(); ++i)
+      rotations_.add(d_.bodies[i].name, static_cast<int>(i));
+    for (std::size_t i = 0; i < d_.joints.size(); ++i)
+      if (turns(d_.joints[i].type) || slides(d_.joints[i].type))
+        joints_.add(d_.joints[i].name, static_cast<int>(i));
   }
 
   void read_entry(const JsonValue& entry) {
-    entry.allow({"points", "vectors", "angles", "distances", "bodies", "everything", "level"});
+    entry.allow({"points", "vectors", "angles", "distances", "bodies", "rotations", "joints",
+                 "ratios", "everything", "level"});
     const auto level_given = entry.find("level");
     const Level level = level_given ? read_level(*level_given) : Level::position;
     if (const auto everything = entry.find("everything")) {
@@ -89,8 +102,8 @@ class RequestReader {
     }
     if (entry.members().size() == (level_given ? 1u : 0u))
       entry.complain(
-          "asks for nothing; give points, vectors, angles, distances, bodies or "
-          "\"everything\": true");
+          "asks for nothing; give points, vectors, angles, distances, bodies, rotations, joints, "
+          "ratios or \"everything\": true");
     const auto want_kind = [&](Kind kind) {
       return [this, kind, level](int i) { want(kind, i, level); };
     };
@@ -99,6 +112,16 @@ class RequestReader {
     read_names(entry, angles_, want_kind(Kind::coordinate));
     read_names(entry, distances_, want_kind(Kind::coordinate));
     read_names(entry, bodies_, [&](int i) { want_body(i, level); });
+    read_names(entry, rotations_, [&](int i) { measure(MeasureKind::rotation, i, level); });
+    read_names(entry, joints_, [&](int i) { measure(MeasureKind::joint, i, level); });
+    if (const auto ratios = entry.find("ratios")) {
+      if (level_given && level != Level::velocity)
+        level_given->complain(
+            "a ratio is one of velocities; give \"velocity\" or leave the level out, in an entry "
+            "of "
+            "its own");
+      for (const JsonValue& ratio : ratios->members()) read_ratio(ratio);
+    }
   }
 
   static Level read_level(const JsonValue& value) {
@@ -110,9 +133,16 @@ class RequestReader {
                   const std::function<void(int)>& want) {
     const auto list = entry.find(selection.key());
     if (!list) return;
+    if (list->is_object() && defines_in_place(selection)) {
+      for (const JsonValue& defined : list->members()) want(selection.find(defined, defined.key()));
+      return;
+    }
     const std::vector<JsonValue> names = list->elements();
     if (names.empty()) list->complain("is an empty list; name something or leave it out");
     for (const JsonValue& name : names) {
+      if (name.is_object() && defines_in_place(selection))
+        name.complain("defines something in a list of names; give \"" + selection.key() +
+                      "\": {\"NAME\": …} in an entry of its own");
       if (name.text().find('*') != std::string_view::npos) {
         check_pattern(name);
         for (const int i : selection.match(name)) want(i);
@@ -121,6 +151,10 @@ class RequestReader {
         want(selection.find(name));
       }
     }
+  }
+
+  bool defines_in_place(const Selection& selection) const {
+    return &selection == &points_ || &selection == &angles_ || &selection == &distances_;
   }
 
   void check_pattern(const JsonValue& pattern) {
@@ -134,7 +168,7 @@ class RequestReader {
 
   // A name of another kind is more likely meant than a similar one of this kind.
   void check_kind(const JsonValue& name, const Selection& selection) const {
-    if (selection.has(name.text())) return;
+    if (selection.has(name.text()) || &selection == &rotations_ || &selection == &joints_) return;
     for (const Selection* other : {&points_, &vectors_, &angles_, &distances_, &bodies_})
       if (other->has(name.text()))
         name.complain(in_quotes(name.text()) + " is none of the " + selection.key() +
@@ -150,6 +184,43 @@ class RequestReader {
     if (is_new) wanted_.push_back({kind, index, level});
     Level& known = wanted_[place->second].level;
     known = std::max(known, level);
+  }
+
+  void measure(MeasureKind kind, int index, Level level) {
+    const auto [place, is_new] = measure_places_.try_emplace({kind, index}, measures_.size());
+    if (is_new) measures_.push_back({kind, index, level});
+    Level& known = measures_[place->second].level;
+    known = std::max(known, level);
+  }
+
+  void read_ratio(const JsonValue& value) {
+    const std::string name = checked_name(value, value.key());
+    if (!ratios_.insert(name).second)
+      value.complain("the name is that of another ratio; choose another");
+    const std::vector<JsonValue> of = value.elements();
+    if (of.size() != 2) value.complain("has " + std::to_string(of.size()) + " names; give two");
+    measures_.push_back({MeasureKind::ratio,
+                         Mechanism::none,
+                         Level::velocity,
+                         name,
+                         {component(of[0]), component(of[1])}});
+  }
+
+  /// Reads the name of a coordinate, or of a component of a point or vector: "C.x".
+  std::string component(const JsonValue& value) const {
+    const std::string_view name = value.text(), entity = name.substr(0, name.rfind('.'));
+    const bool is_component = entity.size() + 2 == name.size() &&
+                              std::string_view("xyz").substr(0, d_.dimension).find(name.back()) !=
+                                  std::string_view::npos &&
+                              (points_.has(entity) || vectors_.has(entity));
+    if (!is_component && !angles_.has(name) && !distances_.has(name)) {
+      std::vector<std::string_view> known;
+      for (const Mechanism::Coordinate& c : d_.coordinates) known.push_back(c.name);
+      value.complain("unknown coordinate " + in_quotes(name) +
+                     "; give one, or a component of a point or vector such as 'C.x'; " +
+                     suggestion(name, known));
+    }
+    return std::string(name);
   }
 
   // Once at each level: a request can name a body with many points many times.
@@ -173,18 +244,25 @@ class RequestReader {
   std::vector<std::optional<Level>> body_levels_;
   std::optional<Level> everything_level_;
   int patterns_ = 0;
-  std::vector<RequestedEntity> wanted_;
+  std::vector<RequestedEntity>& wanted_;
+  std::vector<RequestedMeasure>& measures_;
   std::map<std::pair<Kind, int>, std::size_t> places_;  // in it, of what is wanted
+  std::map<std::pair<MeasureKind, int>, std::size_t> measure_places_;
+  std::set<std::string> ratios_;
   Selection points_{"points", "point"}, vectors_{"vectors", "vector"}, angles_{"angles", "angle"},
-      distances_{"distances", "distance"}, bodies_{"bodies", "body"};
+      distances_{"distances", "distance"}, bodies_{"bodies", "body"},
+      rotations_{"rotations", "moving body"}, joints_{"joints", "joint that turns or slides"};
 };
 
 }  // namespace
 
-std::vector<RequestedEntity> read_request(const JsonValue& root, const Mechanism& mechanism) {
+void read_request(const JsonValue& root, const FileUnits& units, Scene& scene) {
   const auto list = root.find("request");
-  if (!list) return {};
-  return RequestReader(mechanism).read(*list);
+  if (!list) return;
+  const std::vector<JsonValue> entries = list->elements();
+  if (entries.empty()) list->complain("asks for nothing; leave it out to ask for everything");
+  add_definitions(entries, units, scene.mechanism);
+  RequestReader(scene).read(entries);
 }
 
 }  // namespace desmo

@@ -158,7 +158,7 @@ SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder,
   const auto time = root.find("time");
   scene.grid = time || !start.grid ? read_time(root["time"]) : *start.grid;
   check_tables(root, scene.mechanism, scene.motions, scene.grid);
-  scene.request = read_request(root, scene.mechanism);
+  read_request(root, units, scene);
   if (const auto id = root.find("formulation")) scene.formulation = read_formulation(*id);
   if (const auto given = root.find("tolerance")) scene.tolerance = read_tolerance(*given);
   return {std::move(scene), std::move(units), std::move(files.read)};

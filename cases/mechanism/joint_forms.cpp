@@ -41,6 +41,11 @@ bool slides(Mechanism::JointType type) {
   });
 }
 
+bool turns(Mechanism::JointType type) {
+  using enum Mechanism::JointType;
+  return type == revolute || type == hinge || type == cylindrical;
+}
+
 const JointForm* find_joint_form(Mechanism::JointType type, int dimension) {
   const auto form = std::ranges::find_if(joint_forms(), [&](const JointForm& f) {
     return f.type == type && f.dimension == dimension;

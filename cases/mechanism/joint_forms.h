@@ -28,6 +28,9 @@ struct JointForm {
 /// Returns whether a joint of this type slides along a line.
 bool slides(Mechanism::JointType type);
 
+/// Returns whether a joint of this type turns about one axis.
+bool turns(Mechanism::JointType type);
+
 /// Returns every type of joint in each dimension in which it exists.
 std::span<const JointForm> joint_forms();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,20 @@ struct RequestedEntity {
   Level level;
 };
 
+/// A requested function of the coordinates' values and rates, which is no coordinate itself.
+struct RequestedMeasure {
+  enum class Kind {
+    rotation,  ///< of a body: its rotation from the drawing, angular velocity and acceleration
+    joint,     ///< turn about the axis, or travel along it, of the second body in the first
+    ratio,     ///< of two rates
+  };
+  Kind kind;
+  int index;                        ///< in the mechanism's bodies or joints
+  Level level;                      ///< highest level requested; of a ratio: velocity
+  std::string name{};               ///< of a ratio
+  std::array<std::string, 2> of{};  ///< a ratio's coordinates, as Model::coordinate() knows them
+};
+
 /// Default limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude. It is
 /// used in scenes, settings and benchmarks.
 inline constexpr double default_tolerance = 1e-12;
@@ -31,10 +46,14 @@ struct Scene {
   Mechanism mechanism;
   std::vector<Motion> motions;  ///< one for each driven coordinate, in the mechanism's order
   TimeGrid grid;                ///< instants to solve
-  /// Requested entities, without duplicates; empty: everything, at the level of acceleration.
+  /// Requested entities, without duplicates; empty, without measures: everything, at the level of
+  /// acceleration.
   std::vector<RequestedEntity> request;
-  std::string formulation;               ///< id; empty: the program chooses
-  double tolerance = default_tolerance;  ///< Settings::tolerance
+  std::string formulation;                   ///< id; empty: the program chooses
+  double tolerance = default_tolerance;      ///< Settings::tolerance
+  std::vector<RequestedMeasure> measures{};  ///< requested as well, without duplicates
+
+  bool asks_for_everything() const { return request.empty() && measures.empty(); }
 };
 
 }  // namespace desmo

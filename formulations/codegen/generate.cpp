@@ -19,6 +19,7 @@
 #include "formulations/codegen/record/recording.h"
 #include "formulations/groupwise/double_solution.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/planning/measures.h"
 #include "formulations/planning/plan.h"
 
 namespace desmo::generate {

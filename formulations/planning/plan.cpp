@@ -241,16 +241,4 @@ Plan make_plan(const Model& whole, std::span<const Output> outputs, PlanExtent e
   return plan;
 }
 
-std::vector<Output> outputs_of(const Scene& scene, const Model& whole) {
-  std::vector<Output> result;
-  for (const RequestedEntity& w : scene.request) {
-    const std::string& name =
-        w.kind == RequestedEntity::Kind::point    ? scene.mechanism.points[w.index].name
-        : w.kind == RequestedEntity::Kind::vector ? scene.mechanism.vectors[w.index].name
-                                                  : scene.mechanism.coordinates[w.index].name;
-    result.push_back({whole.find(name), w.level});
-  }
-  return result;
-}
-
 }  // namespace desmo

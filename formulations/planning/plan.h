@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/mechanism/scene.h"
+#include "cases/mechanism/level.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
@@ -57,8 +57,5 @@ enum class PlanExtent {
 /// is kept are kept. Throws std::invalid_argument for an entity that the model does not have.
 Plan make_plan(const Model& whole, std::span<const Output> outputs,
                PlanExtent extent = PlanExtent::outputs);
-
-/// Returns the outputs that a scene requests, in terms of its whole model.
-std::vector<Output> outputs_of(const Scene& scene, const Model& whole);
 
 }  // namespace desmo

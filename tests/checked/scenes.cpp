@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/planning/measures.h"
 #include "formulations/planning/plan.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/checked/rows.h"

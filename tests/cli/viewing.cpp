@@ -81,6 +81,38 @@ TEST_F(View, PlotsWhatTheSceneRequests) {
   EXPECT_EQ(plotted, (std::vector<std::string>{"C.x", "C.y", "d/dt C.x", "d/dt C.y"}));
 }
 
+TEST_F(View, PlotsMeasuresByTheNamesOfTheirColumns) {
+  write("rest.json", R"({"format": "desmo-scene", "version": 2,
+    "mechanism": {"library": "slider_crank"}, "time": {"end": 1, "step": 0.1},
+    "motion": {"theta": {"type": "trapezoid", "from": 10, "by": 100, "velocity": 200,
+                         "acceleration": 1000}},
+    "request": [{"rotations": ["rod"], "joints": ["revolute/ground/crank"], "level": "velocity"},
+                {"ratios": {"i": ["s", "theta"]}}]})");
+  ASSERT_EQ(desmo("solve rest.json --quiet"), 0) << err_;
+  EXPECT_EQ(lines()[0],
+            "t [s],rod.rotation [deg],rod.omega [deg/s],revolute/ground/crank.angle [deg],"
+            "d/dt revolute/ground/crank.angle [deg/s],i [mm/deg]");
+  EXPECT_FALSE(lines()[1].ends_with(",")) << "a limit, where the motion begins";
+  EXPECT_TRUE(lines().back().ends_with(",0,")) << "none, where it rests: " << lines().back();
+  ASSERT_EQ(desmo("solve rest.json --format jsonl --strict"), 0) << err_;
+  EXPECT_TRUE(lines().back().ends_with(",0,null,null]")) << lines().back();
+  ASSERT_EQ(shell("printf '0 10 0 0\n0.1 20 200 0\n' | " DESMO_CLI
+                  " solve rest.json --drivers - --units si"),
+            0)
+      << err_;
+  EXPECT_TRUE(prints("i [m/rad],outcome")) << out_;
+  ASSERT_EQ(desmo("view rest.json --quiet"), 0) << err_;
+  const Json data = Json::parse(data_of(out_, "data"));
+  std::string plotted;
+  for (const Json& c : data["plotted"])
+    plotted += data["columns"][c.get<std::size_t>()]["name"].get<std::string>() + " " +
+               data["columns"][c.get<std::size_t>()]["level"].dump() + ",";
+  EXPECT_EQ(plotted,
+            "rod.rotation 0,rod.omega 0,revolute/ground/crank.angle 0,"
+            "d/dt revolute/ground/crank.angle 1,i 0,");
+  EXPECT_EQ(desmo("view rest.json -o out/x.html --units si --quiet"), 0) << err_;
+}
+
 TEST_F(View, ShowsHowFarAMechanismGetsThatLocks) {
   write("scene.json", locks);
   ASSERT_EQ(desmo("view scene.json -o out/page.html"), 1);

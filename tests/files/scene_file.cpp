@@ -170,6 +170,11 @@ std::vector<std::string> requested(const std::string& request) {
                                                                : d.coordinates[w.index].name) +
                     " " + std::to_string(static_cast<int>(w.level)));
   }
+  for (const RequestedMeasure& m : s.measures)
+    names.push_back((m.kind == RequestedMeasure::Kind::rotation ? s.mechanism.bodies[m.index].name
+                     : m.kind == RequestedMeasure::Kind::joint  ? s.mechanism.joints[m.index].name
+                                                                : m.name) +
+                    " " + std::to_string(static_cast<int>(m.level)));
   return names;
 }
 
@@ -183,6 +188,12 @@ TEST(SceneFile, RequestsAreExpandedAndHaveNothingTwice) {
             (Names{"s 0", "C 0", "x 0", "theta 0"}));
   EXPECT_EQ(requested(R"([{"everything": true, "level": "velocity"}])"),
             (Names{"A 1", "B 1", "C 1", "x 1", "theta 1", "s 1"}));
+  // What is defined in place may be measured by another definition, and asked for again.
+  EXPECT_EQ(requested(R"([{"angles": {"mu": {"angle": ["A", "CG"]}}, "level": "velocity"},
+                          {"points": {"CG": {"body": "crank", "at": [20, 5]}}},
+                          {"points": ["C*"], "rotations": ["r*"], "level": "acceleration"},
+                          {"rotations": ["*"], "joints": ["J1"], "ratios": {"i": ["s", "C.x"]}}])"),
+            (Names{"mu 1", "CG 2", "C 2", "rod 2", "crank 0", "slider 0", "J1 0", "i 1"}));
 }
 
 TEST(SceneFile, WhatNoBodyCarriesCannotBeAskedFor) {

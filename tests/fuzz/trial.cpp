@@ -13,6 +13,7 @@
 #include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/planning/measures.h"
 #include "formulations/planning/plan.h"
 #include "formulations/runtime/unavailable.h"
 #include "formulations/runtime/wanted_types.h"

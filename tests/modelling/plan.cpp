@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "formulations/planning/measures.h"
 #include "tests/modelling/plan.h"
 #include "tests/overconstrained.h"
 

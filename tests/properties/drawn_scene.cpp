@@ -6,6 +6,7 @@
 
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/planning/measures.h"
 #include "tests/properties/scene_kinds.h"
 
 namespace desmo::properties {

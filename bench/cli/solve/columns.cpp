@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 namespace desmo::cli {
 namespace {
 
 constexpr const char* prefixes[] = {"", "d/dt ", "d2/dt2 "};
+
+DisplayUnit ratio_of(const DisplayUnit& a, const DisplayUnit& b) {
+  const auto name = [](const DisplayUnit& unit) { return unit.name == "-" ? "1" : unit.name; };
+  return {name(a) == name(b) ? "-" : name(a) + "/" + name(b), a.in_si / b.in_si};
+}
 
 }  // namespace
 
@@ -20,6 +26,7 @@ std::vector<Column> columns_of(const Model& m, const Output& output, const Displ
       column.name = prefixes[order] + coordinate_name(m, output.entity, i);
       column.unit = unit_of(units, e.kind, level);
       column.level = level;
+      column.order = order;
       if (!e.fixed)
         column.coordinate = i;
       else if (order == 0)
@@ -29,11 +36,39 @@ std::vector<Column> columns_of(const Model& m, const Output& output, const Displ
   return columns;
 }
 
-std::vector<Column> make_columns(const Plan& plan, const Scene& scene, const DisplayUnits& units) {
+std::vector<Column> columns_of(const Measures& measures, int coordinates,
+                               const DisplayUnits& units) {
   std::vector<Column> columns;
-  for (const Output& output : plan.outputs)
-    if (!scene.request.empty() || !plan.model.is_at_rest(output.entity))
+  for (const Measure& measure : measures.list()) {
+    for (const Level level : all_levels) {
+      const std::string& name = measure.names[level];
+      if (name.empty()) continue;
+      Column& column = columns.emplace_back();
+      column.name = name;
+      column.unit = measure.per
+                        ? ratio_of(unit_of(units, measure.kind), unit_of(units, *measure.per))
+                        : unit_of(units, measure.kind, level);
+      column.level = level;
+      column.order = name.starts_with(prefixes[1]) ? 1 : name.starts_with(prefixes[2]) ? 2 : 0;
+      column.coordinate = coordinates;
+      column.may_lack = measure.per.has_value();
+    }
+    ++coordinates;
+  }
+  return columns;
+}
+
+std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Scene& scene,
+                                 const DisplayUnits& units) {
+  std::vector<Column> columns;
+  const bool everything = scene.asks_for_everything();
+  // After the outputs that are asked for come those that measures read.
+  for (const Output& output :
+       std::span(plan.outputs).first(everything ? plan.outputs.size() : scene.request.size()))
+    if (!everything || !plan.model.is_at_rest(output.entity))
       std::ranges::copy(columns_of(plan.model, output, units), std::back_inserter(columns));
+  std::ranges::copy(columns_of(measures, plan.model.coordinates(), units),
+                    std::back_inserter(columns));
   return columns;
 }
 

@@ -7,6 +7,7 @@
 #include "bench/cli/units.h"
 #include "cases/mechanism/scene.h"
 #include "formulations/formulation.h"
+#include "formulations/planning/measures.h"
 #include "formulations/planning/plan.h"
 
 namespace desmo::cli {
@@ -17,8 +18,10 @@ struct Column {
   DisplayUnit
       unit;  ///< "mm", "mm/s", "mm/s^2"; "deg", …; "-" for unit vectors; "1" for a free length
   Level level;
-  int coordinate = -1;  ///< position in q, q̇ or q̈; -1: a constant
-  double constant = 0;  ///< in SI units
+  int order = 0;          ///< of the derivative in its name
+  int coordinate = -1;    ///< position in q, q̇ or q̈, measures included; -1: a constant
+  double constant = 0;    ///< in SI units
+  bool may_lack = false;  ///< NaN is a number that there is not, as of a ratio at rest
 
   /// Returns the value in the column's unit.
   double value(const Instant& instant) const {
@@ -33,8 +36,14 @@ struct Column {
 /// Returns the columns of an entity up to a level.
 std::vector<Column> columns_of(const Model& model, const Output& output, const DisplayUnits& units);
 
+/// Returns the columns of measures. coordinates: number of those before them in an instant.
+std::vector<Column> columns_of(const Measures& measures, int coordinates,
+                               const DisplayUnits& units);
+
 /// Entity by entity in the order asked for: positions, velocities and
-/// accelerations as far as asked. Where everything is asked for, what never moves is left out.
-std::vector<Column> make_columns(const Plan& plan, const Scene& scene, const DisplayUnits& units);
+/// accelerations as far as asked; then the measures. Where everything is asked for, what never
+/// moves is left out.
+std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Scene& scene,
+                                 const DisplayUnits& units);
 
 }  // namespace desmo::cli

@@ -102,7 +102,7 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     text.clear();
     Instant instant{.index = 0, .time = row.time, .q = {}, .qd = {}, .qdd = {}};
     if (is_solved) instant.q = run.q(), instant.qd = run.qd(), instant.qdd = run.qdd();
-    format.append(heading, instant, text, outcome_name(s));
+    format.append(heading, request.measures.extend(instant), text, outcome_name(s));
     output.write(text);
     if (is_solved) add(s, run.scales(), total);
   }

@@ -15,6 +15,7 @@ struct LiveRequest {
   std::string source, drivers;  ///< of the scene, for messages; of the rows: a file or -
   const Model& whole;           ///< the model of the scene
   const Plan& plan;             ///< its part that is solved
+  Measures& measures;           ///< of its columns
   const DisplayUnits& units;    ///< of rows, answers and messages
   CheckMode check;
   bool strict, past_failures, quiet;

@@ -20,7 +20,7 @@ void append_word(std::string_view word, std::string& text) {
     text.append(",\"").append(word).append("\"");
 }
 
-/// On a change point there are no rates.
+/// On a change point there are no rates, and no ratio of them at rest.
 bool is_known(const Column& column, const Instant& instant) {
   return column.coordinate < 0 || (!instant.q.empty() && !std::isnan(column.value(instant)));
 }
@@ -91,20 +91,23 @@ std::unique_ptr<SeriesFormat> series_format(std::string_view name) {
   return std::make_unique<Csv>();
 }
 
-SeriesWriter::SeriesWriter(SeriesHeading heading, std::unique_ptr<SeriesFormat> format,
-                           OutputFile& output, bench::Progress* progress)
+SeriesWriter::SeriesWriter(SeriesHeading heading, Measures& measures,
+                           std::unique_ptr<SeriesFormat> format, OutputFile& output,
+                           bench::Progress* progress)
     : heading_(std::move(heading)),
+      measures_(measures),
       format_(std::move(format)),
       output_(output),
       progress_(progress),
       text_(format_->heading(heading_)) {}
 
-Flow SeriesWriter::observe(const Instant& instant) noexcept try {
+Flow SeriesWriter::observe(const Instant& solved) noexcept try {
+  const Instant instant = measures_.extend(solved);
   const bool may_lack = !remark_.empty();  // rates, on a change point
   const auto finite = [&](const Column& column) {
     const double value = column.value(instant);
     return std::isfinite(value) ||
-           (may_lack && column.level > Level::position && std::isnan(value));
+           ((column.may_lack || (may_lack && column.level > Level::position)) && std::isnan(value));
   };
   if (const auto c = std::ranges::find_if_not(heading_.columns, finite);
       c != heading_.columns.end()) {

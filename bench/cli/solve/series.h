@@ -41,12 +41,13 @@ std::unique_ptr<SeriesFormat> series_format(std::string_view name);
 /// a number is not finite.
 class SeriesWriter final : public Observer {
  public:
-  SeriesWriter(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, OutputFile& output,
-               bench::Progress* progress);
+  /// measures: those of its columns
+  SeriesWriter(SeriesHeading heading, Measures& measures, std::unique_ptr<SeriesFormat> format,
+               OutputFile& output, bench::Progress* progress);
 
   /// Sets the remark on the instant that is observed next; it must outlive that.
   void remark_next(std::string_view remark) { remark_ = remark; }
-  Flow observe(const Instant& instant) noexcept override;
+  Flow observe(const Instant& solved) noexcept override;
   /// Returns overflow_text() of the number that was not finite and ended the run; empty: none.
   /// Throws the exception that the output threw during the run.
   const std::string& overflow() const;
@@ -55,6 +56,7 @@ class SeriesWriter final : public Observer {
 
  private:
   SeriesHeading heading_;
+  Measures& measures_;
   std::unique_ptr<SeriesFormat> format_;
   OutputFile& output_;
   bench::Progress* progress_;

@@ -90,6 +90,7 @@ struct Task {
   const Configuration& chosen;
   const Model& whole;
   const Plan& plan;
+  Measures& measures;
   OutputFile& output;
   bool named;  // the formulation is the user's choice, not the program's
 };
@@ -116,8 +117,8 @@ void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading&
     throw CommandError(usage_error,
                        "--check with --drivers: proof or none, for each row is "
                        "answered at once");
-  solve_live({task.input.source, o.drivers, task.whole, task.plan, task.input.units, o.check.mode,
-              o.strict, o.past_failures, o.quiet},
+  solve_live({task.input.source, o.drivers, task.whole, task.plan, task.measures, task.input.units,
+              o.check.mode, o.strict, o.past_failures, o.quiet},
              formulation, heading, format, task.output);
   task.output.finish();
 }
@@ -177,7 +178,8 @@ void solve_motion(const Task& task, Formulation& formulation, const SeriesHeadin
   const bool in_the_way = task.output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   std::optional<bench::Progress> progress;
   if (!task.options.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
-  SeriesWriter writer(heading, std::move(format), task.output, progress ? &*progress : nullptr);
+  SeriesWriter writer(heading, task.measures, std::move(format), task.output,
+                      progress ? &*progress : nullptr);
   const CheckedSummary summary = run_through(task, formulation, writer);
   progress.reset();
   require_success(task, summary, writer);
@@ -196,16 +198,17 @@ void solve(const SolveOptions& options) {
   protect_input(options.output, input, options.drivers);
   OutputFile output(options.output, remove_when_interrupted);
   const Model whole = model_mechanism(input).model;
-  const Plan plan = make_plan(whole, outputs_of(input.scene, whole), extent_of(options.check.mode));
+  const Plan plan = make_plan(whole, outputs_of(input, whole), extent_of(options.check.mode));
+  Measures measures(input.scene, plan.model);
   if (options.explain) say(explain(plan, whole));
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
-  const Task task{options, input, chosen, whole, plan, output, named};
+  const Task task{options, input, chosen, whole, plan, measures, output, named};
   KernelTable kernels;
   const auto formulation = make_solver(task, kernels);
   const SeriesHeading heading{whole.name,
                               input.scene.name,
                               id_with(*chosen.variant, chosen.settings),
-                              make_columns(plan, input.scene, input.units),
+                              make_columns(plan, measures, input.scene, input.units),
                               !options.drivers.empty()                    ? "outcome"
                               : options.flags || format_wanted == "jsonl" ? "flag"
                                                                           : "",

@@ -7,9 +7,11 @@
 
 namespace desmo::cli {
 
-MotionRecorder::MotionRecorder(const Model& model, const DisplayUnits& units, const TimeGrid& grid,
-                               std::size_t max_kept, bench::Progress* progress)
+MotionRecorder::MotionRecorder(const Model& model, Measures& measures, const DisplayUnits& units,
+                               const TimeGrid& grid, std::size_t max_kept,
+                               bench::Progress* progress)
     : model_(model),
+      measures_(measures),
       units_(units),
       grid_(grid),
       max_kept_(std::max<std::size_t>(max_kept, 4)),
@@ -24,9 +26,8 @@ CheckedSummary MotionRecorder::run(Formulation& formulation) {
   for (RecordedInstant& last : passed_) instants_.push_back(std::move(last));
   passed_.clear();
   if (instants_.empty()) {
-    std::vector<double> state = model_.estimate;
-    state.resize(3 * state.size());
-    instants_.push_back({0, std::move(state), 0, {}});
+    const std::vector<double> at_rest(model_.estimate.size());
+    instants_.push_back({0, state_of({0, grid_.start, model_.estimate, at_rest, at_rest}), 0, {}});
   }
   flag_failures(summary);
   std::ranges::stable_sort(flags_, {}, &Flag::from);
@@ -43,18 +44,26 @@ void MotionRecorder::record(const CheckedInstant& checked) {
   flag(checked);
   if (checked.flag && checked.flag->kind == RowFlag::Kind::on_point) return;  // it has no rates
   const auto n = static_cast<std::size_t>(model_.coordinates());
-  std::vector<double> state;
-  state.reserve(3 * n);
   for (const std::span<const double> values : {instant.q, instant.qd, instant.qdd})
-    state.insert(state.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n));
-  overflowed_ = !std::ranges::all_of(state, [](double x) { return std::isfinite(x); });
+    overflowed_ = overflowed_ ||
+                  !std::ranges::all_of(values.first(n), [](double x) { return std::isfinite(x); });
   if (overflowed_) return;
   ++solved_;
   condition_ = std::max(condition_, checked.condition);
   for (const Level level : all_levels)
     if (std::isfinite(checked.relative_radius[level]))  // else a flag says so
       radius_[level] = std::max(radius_[level], checked.relative_radius[level]);
-  keep({instant.index, std::move(state), condition_, radius_});
+  keep({instant.index, state_of(instant), condition_, radius_});
+}
+
+std::vector<double> MotionRecorder::state_of(const Instant& instant) {
+  const auto n = static_cast<std::size_t>(model_.coordinates()) + measures_.list().size();
+  const Instant all = measures_.extend(instant);
+  std::vector<double> state;
+  state.reserve(3 * n);
+  for (const std::span<const double> values : {all.q, all.qd, all.qdd})
+    state.insert(state.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n));
+  return state;
 }
 
 /// Keeps every instant of the stride; holds the others until the next one comes.

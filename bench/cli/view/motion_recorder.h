@@ -7,6 +7,7 @@
 
 #include "bench/kit/process/progress.h"
 #include "cases/io/units.h"
+#include "formulations/planning/measures.h"
 #include "formulations/verification/run/checked_run.h"
 
 namespace desmo::cli {
@@ -14,7 +15,7 @@ namespace desmo::cli {
 /// An instant that is kept.
 struct RecordedInstant {
   int index;                  ///< in the grid
-  std::vector<double> state;  ///< q, q̇, q̈, of all coordinates each
+  std::vector<double> state;  ///< q, q̇, q̈, each of all coordinates, then of the measures
   double condition;           ///< largest since the instant kept before
   PerLevel<double> radius;    ///< largest over its scale (CheckedInstant)
 };
@@ -33,8 +34,8 @@ struct Flag {
 class MotionRecorder final : public Observer {
  public:
   /// progress: null where none is shown.
-  MotionRecorder(const Model& model, const DisplayUnits& units, const TimeGrid& grid,
-                 std::size_t max_kept, bench::Progress* progress);
+  MotionRecorder(const Model& model, Measures& measures, const DisplayUnits& units,
+                 const TimeGrid& grid, std::size_t max_kept, bench::Progress* progress);
 
   /// Runs the formulation over the motion, and past intervals that cannot be assembled. Where no
   /// instant can be solved, the initial estimate is kept, at rest.
@@ -50,12 +51,14 @@ class MotionRecorder final : public Observer {
 
  private:
   void record(const CheckedInstant& instant);
+  std::vector<double> state_of(const Instant& instant);
   void keep(RecordedInstant instant);
   void drop_every_second();
   void flag(const CheckedInstant& instant);
   void flag_failures(const CheckedSummary& summary);
 
   const Model& model_;
+  Measures& measures_;
   const DisplayUnits& units_;  // of messages
   const TimeGrid grid_;
   const std::size_t max_kept_;

@@ -7,6 +7,7 @@
 
 #include "bench/cli/solve/columns.h"
 #include "cases/io/files.h"
+#include "formulations/planning/measures.h"
 
 namespace desmo::cli {
 namespace {
@@ -86,13 +87,15 @@ class Writer {
 
  private:
   /// Packs a column and returns its number. Numbers are stored relative to the one nearest to 0, so
-  /// that small motions far from the origin keep their digits. value: of an instant.
+  /// that small motions far from the origin keep their digits; NaN is none. value: of an instant.
   template <class Value>
   int pack(Json column, const Value& value) {
     std::vector<double> values;
     for (const RecordedInstant* i : shown_) values.push_back(value(*i));
-    const auto [low, high] = std::ranges::minmax(values);
-    const double origin = std::clamp(0., low, high);
+    double low = INFINITY, high = -INFINITY;
+    for (const double x : values)
+      if (!std::isnan(x)) low = std::min(low, x), high = std::max(high, x);
+    const double origin = low > high ? 0 : std::clamp(0., low, high);
     column["origin"] = origin;
     for (const double x : values) numbers_.push_back(static_cast<float>(x - origin));
     columns_.push_back(std::move(column));
@@ -101,13 +104,15 @@ class Writer {
 
   /// Packs a column of the state, unless it is packed already. Returns its number.
   int pack(const Column& column) {
-    const int level = static_cast<int>(column.level), coordinate = column.coordinate;
+    const int coordinate = column.coordinate;
     const auto [found, is_new] = packed_.try_emplace(column.name, columns_.size());
     if (is_new)
-      pack({{"name", column.name}, {"unit", column.unit.name}, {"level", level}},
+      pack({{"name", column.name}, {"unit", column.unit.name}, {"level", column.order}},
            [&](const RecordedInstant& i) {
-             const auto at = static_cast<std::size_t>(level * m_.coordinates() + coordinate);
-             return column.unit.from_si(coordinate < 0 ? column.constant : i.state[at]);
+             const std::size_t level = i.state.size() / 3 * static_cast<std::size_t>(column.level);
+             return column.unit.from_si(
+                 coordinate < 0 ? column.constant
+                                : i.state[level + static_cast<std::size_t>(coordinate)]);
            });
     return static_cast<int>(found->second);
   }
@@ -179,8 +184,10 @@ class Writer {
 
   void write_plots() {
     std::vector<Output> outputs = outputs_of(scene_, m_);
-    json_["requested"] = !scene_.request.empty();
-    if (scene_.request.empty()) {
+    outputs.resize(scene_.request.size());  // after them come those that measures read
+    const bool requested = !scene_.asks_for_everything();
+    json_["requested"] = requested;
+    if (!requested) {
       for (const Mechanism::Coordinate& c : scene_.mechanism.coordinates)
         outputs.push_back({m_.find(c.name), Level::acceleration});
       for (const EntityId point : points_)
@@ -192,14 +199,16 @@ class Writer {
     const std::size_t drawn = columns_.size();
     std::size_t wanted = 0;
     json_["plotted"] = Json::array();
-    for (const Output& a : outputs) {
-      const std::vector<Column> columns = columns_of(m_, a, motion_.units);
+    const auto plot = [&](const std::vector<Column>& columns) {
       wanted += columns.size();
       const bool is_drawn = packed_.contains(columns[0].name);
       if (!is_drawn && (columns_.size() - drawn + columns.size()) * shown_.size() > max_plotted)
-        continue;
+        return;
       for (const Column& column : columns) json_["plotted"].push_back(pack(column));
-    }
+    };
+    for (const Output& a : outputs) plot(columns_of(m_, a, motion_.units));
+    for (const Column& column : columns_of(motion_.measures, m_.coordinates(), motion_.units))
+      plot({column});
     json_["wanted"] = wanted;
     json_["condition"] = pack({{"name", "condition number"}, {"unit", "1"}},
                               [](const RecordedInstant& i) { return i.condition; });

@@ -13,6 +13,7 @@ struct ShownMotion {
   const Scene& scene;
   const DisplayUnits& units;  ///< of the numbers that people read
   const Model& model;
+  const Measures& measures;
   const MotionRecorder& recording;
   const CheckedSummary& summary;
   std::string formulation;

@@ -86,13 +86,15 @@ void view(const ViewOptions& options) {
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
     throw CommandError(usage_error, "a page is nothing for a terminal; give --output FILE.html");
   const Model model = model_mechanism(input).model;
+  outputs_of(input, model);  // refuses measures that there are not
+  Measures measures(input.scene, model);
   const std::size_t fitting = instants_that_fit(input, model);
   const TimeGrid& grid = input.scene.grid;
   const auto formulation =
       make_formulation(find_variant(formulation_id), model, {.tolerance = input.scene.tolerance});
   std::optional<bench::Progress> progress;
   if (!options.quiet) progress.emplace("instants", grid.instants, true);
-  MotionRecorder recording(model, input.units, grid, std::min(max_instants, fitting),
+  MotionRecorder recording(model, measures, input.units, grid, std::min(max_instants, fitting),
                            progress ? &*progress : nullptr);
   const CheckedSummary summary = recording.run(*formulation);
   progress.reset();
@@ -100,7 +102,8 @@ void view(const ViewOptions& options) {
     throw CommandError(not_solved,
                        input.source + ": a number is not finite; choose another motion");
   output.write(
-      page_of({input.scene, input.units, model, recording, summary, formulation_id}, input.source));
+      page_of({input.scene, input.units, model, measures, recording, summary, formulation_id},
+              input.source));
   output.finish();
   const auto& flags = recording.flags();
   const auto failed = std::ranges::find(flags, Flag::Kind::failed, &Flag::kind);

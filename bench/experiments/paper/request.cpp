@@ -13,6 +13,7 @@
 #include "cases/io/files.h"
 #include "cases/library/library.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/planning/measures.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::paper {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "formulations/constraints/constraints.h"
-#include "formulations/groupwise/double_solution.h"
 #include "formulations/constraints/jet.h"
+#include "formulations/groupwise/double_solution.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
