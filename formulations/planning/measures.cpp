@@ -13,54 +13,18 @@
 
 #include "cases/mechanism/drawing.h"
 #include "cases/mechanism/joint_forms.h"
-#include "formulations/constraints/jet.h"
 #include "formulations/constraints/vec.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
+#include "formulations/planning/frames.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo {
 
 namespace {
 
-using Number = Jet<double>;
-using Vector = std::array<Number, 3>;
-using Frame = std::array<Vector, 3>;  ///< orthonormal axes
+using namespace frames;
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
-Number dot(const Vector& a, const Vector& b) { return vec::dot<3>(a.data(), b.data()); }
-
-Vector cross(const Vector& a, const Vector& b) {
-  Vector c;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    c[i] = a[j] * b[k] - a[k] * b[j];
-  }
-  return c;
-}
-
-/// Returns a vector of constant length, scaled to length 1.
-Vector unit(const Vector& a) {
-  const Number scale = 1 / std::sqrt(dot(a, a).value);
-  return {scale * a[0], scale * a[1], scale * a[2]};
-}
-
-/// Returns a frame from directions of a body: their lengths and the angle between them are
-/// constant.
-Frame frame_of(const Vector& u, const Vector& v) {
-  const Vector x = unit(u), z = unit(cross(u, v));
-  return {x, cross(z, x), z};
-}
-
-/// Returns the axes of a frame as those of another see them.
-Frame seen_from(const Frame& other, const Frame& frame) {
-  Frame seen;
-  for (int k = 0; k < 3; ++k)
-    for (int i = 0; i < 3; ++i) seen[k][i] = dot(other[i], frame[k]);
-  return seen;
-}
-
-const Frame ground_frame{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
 
 Eigen::Vector3d part(const Vector& a, double Number::*which) {
   return {a[0].*which, a[1].*which, a[2].*which};
@@ -86,45 +50,6 @@ double angle_about(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rotati
   const double angle = std::remainder(2 * half, 2 * std::numbers::pi);
   return angle <= -std::numbers::pi ? std::numbers::pi : angle;
 }
-
-/// A point or vector, in the coordinates or fixed.
-struct Operand {
-  Vector fixed{};
-  int first = 0, size = 0;  // of coordinates; none: it is fixed
-  Level level;              // that is solved
-
-  Vector operator()(const Instant& instant) const {
-    Vector x = fixed;
-    const bool has_rate = level >= Level::velocity && !instant.qd.empty();
-    const bool has_second = level >= Level::acceleration && !instant.qdd.empty();
-    for (int i = 0; i < size; ++i)
-      x[i] = {instant.q[first + i], has_rate ? instant.qd[first + i] : 0,
-              has_second ? instant.qdd[first + i] : 0};
-    return x;
-  }
-};
-
-/// A vector, or the line from one point to another.
-struct Line {
-  Operand to, from;
-  bool is_line;
-
-  Vector operator()(const Instant& instant) const {
-    return is_line ? vec::difference<3>(from(instant).data(), to(instant).data()) : to(instant);
-  }
-};
-
-/// The frame of a rigid body.
-struct BodyFrame {
-  Frame drawn = ground_frame;
-  std::vector<Line> lines{};  // one in the plane, two in space; none: the ground
-
-  Frame operator()(const Instant& instant) const {
-    if (lines.empty()) return ground_frame;
-    const Vector u = lines[0](instant);
-    return frame_of(u, lines.size() > 1 ? lines[1](instant) : Vector{-u[1], u[0], 0.});
-  }
-};
 
 class Builder {
  public:
@@ -274,7 +199,7 @@ class Builder {
                                   ", or ask for an angle or a vector");
     for (std::size_t k = 0; k < enough; ++k) result.lines.push_back(line(directions[k]));
     const Vector u = drawn(body, directions[0]);
-    result.drawn = frame_of(u, enough == 2 ? drawn(body, directions[1]) : Vector{-u[1], u[0], 0.});
+    result.drawn = enough == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
     return result;
   }
 
