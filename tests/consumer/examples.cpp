@@ -43,6 +43,9 @@ void cases_example() {
 void model_example() {
 #include "modelling.inc"
 }
+void measures_example(const Scene& scene, const Model& whole, const Instant& instant, int k) {
+#include "measures.inc"
+}
 void settings_example() { use(Settings{.guess = Guess::hermite5, .lanes = 4}); }
 void id_example(const Model& model) {
 #include "id.inc"
