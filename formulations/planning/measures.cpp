@@ -114,7 +114,7 @@ class Builder {
       const double start = vec::dot<3>(u.data(), s0.data());
       const std::size_t place = add_with_rates(joint.name + ".travel", EntityKind::distance);
       rules.emplace_back(place, [=](const Instant& instant, auto values) {
-        const Number s = dot(line_of_both(instant), along(instant));
+        const Number s = frames::dot(line_of_both(instant), along(instant));
         values[0] = {s.value - start, s.first, s.second};
       });
     }
