@@ -5,10 +5,14 @@
 // are all in desmo_counted_steps. With an id that solves more than one instant at once, or that
 // ends in /check:…, the whole motion is in it, assembly included.
 
+#include <malloc.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include "bench/experiments/instructions/step_counts.h"
 #include "bench/kit/checked_run.h"
@@ -22,6 +26,35 @@ using desmo::regression::SteppedFormulation;
 
 static_assert(desmo::regression::CountingSettings::uncounted_steps ==
               desmo::instructions::uncounted_steps);
+
+/// Takes for good what earlier work has left free in the heap: how long the allocator looks for
+/// what a library allocates in every step, such as UMFPACK, depends on it.
+void fill_holes() {
+  static void* taken = nullptr;  // the first of a list
+  const auto take = [](std::size_t size) {
+    void* const block = std::malloc(size);
+    *static_cast<void**>(block) = taken;
+    taken = block;
+  };
+  const auto holes = [] {
+    const struct mallinfo2 heap = mallinfo2();
+    return heap.fordblks - heap.keepcost;
+  };
+  constexpr std::size_t apart = 16, largest_at_hand = 1040;  // [B], of glibc
+  mallopt(M_MXFAST, 0);                                      // no others than these are kept apart:
+  for (std::size_t size = apart; size <= largest_at_hand; size += apart)
+    for (int i = 0; i < 7; ++i) take(size);
+  for (std::size_t size = 1 << 16, left = holes(); size >= apart; size -= apart)
+    for (;;) {
+      take(size);
+      const std::size_t now = holes();
+      if (now >= left) {  // it is from the end
+        std::free(std::exchange(taken, *static_cast<void**>(taken)));
+        break;
+      }
+      left = now;
+    }
+}
 
 }  // namespace
 
@@ -52,6 +85,7 @@ int main(int argc, char** argv) {
     const std::string id(bench::formulation_of(argv[3]));
     const bench::Problem problem = regression::problem_of({argv[1], whole(argv[2]), id}, steps + 1);
     SteppedFormulation stepped(problem, id, settings);
+    fill_holes();
     Summary s;
     if (check == CheckMode::none && !stepped.runs_at_once()) s = stepped.walk(0, first);
     if (s.ok() && first < steps)
