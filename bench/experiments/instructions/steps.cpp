@@ -40,9 +40,9 @@ void fill_holes() {
     const struct mallinfo2 heap = mallinfo2();
     return heap.fordblks - heap.keepcost;
   };
-  constexpr std::size_t apart = 16, largest_at_hand = 1040;  // [B], of glibc
-  mallopt(M_MXFAST, 0);                                      // no others than these are kept apart:
-  for (std::size_t size = apart; size <= largest_at_hand; size += apart)
+  mallopt(M_MXFAST, 0);                                  // no others than these are kept apart:
+  constexpr std::size_t apart = 16, max_at_hand = 1040;  // [B], of glibc
+  for (std::size_t size = apart; size <= max_at_hand; size += apart)
     for (int i = 0; i < 7; ++i) take(size);
   for (std::size_t size = 1 << 16, left = holes(); size >= apart; size -= apart)
     for (;;) {
