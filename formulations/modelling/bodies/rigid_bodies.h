@@ -27,7 +27,7 @@ struct RigidBody {
   Basis basis;
   int freedoms = 0;  ///< 3 or 6, less motions that move no point or vector (a rod's spin)
 
-  /// Where its drawing is an estimate, its points and vectors in a frame of its own; else empty.
+  /// Points and vectors in a frame of its own, where its drawing is an estimate; else empty.
   std::map<int, std::array<Derived, 3>> own_points, own_vectors;
   bool has_shape() const { return !own_points.empty() || !own_vectors.empty(); }
 };
