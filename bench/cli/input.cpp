@@ -68,8 +68,11 @@ Input from_text(const std::string& text, const std::string& source, const std::s
   if (!mechanism_will_do)
     throw InputError(source + ": /format: a mechanism says nothing of motion and time; give a " +
                      "scene that names it (an example: desmo show slider_crank --scene)");
-  ReadMechanism read = mechanism_from(document.root());
-  return {source, file, {}, std::move(read.units), at_rest(std::move(read.mechanism))};
+  NamedFiles files{folder};
+  ReadMechanism read = mechanism_from(document.root(), files);
+  Input input{source, file, {}, std::move(read.units), at_rest(std::move(read.mechanism))};
+  input.named_files = std::move(files.read);
+  return input;
 }
 
 Input from_file(const std::string& name, bool mechanism_will_do) {

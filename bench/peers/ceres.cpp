@@ -37,6 +37,7 @@ class ConstraintCost final : public ceres::CostFunction {
                  const std::array<const double*, Kind::operand_sizes.size()>& fixed,
                  const std::array<double, Kind::rows>& weights)
       : fixed_(fixed), weights_(weights) {
+    constants_.resize(std::max(constants_.size(), constraint.constants.size()));
     std::ranges::copy(constraint.constants, constants_.begin());
     int kept = 0;
     for (int r = 0; r < Kind::rows; ++r)
@@ -53,7 +54,8 @@ class ConstraintCost final : public ceres::CostFunction {
     std::array<const double*, Kind::operand_sizes.size()> x;
     for (std::size_t k = 0; k < x.size(); ++k) x[k] = fixed_[k] ? fixed_[k] : parameters[block_[k]];
     std::array<double, Kind::rows> phi;
-    Kind::residual(x.data(), constants_.data(), phi.data());
+    const auto numbers = constants_at<Kind>(constants_.data(), x.data());
+    Kind::residual(x.data(), numbers.data(), phi.data());
     for (int r = 0; r < Kind::rows; ++r)
       if (place_[r] >= 0) residuals[place_[r]] = weights_[r] * phi[r];
     if (!jacobians) return true;
@@ -61,7 +63,7 @@ class ConstraintCost final : public ceres::CostFunction {
     for (std::size_t k = 0; k < x.size(); ++k)
       if (double* values = target(jacobians, k))
         std::fill_n(values, num_residuals() * Kind::operand_sizes[k], 0.0);
-    Kind::jacobian(x.data(), constants_.data(), [&](int r, int operand, int i, double value) {
+    Kind::jacobian(x.data(), numbers.data(), [&](int r, int operand, int i, double value) {
       double* values = target(jacobians, operand);
       if (values && place_[r] >= 0)
         values[place_[r] * Kind::operand_sizes[operand] + i] = weights_[r] * value;
@@ -77,7 +79,7 @@ class ConstraintCost final : public ceres::CostFunction {
   std::array<const double*, Kind::operand_sizes.size()> fixed_;
   std::array<double, Kind::rows> weights_;
   std::array<int, Kind::operand_sizes.size()> block_;  // of each operand, or -1
-  std::array<double, Kind::constants + 1> constants_{};
+  std::vector<double> constants_ = std::vector<double>(Kind::constants + 1);
   std::array<int, Kind::rows> place_;  // of each row among the residuals, or -1
 };
 

@@ -56,7 +56,7 @@ Mechanism::Direction read_direction(const JsonValue& value, const Names& names) 
   return d;
 }
 
-ReadMechanism mechanism_from(const JsonValue& root) {
+ReadMechanism mechanism_from(const JsonValue& root, NamedFiles& files) {
   check_format(root, "desmo-mechanism", 1);
   root.allow({"$schema", "format", "version", "name", "title", "dimension", "units", "points",
               "vectors", "ground", "bodies", "joints", "coordinates", "couplings", "drivers"});
@@ -73,7 +73,7 @@ ReadMechanism mechanism_from(const JsonValue& root) {
   d.joints = read_joints(root, names);
   name_joints(d);
   d.coordinates = read_coordinates(root, d.dimension, units, names);
-  d.couplings = read_couplings(root, d.coordinates, units, names);
+  d.couplings = read_couplings(root, d, units, names, files);
   try {
     validate(d);
   } catch (const MechanismError& error) {
@@ -84,7 +84,8 @@ ReadMechanism mechanism_from(const JsonValue& root) {
 
 Mechanism parse_mechanism(std::string_view text, const std::string& file_name) {
   const JsonDocument document(text, file_name);
-  return mechanism_from(document.root()).mechanism;
+  NamedFiles files{std::filesystem::path(file_name).parent_path()};
+  return mechanism_from(document.root(), files).mechanism;
 }
 
 Mechanism read_mechanism(const std::filesystem::path& file) {

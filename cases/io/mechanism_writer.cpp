@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "cases/io/files.h"
@@ -39,8 +40,7 @@ class Writer {
       if (c.driven) j["drivers"].push_back(c.name);
     }
     for (const Mechanism::Coupling& coupling : d_.couplings)
-      for (const auto& [coordinate, factor] : coupling.terms)
-        j["couplings"][coupling.name]["sum"][d_.coordinates[coordinate].name] = factor.value;
+      j["couplings"][coupling.name] = write(coupling);
     return j;
   }
 
@@ -111,6 +111,30 @@ class Writer {
         j["axis"] = std::string(1, "xyz"[c.axis]);
     }
     if (c.estimate) j["estimate"] = *c.estimate;
+    return j;
+  }
+
+  Json write(const Mechanism::Coupling& coupling) const {
+    Json j;
+    if (!coupling.table) {
+      for (const auto& [coordinate, factor] : coupling.terms)
+        j["sum"][d_.coordinates[coordinate].name] = factor.value;
+      return j;
+    }
+    constexpr std::array ends{"natural", "clamped", "periodic", "indexing"};
+    const Mechanism::Coupling::Table& table = *coupling.table;
+    const auto in_si = [&](const std::vector<double>& numbers, int term) {
+      Json list = Json::array();
+      for (const double x : numbers)
+        list.push_back((Derived(x) / coupling.terms[term].factor).value);
+      return list;
+    };
+    j["coordinate"] = d_.coordinates[coupling.terms[0].coordinate].name;
+    j["of"] = d_.coordinates[coupling.terms[1].coordinate].name;
+    j["at"] = in_si(table.arguments, 1);
+    j["values"] = in_si(table.values, 0);
+    j["ends"] = ends[static_cast<int>(table.ends)];
+    j["from"] = table.from ? Json(table.from->value) : Json("drawing");
     return j;
   }
 

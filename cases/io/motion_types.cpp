@@ -51,28 +51,6 @@ double length_unit(const JsonValue& value, const FileUnits& units) {
   return units.length.in_si;
 }
 
-SplineEnds read_ends(const JsonValue& value) {
-  constexpr std::array<std::string_view, 3> names{"natural", "clamped", "periodic"};
-  constexpr std::array ends{SplineEnds::natural, SplineEnds::clamped, SplineEnds::periodic};
-  return ends[value.choose("ends", names)];
-}
-
-MotionTable read_lists(const JsonValue& value, double unit) {
-  const JsonValue times = value["times"], values = value["values"];
-  MotionTable table;
-  for (const JsonValue& t : times.elements()) table.times.push_back(t.number());
-  for (const JsonValue& z : values.elements()) table.values.push_back(z.number() * unit);
-  const std::size_t count = table.times.size();
-  if (count != table.values.size())
-    values.complain("has " + std::to_string(table.values.size()) + " values for " +
-                    std::to_string(count) + " times; give as many");
-  if (count < 2) times.complain("has " + std::to_string(count) + " times; a table needs 2 or more");
-  for (std::size_t i = 1; i < count; ++i)
-    if (!(table.times[i] > table.times[i - 1]))
-      times.elements()[i].complain("is not after the time before it; give ascending times");
-  return table;
-}
-
 class MotionReader {
  public:
   MotionReader(const JsonValue& value, const Mechanism& mechanism,
@@ -156,17 +134,13 @@ class MotionReader {
 
   Motion table() const {
     value_.allow({"type", "times", "values", "file", "ends", "from"});
-    const auto file = value_.find("file"), ends = value_.find("ends");
-    if (file && (value_.find("times") || value_.find("values")))
-      value_.complain("has a file, and lists as well; give one of them");
-    MotionTable table =
-        file ? read_table_file(*file, files_, coordinate_.name,
-                               is_angle_ ? units_.angle : units_.length,
-                               is_angle_ ? known_angle_units() : known_length_units())
-             : read_lists(value_, unit_.rounded);
+    static const DisplayUnit second{"s", 1};
+    Table table = read_table(value_, files_, {"times", "t", second, {&second, 1}},
+                             {"values", coordinate_.name, is_angle_ ? units_.angle : units_.length,
+                              is_angle_ ? known_angle_units() : known_length_units()});
     try {
-      return make_spline(std::move(table.times), std::move(table.values),
-                         ends ? read_ends(*ends) : SplineEnds::natural);
+      return make_spline(std::move(table.arguments), std::move(table.values),
+                         read_ends(value_, false));
     } catch (const std::invalid_argument& error) {
       value_.complain(std::string(error.what()) + "; change the table or its ends");
     }

@@ -67,7 +67,8 @@ struct ReadMechanism {
   Mechanism mechanism;
   DisplayUnits units;
 };
-ReadMechanism mechanism_from(const JsonValue& root);
+/// files: where tables are.
+ReadMechanism mechanism_from(const JsonValue& root, NamedFiles& files);
 
 /// Reads as many components as the mechanism has dimensions; in the plane the third becomes 0.
 Mechanism::Vec read_components(const JsonValue& value, int dimension);
@@ -103,10 +104,10 @@ Mechanism::Coordinate read_coordinate(const JsonValue& value, int dimension,
                                       const DisplayUnits& units, const Names& names);
 
 /// Reads couplings. Factors are those of lengths in metres (or the free unit) and angles in
-/// radians.
-std::vector<Mechanism::Coupling> read_couplings(
-    const JsonValue& root, const std::vector<Mechanism::Coordinate>& coordinates,
-    const DisplayUnits& units, const Names& names);
+/// radians; tables are in the units of the file. mechanism: its coordinates are read.
+std::vector<Mechanism::Coupling> read_couplings(const JsonValue& root, const Mechanism& mechanism,
+                                                const DisplayUnits& units, const Names& names,
+                                                NamedFiles& files);
 
 // Sections of a scene file:
 
@@ -125,17 +126,27 @@ Motion read_motion(const JsonValue& value, const Mechanism& mechanism,
                    const Mechanism::Coordinate& coordinate, const FileUnits& units,
                    NamedFiles& files);
 
-/// A table of a motion: times [s] and values.
-struct MotionTable {
-  std::vector<double> times, values;
+/// A table of a motion or a coupling: ascending arguments, and values.
+struct Table {
+  std::vector<double> arguments, values;
 };
 
-/// Reads a table from the CSV file that a value names.
-/// - column: name of the values; without a heading there are two columns
-/// - unit: of the values, where the heading names none
-/// - units: those that it may name
-MotionTable read_table_file(const JsonValue& value, NamedFiles& files, std::string_view column,
-                            const DisplayUnit& unit, std::span<const DisplayUnit> units);
+/// A column of a table.
+struct TableColumn {
+  std::string_view key;                ///< of its list
+  std::string_view name;               ///< in the heading of a file
+  DisplayUnit unit;                    ///< of its numbers, where a heading names none
+  std::span<const DisplayUnit> units;  ///< those that a heading may name
+  double result = 1;                   ///< unit of the numbers that are returned
+};
+
+/// Reads a table from its lists, or from the CSV file that its `file` names; without a heading that
+/// has two columns.
+Table read_table(const JsonValue& value, NamedFiles& files, const TableColumn& arguments,
+                 const TableColumn& values);
+
+/// Reads the ends of a table; natural where there are none. may_index: others than of a motion.
+SplineEnds read_ends(const JsonValue& table, bool may_index);
 
 /// Throws InputError when a table does not cover the grid's instants. motions: from read_motions().
 void check_tables(const JsonValue& root, const Mechanism& mechanism,

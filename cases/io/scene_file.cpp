@@ -42,7 +42,8 @@ Start from_library(const JsonValue& value, LibraryGives gives) {
       library()[value["library"].choose("library mechanism", library_names())];
   const std::string file_name = "library/" + std::string(found.name);
   const JsonDocument mechanism(found.mechanism, file_name + ".json");
-  Start start = without_motion(mechanism_from(mechanism.root()));
+  NamedFiles none;
+  Start start = without_motion(mechanism_from(mechanism.root(), none));
   if (gives == LibraryGives::mechanism) return start;
   const JsonDocument document(found.scene, file_name + ".scene.json");
   Scene scene = scene_from(document.root(), {}, LibraryGives::mechanism).scene;
@@ -69,7 +70,10 @@ Start from_generator(const JsonValue& value) {
 ReadMechanism from_file(const JsonValue& value, NamedFiles& files) {
   const auto [name, text] = files.read_named(value, "mechanism");
   const JsonDocument document(text, name);
-  return mechanism_from(document.root());
+  NamedFiles own{std::filesystem::path(name).parent_path()};
+  ReadMechanism read = mechanism_from(document.root(), own);
+  files.read.insert(files.read.end(), own.read.begin(), own.read.end());
+  return read;
 }
 
 Start read_start(const JsonValue& value, NamedFiles& files, LibraryGives gives) {
@@ -80,7 +84,7 @@ Start read_start(const JsonValue& value, NamedFiles& files, LibraryGives gives) 
         "{\"generator\": name}");
   if (value.find("library")) return from_library(value, gives);
   if (value.find("generator")) return from_generator(value);
-  return without_motion(mechanism_from(value));
+  return without_motion(mechanism_from(value, files));
 }
 
 // The unit of length goes with that of the mechanism: a free one is no number of metres.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include "cases/mechanism/checks.h"
@@ -10,6 +11,20 @@ namespace desmo {
 namespace {
 
 using Part = MechanismError::Part;
+
+void check_table(const Mechanism& d, int i) {
+  const Mechanism::Coupling& coupling = d.couplings[i];
+  const auto& [arguments, values, ends, from] = *coupling.table;
+  if (coupling.terms.size() != 2)
+    refuse(d, Part::coupling, i, "has a table, and not two coordinates; give two");
+  try {
+    make_spline(arguments, values, ends);
+  } catch (const std::invalid_argument& error) {
+    refuse(d, Part::coupling, i, std::string(error.what()) + "; change the table or its ends");
+  }
+  if (from && !std::isfinite(from->value))
+    refuse(d, Part::coupling, i, "what is added to its table is not finite; give a number");
+}
 
 void check(const Mechanism& d, int i) {
   const Mechanism::Coupling& coupling = d.couplings[i];
@@ -29,6 +44,7 @@ void check(const Mechanism& d, int i) {
       refuse(d, Part::coupling, i,
              "the factor of " + name + " is 0 or not finite; give another number");
   }
+  if (coupling.table) check_table(d, i);
   if (std::ranges::all_of(seen, [&](int c) { return d.coordinates[c].driven; }))
     refuse(d, Part::coupling, i, "all its coordinates are driven; let one of them follow");
 }

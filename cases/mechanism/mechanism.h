@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/mechanism/motion.h"
 #include "cases/numbers/derived.h"
 
 namespace desmo {
@@ -112,17 +113,29 @@ struct Mechanism {
     bool driven = false;             ///< a motion is prescribed (Scene::motions)
   };
 
-  /// A linear relation between coordinates, such as a gear: Σ factor · coordinate keeps the value
-  /// that it has in the nominal position. Angles count with their whole turns [rad].
+  /// A relation between coordinates. Angles count with their whole turns [rad].
+  /// - linear, such as a gear: Σ factor · coordinate keeps the value that it has in the nominal
+  ///   position
+  /// - by a table, such as a cam: of two coordinates, factor · first = table of factor · second
   struct Coupling {
     struct Term {
       int coordinate;
       Derived factor;
     };
+    /// A cubic spline through `values` at ascending arguments, to which `from` is added. Periodic
+    /// and indexing ones repeat on both sides, indexing ones higher by what a table rises.
+    struct Table {
+      std::vector<double> arguments, values;
+      SplineEnds ends = SplineEnds::natural;
+      std::optional<Derived> from = Derived();  ///< none: what leads through the nominal position
+
+      bool repeats() const { return ends == SplineEnds::periodic || ends == SplineEnds::indexing; }
+    };
     static constexpr int min_terms = 2, max_terms = 4;
 
     std::string name;
     std::vector<Term> terms;
+    std::optional<Table> table{};
   };
 
   std::string name;
@@ -155,7 +168,7 @@ void name_joints(Mechanism& mechanism);
 /// - coordinates refer to different entities, carried by bodies; an angle in space has `from` and
 ///   `towards` at a right angle, and a direction that is not perpendicular to both
 /// - couplings relate two to four different coordinates, not all of them driven, and no factor
-///   is 0
+///   is 0; one by a table two of them, with numbers that make_spline() takes
 /// - no line used as a direction has zero length, nor do all points of a body without vectors
 ///   coincide
 /// - a given length is positive and its body has exactly two points

@@ -9,72 +9,81 @@ namespace desmo {
 
 namespace {
 
+// T: double, or Derived for the exact spline.
+
 /// Symmetric and tridiagonal.
+template <class T>
 struct Tridiagonal {
-  std::vector<double> diagonal;
-  std::vector<double> off_diagonal;  ///< one fewer
+  std::vector<T> diagonal;
+  std::vector<T> off_diagonal;  ///< one fewer
 };
 
 /// Thomas' algorithm, without pivoting: the matrices of splines are diagonally dominant.
-std::vector<double> solve(const Tridiagonal& matrix, std::vector<double> x) {
-  std::vector<double> pivot = matrix.diagonal;
-  const std::vector<double>& e = matrix.off_diagonal;
+template <class T>
+std::vector<T> solve(const Tridiagonal<T>& matrix, std::vector<T> x) {
+  std::vector<T> pivot = matrix.diagonal;
+  const std::vector<T>& e = matrix.off_diagonal;
   for (std::size_t i = 1; i < x.size(); ++i) {
-    const double factor = e[i - 1] / pivot[i - 1];
-    pivot[i] -= factor * e[i - 1];
-    x[i] -= factor * x[i - 1];
+    const T factor = e[i - 1] / pivot[i - 1];
+    pivot[i] = pivot[i] - factor * e[i - 1];
+    x[i] = x[i] - factor * x[i - 1];
   }
-  x.back() /= pivot.back();
+  x.back() = x.back() / pivot.back();
   for (std::size_t i = x.size() - 1; i-- > 0;) x[i] = (x[i] - e[i] * x[i + 1]) / pivot[i];
   return x;
 }
 
 /// The same with `corner` added to the matrix at its upper right and lower left, by Sherman and
 /// Morrison: A + u vᵀ with u = (γ, 0 … 0, corner), v = (1, 0 … 0, corner/γ).
-std::vector<double> solve_cyclic(Tridiagonal matrix, double corner, std::vector<double> rhs) {
-  const double gamma = -matrix.diagonal.front();  // any but 0; this one keeps A dominant
-  const double v_last = corner / gamma;
-  std::vector<double> u(rhs.size(), 0.0);
+template <class T>
+std::vector<T> solve_cyclic(Tridiagonal<T> matrix, const T& corner, std::vector<T> rhs) {
+  const T gamma = -matrix.diagonal.front();  // any but 0; this one keeps A dominant
+  const T v_last = corner / gamma;
+  std::vector<T> u(rhs.size(), T(0));
   u.front() = gamma;
   u.back() = corner;
-  matrix.diagonal.front() -= gamma;
-  matrix.diagonal.back() -= corner * v_last;
+  matrix.diagonal.front() = matrix.diagonal.front() - gamma;
+  matrix.diagonal.back() = matrix.diagonal.back() - corner * v_last;
 
-  std::vector<double> x = solve(matrix, std::move(rhs));
-  const std::vector<double> y = solve(matrix, std::move(u));  // A y = u
-  const double factor = (x.front() + v_last * x.back()) / (1 + y.front() + v_last * y.back());
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] -= factor * y[i];
+  std::vector<T> x = solve(matrix, std::move(rhs));
+  const std::vector<T> y = solve(matrix, std::move(u));  // A y = u
+  const T factor = (x.front() + v_last * x.back()) / (T(1) + y.front() + v_last * y.back());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] - factor * y[i];
   return x;
+}
+
+bool closes(SplineEnds ends) {
+  return ends == SplineEnds::periodic || ends == SplineEnds::indexing;
 }
 
 /// z̈ at every knot, from the continuity of ż at knot i, where interval i (length hᵢ, slope δᵢ of
 /// its chord) follows interval i−1:
 ///   hᵢ₋₁ z̈ᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) z̈ᵢ + hᵢ z̈ᵢ₊₁ = 6 (δᵢ − δᵢ₋₁)
-std::vector<double> second_derivatives(const std::vector<double>& h,
-                                       const std::vector<double>& slope, SplineEnds ends) {
+template <class T>
+std::vector<T> second_derivatives(const std::vector<T>& h, const std::vector<T>& slope,
+                                  SplineEnds ends) {
   const std::size_t n = h.size();
-  const bool periodic = ends == SplineEnds::periodic;
-  Tridiagonal matrix{std::vector<double>(n + 1, 0.0), h};
-  std::vector<double> rhs(n + 1, 0.0);
+  Tridiagonal<T> matrix{std::vector<T>(n + 1, T(0)), h};
+  std::vector<T> rhs(n + 1, T(0));
   for (std::size_t i = 0; i < n; ++i) {  // each interval's share in the equations of its two knots
-    matrix.diagonal[i] += 2 * h[i];
-    matrix.diagonal[i + 1] += 2 * h[i];
-    rhs[i] += 6 * slope[i];
-    rhs[i + 1] -= 6 * slope[i];
+    matrix.diagonal[i] = matrix.diagonal[i] + T(2) * h[i];
+    matrix.diagonal[i + 1] = matrix.diagonal[i + 1] + T(2) * h[i];
+    rhs[i] = rhs[i] + T(6) * slope[i];
+    rhs[i + 1] = rhs[i + 1] - T(6) * slope[i];
   }
-  if (periodic) {  // the last knot is the first
-    matrix.diagonal.front() += matrix.diagonal.back();
-    rhs.front() += rhs.back();
+  if (closes(ends)) {  // the last knot is the first
+    matrix.diagonal.front() = matrix.diagonal.front() + matrix.diagonal.back();
+    rhs.front() = rhs.front() + rhs.back();
     matrix.diagonal.pop_back();
     matrix.off_diagonal.pop_back();
     rhs.pop_back();
-    std::vector<double> x = solve_cyclic(std::move(matrix), h.back(), std::move(rhs));
+    std::vector<T> x = solve_cyclic(std::move(matrix), h.back(), std::move(rhs));
     x.push_back(x.front());
     return x;
   }
   if (ends == SplineEnds::natural) {
-    matrix.off_diagonal.front() = matrix.off_diagonal.back() = 0;
-    rhs.front() = rhs.back() = 0;
+    matrix.off_diagonal.front() = matrix.off_diagonal.back() = T(0);
+    rhs.front() = rhs.back() = T(0);
   }
   return solve(matrix, std::move(rhs));
 }
@@ -83,7 +92,7 @@ void check(const std::vector<double>& times, const std::vector<double>& values, 
   const auto refuse = [](const std::string& what) {
     throw std::invalid_argument("a table of times and values " + what);
   };
-  const bool periodic = ends == SplineEnds::periodic;
+  const bool periodic = closes(ends);
   if (times.size() != values.size())
     refuse("has " + std::to_string(times.size()) + " times but " + std::to_string(values.size()) +
            " values");
@@ -98,8 +107,26 @@ void check(const std::vector<double>& times, const std::vector<double>& values, 
       refuse("needs ascending times: that at position " + std::to_string(i) +
              " is not after the one before");
   }
-  if (periodic && values.front() != values.back())
+  if (ends == SplineEnds::periodic && values.front() != values.back())
     refuse("that is periodic must end with the value it begins with");
+}
+
+/// Returns the pieces of a table's spline.
+template <class T>
+std::vector<std::array<T, 4>> interpolated(const std::vector<double>& times,
+                                           const std::vector<double>& values, SplineEnds ends) {
+  const std::size_t n = times.size() - 1;
+  std::vector<T> h(n), slope(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    h[i] = T(times[i + 1]) - T(times[i]);
+    slope[i] = (T(values[i + 1]) - T(values[i])) / h[i];
+  }
+  const std::vector<T> second = second_derivatives(h, slope, ends);
+  std::vector<std::array<T, 4>> pieces;
+  for (std::size_t i = 0; i < n; ++i)
+    pieces.push_back({T(values[i]), slope[i] - h[i] * (T(2) * second[i] + second[i + 1]) / T(6),
+                      second[i] / T(2), (second[i + 1] - second[i]) / (T(6) * h[i])});
+  return pieces;
 }
 
 void add_to(double& value, Remainder& rest, const Derived& distance) {
@@ -112,18 +139,15 @@ void add_to(double& value, Remainder& rest, const Derived& distance) {
 
 Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends) {
   check(times, values, ends);
-  const std::size_t n = times.size() - 1;
-  std::vector<double> h(n), slope(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    h[i] = times[i + 1] - times[i];
-    slope[i] = (values[i + 1] - values[i]) / h[i];
-  }
-  const std::vector<double> second = second_derivatives(h, slope, ends);
-
+  const auto rounded = interpolated<double>(times, values, ends);
+  const auto exact = interpolated<Derived>(times, values, ends);
   Spline spline;
-  for (std::size_t i = 0; i < n; ++i)
-    spline.add(times[i], {values[i], slope[i] - h[i] * (2 * second[i] + second[i + 1]) / 6,
-                          second[i] / 2, (second[i + 1] - second[i]) / (6 * h[i])});
+  for (std::size_t i = 0; i < rounded.size(); ++i) {
+    std::array<Derived, 4> piece;
+    for (int k = 0; k < 4; ++k)
+      piece[k] = std::isfinite(rounded[i][k]) ? exact[i][k].about(rounded[i][k]) : rounded[i][k];
+    spline.add(times[i], piece);
+  }
   spline.knots_.push_back(times.back());
   spline.first_time_ = times.front();
   spline.last_time_ = times.back();

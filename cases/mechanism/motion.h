@@ -40,6 +40,7 @@ enum class SplineEnds {
   natural,   ///< z̈ = 0 at both
   clamped,   ///< ż = 0 at both
   periodic,  ///< z, ż and z̈ at the last knot as at the first
+  indexing,  ///< ż and z̈ at the last knot as at the first
 };
 
 /// Cubic polynomials, one after the other. Outside of their knots the first and the last one are
@@ -74,9 +75,10 @@ class Spline {
 };
 
 /// Interpolates a table of times [s] and values, twice continuously differentiable. A periodic
-/// spline is not repeated outside of its table. Throws std::invalid_argument unless there are as
-/// many times as values, two or more (periodic: three). All must be finite, the times strictly
-/// ascending, and (periodic) the last value equal to the first.
+/// spline is not repeated outside of its table. Coefficients have the remainders of the exact
+/// spline. Throws std::invalid_argument unless there are as many times as values, two or more
+/// (periodic, indexing: three). All must be finite, the times strictly ascending, and (periodic)
+/// the last value equal to the first.
 Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
 
 /// The fastest motion from rest at z = 0 to rest at z = `distance` within limits of velocity and

@@ -34,7 +34,12 @@ std::string describe(const Summary& s, const Model& m) {
   std::snprintf(text, sizeof text, "%s at t = %.9g s, residual %.2e", reason, s.time, s.residual);
   std::string result = text;
   if (s.group >= 0) result += ", group '" + m.groups[s.group].name + "'";
-  if (s.constraint >= 0) result += ", constraint '" + m.constraints[s.constraint].name + "'";
+  if (s.constraint >= 0) {
+    const Constraint& c = m.constraints[s.constraint];
+    result += ", constraint '" + c.name + "'";
+    if (s.status == Status::not_finite && constraint_kind_name(c.kind) == "coupling_by_table")
+      result += ", which is outside of its table";
+  }
   return result;
 }
 

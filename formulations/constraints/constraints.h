@@ -25,13 +25,17 @@
 //   measure(x, c)              c[constants] = dimensions for which the constraint holds at x,
 //                              overwritten; angles among the operands are not read
 // A kind without it relates an entity to a basis, which its operands do not tell.
+// A kind that reads a table takes it about the position of its operands: see constants_at().
 // The operands of a constraint are different entities. Lengths are in the unit of the mechanism,
 // angles in radians.
 
+#include <array>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "formulations/constraints/coordinates.h"
 #include "formulations/constraints/joints.h"
@@ -56,7 +60,8 @@ using ConstraintKinds = std::tuple<
     FrameAngle<1, false>, Reach<2>, Reach<3>, PlanarBearing<false>, PlanarBearing<true>,
     PlanarBearingFrom<Between::vector_and_vector>, PlanarBearingFrom<Between::vector_and_line>,
     PlanarBearingFrom<Between::line_and_vector>, PlanarBearingFrom<Between::line_and_line>,
-    PlanarBearingFrom<Between::lines_at_point>, Coupling<2>, Coupling<3>, Coupling<4>>;
+    PlanarBearingFrom<Between::lines_at_point>, Coupling<2>, Coupling<3>, Coupling<4>,
+    TableCoupling>;
 
 inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
 
@@ -65,6 +70,36 @@ template <class Kind>
 inline constexpr bool holds_modulo_pi = requires {
   requires Kind::modulo_pi;
 };
+
+/// True for kinds that read a table; whole turns of their angles count.
+template <class Kind>
+inline constexpr bool has_table = requires {
+  Kind::table;
+};
+
+/// Returns the constants that the functions of a kind take at x, from the numbers of a constraint:
+/// these themselves, but for kinds that read a table. The result has data().
+template <class Kind, class S>
+auto constants_at(const S* numbers, const S* const* x) {
+  if constexpr (has_table<Kind>)
+    return Kind::about(numbers, x[1][0]);
+  else
+    return std::span<const S>(numbers, Kind::constants);
+}
+
+/// Returns the same from the dimensions of a constraint, in another scalar. number(k): dimension k.
+template <class Kind, class S, class Number>
+auto constants_in(std::size_t count, const S* const* x, const Number& number) {
+  if constexpr (has_table<Kind>) {
+    std::vector<S> all;
+    for (std::size_t k = 0; k < count; ++k) all.push_back(number(k));
+    return Kind::about(all.data(), x[1][0]);
+  } else {
+    std::array<S, Kind::constants + 1> all{};
+    for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = number(k);
+    return all;
+  }
+}
 
 /// Returns the position of Kind in ConstraintKinds.
 template <class Kind>

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "formulations/constraints/table.h"
 #include "formulations/constraints/vec.h"
 
 namespace desmo {
@@ -52,6 +53,56 @@ struct Coupling : LinearKind<1> {
   template <class S, class Entry>
   static void jacobian(const S* const*, const S* c, Entry&& entry) {
     for (int k = 0; k < N; ++k) entry(0, k, 0, c[k]);
+  }
+};
+
+/// A coupling by a table f: s₁ − b − u f(k s₂) = 0. Operands s₁, s₂. A constraint has the
+/// dimensions {u, k, b} and the numbers of its table (table.h). Functions take f about an argument
+/// ξ in place of the table (constants_at()): c = {u, k, b, ξ, a₀ … a₃} with f = a₀ + a₁ τ + a₂ τ² +
+/// a₃ τ³ and τ = k s₂ − ξ.
+struct TableCoupling {
+  static constexpr std::string_view name = "coupling_by_table";
+  static constexpr std::array operand_sizes{1, 1};
+  static constexpr int constants = 8, rows = 1, entries = 2;
+  static constexpr bool linear = false;
+  static constexpr int table = 3;  ///< position of the table among a constraint's numbers
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    const S t = offset(x, c);
+    phi[0] = x[0][0] - c[2] - c[0] * (((c[7] * t + c[6]) * t + c[5]) * t + c[4]);
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    const S t = offset(x, c);
+    entry(0, 0, 0, S(1));
+    entry(0, 1, 0, -(c[0] * c[1]) * ((S(3) * c[7] * t + S(2) * c[6]) * t + c[5]));
+  }
+  template <class S>
+  static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
+    const S rate = c[1] * v[1][0];
+    gamma[0] = -c[0] * ((S(6) * c[7] * offset(x, c) + S(2) * c[6]) * (rate * rate));
+  }
+
+  /// Returns the constants about the argument of operand s₂ from the numbers of a constraint.
+  template <class S>
+  static std::array<S, constants> about(const S* c, const S& s2) {
+    const S at = c[1] * s2;
+    const S* const t = c + table;
+    return {c[0],
+            c[1],
+            c[2],
+            at,
+            table_coefficient<0>(t, at),
+            table_coefficient<1>(t, at),
+            table_coefficient<2>(t, at),
+            table_coefficient<3>(t, at)};
+  }
+
+ private:
+  template <class S>
+  static S offset(const S* const* x, const S* c) {
+    return c[1] * x[1][0] - c[3];
   }
 };
 

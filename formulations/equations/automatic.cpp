@@ -26,7 +26,7 @@ std::array<const S*, N> pointers(const S* state, const std::array<int, N>& posit
 template <class Kind, class Object, class Operands, class S>
 inline void write_jacobian(const Object& o, const Operands& x, S* values) {
   int i = 0;
-  Kind::jacobian(x.data(), o.constants.data(),
+  Kind::jacobian(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
                  [&](int, int, int, S value) { values[o.slots[i++]] = value; });
 }
 
@@ -44,7 +44,8 @@ template <class Kind>
 struct BasicAutomaticEquations<S>::SameKind {
   struct Object {
     std::array<int, Kind::operand_sizes.size()> operands;  // positions in the state
-    std::array<S, Kind::constants> constants;
+    /// Those of a table are many.
+    std::conditional_t<has_table<Kind>, std::vector<S>, std::array<S, Kind::constants>> constants;
     int row;  // first row in the part, when the part has all rows
     std::array<int, Kind::entries> slots;
     std::array<int, Kind::rows> rows;  // row in the part; -1: belongs to another part
@@ -87,10 +88,12 @@ struct BasicAutomaticEquations<S>::LoopsOf {
     for (const auto& o : objects(all_kinds)) {
       const auto x = automatic_equations::pointers(state, o.operands);
       if constexpr (Whole) {
-        Kind::residual(x.data(), o.constants.data(), phi + o.row);
+        Kind::residual(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
+                       phi + o.row);
       } else {
         std::array<S, Kind::rows> all;
-        Kind::residual(x.data(), o.constants.data(), all.data());
+        Kind::residual(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
+                       all.data());
         automatic_equations::pick(o.rows, all, phi);
       }
     }
@@ -108,10 +111,12 @@ struct BasicAutomaticEquations<S>::LoopsOf {
       const auto x = automatic_equations::pointers(state, o.operands);
       const auto v = automatic_equations::pointers(rate, o.operands);
       if constexpr (Whole) {
-        Kind::quadratic(x.data(), v.data(), o.constants.data(), gamma + o.row);
+        Kind::quadratic(x.data(), v.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
+                        gamma + o.row);
       } else {
         std::array<S, Kind::rows> all;
-        Kind::quadratic(x.data(), v.data(), o.constants.data(), all.data());
+        Kind::quadratic(x.data(), v.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
+                        all.data());
         automatic_equations::pick(o.rows, all, gamma);
       }
     }
@@ -132,6 +137,7 @@ BasicAutomaticEquations<S>::BasicAutomaticEquations(const Model& m, const PartDe
       typename SameKind<Kind>::Object o;
       for (std::size_t k = 0; k < o.operands.size(); ++k)
         o.operands[k] = m.state_index(constraint.operands[k]);
+      if constexpr (has_table<Kind>) o.constants.resize(constraint.constants.size());
       std::ranges::copy(constraint.constants, o.constants.begin());
       o.row = row;
       o.rows.fill(-1);
@@ -142,11 +148,13 @@ BasicAutomaticEquations<S>::BasicAutomaticEquations(const Model& m, const PartDe
       static constexpr std::array<S, 3> any{1, 1, 1};  // the pattern is that of all values
       automatic_equations::Operands<Kind, S> x;
       x.fill(any.data());
-      Kind::jacobian(x.data(), o.constants.data(), [&](int r, int operand, int component, S) {
-        o.slots[i++] = static_cast<int>(entries.size());  // its place in `entries`, for now
-        entries.push_back({o.rows[r], o.operands[operand] + component,
-                           m.is_at_rest(constraint.operands[operand])});
-      });
+      Kind::jacobian(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
+                     [&](int r, int operand, int component, S) {
+                       o.slots[i++] =
+                           static_cast<int>(entries.size());  // its place in `entries`, for now
+                       entries.push_back({o.rows[r], o.operands[operand] + component,
+                                          m.is_at_rest(constraint.operands[operand])});
+                     });
       SameKind<Kind>& same_kind = std::get<SameKind<Kind>>(all_kinds_->of_kinds);
       (row - o.row == Kind::rows ? same_kind.whole : same_kind.cut).push_back(o);
     });

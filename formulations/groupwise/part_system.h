@@ -51,9 +51,9 @@ struct PartSystem {
         x[k] = state_.q.data() + first[k];
         v[k] = state_.qd.data() + first[k];
       }
-      std::array<S, Kind::constants + 1> constants{};
-      for (std::size_t k = 0; k < Kind::constants; ++k)
-        constants[k] = as<S>(constraint.dimension(k));
+      const auto constants =
+          constants_in<Kind>(constraint.constants.size(), x.data(),
+                             [&](std::size_t k) { return as<S>(constraint.dimension(k)); });
       std::array<S, Kind::rows> all_phi, gamma;
       Kind::residual(x.data(), constants.data(), all_phi.data());
       Kind::quadratic(x.data(), v.data(), constants.data(), gamma.data());

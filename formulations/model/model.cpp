@@ -143,9 +143,10 @@ std::vector<bool> independent_coordinates(const Model& m) {
 std::vector<bool> coupled_angles(const Model& m) {
   std::vector<bool> coupled(m.entities.size(), false);
   for (const Constraint& c : m.constraints)
-    visit_kind(c.kind, [&](auto kind) {
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
       for (const EntityId e : c.operands)
-        if (kind.linear && m.entities[e].kind == EntityKind::angle) coupled[e] = true;
+        if ((Kind::linear || has_table<Kind>)&&m.entities[e].kind == EntityKind::angle)
+          coupled[e] = true;
     });
   return coupled;
 }

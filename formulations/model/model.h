@@ -166,8 +166,8 @@ std::vector<EntityId> entity_of_coordinate(const Model& model);
 /// Returns for each coordinate whether it is driven.
 std::vector<bool> independent_coordinates(const Model& model);
 
-/// Returns for each entity whether it is an angle whose whole turns count: a coupling, which is a
-/// linear constraint, relates it.
+/// Returns for each entity whether it is an angle whose whole turns count: a coupling, which is
+/// linear or by a table, relates it.
 std::vector<bool> coupled_angles(const Model& model);
 
 /// Returns the name of a kind of constraint, such as "distance2"; empty where kind is out of range.

@@ -56,11 +56,12 @@ RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
   }
   RowSizes<Kind::rows> result;
   std::array<double, Kind::rows> second;
-  Kind::jacobian(x.data(), c.constants.data(), [&](int row, int operand, int, double value) {
+  const auto numbers = constants_at<Kind>(c.constants.data(), x.data());
+  Kind::jacobian(x.data(), numbers.data(), [&](int row, int operand, int, double value) {
     result.magnitude[row] = std::hypot(result.magnitude[row], value * size[operand]);
     result.rounding[row] += std::abs(value) * change[operand];
   });
-  Kind::quadratic(x.data(), v.data(), c.constants.data(), second.data());
+  Kind::quadratic(x.data(), v.data(), numbers.data(), second.data());
   for (int row = 0; row < Kind::rows; ++row) {
     double& magnitude = result.magnitude[row];
     magnitude = std::max(magnitude, min_share * std::abs(second[row]) / 2);

@@ -16,7 +16,7 @@ void visit_incidence(const Model& m, const Constraint& constraint, Visit&& visit
     static constexpr std::array<double, 3> any{1, 1, 1};
     std::array<const double*, Kind::operand_sizes.size()> x;
     x.fill(any.data());
-    Kind::jacobian(x.data(), constraint.constants.data(),
+    Kind::jacobian(x.data(), constants_at<Kind>(constraint.constants.data(), x.data()).data(),
                    [&](int row, int operand, int component, double) {
                      visit(row, m.state_index(constraint.operands[operand]) + component);
                    });

@@ -57,7 +57,14 @@ PartType describe_type(const Model& m, const PartDefinition& part) {
     }
     // What is at a right angle, or has no offset, is simpler: that a dimension is zero, and which,
     // belongs to the type.
-    for (std::size_t k = 0; k < c.constants.size(); ++k)
+    std::size_t dimensions = c.constants.size();
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
+      if constexpr (has_table<Kind>) {
+        type.fingerprint += 't' + std::to_string(dimensions - Kind::table) + ' ';
+        dimensions = Kind::table;
+      }
+    });
+    for (std::size_t k = 0; k < dimensions; ++k)
       if (c.constants[k] == 0) type.fingerprint += 'c' + std::to_string(k) + "=0 ";
     type.fingerprint.back() = ')';
     type.constants.insert(type.constants.end(), c.constants.begin(), c.constants.end());

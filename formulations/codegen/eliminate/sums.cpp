@@ -71,8 +71,9 @@ int ArrivalTimes::find(const Node& n) {
     case Op::negate:
     case Op::magnitude:
       return operands();
+    default:
+      return operands() + sine_or_cosine;  // a look-up
   }
-  return 0;
 }
 
 std::vector<Term> terms_of(int id, ArrivalTimes& arrival, const IsWhole& is_whole) {

@@ -148,6 +148,9 @@ std::string Emitter::text(int id) const {
       return style_.functions + "sqrt(" + text(n.a) + ")";
     case Op::magnitude:
       return style_.functions + "abs(" + text(n.a) + ")";
+    default:
+      return "table_coefficient<" + std::to_string(table_order(n.op)) + ", " + style_.type + ">(&" +
+             text(n.b) + ", " + text(n.a) + ")";
   }
   return {};
 }

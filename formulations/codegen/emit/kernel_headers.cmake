@@ -2,7 +2,8 @@
 # text of such kernels.
 set(DESMO_EMBEDDED_TEXTS "")
 set(DESMO_HEADER_TABLE "")
-foreach(header IN ITEMS cases/mechanism/level.h formulations/equations/kernel.h
+foreach(header IN ITEMS cases/mechanism/level.h formulations/constraints/table.h
+    formulations/equations/kernel.h
     formulations/equations/explicit_kernel.h formulations/equations/lane_kernel.h
     formulations/equations/kernel_library.h formulations/equations/elementary.h
     formulations/equations/turned_angle.h formulations/equations/lanes.h)

@@ -44,6 +44,8 @@ class Linear {
       case Op::cosine:
         return -(sin(a) * d(a));
       default:
+        if (const int k = table_order(n.op); k >= 0)
+          return (k + 1) * (Expr::table_at(k + 1, b, a) * d(a));
         throw std::logic_error("an equation contains what has no derivative");
     }
   }
@@ -84,6 +86,9 @@ class QuadraticTerm {
       case Op::cosine:
         return -(sin(a) * h(a)) - 0.5 * (e * (first_(a) * first_(a)));
       default:
+        if (const int k = table_order(n.op); k >= 0)
+          return (k + 1) * (Expr::table_at(k + 1, b, a) * h(a)) +
+                 0.5 * (k + 1) * (k + 2) * (Expr::table_at(k + 2, b, a) * (first_(a) * first_(a)));
         throw std::logic_error("an equation contains what has no derivative");
     }
   }

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/constraints/table.h"
+
 namespace desmo::generate {
 
 namespace {
@@ -51,8 +53,7 @@ double apply(Op op, double a, double b) {
       return std::sqrt(a);
     case Op::magnitude:
       return std::abs(a);
-    case Op::constant:
-    case Op::input:
+    default:
       break;
   }
   throw std::logic_error("not an operation");
@@ -102,9 +103,25 @@ int Graph::find_or_add(Op op, int a, int b) {
   if (it != operations_.end()) return it->second;
   std::vector<double> values(sample_count_);
   for (int s = 0; s < sample_count_; ++s)
-    values[s] = apply(op, samples_[a][s], b < 0 ? 0 : samples_[b][s]);
+    values[s] = table_order(op) >= 0 ? table_value(op, a, b, s)
+                                     : apply(op, samples_[a][s], b < 0 ? 0 : samples_[b][s]);
   const bool moves = nodes_[a].moves || (b >= 0 && nodes_[b].moves);
   return operations_[{op, a, b}] = add({op, a, b, 0, {}, moves}, std::move(values));
+}
+
+double Graph::table_value(Op op, int a, int table, int sample) const {
+  const auto number = [&](int k) { return samples_[table + k][sample]; };
+  const double x = samples_[a][sample];
+  switch (table_order(op)) {
+    case 0:
+      return table_number<0>(number, x);
+    case 1:
+      return table_number<1>(number, x);
+    case 2:
+      return table_number<2>(number, x);
+    default:
+      return table_number<3>(number, x);
+  }
 }
 
 Graph::Scaled Graph::as_scaled(int id) const {

@@ -21,7 +21,16 @@ enum class Op {
   cosine,
   square_root,
   magnitude,  ///< |a|
+  table_0,  ///< Taylor's coefficient 0 of the table that begins with input b, at a; then the others
+  table_1,
+  table_2,
+  table_3,
 };
+
+/// Returns the order of a coefficient of a table; -1 for other operations.
+constexpr int table_order(Op op) {
+  return op < Op::table_0 ? -1 : static_cast<int>(op) - static_cast<int>(Op::table_0);
+}
 
 /// A node of the expression graph. Its operands have smaller numbers.
 struct Node {
@@ -72,6 +81,7 @@ class Graph {
   bool is_reciprocal(int id, int of) const;
   int add(Node node, std::vector<double> sample_values);
   int find_or_add(Op op, int a, int b);
+  double table_value(Op op, int a, int table, int sample) const;
 
   int sample_count_;
   std::vector<Node> nodes_;
@@ -103,6 +113,16 @@ class Expr {
   friend Expr cos(Expr a) { return unary(Op::cosine, a); }
   friend Expr sqrt(Expr a) { return unary(Op::square_root, a); }
   friend Expr abs(Expr a) { return unary(Op::magnitude, a); }
+  /// Records a coefficient of a table, whose numbers are inputs with consecutive nodes.
+  template <int k>
+  friend Expr table_coefficient(const Expr* table, const Expr& x) {
+    return table_at(k, table[0], x);
+  }
+  /// Returns coefficient k at x of a table that begins with an input; 0 above the third.
+  static Expr table_at(int k, Expr table, Expr x) {
+    if (k > 3) return 0;
+    return binary(static_cast<Op>(static_cast<int>(Op::table_0) + k), x, table);
+  }
 
  private:
   Expr(int id, int) : id_(id) {}

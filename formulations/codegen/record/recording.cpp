@@ -46,13 +46,22 @@ RecordedPart record(const PartType& type, const std::vector<SamplePoint>& sample
     g.qd.push_back(fixed ? Expr(0) : Expr::node(graph.input("qd" + name, unsampled)));
     g.qdd.push_back(fixed ? Expr(0) : Expr::node(graph.input("qdd" + name, unsampled)));
   }
+  std::vector<bool> in_table(type.constants.size());
+  for (const PartType::Constraint& c : type.constraints)
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
+      if constexpr (has_table<Kind>) {
+        const int first = c.first_constant + Kind::table;
+        std::fill_n(in_table.begin() + first, table_size(static_cast<int>(type.constants[first])),
+                    true);
+      }
+    });
   std::vector<Expr> constants;
   for (std::size_t i = 0; i < type.constants.size(); ++i) {
     std::vector<double> values;
     for (const SamplePoint& s : samples) values.push_back(s.constants[i]);
     // That it is zero belongs to the type (see describe_type).
     constants.push_back(
-        type.constants[i] == 0
+        type.constants[i] == 0 && !in_table[i]
             ? Expr(0)
             : Expr::node(graph.input("c[" + std::to_string(i) + "]", std::move(values), false)));
   }
@@ -64,7 +73,8 @@ RecordedPart record(const PartType& type, const std::vector<SamplePoint>& sample
         x[k] = g.q.data() + constraint.operands[k];
         v[k] = g.qd.data() + constraint.operands[k];
       }
-      const Expr* c = constants.data() + constraint.first_constant;
+      const auto about = constants_at<Kind>(constants.data() + constraint.first_constant, x.data());
+      const Expr* const c = about.data();
       std::array<Expr, Kind::rows> phi, gamma;
       Kind::residual(x.data(), c, phi.data());
       Kind::quadratic(x.data(), v.data(), c, gamma.data());

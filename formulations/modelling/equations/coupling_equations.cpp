@@ -1,8 +1,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cases/mechanism/drawing.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/modelling/equations/equation_writer.h"
 
 namespace desmo {
@@ -45,10 +49,65 @@ void write(EquationWriter& w, const Mechanism::Coupling& coupling) {
   w.constrain<Coupling<N>>(Origin::joint, coupling.name + ": coupling", operands, dimensions);
 }
 
+/// Returns the numbers of a table (formulations/constraints/table.h).
+std::vector<Derived> numbers_of(const Mechanism::Coupling::Table& table) {
+  const Spline f = make_spline(table.arguments, table.values, table.ends);
+  const std::size_t n = f.pieces().size();
+  std::vector<Derived> numbers{static_cast<double>(n), table.repeats() ? 1.0 : 0.0, 0};
+  if (table.repeats()) numbers[2] = Derived(table.values.back()) - table.values.front();
+  numbers.insert(numbers.end(), f.knots().begin(), f.knots().end());
+  for (std::size_t i = 0; i < n; ++i)
+    for (int k = 0; k < 4; ++k) numbers.emplace_back(f.pieces()[i][k], f.remainders(i)[k]);
+  return numbers;
+}
+
+/// Returns a table's value where its second coordinate is drawn. Throws std::invalid_argument where
+/// that is outside.
+Derived drawn_value(const EquationWriter& w, const Mechanism::Coupling& coupling,
+                    const std::vector<Derived>& numbers) {
+  const auto& [coordinate, factor] = coupling.terms[1];
+  const Mechanism::Coordinate& c = w.mechanism.coordinates[coordinate];
+  const Derived at = factor * Drawing<Derived>{w.mechanism}.value(c);
+  const auto [piece, turns] =
+      find_in_table<double>([&](int k) { return numbers[k].value; }, at.value);
+  const int n = static_cast<int>(numbers[0].value);
+  const Derived &first = numbers[3], &last = numbers[3 + n];
+  if (piece < 0)
+    throw std::invalid_argument(
+        "coupling '" + coupling.name + "': '" + c.name + "' is drawn at " +
+        formatted("%g, outside of its table, from %g to %g; draw it there, or let the table repeat",
+                  at.value, first.value, last.value));
+  const Derived t = at - (last - first) * turns - numbers[3 + piece];
+  const Derived* const a = &numbers[4 + n + 4 * piece];
+  return ((a[3] * t + a[2]) * t + a[1]) * t + a[0] + numbers[2] * turns;
+}
+
+void write_table(EquationWriter& w, const Mechanism::Coupling& coupling) {
+  const Mechanism& d = w.mechanism;
+  const std::vector<Derived> numbers = numbers_of(*coupling.table);
+  const Derived unit = Derived(1) / coupling.terms[0].factor;
+  const Derived drawn = unit * drawn_value(w, coupling, numbers);
+  const Mechanism::Coordinate& first = d.coordinates[coupling.terms[0].coordinate];
+  const Derived from =
+      coupling.table->from.value_or(Drawing<Derived>{d}.value(first) - drawn).rounded();
+  std::vector<Derived> dimensions{unit, coupling.terms[1].factor, from};
+  dimensions.insert(dimensions.end(), numbers.begin(), numbers.end());
+  std::array<EntityId, 2> operands;
+  for (int k = 0; k < 2; ++k)
+    operands[k] = w.coordinates().coordinates[coupling.terms[k].coordinate];
+  w.constrain(Origin::joint, coupling.name + ": coupling", kind_index<TableCoupling>(), operands,
+              dimensions);
+}
+
 }  // namespace
 
 void write_coupling_equations(EquationWriter& w) {
-  for (const Mechanism::Coupling& coupling : w.mechanism.couplings) switch (coupling.terms.size()) {
+  for (const Mechanism::Coupling& coupling : w.mechanism.couplings) {
+    if (coupling.table) {
+      write_table(w, coupling);
+      continue;
+    }
+    switch (coupling.terms.size()) {
       case 2:
         write<2>(w, coupling);
         break;
@@ -58,6 +117,7 @@ void write_coupling_equations(EquationWriter& w) {
       default:
         write<4>(w, coupling);
     }
+  }
 }
 
 }  // namespace desmo

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,7 +39,12 @@ class EquationWriter {
   void constrain(Origin origin, std::string name,
                  const std::array<EntityId, Kind::operand_sizes.size()>& operands,
                  const std::array<Derived, Kind::constants>& dimensions) {
-    Constraint made{std::move(name), kind_index<Kind>(), {operands.begin(), operands.end()}, {}, 0};
+    constrain(origin, std::move(name), kind_index<Kind>(), operands, dimensions);
+  }
+  /// Adds an equation of a kind by its position, with as many dimensions as it reads.
+  void constrain(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
+                 std::span<const Derived> dimensions) {
+    Constraint made{std::move(name), kind, {operands.begin(), operands.end()}, {}, 0};
     for (const Derived& d : dimensions) {
       made.constants.push_back(d.value);
       made.remainders.push_back(d.remainder());

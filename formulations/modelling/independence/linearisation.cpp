@@ -85,17 +85,17 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
         first[k] = m_.state_index(constraint.operands[k]);
         x[k] = state.data() + first[k];
       }
-      Kind::residual(x.data(), constraint.constants.data(), &phi[row]);
-      Kind::jacobian(x.data(), constraint.constants.data(),
-                     [&](int r, int operand, int i, double value) {
-                       const int at = first[operand] + i;
-                       const double scaled = value * scale_[at];
-                       rounding[row + r] += ulps * std::abs(value * state[at]);
-                       if (column_[at] >= 0)
-                         jacobian(row + r, column_[at]) += scaled;
-                       else
-                         length[row + r] = std::hypot(length[row + r], scaled);
-                     });
+      const auto numbers = constants_at<Kind>(constraint.constants.data(), x.data());
+      Kind::residual(x.data(), numbers.data(), &phi[row]);
+      Kind::jacobian(x.data(), numbers.data(), [&](int r, int operand, int i, double value) {
+        const int at = first[operand] + i;
+        const double scaled = value * scale_[at];
+        rounding[row + r] += ulps * std::abs(value * state[at]);
+        if (column_[at] >= 0)
+          jacobian(row + r, column_[at]) += scaled;
+        else
+          length[row + r] = std::hypot(length[row + r], scaled);
+      });
       row += Kind::rows;
     });
   }

@@ -5,6 +5,7 @@
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/constraints/jet.h"
+#include "formulations/verification/certificate/table_enclosure.h"
 
 namespace desmo {
 
@@ -68,6 +69,32 @@ struct BlockEquations::FunctionsOf {
     assign(to.value, o, k);
   }
 
+  /// Sets the constants, those of a table about the operands x.
+  template <class S>
+  static void set_constants(Constants<S>& c, const Object& o, const S* const* x) {
+    if constexpr (has_table<Kind>) {
+      for (int k = 0; k < Kind::table; ++k) assign(c[k], o, k);
+      read_table<Kind>(c, x, [&](int lane, int k) {
+        const Compensated<LaneNumbers>& n = o.constants[Kind::table + k];
+        return Derived(n.value[lane], {n.correction[lane], n.radius[lane]});
+      });
+    } else {
+      for (int k = 0; k < Kind::constants; ++k) assign(c[k], o, k);
+    }
+  }
+  template <class S>
+  static void set_constants(Constants<Jet<S>>& c, const Object& o, const Jet<S>* const* x) {
+    if constexpr (has_table<Kind>) {
+      const std::array<S, operands> values{x[0]->value, x[1]->value};
+      const std::array<const S*, operands> at{&values[0], &values[1]};
+      Constants<S> still;
+      set_constants(still, o, at.data());
+      for (int k = 0; k < Kind::constants; ++k) c[k] = Jet<S>(still[k]);
+    } else {
+      for (int k = 0; k < Kind::constants; ++k) assign(c[k], o, k);
+    }
+  }
+
   /// Operands in another scalar, made from each local state by a function.
   template <class S>
   struct Operands {
@@ -82,7 +109,7 @@ struct BlockEquations::FunctionsOf {
           components[k][i] = make(o.shape->operands[k] + i);
         x[k] = components[k].data();
       }
-      for (int k = 0; k < Kind::constants; ++k) assign(c[k], o, k);
+      set_constants(c, o, x.data());
     }
   };
   static Compensated<LaneNumbers> exact(const LaneNumbers& x) { return {x, 0, 0}; }
@@ -124,7 +151,7 @@ struct BlockEquations::FunctionsOf {
     std::array<const LaneInterval*, operands> x;
     for (std::size_t k = 0; k < operands; ++k) x[k] = q + o.shape->operands[k];
     Constants<LaneInterval> c;
-    for (int k = 0; k < Kind::constants; ++k) assign(c[k], o, k);
+    set_constants(c, o, x.data());
     const int* slot = slots.data();
     Kind::jacobian(x.data(), c.data(),
                    [&](int, int, int, const LaneInterval& value) { write(value, *slot++, to); });

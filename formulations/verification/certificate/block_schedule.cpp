@@ -108,7 +108,8 @@ class Builder {
     std::vector<std::vector<BlockBatch::Member>> batches;
     for (const BlockBatch::Member& made : members) {
       const auto equal = std::ranges::find_if(batches, [&](const auto& batch) {
-        return batch.size() < LaneNumbers::count && batch.front().block.shape == made.block.shape;
+        return batch.size() < LaneNumbers::count && batch.front().block.shape == made.block.shape &&
+               batch.front().block.constants.size() == made.block.constants.size();
       });
       if (equal == batches.end())
         batches.push_back({made});

@@ -21,7 +21,7 @@ void for_each_entry(const Constraint& c, const std::array<int, BlockShape::max_o
     const std::array<double, 3> any{};  // the entries are those of all values
     std::array<const double*, Kind::operand_sizes.size()> x;
     x.fill(any.data());
-    Kind::jacobian(x.data(), constants.data(),
+    Kind::jacobian(x.data(), constants_at<Kind>(constants.data(), x.data()).data(),
                    [&](int row, int operand, int i, double) { visit(row, operands[operand] + i); });
   });
 }

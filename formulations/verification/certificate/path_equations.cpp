@@ -3,6 +3,7 @@
 #include <array>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/verification/certificate/table_enclosure.h"
 
 namespace desmo {
 
@@ -16,10 +17,15 @@ struct PathEquations::FunctionsOf {
 
     Arguments(const Object& o, const S* states) {
       for (std::size_t k = 0; k < x.size(); ++k) x[k] = states + o.shape->operands[k];
-      for (int i = 0; i < Kind::constants; ++i) {
+      constexpr int count = has_table<Kind> ? 3 : Kind::constants;
+      for (int i = 0; i < count; ++i) {
         c[i].c[0] = o.constants[i];
         c[i].rest = o.remainders[i];
       }
+      if constexpr (has_table<Kind>)
+        read_table<Kind>(c, x.data(), [&](int lane, int k) {
+          return Derived(o.constants[count + k][lane], {0, o.remainders[count + k][lane]});
+        });
     }
   };
 

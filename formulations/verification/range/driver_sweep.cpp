@@ -85,7 +85,8 @@ bool DriverSweep::is_violated(const Point& point) const {
       std::array<const double*, Kind::operand_sizes.size()> x;
       for (std::size_t k = 0; k < x.size(); ++k)
         x[k] = point.state.data() + model().state_index(constraint.operands[k]);
-      Kind::residual(x.data(), constraint.constants.data(), phi.data());
+      Kind::residual(x.data(), constants_at<Kind>(constraint.constants.data(), x.data()).data(),
+                     phi.data());
     });
     for (int row = 0; row < rows(constraint); ++row) {
       if (!(constraint.left_out >> row & 1)) continue;

@@ -35,9 +35,10 @@ class WholeSystem {
     int row = 0;
     for (const Constraint& constraint : m_.constraints)
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-        const auto constants = dimensions<Kind, S>(constraint);
+        const auto x = operands<Kind>(constraint, state);
+        const auto constants = dimensions<Kind>(constraint, x.data());
         std::array<S, Kind::rows> all;
-        Kind::residual(operands<Kind>(constraint, state).data(), constants.data(), all.data());
+        Kind::residual(x.data(), constants.data(), all.data());
         for (int r = 0; r < Kind::rows; ++r)
           if (!(constraint.left_out >> r & 1)) phi[row++] = all[r];
       });
@@ -50,31 +51,35 @@ class WholeSystem {
     int row = 0;
     for (const Constraint& constraint : m_.constraints)
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-        const auto constants = dimensions<Kind, S>(constraint);
+        const auto x = operands<Kind>(constraint, state);
+        const auto constants = dimensions<Kind>(constraint, x.data());
         std::array<int, Kind::rows> place;
         for (int r = 0; r < Kind::rows; ++r) place[r] = constraint.left_out >> r & 1 ? -1 : row++;
-        Kind::jacobian(operands<Kind>(constraint, state).data(), constants.data(),
-                       [&](int r, int operand, int i, const S& value) {
-                         if (place[r] >= 0)
-                           entry(place[r], m_.state_index(constraint.operands[operand]) + i, value);
-                       });
+        Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
+          if (place[r] >= 0)
+            entry(place[r], m_.state_index(constraint.operands[operand]) + i, value);
+        });
       });
   }
 
  private:
-  template <class S>
-  struct Value {
-    using Type = S;
-  };
-  template <class S>
-  struct Value<Jet<S>> {
-    using Type = S;
-  };
   template <class Kind, class S>
-  static auto dimensions(const Constraint& constraint) {
-    std::array<S, Kind::constants + 1> all{};
-    for (std::size_t k = 0; k < Kind::constants; ++k)
-      all[k] = S(as<typename Value<S>::Type>(constraint.dimension(k)));
+  static auto dimensions(const Constraint& constraint, const S* const* x) {
+    return constants_in<Kind>(constraint.constants.size(), x,
+                              [&](std::size_t k) { return as<S>(constraint.dimension(k)); });
+  }
+  /// Those of jets do not move.
+  template <class Kind, class S>
+  static auto dimensions(const Constraint& constraint, const Jet<S>* const* x) {
+    std::array<std::array<S, 3>, Kind::operand_sizes.size()> values;
+    std::array<const S*, Kind::operand_sizes.size()> at;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      for (int i = 0; i < Kind::operand_sizes[k]; ++i) values[k][i] = x[k][i].value;
+      at[k] = values[k].data();
+    }
+    const auto still = dimensions<Kind>(constraint, at.data());
+    std::array<Jet<S>, Kind::constants + 1> all{};
+    for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = Jet<S>(still[k]);
     return all;
   }
   template <class Kind, class S>

@@ -43,7 +43,9 @@ class VariedDrawing {
   /// Adds to the radii of a constraint's dimensions, or to those of its rows.
   void vary(Constraint& c) const {
     visit_kind(c.kind, [&]<class Kind>(Kind) {
-      if constexpr (Kind::constants > 0) {
+      if constexpr (has_table<Kind>) {
+        vary_table<Kind>(c);
+      } else if constexpr (Kind::constants > 0) {
         c.remainders.resize(Kind::constants + Kind::rows);
         if constexpr (Kind::linear)
           vary_rows<Kind>(c);
@@ -115,6 +117,23 @@ class VariedDrawing {
         radius += stated_digits * std::abs(factor.value) * reach<Kind>(c);
     for (int row = 0; row < Kind::rows; ++row)
       c.remainders[Kind::constants + row].radius = radius * above;
+  }
+
+  /// The equation of a table may be off by what the digits of its arguments and values make up.
+  template <class Kind>
+  void vary_table(Constraint& c) const {
+    const std::vector<double>& numbers = c.constants;
+    const auto size = [&](std::size_t k) { return std::abs(numbers[Kind::table + k]); };
+    const auto pieces = static_cast<std::size_t>(numbers[Kind::table]);
+    double largest = 0;  // of f
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const std::size_t first = 4 + pieces + 4 * i;
+      largest =
+          std::max(largest, size(first) + size(first + 1) * std::max(size(3), size(3 + pieces)));
+    }
+    c.remainders.resize(numbers.size() + Kind::rows);
+    c.remainders.back().radius =
+        stated_digits * (std::abs(numbers[0]) * largest + std::abs(numbers[2])) * above;
   }
 
   /// Returns the largest length of a vector, or distance of two points, among a constraint's

@@ -7,6 +7,7 @@
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
 #include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/verification/certificate/table_enclosure.h"
 #include "formulations/verification/run/file_variation.h"
 
 namespace desmo {
@@ -55,10 +56,13 @@ Interval LeftOutEquations::residual(const Equation& equation, std::span<const do
     }
     std::array<Number, Kind::constants + 1> dimensions;
     for (int k = 0; k < Kind::constants; ++k) dimensions[k] = Number(c.dimension(k));
+    if constexpr (has_table<Kind>)
+      read_table<Kind>(dimensions, x.data(),
+                       [&](int, int k) { return c.dimension(Kind::table + k); });
     std::array<Number, Kind::rows> phi;
     Kind::residual(x.data(), dimensions.data(), phi.data());
     result = phi[equation.row].enclosure();
-    if (const std::size_t slack = Kind::constants + equation.row; slack < c.remainders.size())
+    if (const std::size_t slack = c.constants.size() + equation.row; slack < c.remainders.size())
       result.radius += c.remainders[slack].radius;
   });
   return result;

@@ -17,9 +17,10 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
     std::array<const double*, Kind::operand_sizes.size()> x;
     for (std::size_t k = 0; k < x.size(); ++k) x[k] = state.data() + m.state_index(c.operands[k]);
     std::array<double, Kind::operand_sizes.size()> slope{};  // of each operand
-    Kind::jacobian(x.data(), c.constants.data(), [&](int r, int operand, int, double value) {
-      if (r == row) slope[operand] = std::hypot(slope[operand], value);
-    });
+    Kind::jacobian(x.data(), constants_at<Kind>(c.constants.data(), x.data()).data(),
+                   [&](int r, int operand, int, double value) {
+                     if (r == row) slope[operand] = std::hypot(slope[operand], value);
+                   });
     double steepest[2] = {0, 0};  // of what is no length, and of lengths
     for (std::size_t k = 0; k < x.size(); ++k) {
       double& most = steepest[is_length(m.entities[c.operands[k]].kind)];

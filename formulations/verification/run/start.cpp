@@ -31,7 +31,7 @@ std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
       std::array<const double*, Kind::operand_sizes.size()> x;
       for (std::size_t k = 0; k < x.size(); ++k) x[k] = state.data() + m.state_index(c.operands[k]);
       std::vector<double> phi(Kind::rows);
-      Kind::residual(x.data(), c.constants.data(), phi.data());
+      Kind::residual(x.data(), constants_at<Kind>(c.constants.data(), x.data()).data(), phi.data());
       all.push_back(std::move(phi));
     });
   return all;

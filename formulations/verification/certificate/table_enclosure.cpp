@@ -1,0 +1,86 @@
+#include "formulations/verification/certificate/table_enclosure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "formulations/constraints/table.h"
+
+namespace desmo {
+
+namespace {
+
+/// Knots on one side that are looked at: steps of a motion pass fewer.
+constexpr int max_knots = 16;
+
+struct Table {
+  const TableNumbers& number;
+  int pieces = static_cast<int>(number(0).value);
+  bool repeats = number(1).value != 0;
+  Derived length = number(3 + pieces) - number(3);
+
+  /// Returns where a knot is, seen from an argument.
+  Derived distance(int knot, double turns, double at) const {
+    return number(3 + knot) + length * turns - at;
+  }
+  /// Returns a piece as a polynomial of the distance from an argument.
+  std::array<Derived, 4> about(int piece, double turns, double at) const {
+    const Derived t = -distance(piece, turns, at);
+    const auto c = [&](int k) { return number(4 + pieces + 4 * piece + k); };
+    const Derived c1 = c(1), c2 = c(2), c3 = c(3);
+    return {((c3 * t + c2) * t + c1) * t + c(0) + number(2) * turns, (c3 * 3 * t + c2 * 2) * t + c1,
+            c3 * 3 * t + c2, c3};
+  }
+};
+
+/// Adds to radii what two polynomials differ by, and their derivatives, within a distance.
+void add_difference(const std::array<Derived, 4>& a, const std::array<Derived, 4>& b,
+                    double distance, std::array<double, 4>& radii) {
+  constexpr int binomial[4][4] = {{1, 1, 1, 1}, {0, 1, 2, 3}, {0, 0, 1, 3}, {0, 0, 0, 1}};
+  for (int k = 0; k < 4; ++k) {
+    double sum = 0;
+    for (int l = 3; l >= k; --l) {
+      const Derived d = a[l] - b[l];
+      sum = sum * distance + binomial[k][l] * (std::abs(d.value) + rest_of(d));
+    }
+    radii[k] = std::max(radii[k], sum * (1 + 0x1p-40));
+  }
+}
+
+}  // namespace
+
+std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::array<Derived, 4> result;
+  const auto [piece, turns] = find_in_table<double>([&](int k) { return number(k).value; }, at);
+  if (piece < 0) {
+    result.fill(Derived(none, {0, INFINITY}));
+    return result;
+  }
+  const Table table{number};
+  const std::array<Derived, 4> own = table.about(piece, turns, at);
+  const double reach = distance * (1 + 0x1p-40);
+  std::array<double, 4> radii{};
+  bool is_bounded = std::isfinite(reach);
+  for (const int way : {-1, 1}) {
+    int p = piece;
+    double t = turns;
+    for (int knots = 0; is_bounded; ++knots) {
+      const bool is_last = way < 0 ? p == 0 : p == table.pieces - 1;
+      if (is_last && !table.repeats) break;
+      const Derived far = table.distance(way < 0 ? p : p + 1, t, at);
+      if (way * far.value - rest_of(far) > reach) break;
+      is_bounded = knots < max_knots;
+      p += way;
+      if (is_last) p = way < 0 ? table.pieces - 1 : 0, t += way;
+      add_difference(table.about(p, t, at), own, reach, radii);
+    }
+  }
+  for (int k = 0; k < 4; ++k) {
+    result[k] = own[k];
+    result[k].radius += is_bounded ? radii[k] : INFINITY;
+  }
+  return result;
+}
+
+}  // namespace desmo

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <type_traits>
+
+#include "cases/numbers/compensated.h"
+#include "cases/numbers/derived.h"
+#include "cases/numbers/interval.h"
+#include "formulations/verification/certificate/lane_numbers.h"
+#include "formulations/verification/certificate/taylor_model.h"
+
+namespace desmo {
+
+/// Returns number k of a table (formulations/constraints/table.h) as the file means it.
+using TableNumbers = std::function<Derived(int k)>;
+
+/// Encloses a table f within a distance of an argument: Taylor's coefficients aₖ with
+/// f(at + y) = Σ aₖ yᵏ, and likewise f′ and f″, for |y| ≤ distance, each with numbers from the aₖ.
+/// Radii hold the neighbouring pieces as far as they reach. Not numbers where `at` is outside of
+/// the table; infinite where too many knots are that near.
+std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance);
+
+// Scalars of proofs, by lanes: their leading digits, magnitudes, and how a number is set.
+
+inline double in_lane(double x, int) { return x; }
+inline double in_lane(const LaneNumbers& x, int lane) { return x[lane]; }
+inline void set_lane(double& x, int, double to) { x = to; }
+inline void set_lane(LaneNumbers& x, int lane, double to) { x.set(lane, to); }
+
+template <class S>
+const S& lead(const Compensated<S>& x) {
+  return x.value;
+}
+template <class S>
+const S& lead(const BasicInterval<S>& x) {
+  return x.mid;
+}
+template <class S, int D>
+const S& lead(const TaylorModel<S, D>& x) {
+  return x.c[0];
+}
+
+template <class S>
+S size_of(const Compensated<S>& x) {
+  return x.enclosure().magnitude();
+}
+template <class S>
+auto size_of(const S& x) {
+  return x.magnitude();
+}
+
+/// Bounds what a double lacks of a number, radii rounded up.
+inline double rest_of(const Derived& x) {
+  return (std::abs(x.correction) + x.radius) * (1 + 0x1p-40);
+}
+template <class S>
+void set_lane(Compensated<S>& x, int lane, const Derived& to) {
+  set_lane(x.value, lane, to.value);
+  set_lane(x.correction, lane, to.correction);
+  set_lane(x.radius, lane, to.radius * (1 + 0x1p-40));
+}
+template <class S>
+void set_lane(BasicInterval<S>& x, int lane, const Derived& to) {
+  set_lane(x.mid, lane, to.value);
+  set_lane(x.radius, lane, rest_of(to));
+}
+template <class S, int D>
+void set_lane(TaylorModel<S, D>& x, int lane, const Derived& to) {
+  set_lane(x.c[0], lane, to.value);
+  set_lane(x.rest, lane, rest_of(to));
+}
+
+/// Completes the constants of a kind that reads a table, about the position of its operands: c has
+/// the dimensions before the table. number(lane, k): number k of the table in a lane.
+template <class Kind, class S, class Constants, class Number>
+void read_table(Constants& c, const S* const* x, const Number& number) {
+  const S argument = c[1] * x[1][0];
+  const auto& at = lead(argument);
+  constexpr int lanes =
+      std::is_same_v<std::decay_t<decltype(at)>, double> ? 1 : int{LaneNumbers::count};
+  S center;
+  for (int lane = 0; lane < lanes; ++lane) set_lane(center, lane, Derived(in_lane(at, lane)));
+  const auto distance = size_of(argument - center);
+  c[3] = center;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::array<Derived, 4> a = enclose_table([&](int k) { return number(lane, k); },
+                                                   in_lane(at, lane), in_lane(distance, lane));
+    for (int k = 0; k < 4; ++k) set_lane(c[4 + k], lane, a[k]);
+  }
+}
+
+}  // namespace desmo
