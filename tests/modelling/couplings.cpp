@@ -104,6 +104,23 @@ TEST(Coupling, TakesAFreedom) {
   expect_refused(d, turning, {"under-constrained: 2 freedoms among 'wheel3', 'wheel4'"});
 }
 
+TEST(Coupling, ByATableThatMeansNothingIsRefused) {
+  const auto with = [](std::vector<double> at, std::vector<double> values, SplineEnds ends) {
+    Mechanism d = ring_of_gears({20, 30, 50, 40}, 20);
+    d.couplings[0].table = {std::move(at), std::move(values), ends};
+    return d;
+  };
+  using enum SplineEnds;
+  expect_refused(with({0, 1}, {0}, natural), turning, {"coupling 'mesh1': ", "2 times but 1"});
+  expect_refused(with({0, 1, 1}, {0, 1, 2}, natural), turning, {"ascending"});
+  expect_refused(with({0, 1, 2}, {0, 1, 2}, periodic), turning, {"the value it begins with"});
+  expect_refused(with({70, 80}, {0, 1}, natural), turning,
+                 {"coupling 'mesh1': 'turn2' is drawn at", "outside of its table, from 70 to 80"});
+  Mechanism three = with({0, 1}, {0, 1}, natural);
+  three.couplings[0].terms.push_back({2, 1.0});
+  expect_refused(three, turning, {"has a table, and not two coordinates"});
+}
+
 TEST(Coupling, OfWhatIsMeaninglessIsRefused) {
   const Mechanism right = ring_of_gears({20, 30, 50, 40}, 20);
   const auto with = [&](auto&& change) {
