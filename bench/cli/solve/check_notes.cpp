@@ -73,11 +73,14 @@ struct Reason {
 
 /// Returns why no position was found. is_start: the failed instant is the first, so that no step
 /// leads to it.
-Reason reason_of(const CheckedSummary& s, bool is_start) {
+Reason reason_of(const CheckedSummary& s, const Model& m, bool is_start) {
   if (is_start && s.start == FoundStart::Stage::drawing)
     return {"the drawing is singular", "draw it off the singular position, such as a dead centre"};
   if (s.status == Status::singular)
     return {"the position is singular", "choose a motion that avoids it"};
+  if (s.status == Status::not_finite && s.constraint >= 0 &&
+      constraint_kind_name(m.constraints[s.constraint].kind) == "coupling_by_table")
+    return {"a coordinate is outside of its table", "extend the table, or let it repeat"};
   if (s.status != Status::not_converged)
     return {"the equations are not finite", "check the motion and the estimates"};
   if (s.residual < near_rounding)
@@ -206,7 +209,7 @@ std::string overflow_text(const std::string& column, double time) {
 std::string failure_text(const CheckedSummary& s, const Model& m, const DisplayUnits& units,
                          std::span<const double> z) {
   const bool is_start = s.instants == 0;
-  const Reason reason = reason_of(s, is_start);
+  const Reason reason = reason_of(s, m, is_start);
   std::string place = group_text(s.group, m);
   if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
   // There is none where an instant between those solved is not right.
