@@ -102,4 +102,7 @@ class Formulation {
   double tolerance_;
 };
 
+/// Returns a sentence for people: the status and, on failure, group, constraint and time.
+std::string describe(const Summary& summary, const Model& model);
+
 }  // namespace desmo

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-
-#include "formulations/model/model.h"
-
 namespace desmo {
 
 enum class Status {
@@ -25,10 +21,10 @@ struct BasicSummary {
   /// Largest accepted ‖Φ‖₂ of the whole mechanism or, on failure, the one that failed; relative,
   /// like the tolerance.
   double residual = 0;
-  GroupId group = no_position;   ///< on failure, the group that could not be solved, if known
-  int constraint = no_position;  ///< on failure, the constraint most concerned, if known
-  double time = 0;               ///< time of the last instant tried [s]
-  bool stopped = false;          ///< the observer ended the run
+  int group = -1;  ///< on failure, the position in Model::groups of the one not solved, if known
+  int constraint = -1;   ///< on failure, that of the constraint most concerned, if known
+  double time = 0;       ///< time of the last instant tried [s]
+  bool stopped = false;  ///< the observer ended the run
 
   /// Adds the summary of the next instant. If that failed, takes over its status, group, constraint
   /// and residual.
@@ -42,8 +38,5 @@ struct BasicSummary {
 struct [[nodiscard]] Summary : BasicSummary {
   bool ok() const { return status == Status::solved; }
 };
-
-/// Returns a sentence for people: the status and, on failure, group, constraint and time.
-std::string describe(const Summary& summary, const Model& model);
 
 }  // namespace desmo
