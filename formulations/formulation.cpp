@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 
 namespace desmo {
 

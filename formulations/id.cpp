@@ -12,7 +12,7 @@
 
 #include "cases/mechanism/names.h"
 #include "formulations/equations/lane_kernel.h"
-#include "formulations/prediction/guess.h"
+#include "formulations/motion/prediction/guess.h"
 
 namespace desmo {
 

@@ -11,13 +11,13 @@
 #include "formulations/batch/segments_in_lanes.h"
 #include "formulations/batch/segments_on_threads.h"
 #include "formulations/id.h"
+#include "formulations/model/magnitudes.h"
+#include "formulations/model/part_type.h"
+#include "formulations/motion/dense_output.h"
+#include "formulations/motion/time_stepping.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/parts/inlined_part.h"
 #include "formulations/parts/newton_part.h"
-#include "formulations/scaling/magnitudes.h"
-#include "formulations/stepping/dense_output.h"
-#include "formulations/stepping/time_stepping.h"
-#include "formulations/structure/part_type.h"
 #include "formulations/variants.h"
 
 namespace desmo {

@@ -7,8 +7,8 @@
 
 #include "bench/cli/units.h"
 #include "cases/mechanism/scene.h"
+#include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/planning/measures.h"
 
 namespace desmo::cli {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/kit/verification.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
 
 namespace desmo::bench {
 

@@ -4,7 +4,7 @@
 #include "formulations/base/per_level.h"
 #include "formulations/base/settings.h"
 #include "formulations/equations/kernel_table.h"
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
 #include "formulations/verification/reference/reference.h"
 
 namespace desmo::bench {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "cases/mechanism/formatted.h"
-#include "formulations/scaling/scales.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
+#include "formulations/model/scales.h"
+#include "formulations/motion/formulation_core.h"
 
 namespace desmo::bench {
 

@@ -12,11 +12,11 @@
 
 #include "bench/peers/peer.h"
 #include "formulations/constraints/constraints.h"
-#include "formulations/prediction/driver_source.h"
-#include "formulations/prediction/guess.h"
-#include "formulations/scaling/magnitudes.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/magnitudes.h"
+#include "formulations/model/partition.h"
+#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/prediction/driver_source.h"
+#include "formulations/motion/prediction/guess.h"
 #include "formulations/variants.h"
 
 namespace desmo {

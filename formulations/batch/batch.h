@@ -10,8 +10,8 @@
 #include "formulations/base/resident_part.h"
 #include "formulations/batch/kernel_batch.h"
 #include "formulations/batch/layout.h"
-#include "formulations/prediction/guess.h"
-#include "formulations/prediction/motions_ahead.h"
+#include "formulations/motion/prediction/guess.h"
+#include "formulations/motion/prediction/motions_ahead.h"
 
 namespace desmo {
 

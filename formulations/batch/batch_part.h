@@ -6,7 +6,7 @@
 #include "formulations/base/resident_part.h"
 #include "formulations/batch/batch.h"
 #include "formulations/equations/kernel_table.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
 
 namespace desmo {
 

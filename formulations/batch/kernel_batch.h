@@ -11,8 +11,8 @@
 #include "formulations/base/index_range.h"
 #include "formulations/base/lane_values.h"
 #include "formulations/equations/lane_kernel.h"
+#include "formulations/motion/prediction/predictor.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/prediction/predictor.h"
 
 namespace desmo {
 

@@ -5,8 +5,8 @@
 
 #include "cases/mechanism/disjoint_sets.h"
 #include "formulations/batch/batch_part.h"
+#include "formulations/model/partition.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/structure/partition.h"
 
 namespace desmo {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 

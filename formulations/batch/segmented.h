@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formulations/formulation.h"
-#include "formulations/stepping/time_stepping.h"
+#include "formulations/motion/time_stepping.h"
 
 namespace desmo {
 

@@ -8,7 +8,7 @@
 
 #include "formulations/base/output_writer.h"
 #include "formulations/batch/layout.h"
-#include "formulations/stepping/driver_continuation.h"
+#include "formulations/motion/driver_continuation.h"
 
 namespace desmo {
 

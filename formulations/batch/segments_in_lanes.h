@@ -8,8 +8,8 @@
 #include "formulations/batch/segmented.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/equations/lane_kernel.h"
+#include "formulations/motion/prediction/motion_sampler.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/prediction/motion_sampler.h"
 
 namespace desmo {
 

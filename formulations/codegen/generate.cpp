@@ -17,10 +17,10 @@
 #include "formulations/codegen/emit/kernel_source.h"
 #include "formulations/codegen/order/explicit_order.h"
 #include "formulations/codegen/record/recording.h"
-#include "formulations/groupwise/double_solution.h"
+#include "formulations/model/plan.h"
+#include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/planning/measures.h"
-#include "formulations/planning/plan.h"
+#include "formulations/parts/groupwise/double_solution.h"
 
 namespace desmo::generate {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formulations/model/model.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
 
 namespace desmo {
 

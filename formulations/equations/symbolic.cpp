@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formulations/structure/part_type.h"
+#include "formulations/model/part_type.h"
 
 namespace desmo {
 

@@ -6,7 +6,7 @@
 #include "formulations/equations/equations.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/model/model.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
 
 namespace desmo {
 

@@ -6,8 +6,8 @@
 
 #include "formulations/base/part.h"
 #include "formulations/equations/symbolic.h"
+#include "formulations/model/partition.h"
 #include "formulations/parts/profile.h"
-#include "formulations/structure/partition.h"
 
 namespace desmo {
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "formulations/codegen/record/recording.h"
+#include "formulations/model/part_type.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/runtime/unavailable.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/part_type.h"
 
 namespace desmo::load {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formulations/algebra/klu_factors.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 #include "formulations/verification/reference/whole_system.h"
 
 namespace desmo {

@@ -6,8 +6,8 @@
 #include "formulations/base/per_level.h"
 #include "formulations/base/reference_instant.h"
 #include "formulations/formulation.h"
-#include "formulations/planning/plan.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/plan.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "cases/generators/dyad_chain.h"
-#include "formulations/groupwise/groupwise_solver.h"
+#include "formulations/parts/groupwise/groupwise_solver.h"
 #include "formulations/verification/reference/disagreement.h"
 #include "formulations/verification/reference/global_solver.h"
 #include "tests/accuracy/scenes.h"

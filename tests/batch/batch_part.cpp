@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "cases/generators/cases.h"
+#include "formulations/model/magnitudes.h"
+#include "formulations/model/partition.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/scaling/magnitudes.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/lender.h"

@@ -12,7 +12,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/base/output_writer.h"
 #include "formulations/batch/segmented.h"
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/dead_point.h"

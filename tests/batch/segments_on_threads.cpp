@@ -15,7 +15,7 @@
 
 #include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
 #include "tests/everything.h"

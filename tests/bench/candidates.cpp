@@ -20,7 +20,7 @@
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/stepping/time_stepping.h"
+#include "formulations/motion/time_stepping.h"
 #include "formulations/variants.h"
 
 namespace desmo::paper::candidates_test {

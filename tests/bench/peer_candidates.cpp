@@ -9,7 +9,7 @@
 
 #include "bench/experiments/paper/peer_candidate.h"
 #include "cases/generators/cases.h"
-#include "formulations/prediction/guess.h"
+#include "formulations/motion/prediction/guess.h"
 #include "formulations/variants.h"
 
 namespace desmo::paper::peer_candidates_test {

@@ -12,8 +12,8 @@
 
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/scaling/scales.h"
 
 namespace desmo::bench::verification_test {
 namespace {

@@ -1,6 +1,6 @@
 // Steps that are followed: long ones in sub-steps, ends on other branches led back, and locks told.
 
-#include "formulations/verification/run/branch_path.h"
+#include "formulations/verification/branch/branch_path.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "formulations/groupwise/double_solution.h"
+#include "formulations/parts/groupwise/double_solution.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <vector>
 
-#include "formulations/groupwise/double_solution.h"
+#include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"

@@ -1,7 +1,7 @@
 // Equations that modelling left out: those that hold but for the digits of the file are not
 // flagged, others are, with their misfit.
 
-#include "formulations/verification/run/left_out_equations.h"
+#include "formulations/verification/branch/left_out_equations.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/groupwise/double_solution.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/mechanisms.h"

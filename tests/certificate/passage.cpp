@@ -1,6 +1,6 @@
 // Change points that are passed, on the smooth continuation and on no other.
 
-#include "formulations/verification/run/passage.h"
+#include "formulations/verification/branch/passage.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <random>
 
 #include "cases/extremes/rows.h"
-#include "formulations/groupwise/double_solution.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/parts/groupwise/double_solution.h"
 #include "tests/dead_point.h"
 #include "tests/scott_russell.h"
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "formulations/groupwise/double_solution.h"
+#include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
 

@@ -12,7 +12,7 @@
 #include <random>
 
 #include "formulations/formulation.h"
-#include "formulations/groupwise/double_solution.h"
+#include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/variants.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/reference/reference.h"

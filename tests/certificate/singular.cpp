@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "formulations/groupwise/double_solution.h"
+#include "formulations/model/plan.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/planning/plan.h"
+#include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"

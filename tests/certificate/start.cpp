@@ -1,7 +1,7 @@
 // The start of a motion: the branch of the drawing, however rough it is and however far the drivers
 // go from there.
 
-#include "formulations/verification/run/start.h"
+#include "formulations/verification/branch/start.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@
 #include <utility>
 
 #include "cases/generators/dyad_chain.h"
-#include "formulations/groupwise/double_solution.h"
+#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/reference/continuation.h"
 #include "formulations/verification/reference/whole_system.h"
-#include "formulations/verification/run/branch_path.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/checked/rows.h"
 #include "tests/dead_point.h"

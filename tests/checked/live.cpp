@@ -11,7 +11,7 @@
 #include <string>
 
 #include "formulations/id.h"
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/verification/run/live_run.h"
 #include "tests/dead_point.h"
 #include "tests/lanes_here.h"

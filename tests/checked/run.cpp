@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/checked/rows.h"

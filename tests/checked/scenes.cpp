@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/planning/measures.h"
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
+#include "formulations/modelling/measures/measures.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/checked/rows.h"
 #include "tests/every_variant.h"

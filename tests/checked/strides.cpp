@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formulations/stepping/strided_steps.h"
+#include "formulations/verification/run/strided_steps.h"
 
 namespace desmo::strides_test {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "formulations/equations/kernel_table.h"
+#include "formulations/model/magnitudes.h"
+#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/time_stepping.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/scaling/magnitudes.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/stepping/time_stepping.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/formulated.h"

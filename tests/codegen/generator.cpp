@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "formulations/structure/part_type.h"
+#include "formulations/model/part_type.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::generate::generator_test {

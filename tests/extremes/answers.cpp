@@ -12,7 +12,7 @@
 #include "bench/experiments/extremes/chain_solution.h"
 #include "bench/experiments/extremes/known_case.h"
 #include "cases/extremes/rows.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/reference/reference.h"

@@ -1,7 +1,7 @@
 // Where Newton–Raphson starts: less work for the same answers, and nothing extrapolated that was
 // not solved.
 
-#include "formulations/prediction/guess.h"
+#include "formulations/motion/prediction/guess.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 #include "tests/discard.h"
 #include "tests/every_variant.h"
 #include "tests/formulated.h"

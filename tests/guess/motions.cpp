@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "formulations/prediction/motion_sampler.h"
-#include "formulations/prediction/motions_ahead.h"
+#include "formulations/motion/prediction/motion_sampler.h"
+#include "formulations/motion/prediction/motions_ahead.h"
 
 namespace desmo::motions_test {
 namespace {

@@ -1,7 +1,7 @@
 // Guesses from the rates of the last four instants: exact where theory says so, and left alone
 // where those instants are not known.
 
-#include "formulations/prediction/predictor.h"
+#include "formulations/motion/prediction/predictor.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
+#include "formulations/motion/formulation_core.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::cache_test {

@@ -8,10 +8,10 @@
 #include <sstream>
 #include <system_error>
 
+#include "formulations/model/partition.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/runtime/descriptor.h"
 #include "formulations/runtime/program.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::compiler_test {

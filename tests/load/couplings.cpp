@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/verification/run/checked_run.h"
 #include "tests/everything.h"
 #include "tests/library/geometry.h"

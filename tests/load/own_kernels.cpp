@@ -1,9 +1,9 @@
 // Code for a mechanism that is none of ours: made, found again, right.
 
 #include "formulations/batch/batch_part.h"
+#include "formulations/model/partition.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
 #include "tests/everything.h"
 #include "tests/load/loading.h"
 

@@ -1,6 +1,6 @@
 // The norm that the tolerance is on: independent of units, local, never divided by nothing.
 
-#include "formulations/scaling/magnitudes.h"
+#include "formulations/model/magnitudes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What a scene requests of bodies, joints and rates, against closed forms, and against the
 // positions of a quadruple reference, differentiated.
 
-#include "formulations/planning/measures.h"
+#include "formulations/modelling/measures/measures.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 
 #include "cases/io/files.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/describing.h"
 

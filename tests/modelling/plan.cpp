@@ -1,13 +1,13 @@
 // What a request needs is kept as far as it is needed, and nothing else.
 
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "formulations/planning/measures.h"
+#include "formulations/modelling/measures/measures.h"
 #include "tests/modelling/plan.h"
 #include "tests/overconstrained.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
 #include "tests/mechanisms.h"
 
 namespace desmo {

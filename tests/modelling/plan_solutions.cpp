@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
+#include "formulations/motion/formulation_core.h"
 #include "tests/describing.h"
 #include "tests/every_variant.h"
 #include "tests/modelling/plan.h"

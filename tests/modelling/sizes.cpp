@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cases/extremes/rows.h"
-#include "formulations/scaling/characteristic_lengths.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/scales.h"
 #include "formulations/variants.h"
 #include "tests/modelling/common.h"
 

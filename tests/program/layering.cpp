@@ -45,7 +45,7 @@ TEST(Layering, IncludesFollowTheDesign) {
   EXPECT_GT(includes, 50);
 }
 
-/// A folder may include itself and those before it. `formulation.h` is the interface that stepping
+/// A folder may include itself and those before it. `formulation.h` is the interface that `motion`
 /// and batches implement; the other files at the door stand after codegen.
 TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
   const std::vector<std::string> order = {"cases/numbers",
@@ -55,24 +55,20 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
                                           "cases/io",
                                           "cases/extremes",
                                           "formulations/constraints",
-                                          "formulations/model",
                                           "formulations/base",
-                                          "formulations/structure",
-                                          "formulations/scaling",
+                                          "formulations/model",
                                           "formulations/modelling",
-                                          "formulations/planning",
                                           "formulations/equations",
-                                          "formulations/prediction",
                                           "formulations/algebra",
                                           "formulations/parts",
                                           "formulations/formulation.h",
-                                          "formulations/stepping",
+                                          "formulations/motion",
                                           "formulations/batch",
-                                          "formulations/groupwise",
                                           "formulations/codegen",
                                           "formulations",
                                           "formulations/verification",
                                           "formulations/verification/certificate",
+                                          "formulations/verification/branch",
                                           "formulations/verification/run",
                                           "formulations/verification/range",
                                           "formulations/runtime",

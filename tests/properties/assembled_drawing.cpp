@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/groupwise/dense_lu.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
+#include "formulations/parts/groupwise/dense_lu.h"
 #include "formulations/verification/reference/whole_system.h"
 #include "formulations/verification/reference/wide_instant.h"
 

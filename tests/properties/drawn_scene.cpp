@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "cases/io/files.h"
+#include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/planning/measures.h"
 #include "tests/properties/scene_kinds.h"
 
 namespace desmo::properties {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/mechanism/scene.h"
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
 #include "formulations/verification/run/check_options.h"
 #include "tests/properties/truth.h"
 

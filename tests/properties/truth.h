@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formulations/model/model.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 #include "formulations/verification/reference/continuation.h"
 
 namespace desmo::properties {

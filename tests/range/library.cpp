@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "cases/extremes/extremes.h"
-#include "formulations/scaling/characteristic_lengths.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/scales.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/range/driver_range.h"
 #include "formulations/verification/reference/global_solver.h"

@@ -9,8 +9,8 @@
 #include "bench/kit/time/clock.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
+#include "formulations/model/partition.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 
 namespace desmo::growth_test {

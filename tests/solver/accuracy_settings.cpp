@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "formulations/algebra/blas.h"
+#include "formulations/motion/diagnosis.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/parts/profile.h"
-#include "formulations/stepping/diagnosis.h"
-#include "formulations/stepping/formulation_core.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"

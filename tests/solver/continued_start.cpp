@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cases/generators/cases.h"
+#include "formulations/model/plan.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/planning/plan.h"
 #include "formulations/variants.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "formulations/verification/condition.h"

@@ -1,6 +1,6 @@
 // Instants between those solved: the orders that theory promises, and solved ones as they were.
 
-#include "formulations/stepping/dense_output.h"
+#include "formulations/motion/dense_output.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/formulation_core.h"
 #include "tests/dead_point.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cases/generators/cases.h"
-#include "formulations/structure/incidence.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/incidence.h"
+#include "formulations/model/partition.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::blocks_test {

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include "formulations/model/partition.h"
 #include "formulations/modelling/groups/structure.h"
-#include "formulations/structure/partition.h"
 #include "tests/modelling/common.h"
 #include "tests/structure/linkages.h"
 

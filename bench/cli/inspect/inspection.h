@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/cli/input.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
 
 namespace desmo::cli {
 

@@ -7,8 +7,8 @@
 #include "bench/cli/units.h"
 #include "cases/mechanism/scene.h"
 #include "formulations/formulation.h"
-#include "formulations/planning/measures.h"
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
+#include "formulations/modelling/measures/measures.h"
 
 namespace desmo::cli {
 

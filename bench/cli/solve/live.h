@@ -6,7 +6,7 @@
 #include "bench/cli/solve/series.h"
 #include "cases/io/new_files.h"
 #include "formulations/formulation.h"
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
 #include "formulations/verification/run/check_options.h"
 
 namespace desmo::cli {

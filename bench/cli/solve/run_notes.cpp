@@ -7,8 +7,8 @@
 #include "bench/cli/text.h"
 #include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
+#include "formulations/motion/formulation_core.h"
 
 namespace desmo::cli {
 

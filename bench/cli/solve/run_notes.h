@@ -4,7 +4,7 @@
 #include <string>
 
 #include "formulations/formulation.h"
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
 
 namespace desmo::cli {
 

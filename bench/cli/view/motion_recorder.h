@@ -7,7 +7,7 @@
 
 #include "bench/kit/process/progress.h"
 #include "cases/io/units.h"
-#include "formulations/planning/measures.h"
+#include "formulations/modelling/measures/measures.h"
 #include "formulations/verification/run/checked_run.h"
 
 namespace desmo::cli {

@@ -7,7 +7,7 @@
 
 #include "bench/cli/solve/columns.h"
 #include "cases/io/files.h"
-#include "formulations/planning/measures.h"
+#include "formulations/modelling/measures/measures.h"
 
 namespace desmo::cli {
 namespace {

@@ -12,8 +12,8 @@
 #include "bench/kit/variant_costs.h"
 #include "bench/kit/verification.h"
 #include "cases/mechanism/formatted.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/run/relative_radius.h"
 

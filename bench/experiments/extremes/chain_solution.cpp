@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 
 namespace desmo::extremes {
 

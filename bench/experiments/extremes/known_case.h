@@ -7,8 +7,8 @@
 #include "cases/extremes/extremes.h"
 #include "formulations/base/per_level.h"
 #include "formulations/base/reference_instant.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/scaling/scales.h"
 
 namespace desmo::extremes {
 

@@ -9,7 +9,7 @@
 #include "bench/kit/variant_costs.h"
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
 #include "formulations/variants.h"
 
 namespace desmo::instructions {

@@ -9,8 +9,8 @@
 #include "bench/kit/digests.h"
 #include "bench/kit/record/record.h"
 #include "bench/kit/variant_costs.h"
+#include "formulations/model/partition.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/structure/partition.h"
 
 namespace desmo::paper {
 

@@ -11,7 +11,7 @@
 #include "bench/kit/digests.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/prediction/guess.h"
+#include "formulations/motion/prediction/guess.h"
 
 namespace desmo::paper {
 

@@ -12,9 +12,9 @@
 #include "bench/kit/problem.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
+#include "formulations/model/partition.h"
+#include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/planning/measures.h"
-#include "formulations/structure/partition.h"
 
 namespace desmo::paper {
 

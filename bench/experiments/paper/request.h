@@ -12,7 +12,7 @@
 #include "cases/mechanism/motion.h"
 #include "cases/mechanism/scene.h"
 #include "formulations/id.h"
-#include "formulations/planning/plan.h"
+#include "formulations/model/plan.h"
 #include "formulations/variants.h"
 
 namespace desmo::paper {

@@ -6,8 +6,8 @@
 
 #include "bench/kit/problem.h"
 #include "bench/kit/variant_costs.h"
+#include "formulations/model/plan.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/planning/plan.h"
 #include "formulations/variants.h"
 
 namespace desmo::size {

@@ -10,8 +10,8 @@
 #include "bench/peers/tree/suspension.h"
 #include "bench/peers/tree/tree_peer.h"
 #include "formulations/base/part.h"
-#include "formulations/prediction/motions_ahead.h"
-#include "formulations/prediction/predictor.h"
+#include "formulations/motion/prediction/motions_ahead.h"
+#include "formulations/motion/prediction/predictor.h"
 
 namespace desmo::tree {
 

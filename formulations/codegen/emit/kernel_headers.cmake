@@ -21,7 +21,7 @@ file(GLOB_RECURSE decisive CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/cases/mechanism/level.h
   ${PROJECT_SOURCE_DIR}/formulations/equations/*.h
   ${PROJECT_SOURCE_DIR}/formulations/codegen/*/*.h ${PROJECT_SOURCE_DIR}/formulations/codegen/*/*.cpp
-  ${PROJECT_SOURCE_DIR}/formulations/structure/part_type.*)
+  ${PROJECT_SOURCE_DIR}/formulations/model/part_type.*)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${decisive})
 set(digests "")
 foreach(source IN LISTS decisive)

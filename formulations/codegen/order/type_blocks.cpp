@@ -7,7 +7,7 @@
 
 #include "formulations/codegen/record/expansion.h"
 #include "formulations/codegen/record/expression.h"
-#include "formulations/structure/csparse.h"
+#include "formulations/model/csparse.h"
 
 namespace desmo::generate {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formulations/codegen/record/expression.h"
-#include "formulations/structure/part_type.h"
+#include "formulations/model/part_type.h"
 
 namespace desmo::generate {
 

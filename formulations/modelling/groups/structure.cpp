@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cases/mechanism/disjoint_sets.h"
-#include "formulations/structure/csparse.h"
+#include "formulations/model/csparse.h"
 
 namespace desmo {
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/independence/refusal.h"
 #include "formulations/modelling/independence/row_selection.h"
-#include "formulations/scaling/characteristic_lengths.h"
-#include "formulations/scaling/scales.h"
 
 namespace desmo {
 

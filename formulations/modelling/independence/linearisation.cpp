@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "formulations/constraints/constraints.h"
-#include "formulations/scaling/characteristic_lengths.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cases/mechanism/formatted.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/contradiction_error.h"
-#include "formulations/scaling/scales.h"
 
 namespace desmo {
 

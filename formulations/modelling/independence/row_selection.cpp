@@ -8,10 +8,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/incidence.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/independence/refusal.h"
-#include "formulations/scaling/characteristic_lengths.h"
-#include "formulations/scaling/scales.h"
-#include "formulations/structure/incidence.h"
 
 namespace desmo {
 

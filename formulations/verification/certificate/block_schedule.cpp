@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/model/characteristic_lengths.h"
 
 namespace desmo {
 

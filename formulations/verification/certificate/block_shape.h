@@ -5,7 +5,7 @@
 
 #include "cases/numbers/derived.h"
 #include "formulations/model/model.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
 #include "formulations/verification/certificate/initial_residual.h"
 
 namespace desmo {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cases/numbers/interval.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "formulations/groupwise/dense_lu.h"
-#include "formulations/groupwise/part_system.h"
-#include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/parts/groupwise/dense_lu.h"
+#include "formulations/parts/groupwise/part_system.h"
 
 namespace desmo {
 

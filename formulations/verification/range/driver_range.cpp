@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/range/driver_sweep.h"
-#include "formulations/verification/run/chosen_equations.h"
 
 namespace desmo {
 

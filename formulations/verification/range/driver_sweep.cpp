@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "formulations/constraints/constraints.h"
-#include "formulations/scaling/characteristic_lengths.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/scales.h"
+#include "formulations/verification/branch/chosen_equations.h"
+#include "formulations/verification/branch/misfit.h"
 #include "formulations/verification/range/locked_loops.h"
 #include "formulations/verification/range/singular_points.h"
-#include "formulations/verification/run/chosen_equations.h"
-#include "formulations/verification/run/misfit.h"
 
 namespace desmo {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "formulations/groupwise/part_system.h"
-#include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/parts/groupwise/part_system.h"
 
 namespace desmo {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "formulations/groupwise/settling.h"
-#include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/parts/groupwise/settling.h"
 
 namespace desmo {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "formulations/model/model.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
 #include "formulations/verification/reference/whole_system.h"
 
 namespace desmo {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "formulations/groupwise/part_system.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
+#include "formulations/parts/groupwise/part_system.h"
 
 namespace desmo {
 

@@ -7,9 +7,9 @@
 
 #include "cases/mechanism/motion.h"
 #include "formulations/base/reference_instant.h"
-#include "formulations/groupwise/dense_lu.h"
 #include "formulations/model/model.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
+#include "formulations/parts/groupwise/dense_lu.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"

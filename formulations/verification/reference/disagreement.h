@@ -3,7 +3,7 @@
 #include <span>
 
 #include "formulations/model/model.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 #include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo {

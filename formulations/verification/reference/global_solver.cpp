@@ -8,8 +8,8 @@
 #include <string>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/groupwise/settling.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
+#include "formulations/parts/groupwise/settling.h"
 #include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo {

@@ -3,9 +3,9 @@
 #include <tuple>
 #include <utility>
 
-#include "formulations/groupwise/double_solution.h"
-#include "formulations/groupwise/drawn_start.h"
-#include "formulations/groupwise/groupwise_solver.h"
+#include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/parts/groupwise/drawn_start.h"
+#include "formulations/parts/groupwise/groupwise_solver.h"
 #include "formulations/verification/reference/disagreement.h"
 #include "formulations/verification/reference/global_solver.h"
 

@@ -6,7 +6,7 @@
 #include "formulations/base/per_level.h"
 #include "formulations/base/reference_instant.h"
 #include "formulations/model/model.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 
-#include "formulations/scaling/magnitudes.h"
-#include "formulations/scaling/scales.h"
-#include "formulations/stepping/diagnosis.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/magnitudes.h"
+#include "formulations/model/partition.h"
+#include "formulations/model/scales.h"
+#include "formulations/motion/diagnosis.h"
 
 namespace desmo {
 

@@ -5,7 +5,7 @@
 
 #include "formulations/base/settings.h"
 #include "formulations/model/model.h"
-#include "formulations/verification/run/misfit.h"
+#include "formulations/verification/branch/misfit.h"
 
 namespace desmo {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "formulations/scaling/scales.h"
-#include "formulations/verification/run/chosen_equations.h"
+#include "formulations/model/scales.h"
+#include "formulations/verification/branch/chosen_equations.h"
 
 namespace desmo {
 

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "formulations/verification/branch/branch_path.h"
+#include "formulations/verification/branch/left_out_equations.h"
+#include "formulations/verification/branch/passage.h"
+#include "formulations/verification/branch/start.h"
 #include "formulations/verification/certificate/refinement.h"
-#include "formulations/verification/run/branch_path.h"
 #include "formulations/verification/run/checked_run.h"
-#include "formulations/verification/run/left_out_equations.h"
-#include "formulations/verification/run/passage.h"
-#include "formulations/verification/run/start.h"
 
 namespace desmo {
 

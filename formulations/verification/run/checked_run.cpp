@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/stepping/formulation_core.h"
-#include "formulations/stepping/strided_steps.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/verification/run/checked_motion.h"
 #include "formulations/verification/run/gap_search.h"
 #include "formulations/verification/run/kept_instants.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/running_scales.h"
+#include "formulations/verification/run/strided_steps.h"
 
 namespace desmo {
 

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "formulations/formulation.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
+#include "formulations/verification/branch/misfit.h"
+#include "formulations/verification/branch/start.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "formulations/verification/run/assembly_error.h"
 #include "formulations/verification/run/check_options.h"
-#include "formulations/verification/run/misfit.h"
-#include "formulations/verification/run/start.h"
 
 namespace desmo {
 

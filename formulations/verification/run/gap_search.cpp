@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "formulations/prediction/driver_source.h"
+#include "formulations/motion/prediction/driver_source.h"
 
 namespace desmo {
 

@@ -6,15 +6,15 @@
 #include <stdexcept>
 
 #include "cases/mechanism/formatted.h"
-#include "formulations/stepping/diagnosis.h"
-#include "formulations/stepping/formulation_core.h"
+#include "formulations/motion/diagnosis.h"
+#include "formulations/motion/formulation_core.h"
+#include "formulations/verification/branch/branch_path.h"
+#include "formulations/verification/branch/left_out_equations.h"
+#include "formulations/verification/branch/start.h"
 #include "formulations/verification/certificate/refinement.h"
-#include "formulations/verification/run/branch_path.h"
-#include "formulations/verification/run/left_out_equations.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/row_motions.h"
 #include "formulations/verification/run/running_scales.h"
-#include "formulations/verification/run/start.h"
 
 namespace desmo {
 

@@ -8,10 +8,10 @@
 
 #include "formulations/base/live_row.h"
 #include "formulations/formulation.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
+#include "formulations/verification/branch/followed_step.h"
 #include "formulations/verification/run/check_options.h"
 #include "formulations/verification/run/checked_run.h"
-#include "formulations/verification/run/followed_step.h"
 
 namespace desmo {
 

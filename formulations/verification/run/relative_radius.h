@@ -4,7 +4,7 @@
 
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 

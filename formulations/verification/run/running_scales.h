@@ -6,7 +6,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/base/observer.h"
 #include "formulations/model/model.h"
-#include "formulations/scaling/scales.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 

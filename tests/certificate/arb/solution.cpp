@@ -6,8 +6,8 @@
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/constraints/jet.h"
-#include "formulations/groupwise/double_solution.h"
-#include "formulations/structure/partition.h"
+#include "formulations/model/partition.h"
+#include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/arb/ball.h"

@@ -1,0 +1,107 @@
+#include "formulations/model/magnitudes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "formulations/constraints/constraints.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/scales.h"
+
+namespace desmo {
+
+namespace {
+
+/// Of its second-order change, what an equation without a derivative is judged by: links down to
+/// this fraction of the bodies they join keep their own magnitude.
+constexpr double min_share = 1e-3;
+
+std::vector<double> nominal_state(const Model& m) {
+  std::vector<double> state = m.estimate;
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  return state;
+}
+
+/// How large the components of an entity become that is moved by about `length`.
+double reach(const Model& m, EntityId e, const double* x, double length) {
+  const Entity& entity = m.entities[e];
+  double norm = 0;
+  for (int i = 0; i < entity.size; ++i) norm = std::hypot(norm, x[i]);
+  return norm + (is_length(entity.kind) ? length : 1);
+}
+
+/// What the rows of a constraint are measured by.
+template <std::size_t rows>
+struct RowSizes {
+  std::array<double, rows> magnitude{};
+  std::array<double, rows> rounding{};  // u Σⱼ |∂Φ/∂qⱼ| |qⱼ|
+};
+
+/// Of a constraint whose lengths are about `length`.
+template <class Kind>
+RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
+                               const std::vector<double>& state, double length) {
+  constexpr std::size_t operands = Kind::operand_sizes.size();
+  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+  std::array<double, operands> size, change;
+  std::array<std::array<double, 3>, operands> move;  // a little of everything, to and fro
+  std::array<const double*, operands> x, v;
+  for (std::size_t k = 0; k < operands; ++k) {
+    x[k] = state.data() + m.state_index(c.operands[k]);
+    change[k] = unit_roundoff * reach(m, c.operands[k], x[k], length);
+    size[k] = is_length(m.entities[c.operands[k]].kind) ? length : 1;
+    move[k].fill((k % 2 == 0 ? size[k] : -size[k]) / std::sqrt(Kind::operand_sizes[k]));
+    v[k] = move[k].data();
+  }
+  RowSizes<Kind::rows> result;
+  std::array<double, Kind::rows> second;
+  const auto numbers = constants_at<Kind>(c.constants.data(), x.data());
+  Kind::jacobian(x.data(), numbers.data(), [&](int row, int operand, int, double value) {
+    result.magnitude[row] = std::hypot(result.magnitude[row], value * size[operand]);
+    result.rounding[row] += std::abs(value) * change[operand];
+  });
+  Kind::quadratic(x.data(), v.data(), numbers.data(), second.data());
+  for (int row = 0; row < Kind::rows; ++row) {
+    double& magnitude = result.magnitude[row];
+    magnitude = std::max(magnitude, min_share * std::abs(second[row]) / 2);
+    if (!(magnitude > 0) || !std::isfinite(magnitude)) magnitude = 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+Magnitudes::Magnitudes(const Model& m) {
+  const std::vector<double> state = nominal_state(m);
+  const CharacteristicLengths lengths(m);
+  of_coordinate_ = lengths.of_coordinates();
+  for (const Constraint& c : m.constraints) {
+    first_row_.push_back(static_cast<int>(magnitude_.size()));
+    visit_kind(c.kind, [&](auto kind) {
+      const auto [rows, rounded] = row_sizes(kind, m, c, state, lengths.of(c));
+      magnitude_.insert(magnitude_.end(), rows.begin(), rows.end());
+      rounding_.insert(rounding_.end(), rounded.begin(), rounded.end());
+    });
+  }
+}
+
+double Magnitudes::rounding(const PartDefinition& part) const {
+  double norm = 0;
+  for (const Equation& e : part.equations) norm = std::hypot(norm, rounding_[row_of(e)] / of(e));
+  return norm;
+}
+
+std::vector<double> Magnitudes::of_unknowns(const PartDefinition& part) const {
+  std::vector<double> result;
+  for (const int i : part.unknowns) result.push_back(of_coordinate_[i]);
+  return result;
+}
+
+std::vector<double> Magnitudes::weights(const PartDefinition& part) const {
+  std::vector<double> result;
+  for (const Equation& e : part.equations) result.push_back(1 / of(e));
+  return result;
+}
+
+}  // namespace desmo

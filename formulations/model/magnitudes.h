@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "formulations/model/model.h"
+#include "formulations/model/partition.h"
+
+namespace desmo {
+
+/// Natural magnitude of every equation of a model, which makes Φ comparable in any units. An
+/// equation over its magnitude states, to first order, the error of its coordinates relative to
+/// their own magnitudes.
+///
+/// The magnitude of a coordinate is 1 for a vector or an angle. For a point or a distance it is the
+/// characteristic length of the constraint (characteristic_lengths.h).
+///
+/// The magnitude of an equation is ‖∂Φ/∂qⱼ · magnitude of qⱼ‖₂ over its operands at the nominal
+/// position, independent of rotations of the frame. Where these derivatives vanish (a distance that
+/// starts at zero), it is a thousandth of the second-order change. It is positive and finite. When
+/// all lengths grow by λ, it grows by λ for equations in lengths, by λ² for products of lengths.
+class Magnitudes {
+ public:
+  explicit Magnitudes(const Model& model);
+
+  double of(const Equation& equation) const { return magnitude_[row_of(equation)]; }
+
+  /// Returns 1/magnitude of each equation of a part.
+  std::vector<double> weights(const PartDefinition& part) const;
+
+  /// Returns the rounding floor of a part: ‖Φ‖₂, each equation over its magnitude, of positions
+  /// rounded to double precision. Newton's method gets no further. An equation contributes u Σⱼ
+  /// |∂Φ/∂qⱼ| |qⱼ|, where |qⱼ| includes one characteristic length of motion. The floor grows with
+  /// the distance from the origin, where coordinates are rounded more coarsely.
+  double rounding(const PartDefinition& part) const;
+
+  /// Returns the magnitude of each unknown of a part: 1, or the characteristic length of its point
+  /// or distance.
+  std::vector<double> of_unknowns(const PartDefinition& part) const;
+
+ private:
+  std::size_t row_of(const Equation& equation) const {
+    return static_cast<std::size_t>(first_row_[equation.constraint] + equation.row);
+  }
+
+  std::vector<int> first_row_;                // by constraint
+  std::vector<double> magnitude_, rounding_;  // by row
+  std::vector<double> of_coordinate_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,244 @@
+#include "formulations/model/plan.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "formulations/constraints/constraints.h"
+#include "formulations/model/partition.h"
+
+namespace desmo {
+
+namespace {
+
+/// Finds what is upstream of what is outputs.
+class Upstream {
+ public:
+  explicit Upstream(const Model& m)
+      : blocks(make_partition(m, Partition::block)),
+        block_level(blocks.size()),
+        entity_level(m.entities.size()),
+        constraint_kept(m.constraints.size(), false),
+        serves(m.entities.size(), -1),
+        m_(m),
+        group_needed_(m.groups.size(), false),
+        owner_(entity_of_coordinate(m)),
+        block_of_coordinate_(m.coordinates(), -1),
+        blocks_of_constraint_(m.constraints.size()) {
+    for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
+      for (const int i : blocks[b].unknowns) block_of_coordinate_[i] = b;
+      for (const Equation& e : blocks[b].equations)
+        blocks_of_constraint_[e.constraint].push_back(b);
+    }
+  }
+
+  void need_output(const Output& output) {
+    need(output.entity, output.level, output.entity);
+    while (!waiting_.empty()) {
+      const auto [b, level] = waiting_.back();
+      waiting_.pop_back();
+      if (block_level[b] && *block_level[b] >= level) continue;
+      block_level[b] = level;
+      group_needed_[blocks[b].groups.front()] = true;
+      for (const int i : blocks[b].unknowns) need(owner_[i], level, output.entity);
+      for (const Equation& e : blocks[b].equations) {
+        constraint_kept[e.constraint] = true;
+        for (const int other : blocks_of_constraint_[e.constraint])
+          waiting_.emplace_back(other, level);
+        for (const EntityId operand : m_.constraints[e.constraint].operands)
+          need(operand, level, output.entity);
+      }
+    }
+  }
+
+  void need_mechanism() {
+    for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
+      need_output({e, Level::position});
+  }
+
+  /// Needs what is read by the left-out equations of groups that are needed. Groups upstream come
+  /// after those that need them.
+  void need_left_out_equations() {
+    for (auto c = m_.constraints.rbegin(); c != m_.constraints.rend(); ++c)
+      if (c->left_out && group_needed_[c->group])
+        for (const EntityId operand : c->operands) need_output({operand, Level::position});
+  }
+
+  /// Keeps the constraints left out whole that speak of what is kept: they can be checked.
+  void keep_consequences() {
+    for (std::size_t c = 0; c < m_.constraints.size(); ++c) {
+      const Constraint& constraint = m_.constraints[c];
+      if (kept_rows(constraint) > 0) continue;
+      constraint_kept[c] = std::ranges::all_of(constraint.operands, [&](EntityId id) {
+        return m_.entities[id].fixed || entity_level[id];
+      });
+      if (!constraint_kept[c]) continue;
+      for (const EntityId id : constraint.operands)
+        if (m_.entities[id].fixed) need(id, Level::position, constraint.operands.front());
+    }
+  }
+
+  std::vector<PartDefinition> blocks;
+  std::vector<std::optional<Level>> block_level;  // none: not needed
+  std::vector<std::optional<Level>> entity_level;
+  std::vector<bool> constraint_kept;
+  std::vector<EntityId> serves;  // the first outputs entity that needs each
+
+ private:
+  void need(EntityId id, Level level, EntityId for_whom) {
+    if (entity_level[id] && *entity_level[id] >= level) return;
+    entity_level[id] = level;
+    if (serves[id] < 0) serves[id] = for_whom;
+    const Entity& e = m_.entities[id];
+    for (int i = e.first; !e.fixed && i < e.first + e.size; ++i)
+      if (block_of_coordinate_[i] >= 0) waiting_.emplace_back(block_of_coordinate_[i], level);
+  }
+
+  const Model& m_;
+  std::vector<bool> group_needed_;
+  std::vector<EntityId> owner_;
+  std::vector<int> block_of_coordinate_;  // -1: driven
+  std::vector<std::vector<int>> blocks_of_constraint_;
+  std::vector<std::pair<int, Level>> waiting_;
+};
+
+/// The part of a mechanism that is needed, and where its entities went (-1: dropped).
+std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstream& up) {
+  Model m;
+  m.name = whole.name;
+  m.length_unit = whole.length_unit;
+  std::vector<GroupId> group(whole.groups.size(), -1);
+  for (std::size_t e = 0; e < whole.entities.size(); ++e)
+    if (up.entity_level[e] && !whole.entities[e].fixed) group[whole.entities[e].group] = 0;
+  for (std::size_t g = 0; g < group.size(); ++g) {
+    if (group[g] < 0) continue;
+    group[g] = m.add_group(whole.groups[g].name, whole.groups[g].bodies);
+    m.groups[group[g]].constant = whole.groups[g].constant;
+    for (const GroupId a : whole.groups[g].after)
+      if (group[a] >= 0) m.groups[group[g]].after.push_back(group[a]);
+  }
+
+  std::vector<EntityId> entity(whole.entities.size(), -1);
+  for (std::size_t i = 0; i < whole.entities.size(); ++i) {
+    if (!up.entity_level[i]) continue;
+    const Entity& e = whole.entities[i];
+    const std::vector<double>& values = e.fixed ? whole.fixed_values : whole.estimate;
+    const std::span<const double> own(values.data() + e.first, e.size);
+    entity[i] = e.fixed ? m.add_fixed(e.kind, e.name, own,
+                                      std::span(whole.fixed_remainders).subspan(e.first, e.size))
+                        : m.add(e.kind, e.name, own, group[e.group]);
+  }
+  for (std::size_t g = 0; g < group.size(); ++g)
+    for (const EntityId e : whole.groups[g].entities)
+      if (group[g] >= 0 && entity[e] >= 0) m.groups[group[g]].entities.push_back(entity[e]);
+
+  for (std::size_t c = 0; c < whole.constraints.size(); ++c) {
+    if (!up.constraint_kept[c]) continue;
+    Constraint constraint = whole.constraints[c];
+    for (EntityId& operand : constraint.operands) operand = entity[operand];
+    constraint.group = group[constraint.group];
+    m.constraints.push_back(std::move(constraint));
+  }
+  for (const Driver& d : whole.drivers)
+    if (entity[d.coordinate] >= 0) m.drive(entity[d.coordinate], d.motion);
+  validate(m);
+  return {std::move(m), std::move(entity)};
+}
+
+/// Returns whether a block may have no solution: it determines more than scalars that are measured,
+/// by equations that are not linear.
+bool may_lock(const Model& m, const PartDefinition& block, const std::vector<EntityId>& owner) {
+  const auto is_geometric = [&](int coordinate) {
+    const EntityKind kind = m.entities[owner[coordinate]].kind;
+    return kind == EntityKind::point || kind == EntityKind::vector;
+  };
+  const auto is_linear = [&](const Equation& e) {
+    bool linear = false;
+    visit_kind(m.constraints[e.constraint].kind, [&](auto kind) { linear = kind.linear; });
+    return linear;
+  };
+  return std::ranges::any_of(block.unknowns, is_geometric) &&
+         !std::ranges::all_of(block.equations, is_linear);
+}
+
+std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
+                                         std::span<const Output> outputs) {
+  std::vector<Plan::GroupUse> uses(whole.groups.size());
+  for (std::size_t g = 0; g < uses.size(); ++g) uses[g].name = whole.groups[g].name;
+  std::vector<bool> is_output(whole.entities.size(), false);
+  for (const Output& output : outputs) is_output[output.entity] = true;
+  const std::vector<EntityId> owner = entity_of_coordinate(whole);
+  for (std::size_t b = 0; b < up.blocks.size(); ++b) {
+    Plan::GroupUse& use = uses[up.blocks[b].groups.front()];
+    const int n = static_cast<int>(up.blocks[b].unknowns.size());
+    use.unknowns += n;
+    ++use.blocks;
+    if (!up.block_level[b]) {
+      use.may_lock |= may_lock(whole, up.blocks[b], owner);
+      continue;
+    }
+    use.kept_unknowns += n;
+    ++use.kept_blocks;
+    use.level = std::max(use.level, *up.block_level[b]);
+  }
+  for (std::size_t i = 0; i < whole.entities.size(); ++i) {
+    const Entity& e = whole.entities[i];
+    if (e.fixed) continue;
+    Plan::GroupUse& use = uses[e.group];
+    (up.entity_level[i] ? use.kept : use.dropped).push_back(e.name);
+    if (up.entity_level[i] && !is_output[i] && use.serves.empty())
+      use.serves = whole.entities[up.serves[i]].name;
+  }
+  return uses;
+}
+
+}  // namespace
+
+Level Plan::level() const {
+  Level highest = Level::position;
+  for (const Output& output : outputs) highest = std::max(highest, output.level);
+  return highest;
+}
+
+std::vector<GroupId> Plan::unseen_groups() const {
+  std::vector<GroupId> unseen;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (groups[g].may_lock) unseen.push_back(static_cast<GroupId>(g));
+  return unseen;
+}
+
+Plan make_plan(const Model& whole, std::span<const Output> outputs, PlanExtent extent) {
+  std::vector<Output> everything;
+  if (outputs.empty()) {
+    for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
+      everything.push_back({e, Level::acceleration});
+    outputs = everything;
+  }
+  for (const Output& output : outputs)
+    if (output.entity < 0 || output.entity >= static_cast<EntityId>(whole.entities.size()))
+      throw std::invalid_argument("a request names entity " + std::to_string(output.entity) +
+                                  ", which the model does not have");
+  Upstream up(whole);
+  for (const Output& output : outputs) up.need_output(output);
+  if (extent == PlanExtent::left_out_equations) up.need_left_out_equations();
+  if (extent == PlanExtent::mechanism) up.need_mechanism();
+  up.keep_consequences();
+
+  Plan plan;
+  auto [model, entity] = reduce(whole, up);
+  plan.model = std::move(model);
+  plan.levels.resize(plan.model.coordinates());
+  for (std::size_t i = 0; i < entity.size(); ++i) {
+    if (entity[i] < 0 || whole.entities[i].fixed) continue;
+    const Entity& e = plan.model.entities[entity[i]];
+    for (int k = e.first; k < e.first + e.size; ++k) plan.levels[k] = *up.entity_level[i];
+  }
+  for (const Output& output : outputs)
+    plan.outputs.push_back({entity[output.entity], output.level});
+  plan.groups = describe_use(whole, up, outputs);
+  return plan;
+}
+
+}  // namespace desmo

@@ -1,0 +1,292 @@
+#include "formulations/modelling/measures/measures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "cases/mechanism/drawing.h"
+#include "cases/mechanism/joint_forms.h"
+#include "formulations/constraints/vec.h"
+#include "formulations/model/scales.h"
+#include "formulations/modelling/bodies/rigid_bodies.h"
+#include "formulations/modelling/measures/frames.h"
+
+namespace desmo {
+
+namespace {
+
+using namespace frames;
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+Eigen::Vector3d part(const Vector& a, double Number::*which) {
+  return {a[0].*which, a[1].*which, a[2].*which};
+}
+
+Eigen::Matrix3d matrix(const Frame& frame) {
+  Eigen::Matrix3d columns;
+  for (int k = 0; k < 3; ++k) columns.col(k) = part(frame[k], &Number::value);
+  return columns;
+}
+
+/// Returns Σ eₖ × eₖ' / 2 of the axes of a frame: ω, of their first derivatives; α, of the second.
+Eigen::Vector3d spin(const Frame& frame, double Number::*derivative) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Vector& axis : frame) sum += part(axis, &Number::value).cross(part(axis, derivative));
+  return 0.5 * sum;
+}
+
+/// Returns the angle about an axis of a rotation, in (−π, π]. A further rotation about that axis
+/// adds to it exactly, whatever else the rotation does.
+double angle_about(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rotation) {
+  const double half = std::atan2(axis.dot(rotation.vec()), rotation.w());
+  const double angle = std::remainder(2 * half, 2 * std::numbers::pi);
+  return angle <= -std::numbers::pi ? std::numbers::pi : angle;
+}
+
+class Builder {
+ public:
+  Builder(const Scene& scene, const Model& model)
+      : scene_(scene), d_(scene.mechanism), m_(model), rigid_(find_rigid_bodies(d_)) {
+    for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
+      for (int i = 0; i < m_.entities[e].size; ++i)
+        taken_.insert(coordinate_name(m_, e, m_.entities[e].first + i));
+  }
+
+  void build() {
+    for (const RequestedMeasure& wanted : scene_.measures) {
+      level_ = wanted.level;
+      using enum RequestedMeasure::Kind;
+      if (wanted.kind == rotation) add_rotation(wanted.index);
+      if (wanted.kind == joint) add_joint(d_.joints[wanted.index]);
+      if (wanted.kind == ratio) add_ratio(wanted);
+    }
+  }
+
+  std::vector<Measure> list;
+  std::vector<Output> inputs;
+  std::vector<std::pair<std::size_t, Measures::Rule>> rules;
+
+ private:
+  using Axes = std::vector<Eigen::Vector3d>;
+
+  void add_rotation(int body) {
+    const std::string& name = d_.bodies[body].name;
+    Axes axes{Eigen::Vector3d::UnitZ()};
+    std::vector<std::string> components{""};
+    if (d_.dimension == 3) {
+      axes = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+      components = {".x", ".y", ".z"};
+    }
+    const std::size_t first = list.size();
+    for (const std::string& i : components)
+      add({name + ".rotation" + i, name + ".omega" + i, name + ".alpha" + i}, EntityKind::angle);
+    add_turn(first, 0, body, std::move(axes));
+  }
+
+  void add_joint(const Mechanism::Joint& joint) {
+    const Drawing<double> drawing{d_};
+    const auto add_with_rates = [&](const std::string& name, EntityKind kind) {
+      add({name, "d/dt " + name, "d2/dt2 " + name}, kind);
+      return list.size() - 1;
+    };
+    if (turns(joint.type)) {
+      Vector axis{0., 0., 1.};
+      if (d_.dimension == 3)
+        axis = unit(drawn(joint.bodies[0], joint.vectors.empty()
+                                               ? between(joint)
+                                               : Mechanism::Direction{joint.vectors[0]}));
+      const std::size_t place = add_with_rates(joint.name + ".angle", EntityKind::angle);
+      const Frame first = frame(joint.bodies[0]).drawn;
+      add_turn(place, joint.bodies[0], joint.bodies[1],
+               {matrix(first).transpose() * part(axis, &Number::value)});
+    }
+    if (slides(joint.type)) {
+      const Line along = line({joint.vectors[0]}), line_of_both = line(between(joint));
+      const auto u = drawing.vector(joint.vectors[0]), s0 = drawing.direction(between(joint));
+      const double start = vec::dot<3>(u.data(), s0.data());
+      const std::size_t place = add_with_rates(joint.name + ".travel", EntityKind::distance);
+      rules.emplace_back(place, [=](const Instant& instant, auto values) {
+        const Number s = frames::dot(line_of_both(instant), along(instant));
+        values[0] = {s.value - start, s.first, s.second};
+      });
+    }
+  }
+
+  static Mechanism::Direction between(const Mechanism::Joint& joint) {
+    return {-1, joint.points[0], joint.points[1]};
+  }
+
+  /// Computes the turn of a body in another one, from the drawing, about axes of that.
+  void add_turn(std::size_t place, int in, int body, Axes axes) {
+    const BodyFrame a = frame(in), b = frame(body);
+    const Eigen::Matrix3d drawn = matrix(seen_from(a.drawn, b.drawn));
+    rules.emplace_back(place, [=, axes = std::move(axes)](const Instant& instant, auto values) {
+      const Frame frame = seen_from(a(instant), b(instant));
+      const Eigen::Quaterniond since(Eigen::Matrix3d(matrix(frame) * drawn.transpose()));
+      const Eigen::AngleAxisd turned(since);
+      const Eigen::Vector3d omega = spin(frame, &Number::first),
+                            alpha = spin(frame, &Number::second);
+      for (std::size_t k = 0; k < axes.size(); ++k)
+        values[k] = {axes.size() > 1 ? turned.angle() * axes[k].dot(turned.axis())
+                                     : angle_about(axes[k], since),
+                     axes[k].dot(omega), axes[k].dot(alpha)};
+    });
+  }
+
+  void add_ratio(const RequestedMeasure& wanted) {
+    const std::vector<EntityId> owner = entity_of_coordinate(m_);
+    const std::vector<double> magnitude = natural_magnitudes(m_);
+    std::array<int, 2> of;
+    for (int k = 0; k < 2; ++k) {
+      of[k] = m_.coordinate(wanted.of[k]);
+      inputs.push_back({owner[of[k]], Level::acceleration});
+    }
+    std::vector<int> drivers;
+    for (const Driver& driver : m_.drivers) drivers.push_back(m_.entities[driver.coordinate].first);
+    const std::size_t place = list.size();
+    add({"", wanted.name, ""}, m_.entities[owner[of[0]]].kind);
+    list.back().per = m_.entities[owner[of[1]]].kind;
+    rules.emplace_back(place, [=](const Instant& instant, auto values) {
+      const auto fastest = [&](std::span<const double> rates) {
+        double largest = 0;
+        for (const int i : drivers) largest = std::max(largest, std::abs(rates[i]) / magnitude[i]);
+        return largest;
+      };
+      const auto vanishes = [&](std::span<const double> rates, int i, double scale) {
+        return std::abs(rates[i]) / magnitude[i] <= Measures::min_rate * scale;
+      };
+      double& ratio = values[0].velocity = not_known;
+      if (instant.qd.empty()) return;
+      const auto [a, b] = of;
+      const double speed = fastest(instant.qd);
+      if (!vanishes(instant.qd, b, speed))
+        ratio = instant.qd[a] / instant.qd[b];
+      else if (!instant.qdd.empty() && vanishes(instant.qd, a, speed) &&
+               !vanishes(instant.qdd, b, fastest(instant.qdd) + speed * speed))
+        ratio = instant.qdd[a] / instant.qdd[b];
+    });
+  }
+
+  void add(PerLevel<std::string> names, EntityKind kind) {
+    for (const Level level : all_levels) {
+      if (level > level_) names[level].clear();
+      if (!names[level].empty() && !taken_.insert(names[level]).second)
+        throw std::invalid_argument("request: the name '" + names[level] +
+                                    "' is taken by a coordinate of the mechanism; rename that");
+    }
+    list.push_back({std::move(names), kind});
+  }
+
+  BodyFrame frame(int body) {
+    BodyFrame result;
+    const int r = rigid_.of_body[body];
+    if (r == 0) return result;
+    const auto& directions = rigid_.list[r].basis.directions;
+    const std::size_t enough = d_.dimension == 2 ? 1 : 2;
+    if (directions.size() < enough)
+      throw std::invalid_argument("request: the points and vectors of body '" +
+                                  d_.bodies[body].name +
+                                  "' do not tell how it is turned; give it another" +
+                                  (enough == 2 ? " that is not in line with them" : "") +
+                                  ", or ask for an angle or a vector");
+    for (std::size_t k = 0; k < enough; ++k) result.lines.push_back(line(directions[k]));
+    const Vector u = drawn(body, directions[0]);
+    result.drawn = enough == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
+    return result;
+  }
+
+  /// Returns a direction of a body as it is drawn; of a body with a frame of its own, as that is.
+  Vector drawn(int body, const Mechanism::Direction& direction) const {
+    const auto& own = d_.bodies[body].own;
+    auto x = Drawing<double>{d_}.direction(direction);
+    if (own) {
+      const auto place = [](const std::vector<int>& list, int entity) {
+        return std::ranges::find(list, entity) - list.begin();
+      };
+      const auto& [points, vectors] = std::tie(d_.bodies[body].points, d_.bodies[body].vectors);
+      Eigen::Vector3d local;
+      for (int i = 0; i < 3; ++i)
+        local[i] = direction.is_line() ? own->points[place(points, direction.to)][i] -
+                                             own->points[place(points, direction.from)][i]
+                                       : own->vectors[place(vectors, direction.vector)][i].value;
+      const Eigen::Vector3d rotation(own->rotation.data());
+      local = Eigen::AngleAxisd(rotation.norm(), rotation.normalized()) * local;
+      std::ranges::copy(local, x.begin());
+    }
+    return {x[0], x[1], x[2]};
+  }
+
+  Line line(const Mechanism::Direction& d) {
+    if (!d.is_line()) return {operand(d_.vectors[d.vector].name), {}, false};
+    return {operand(d_.points[d.to].name), operand(d_.points[d.from].name), true};
+  }
+
+  Operand operand(const std::string& name) {
+    const EntityId id = m_.find(name);
+    inputs.push_back({id, level_});
+    const Entity& e = m_.entities[id];
+    Operand result{.first = e.first, .size = e.fixed ? 0 : e.size, .level = level_};
+    for (int i = 0; e.fixed && i < e.size; ++i) result.fixed[i] = m_.fixed_values[e.first + i];
+    return result;
+  }
+
+  const Scene& scene_;
+  const Mechanism& d_;
+  const Model& m_;
+  const RigidBodies rigid_;
+  std::set<std::string> taken_;
+  Level level_ = Level::position;  // of the measure that is added
+};
+
+}  // namespace
+
+Measures::Measures(const Scene& scene, const Model& model) : coordinates_(model.coordinates()) {
+  if (scene.measures.empty()) return;
+  Builder builder(scene, model);
+  builder.build();
+  list_ = std::move(builder.list);
+  inputs_ = std::move(builder.inputs);
+  rules_ = std::move(builder.rules);
+  values_.resize(list_.size());
+}
+
+Instant Measures::extend(const Instant& instant) {
+  Instant result = instant;
+  if (list_.empty() || instant.q.empty()) return result;
+  for (const auto& [first, rule] : rules_) rule(instant, std::span(values_).subspan(first));
+  const auto append = [&](std::span<const double>& solved, Level level) {
+    if (solved.empty()) return;
+    std::vector<double>& all = extended_[level];
+    all.assign(solved.begin(), solved.begin() + coordinates_);
+    for (const PerLevel<double>& value : values_) all.push_back(value[level]);
+    solved = all;
+  };
+  append(result.q, Level::position);
+  append(result.qd, Level::velocity);
+  append(result.qdd, Level::acceleration);
+  return result;
+}
+
+std::vector<Output> outputs_of(const Scene& scene, const Model& whole) {
+  std::vector<Output> result;
+  for (const RequestedEntity& w : scene.request) {
+    const std::string& name =
+        w.kind == RequestedEntity::Kind::point    ? scene.mechanism.points[w.index].name
+        : w.kind == RequestedEntity::Kind::vector ? scene.mechanism.vectors[w.index].name
+                                                  : scene.mechanism.coordinates[w.index].name;
+    result.push_back({whole.find(name), w.level});
+  }
+  const Measures measures(scene, whole);
+  result.insert(result.end(), measures.inputs().begin(), measures.inputs().end());
+  return result;
+}
+
+}  // namespace desmo

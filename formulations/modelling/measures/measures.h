@@ -1,0 +1,73 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/mechanism/scene.h"
+#include "formulations/base/observer.h"
+#include "formulations/base/per_level.h"
+#include "formulations/model/model.h"
+#include "formulations/model/plan.h"
+
+namespace desmo {
+
+/// A scalar that is computed from solved coordinates.
+struct Measure {
+  /// Names of its values at the levels that are asked for; empty: it has none there.
+  PerLevel<std::string> names{};
+  EntityKind kind;                     ///< tells the unit
+  std::optional<EntityKind> per = {};  ///< of a ratio: the kind that it is divided by
+};
+
+/// The measures that a scene requests (Scene::measures). They are functions of coordinates and
+/// rates: formulations do not know them.
+///
+/// - a rotation from the drawing: in the plane an angle in (−π, π], in space a vector along the
+///   axis, as long as the angle, at most π. Its rates are ω and α in the ground's frame
+/// - a joint's turn about its axis, in (−π, π], and travel along it, of the second body in the
+///   first, from the drawing
+/// - a ratio of two rates; where both vanish, the limit, which is that of accelerations. NaN where
+///   the second vanishes alone, or accelerations vanish, too
+///
+///   const Plan plan = make_plan(whole, outputs_of(scene, whole));  // with what measures read
+///   Measures measures(scene, plan.model);
+///   // In an observer, of an instant with all coordinates:
+///   const double omega = measures.extend(instant).qd[plan.model.coordinates() + k];
+class Measures {
+ public:
+  /// Writes the values of a measure, and of those after it, at an instant.
+  using Rule = std::function<void(const Instant&, std::span<PerLevel<double>>)>;
+
+  /// A rate vanishes where it is, over its natural magnitude (natural_magnitudes()), at most this
+  /// part of the fastest driver's: rounding errors are of the driver's size.
+  static constexpr double min_rate = 1e-10;
+
+  /// Throws std::invalid_argument, naming the measure, for a body or joint whose points and vectors
+  /// do not tell its rotation, for a coordinate that is fixed, and for a name that the model has.
+  Measures(const Scene& scene, const Model& model);
+
+  const std::vector<Measure>& list() const { return list_; }
+  /// Returns what they read, and to which level.
+  const std::vector<Output>& inputs() const { return inputs_; }
+
+  /// Returns the instant with the measures after the coordinates, in q, q̇ and q̈ as far as the
+  /// instant has them; without measures, or positions, as it is. Valid until the next call.
+  Instant extend(const Instant& instant);
+
+ private:
+  int coordinates_;
+  std::vector<Measure> list_;
+  std::vector<Output> inputs_;
+  std::vector<std::pair<std::size_t, Rule>> rules_;  // with the first measure of each
+  std::vector<PerLevel<double>> values_;
+  PerLevel<std::vector<double>> extended_;
+};
+
+/// Returns the outputs that a scene requests, in terms of its whole model; after them those that
+/// its measures read. Throws what Measures throws.
+std::vector<Output> outputs_of(const Scene& scene, const Model& whole);
+
+}  // namespace desmo

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/base/index_range.h"
+#include "formulations/base/observer.h"
+#include "formulations/base/output_writer.h"
+#include "formulations/base/state.h"
+#include "formulations/motion/segment_solver.h"
+
+namespace desmo {
+
+/// Observer that takes every stride-th instant of a grid and the last one, and hands every instant
+/// to another observer. It takes instants in order of time, solved at every level, and hands these
+/// on as they are. Instants between two solved ones lie on the quintic through q, q̇ and q̈ of both
+/// (Hermite interpolation; as dense output: Hairer, Nørsett & Wanner, Solving Ordinary Differential
+/// Equations I, II.6). With h the time between two solved instants, errors of a smooth motion are
+/// O(h⁶) in position, O(h⁵) in velocity and O(h⁴) in acceleration. Errors of the solved positions
+/// enter velocities divided by h, and accelerations divided by h².
+class DenseOutput final : public Observer {
+ public:
+  /// grid: of all instants. coordinates: their number in an instant; those that the request names
+  /// are interpolated. The observer outlives this.
+  DenseOutput(const TimeGrid& grid, int stride, const Request& request, int coordinates,
+              Observer& observer);
+
+  /// The index counts solved instants. Allocates nothing.
+  Flow observe(const Instant& solved) noexcept override;
+
+  /// Hand on instants whose index is that in the grid: a solved one from which to interpolate, and
+  /// those up to the next solved one. They may be any number of steps apart. Where an interpolated
+  /// instant stops the run, the solved ones are as they were.
+  Flow start_at(const Instant& solved) noexcept;
+  Flow go_to(const Instant& solved) noexcept;
+
+  /// Returns how many instants the observer was given.
+  int delivered() const { return delivered_; }
+
+ private:
+  /// Weights of what is known at both ends of an interval.
+  struct Weights {
+    double q0, change, v0, v1, a0, a1;  // of q₀, q₁ − q₀, q̇₀, q̇₁, q̈₀, q̈₁
+  };
+
+  static Weights of_position(double s, double h);
+  static Weights of_velocity(double s, double h);
+  static Weights of_acceleration(double s, double h);
+
+  Flow interpolate_to(const Instant& next, int index);
+  void combine(Weights w, const Instant& next, std::vector<double>& result) const;
+  Flow hand_on(const Instant& instant);
+  void keep(const Instant& solved);
+
+  const TimeGrid grid_;
+  const int stride_;
+  const Level level_;
+  const std::vector<IndexRange> ranges_;
+  const OutputWriter output_;
+  Observer& observer_;
+  State last_;           // the instant solved last
+  int last_index_ = -1;  // its index in the grid
+  State between_;
+  int delivered_ = 0;
+};
+
+/// A formulation that, in a motion, solves every stride-th instant and the last one, and
+/// interpolates the others (see DenseOutput). Single instants are solved by the formulation inside.
+class Interpolated final : public FormulationCore {
+ public:
+  /// stride: 2 … max_stride.
+  Interpolated(std::unique_ptr<SegmentSolver> inner, int stride);
+
+  Summary do_assemble(double t, Level level) override { return inner_->assemble(t, level); }
+  Summary do_step(double t, Level level) override { return inner_->step(t, level); }
+  Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
+  bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
+  void do_solve_only(std::span<const Level>) override {}
+  long runs_without_segments() const override { return inner_->runs_without_segments(); }
+  const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }
+  const State& state() const override { return inner_->state(); }
+
+ private:
+  std::unique_ptr<SegmentSolver> inner_;
+  int stride_;
+};
+
+}  // namespace desmo

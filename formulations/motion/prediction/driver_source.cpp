@@ -1,0 +1,57 @@
+#include "formulations/motion/prediction/driver_source.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace desmo {
+
+void write_drivers(const Model& m, double t, State& state) {
+  for (const Driver& d : m.drivers) {
+    const int i = m.entities[d.coordinate].first;
+    const MotionSample<double> z = sample(d.motion, t);
+    state.q[i] = z.position;
+    state.qd[i] = z.velocity;
+    state.qdd[i] = z.acceleration;
+  }
+}
+
+DriverSource::DriverSource(const Model& m, std::span<const int> in_row)
+    : in_row_(m.state_size()), motions_({}), live_({}) {
+  const PlacedMotions all = driver_motions(m);
+  std::vector<const Motion*> sampled;
+  std::vector<int> driver(m.state_size());  // of each coordinate
+  for (std::size_t i = 0; i < all.places.size(); ++i) driver[all.places[i]] = static_cast<int>(i);
+  std::vector<LiveDrivers::Place> places;
+  std::vector<int> place(m.state_size(), -1);
+  const auto add = [&](int coordinate) {
+    place[coordinate] = static_cast<int>(sampled.size());
+    sampled.push_back(all.motions[driver[coordinate]]);
+    places.push_back({driver[coordinate], coordinate});
+  };
+  for (const int coordinate : in_row) {
+    add(coordinate);
+    in_row_[coordinate] = true;
+  }
+  for (const int coordinate : all.places) {
+    if (place[coordinate] < 0) add(coordinate);
+    drivers_.push_back({coordinate, place[coordinate]});
+  }
+  written_ = drivers_;
+  motions_ = MotionsAhead(std::move(sampled));
+  live_ = LiveDrivers(std::move(places));
+}
+
+void DriverSource::write_all(State& state) const {
+  if (row_.z) write(drivers_, state);
+}
+
+void DriverSource::set_observed(const std::vector<bool>& read) {
+  written_.clear();
+  std::ranges::copy_if(drivers_, std::back_inserter(written_), [&](const Driven& d) {
+    return read[d.coordinate] || !in_row_[d.coordinate];
+  });
+}
+
+}  // namespace desmo

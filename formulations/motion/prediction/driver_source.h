@@ -1,0 +1,72 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/base/state.h"
+#include "formulations/model/model.h"
+#include "formulations/motion/prediction/live_drivers.h"
+#include "formulations/motion/prediction/motions_ahead.h"
+
+namespace desmo {
+
+/// Writes the position, velocity and acceleration that the motions of all drivers have at time t
+/// [s] to the state.
+void write_drivers(const Model& model, double t, State& state);
+
+/// A source of the driver values z, ż and z̈ of a model, at one time after the other. It puts them
+/// in one row, and writes them from there to the state. It samples the motions of the model, known
+/// in advance, or takes values that are handed in for one step.
+class DriverSource {
+ public:
+  /// in_row: driven coordinates that some parts read in the row. The row begins with these, in this
+  /// order, as often as they are named. The model outlives the source.
+  explicit DriverSource(const Model& model, std::span<const int> in_row = {});
+
+  /// Announces the grid whose times follow, in order from the first. Other times are possible,
+  /// one by one.
+  void expect(const TimeGrid& grid) { motions_.expect(grid); }
+
+  /// Takes values in place of the motions until hand_back(); see LiveDrivers.
+  void hand_in(const LiveRow& row, double start, const State& from) {
+    live_.hand_in(row, start, from);
+  }
+  void hand_back() { live_.hand_back(); }
+  bool is_live() const { return live_.is_handed_in(); }
+
+  /// Samples all drivers at time t [s] and writes to the state those that are read there.
+  const MotionRow& sample(double t, State& state) {
+    row_ = live_.is_handed_in() ? live_.at(t) : motions_(t);
+    write(written_, state);
+    return row_;
+  }
+
+  /// Writes all drivers to the state as they were sampled last, if they were.
+  void write_all(State& state) const;
+
+  /// Sets which drivers sample() writes into the state: those that some part reads there, and those
+  /// that nobody takes from the row. read: by position in the state.
+  void set_observed(const std::vector<bool>& read);
+
+ private:
+  struct Driven {
+    int coordinate, place;  // its place in the row
+  };
+  void write(std::span<const Driven> drivers, State& state) const {
+    for (const auto& [coordinate, place] : drivers) {
+      state.q[coordinate] = row_.z[place];
+      state.qd[coordinate] = row_.zd[place];
+      state.qdd[coordinate] = row_.zdd[place];
+    }
+  }
+
+  std::vector<bool> in_row_;  // by position in the state: some reader takes it from the row
+  std::vector<Driven> drivers_;
+  std::vector<Driven> written_;  // by sample()
+  MotionsAhead motions_;
+  LiveDrivers live_;
+  MotionRow row_{};
+};
+
+}  // namespace desmo

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/base/lane_values.h"
+#include "formulations/motion/prediction/motion_sampler.h"
+
+namespace desmo {
+
+/// z, ż and z̈ of several motions at one time, in their order.
+struct MotionRow {
+  const double *z = nullptr, *zd = nullptr, *zdd = nullptr;
+
+  /// Returns the row without its first `first` numbers.
+  MotionRow from(std::size_t first) const { return {z + first, zd + first, zdd + first}; }
+};
+
+/// Returns the length of a row of so many numbers: whole cache lines.
+int whole_lines(std::size_t numbers);
+
+/// Sampler of several motions, at one time after the other. Where the times are known in advance,
+/// as those of a grid, it samples eight instants at once: eight sines cost hardly more than one,
+/// and a step need not wait for them.
+class MotionsAhead {
+ public:
+  /// motions: each as often as it is wanted; unchanged, they outlive this.
+  explicit MotionsAhead(std::vector<const Motion*> motions);
+
+  /// Announces that times are those of this grid, in order from the first. Times between them are
+  /// sampled singly. If an instant is skipped, so are all later ones.
+  void expect(const TimeGrid& grid);
+
+  /// Returns the row at time t [s], valid until the next call.
+  MotionRow operator()(double t);
+
+ private:
+  static constexpr int together = 8;
+  void sample_next();
+  MotionRow row(std::size_t k) const {
+    return {&samples_.q[k * of_row_], &samples_.qd[k * of_row_], &samples_.qdd[k * of_row_]};
+  }
+
+  int of_row_;  // whole cache lines
+  MotionSampler alone_, ahead_;
+  TimeGrid grid_{};
+  int sampled_ = 0;                       // instants of the grid
+  std::size_t next_ = together;           // of those sampled last
+  std::array<double, together> times_{};  // theirs, s
+  LaneState samples_;                     // rows of these, and of a time that was sampled alone
+};
+
+}  // namespace desmo

@@ -1,0 +1,119 @@
+// The instants that TimeStepping solves by themselves, and the first one of a motion.
+#include <algorithm>
+
+#include "formulations/motion/driver_continuation.h"
+#include "formulations/motion/time_stepping.h"
+
+namespace desmo {
+
+namespace {
+
+void clear_rates(State& state) {
+  std::ranges::fill(state.qd, 0.0);
+  std::ranges::fill(state.qdd, 0.0);
+}
+
+}  // namespace
+
+Summary TimeStepping::do_step(double t, Level level) {
+  set_read_outside({});
+  return assemble_or_step(t, level);
+}
+
+Summary TimeStepping::step_to_row(const LiveRow& row, Level level, int max_sub_steps) {
+  set_read_outside({});
+  const double start = now_.time;
+  drivers_.hand_in(row, start, now_.state);
+  const Summary summary = assemble_or_step(row.time, level, max_sub_steps);
+  drivers_.hand_back();
+  if (!summary.ok()) {
+    forget();  // parts remember instants that are not to be gone on from
+    now_.time = start;
+  }
+  return summary;
+}
+
+void TimeStepping::return_to(std::span<const double> q, double t) {
+  std::ranges::copy(q.first(std::min(q.size(), now_.state.q.size())), now_.state.q.begin());
+  assembled_ = !q.empty();
+  forget();
+  now_.time = t;
+}
+
+Summary TimeStepping::do_assemble(double t, Level level) {
+  set_read_outside({});
+  return assemble_from_estimate(t, level);
+}
+
+Summary TimeStepping::assemble_from_estimate(double t, Level level) {
+  State &state = now_.state, &last = before_.state;
+  std::ranges::copy(model().estimate, state.q.begin());
+  std::ranges::copy(model().fixed_values, state.q.begin() + model().coordinates());
+  for (State* s : {&state, &last}) clear_rates(*s);
+  std::ranges::copy(state.q, last.q.begin());
+  forget();
+  assembled_ = false;
+  failure_.part = -1;
+  const PartSequence::Result constant = sequence_.solve_constant(state, last.q, level);
+  Summary summary = constant.summary(t);
+  if (!summary.ok()) {
+    note_failure(constant.failed);
+    find_culprit_of_failure(summary);
+    return summary;
+  }
+  last = state;  // what is solved once is in both
+  if (whole_turns_count(model()) && lead_drivers_to(t)) last.q = state.q;
+  summary = solve_at(t, level);
+  // The estimate may be far off: a fixed number of iterations is for steps.
+  for (int i = 0; i < settings().max_iterations && summary.ok() &&
+                  settings().fixed_iterations > 0 && summary.residual >= tolerance();
+       ++i) {
+    const Summary before = summary;
+    for (SolvedState* s : {&now_, &before_}) s->forget();
+    summary = solve_at(t, level);
+    summary.iterations += before.iterations;
+    summary.updates += before.updates;
+  }
+  sequence_.end_assembly();
+  assembled_ = summary.ok();
+  if (!assembled_) find_culprit_of_failure(summary);
+  return summary;
+}
+
+bool TimeStepping::lead_drivers_to(double t) {
+  const State start = now_.state;
+  const auto solve = [&](State& to, std::span<const double> from) {
+    return sequence_.solve_positions(to, from);
+  };
+  if (continue_drivers_to(model(), t, now_.state, solve)) return true;
+  now_.state = start;
+  return false;
+}
+
+bool TimeStepping::start_at(std::span<const double> q, double t) {
+  set_read_outside({});
+  State &state = now_.state, &last = before_.state;
+  for (State* s : {&state, &last}) {
+    std::ranges::copy(q.first(std::min(q.size(), s->q.size())), s->q.begin());
+    std::ranges::copy(model().fixed_values, s->q.begin() + model().coordinates());
+    clear_rates(*s);
+  }
+  forget();
+  assembled_ = lead_drivers_to(t);
+  if (!assembled_) return false;
+  now_.time = t;
+  last.q = state.q;
+  drivers_.sample(t, state);  // exactly, as a step samples them
+  assembled_ = sequence_.solve_positions(state, last.q);
+  sequence_.end_assembly();
+  return assembled_;
+}
+
+void TimeStepping::continue_from(const State& solved, double t, Level level) {
+  now_.state = solved;
+  forget();
+  now_.time = t;
+  now_.level = level;
+}
+
+}  // namespace desmo

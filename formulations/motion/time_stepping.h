@@ -1,0 +1,90 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/base/output_writer.h"
+#include "formulations/motion/part_sequence.h"
+#include "formulations/motion/prediction/driver_source.h"
+#include "formulations/motion/prediction/state_predictor.h"
+#include "formulations/motion/segment_solver.h"
+
+namespace desmo {
+
+/// A formulation that steps through time, the paper's Fig. 2a: at each instant the drivers, a
+/// prediction, and the parts in order. Motions are in time_stepping.cpp; the first instant, single
+/// steps and live rows in single_instants.cpp.
+class TimeStepping final : public SegmentSolver, private LiveSteps {
+ public:
+  /// settings: the same that the parts were made with. The model outlives this object.
+  TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
+
+  Summary do_assemble(double t, Level level) override;
+  Summary do_step(double t, Level level) override;
+  Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
+  bool start_at(std::span<const double> q, double t) override;
+  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
+                                Observer& observer) override;
+  void do_solve_only(std::span<const Level> needed) override;
+  LiveSteps* live() override { return this; }
+  const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
+  const State& state() const override { return now_.state; }
+
+  /// Continues from an instant at time t [s] that something else solved, up to `level`.
+  void continue_from(const State& solved, double t, Level level);
+
+ private:
+  static constexpr int unlimited = std::numeric_limits<int>::max();
+
+  /// An instant, and how far it was solved.
+  struct SolvedState {
+    State state{};
+    double time = 0;               // s
+    std::optional<Level> level{};  // nothing: rates are unknown, and nothing is predicted from it
+    void forget() { time = 0, level.reset(); }
+  };
+
+  /// The first part of a step that could not be solved.
+  struct Failure {
+    int part = -1;
+    std::vector<double> q{};  // positions in the state from which it is solved again
+  };
+
+  /// The coordinates of each instant that are read outside the parts.
+  struct ReadCoordinates {
+    std::vector<int> coordinates;  // empty: all
+    bool lent;  // they are read in memory that the observer lends; false: in the state
+  };
+
+  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
+  void return_to(std::span<const double> q, double t) override;
+
+  void prepare();
+  void forget();
+  void set_read_outside(const Request& request, bool lent = false);
+  Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
+  Summary solve_at(double t, Level level);
+  Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
+  Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
+  Summary assemble_from_estimate(double t, Level level);
+  /// Leads the drivers from a solved position to time t. Returns false, and leaves the positions,
+  /// where that is not possible.
+  bool lead_drivers_to(double t);
+  void note_failure(int part);
+  void find_culprit_of_failure(Summary& summary) const;
+  Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);
+
+  PartSequence sequence_;
+  DriverSource drivers_;
+  StatePredictor predict_;
+  std::optional<ReadCoordinates> read_outside_;
+  OutputWriter output_;        // writes what no part delivers
+  SolvedState now_, before_;   // the instant solved last, and the one before it
+  std::vector<double> start_;  // positions from which a step is tried again
+  Failure failure_;
+  bool assembled_ = false;  // now_ has positions at its time, whatever is known of rates
+};
+
+}  // namespace desmo

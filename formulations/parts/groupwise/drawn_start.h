@@ -1,0 +1,146 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/model/model.h"
+#include "formulations/model/scales.h"
+
+namespace desmo {
+
+/// Assembly of a solution at its first instant, on the branch that the model's estimate, the
+/// drawing, declares. Short steps lead there: first by Newton's homotopy Φ = (1 − λ) Φ(drawing) at
+/// the drivers as drawn, then with drivers that go straight to where they begin. A step is accepted
+/// if Newton's method contracts from its prediction at once; others are halved. Solver: a solver of
+/// all positions in double, such as GroupwiseSolver<double>.
+template <class Solver>
+class DrawnStart {
+ public:
+  /// drivers: their values at the first instant.
+  DrawnStart(const Model& m, std::span<const double> drivers)
+      : m_(m), solver_(m), coupled_(coupled_angles(m)) {
+    const bool turns_count = std::ranges::find(coupled_, true) != coupled_.end();
+    to_.assign(drivers.begin(), drivers.end());
+    const std::vector<double> magnitude = natural_magnitudes(m);
+    for (std::size_t k = 0; k < to_.size(); ++k) {
+      const Entity& e = m.entities[m.drivers[k].coordinate];
+      drawn_.push_back(m.estimate[e.first]);
+      double way = to_[k] - drawn_[k];
+      if (!turns_count && e.kind == EntityKind::angle && std::abs(way) > max_turns * turn)
+        way = std::remainder(way, turn);
+      way_.push_back(way);
+      farthest_ = std::max(farthest_, std::abs(way) / magnitude[e.first]);
+    }
+  }
+
+  /// Returns the positions there; nothing where no steps lead there. Angles that are neither driven
+  /// nor coupled are those nearest to the drawing, whole turns apart.
+  std::optional<std::vector<double>> find() {
+    solver_.set_homotopy(1);
+    const auto solve_drawing = [&](double s) { solver_.set_homotopy(1 - s); };
+    const auto move_drivers = [&](double s) {
+      std::vector<double> at;
+      for (std::size_t k = 0; k < way_.size(); ++k) at.push_back(drawn_[k] + s * way_[k]);
+      solver_.drive(std::span<const double>(at));
+    };
+    if (!go(solve_drawing, 1) || !go(move_drivers, max_change / std::max(farthest_, max_change)))
+      return {};
+    solver_.drive(std::span<const double>(to_));
+    std::vector<double> q = solver_.q();
+    const std::vector<bool> driven = independent_coordinates(m_);
+    for (std::size_t i = 0; i < m_.entities.size(); ++i)
+      if (const Entity& e = m_.entities[i];
+          !e.fixed && e.kind == EntityKind::angle && !driven[e.first] && !coupled_[i])
+        q[e.first] -= turn * whole_turns(q[e.first] - m_.estimate[e.first]);
+    return q;
+  }
+
+ private:
+  static constexpr double turn = 2 * std::numbers::pi;
+  /// Change of drivers in a step, and correction of its prediction, in natural magnitudes.
+  static constexpr double max_change = 0.1;
+  static constexpr double max_turns = 4;       // that are made unless all count; of more, none
+  static constexpr double settled = 1e-9;      // correction after which nothing is in doubt
+  static constexpr double min_step = 0x1p-40;  // of the whole way
+
+  /// Returns how many whole turns an angle is off. Half a turn counts as none: it stays as it came.
+  static double whole_turns(double off) { return std::round(off / turn * (1 - 0x1p-40)); }
+
+  /// Goes from 0 to 1. set(s): sets what is to be solved.
+  template <class Set>
+  bool go(Set&& set, double max_step) {
+    std::vector<double> last = solver_.q(), slope(last.size(), 0);
+    double done = 0, step = max_step;
+    while (done < 1) {
+      if (step < min_step) return false;
+      const double next = done + step < 1 ? done + step : 1;
+      std::vector<double> predicted = last;
+      for (std::size_t i = 0; i < last.size(); ++i) predicted[i] += (next - done) * slope[i];
+      solver_.place(predicted);
+      set(next);
+      if (!contracts()) {
+        step /= 2;
+        continue;
+      }
+      const std::vector<double> q = solver_.q();
+      for (std::size_t i = 0; i < q.size(); ++i) slope[i] = (q[i] - last[i]) / (next - done);
+      last = q;
+      done = next;
+      step = std::min(2 * step, max_step);
+    }
+    return true;
+  }
+
+  bool contracts() {
+    constexpr int max_corrections = 20;
+    double limit = max_change;
+    try {
+      for (int i = 0; i < max_corrections; ++i) {
+        const double correction = solver_.correct_positions();
+        if (!(correction <= limit)) return false;
+        if (correction <= settled) return true;
+        limit = correction / 4;
+      }
+    } catch (const std::runtime_error&) {  // singular
+    }
+    return false;
+  }
+
+  const Model& m_;
+  Solver solver_;
+  const std::vector<bool> coupled_;       // angles, by entity
+  std::vector<double> drawn_, to_, way_;  // of the drivers
+  double farthest_ = 0;                   // way, in natural magnitudes
+};
+
+/// Puts a solver that is at the model's estimate where Newton's method is to begin at a time [s].
+/// The place is the estimate itself, if it leads in one go where short steps do (DrawnStart); else
+/// the end of these. Where they are blocked, the estimate stands.
+template <class Solver>
+void begin_on_drawn_branch(Solver& solver, const Model& m, double time) {
+  std::vector<double> drivers;
+  for (const Driver& d : m.drivers) drivers.push_back(sample(d.motion, time).position);
+  const std::optional<std::vector<double>> right = DrawnStart<Solver>(m, drivers).find();
+  if (!right) return;
+  constexpr double same = 1e-6;  // in natural magnitudes
+  const std::vector<double> magnitude = natural_magnitudes(m);
+  try {
+    Solver in_one_go(m);
+    in_one_go.solve_positions(time);
+    const std::vector<double> q = in_one_go.q();
+    int apart = 0;
+    for (int i = 0; i < m.coordinates(); ++i)
+      apart += !(std::abs(q[i] - (*right)[i]) <= same * magnitude[i]);
+    if (apart == 0) return;
+  } catch (const std::runtime_error&) {  // it does not converge
+  }
+  solver.place(*right);
+}
+
+}  // namespace desmo

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "formulations/base/index_range.h"
+#include "formulations/constraints/constraints.h"
+#include "formulations/model/model.h"
+#include "formulations/model/partition.h"
+
+namespace desmo {
+
+/// q, q̇ and q̈ of a whole model, each followed by the fixed entities, in any scalar.
+template <class S>
+struct WideState {
+  std::vector<S> q, qd, qdd;
+
+  explicit WideState(int size) : q(size, S(0)), qd(size, S(0)), qdd(size, S(0)) {}
+};
+
+/// The n equations of one part as a dense matrix and vectors in any scalar, from the functions of
+/// the constraint kinds.
+template <class S>
+struct PartSystem {
+  std::size_t n;
+  std::vector<S> jacobian;  ///< Φ_φ (n × n), by rows
+  std::vector<S> phi;
+  std::vector<S> velocity;      ///< −Φ_h ḣ
+  std::vector<S> acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
+
+  /// Evaluates the system at a state. `acceleration` also needs the unknowns' velocities in it.
+  PartSystem(const Model& m, const PartDefinition& part, const WideState<S>& state)
+      : n(part.unknowns.size()), jacobian(n * n, S(0)), m_(m), part_(part), state_(state) {
+    for (std::vector<S>* v : {&phi, &velocity, &acceleration}) v->assign(n, S(0));
+    for (int row = 0; row < static_cast<int>(n);) row = add_constraint(row);
+  }
+
+ private:
+  /// Adds the equations of one constraint, from `row` on. Returns the row after the last one.
+  int add_constraint(int row) {
+    const int end = static_cast<int>(part_.equations.size());
+    const int position = part_.equations[row].constraint;
+    const Constraint& constraint = m_.constraints[position];
+    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+      std::array<const S*, Kind::operand_sizes.size()> x, v;
+      std::array<int, Kind::operand_sizes.size()> first;
+      for (std::size_t k = 0; k < first.size(); ++k) {
+        first[k] = m_.state_index(constraint.operands[k]);
+        x[k] = state_.q.data() + first[k];
+        v[k] = state_.qd.data() + first[k];
+      }
+      const auto constants =
+          constants_in<Kind>(constraint.constants.size(), x.data(),
+                             [&](std::size_t k) { return as<S>(constraint.dimension(k)); });
+      std::array<S, Kind::rows> all_phi, gamma;
+      Kind::residual(x.data(), constants.data(), all_phi.data());
+      Kind::quadratic(x.data(), v.data(), constants.data(), gamma.data());
+      std::array<int, Kind::rows> place;
+      place.fill(-1);
+      for (; row < end && part_.equations[row].constraint == position; ++row) {
+        const int r = part_.equations[row].row;
+        place[r] = row;
+        phi[row] = all_phi[r];
+        acceleration[row] -= gamma[r];
+      }
+      Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
+        const int at = first[operand] + i;
+        if (place[r] < 0) return;
+        if (const int j = position_in(part_.unknowns, at); j >= 0) {
+          jacobian[place[r] * n + j] = value;
+        } else {
+          velocity[place[r]] -= value * state_.qd[at];
+          acceleration[place[r]] -= value * state_.qdd[at];
+        }
+      });
+    });
+    return row;
+  }
+
+  const Model& m_;
+  const PartDefinition& part_;
+  const WideState<S>& state_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,221 @@
+#include "formulations/verification/branch/branch_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/numbers/interval.h"
+
+namespace desmo {
+
+namespace {
+
+constexpr double above = 1 + 0x1p-50;  // covers the few roundings of a comparison
+
+CertifiedInstant certified(const RefinedInstant& r) {
+  return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
+}
+
+/// Returns whether the certified boxes of two instants are disjoint, so that their solutions
+/// differ.
+bool are_apart(const CertifiedInstant& a, const CertifiedInstant& b) {
+  for (std::size_t i = 0; i < a.radius.size(); ++i) {
+    const double distance = std::abs(a.values.position[i] - b.values.position[i]);
+    if (distance > (a.radius[i] + b.radius[i]) * above) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+BranchPath::BranchPath(const Model& m, int budget, InitialResidual initial)
+    : m_(m), budget_(budget), refinement_(m, {}, initial), path_(m, refinement_.certifier()) {
+  for (Memory* memory : {&memory_, &predicted_}) {
+    for (const Level level : all_levels) memory->values[level].resize(m.coordinates());
+    memory->radius.resize(m.coordinates());
+  }
+}
+
+/// Makes a proven instant the present one.
+void BranchPath::keep(const RefinedInstant& r) {
+  std::ranges::copy(r.instant.q, memory_.values.position.begin());
+  std::ranges::copy(r.instant.qd, memory_.values.velocity.begin());
+  std::ranges::copy(r.instant.qdd, memory_.values.acceleration.begin());
+  std::ranges::copy(r.radius.position, memory_.radius.begin());
+  show(r.instant.time);
+}
+
+/// Lets present() show what is in memory.
+void BranchPath::show(double time) {
+  present_ = {time,
+              {memory_.values.position, memory_.values.velocity, memory_.values.acceleration},
+              memory_.radius};
+}
+
+/// Makes an instant the present one. Rates that it does not have are found first: they are linear,
+/// so corrections lead to them from anywhere.
+bool BranchPath::take(const CertifiedInstant& instant) {
+  bool complete = true;
+  for (const Level level : all_levels) {
+    const std::span<const double> given = instant.values[level];
+    std::vector<double>& values = predicted_.values[level];
+    for (int i = 0; i < m_.coordinates(); ++i) {
+      const bool solved = !given.empty() && (instant.levels.empty() || level <= instant.levels[i]);
+      values[i] = solved ? given[i] : 0;
+      complete &= solved;
+    }
+  }
+  if (complete) {
+    for (const Level level : all_levels) memory_.values[level].swap(predicted_.values[level]);
+    std::ranges::copy(instant.radius, memory_.radius.begin());
+    show(instant.time);
+    return true;
+  }
+  const RefinedInstant& refined = refinement_.refine({.index = 0,
+                                                      .time = instant.time,
+                                                      .q = predicted_.values.position,
+                                                      .qd = predicted_.values.velocity,
+                                                      .qdd = predicted_.values.acceleration});
+  if (refined.proven) keep(refined);
+  return refined.proven;
+}
+
+bool BranchPath::start_at(const CertifiedInstant& instant) { return take(instant); }
+
+/// Finds the solution near Taylor's polynomial of the present instant.
+const RefinedInstant& BranchPath::predict(double time) {
+  const double h = time - present_.time;
+  const auto& [q, qd, qdd] = memory_.values;
+  for (int i = 0; i < m_.coordinates(); ++i) {
+    predicted_.values.position[i] = q[i] + h * (qd[i] + h / 2 * qdd[i]);
+    predicted_.values.velocity[i] = qd[i] + h * qdd[i];
+    predicted_.values.acceleration[i] = qdd[i];
+  }
+  for (const Driver& d : m_.drivers) {
+    const int i = m_.entities[d.coordinate].first;
+    const MotionSample<double> z = sample(d.motion, time);
+    predicted_.values.position[i] = z.position;
+    predicted_.values.velocity[i] = z.velocity;
+    predicted_.values.acceleration[i] = z.acceleration;
+  }
+  return refinement_.refine({.index = 0,
+                             .time = time,
+                             .q = predicted_.values.position,
+                             .qd = predicted_.values.velocity,
+                             .qdd = predicted_.values.acceleration});
+}
+
+/// Proves the step from the present instant to another one, earlier or later.
+PathCertificate BranchPath::prove(const CertifiedInstant& to) {
+  return to.time < present_.time ? path_.prove(to, present_) : path_.prove(present_, to);
+}
+
+/// Returns that time, or the first knot on the way there.
+double BranchPath::up_to_knot(double time) const {
+  while (const std::optional<double> knot =
+             path_.first_knot(std::min(time, present_.time), std::max(time, present_.time)))
+    time = *knot;
+  return time;
+}
+
+bool BranchPath::contains(double time, std::span<const double> q,
+                          std::span<const double> slack) const {
+  for (int i = 0; i < m_.coordinates(); ++i)
+    if (!(std::abs(q[i] - path_.centre(i, time)) <= path_.radius()[i] + slack[i])) return false;
+  return true;
+}
+
+FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time, &to); }
+
+FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
+
+namespace {
+
+/// When to try a longer step. Where the motion is evenly hard to follow, doubled steps would fail
+/// every other time: after each failure twice as many steps are proven before the next try.
+class Growth {
+ public:
+  /// Notes that a step was proven. Returns the factor from its length to that of the next step.
+  double proven() {
+    if (doubled_) wait_ = 1;
+    doubled_ = left_ == 0;
+    if (left_ > 0) --left_;
+    return doubled_ ? 2 : 1;
+  }
+  void failed() {
+    if (doubled_) left_ = wait_ = std::min(2 * wait_, max_wait);
+    doubled_ = false;
+  }
+
+ private:
+  static constexpr int max_wait = 8;  // steps: the price of an easier stretch found late
+  int wait_ = 1, left_ = 0;
+  bool doubled_ = false;  // the present step is twice as long as the one before
+};
+
+}  // namespace
+
+/// to: the instant at that time; null: there is none.
+FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
+  FollowedStep result;
+  if (time == present_.time) {
+    result.time = time;
+    result.end = to && are_apart(*to, present_) ? PathEnd::other : PathEnd::same;
+    return result;
+  }
+  double step = time - present_.time;
+  const double shortest = std::abs(step) * Interval::unit;
+  Growth growth;
+  bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
+  while (result.tests < budget_ && std::abs(step) > shortest &&
+         present_.time + step != present_.time) {
+    const double left = time - present_.time;
+    const double next = up_to_knot(std::abs(step) < std::abs(left) ? present_.time + step : time);
+    if (next == time && to) {
+      ++result.tests;
+      const PathCertificate c = prove(*to);
+      result.group = c.group;
+      if (c.proven) {
+        ++result.sub_steps;
+        result.time = time;
+        // Else the rates of an instant that is proven are lost in rounding: the next step begins
+        // with what is known here.
+        if (take(*to)) result.end = PathEnd::same;
+        return result;
+      }
+      if (tries_whole) {
+        tries_whole = false;
+        step /= 2;
+        continue;
+      }
+    }
+    const RefinedInstant& found = predict(next);
+    bool proven = found.proven;
+    if (proven) {
+      ++result.tests;
+      const PathCertificate c = prove(certified(found));
+      result.group = c.group;
+      proven = c.proven;
+    } else {
+      result.group = found.last.group;
+    }
+    // Where both ends may be the same solution, the last sub-step was too long to tell.
+    if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
+      growth.failed();
+      step = (next - present_.time) / 2;
+      if (present_.time + step == next) break;  // there is no time between the two
+      continue;
+    }
+    ++result.sub_steps;
+    result.time = next;
+    keep(found);
+    if (next == time) {
+      result.end = to ? PathEnd::other : PathEnd::same;
+      return result;
+    }
+    step *= growth.proven();
+  }
+  result.time = present_.time;
+  return result;
+}
+
+}  // namespace desmo

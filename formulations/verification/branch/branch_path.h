@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "formulations/model/model.h"
+#include "formulations/verification/branch/followed_step.h"
+#include "formulations/verification/certificate/path_proof.h"
+#include "formulations/verification/certificate/refinement.h"
+
+namespace desmo {
+
+/// The one follower of paths: goes from a proven instant along the motion, in steps that are all
+/// proven (PathProof), and says whether an instant lies on it. Sub-steps need no formulation: the
+/// corrections of certificates (Refinement) lead from Taylor's polynomial to the solution.
+///
+///   BranchPath path(model);
+///   path.start_at(first);                                   // a refined instant
+///   if (path.follow(next).end == PathEnd::other) …          // the step has jumped
+class BranchPath {
+ public:
+  static constexpr int max_tests = 10000;
+
+  /// budget: path proofs of one step, after which it counts as stuck. initial: as in Certifier. The
+  /// model must outlive this.
+  explicit BranchPath(const Model& model, int budget = max_tests, InitialResidual initial = {});
+  explicit BranchPath(const Model&& model, int budget = max_tests,
+                      InitialResidual initial = {}) = delete;
+
+  /// Begins at an instant, which it copies. Returns whether its positions and rates are proven, as
+  /// follow() needs.
+  bool start_at(const CertifiedInstant& instant);
+
+  /// Goes to the time of an instant, later or earlier. The next step begins there: at the instant
+  /// if that continues the motion, else at the end that was found; where the motion is stuck, at
+  /// the last proven instant. At the present time it says whether the instant is the present one.
+  FollowedStep follow(const CertifiedInstant& to);
+  /// Goes to another time, where present() then is (`same`), or as far as the motion leads
+  /// (`stuck`).
+  FollowedStep go_to(double time);
+
+  /// Returns whether positions lie in the tube of the last step, which was proven at the first try,
+  /// or no farther from it than `slack` (coordinates) says.
+  bool contains(double time, std::span<const double> q, std::span<const double> slack) const;
+
+  /// Returns the instant where the next step begins, up to its accelerations.
+  const CertifiedInstant& present() const { return present_; }
+
+ private:
+  struct Memory {
+    PerLevel<std::vector<double>> values;
+    std::vector<double> radius;
+  };
+
+  FollowedStep go(double time, const CertifiedInstant* to);
+  PathCertificate prove(const CertifiedInstant& to);
+  double up_to_knot(double time) const;
+  bool take(const CertifiedInstant& instant);
+  void keep(const RefinedInstant& refined);
+  void show(double time);
+  const RefinedInstant& predict(double time);
+
+  const Model& m_;
+  const int budget_;
+  Refinement refinement_;
+  PathProof path_;  // shares its blocks
+  Memory memory_;
+  CertifiedInstant present_;
+  Memory predicted_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,80 @@
+#include "formulations/verification/branch/chosen_equations.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "formulations/modelling/independence/linearisation.h"
+
+namespace desmo {
+
+namespace {
+
+using Eigen::MatrixXd;
+
+/// By how much the smallest pivot of other equations is larger where they are worth it.
+constexpr double better = 1.5;
+
+/// Rows of a group in the order of their pivots, and the pivot of the last one needed.
+struct RankedRows {
+  Eigen::VectorXi order;
+  double last;
+};
+
+RankedRows ranked(const MatrixXd& rows) {
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
+  const Eigen::Index n = rows.cols();
+  return {qr.colsPermutation().indices(), std::abs(qr.matrixQR()(n - 1, n - 1))};
+}
+
+bool is_kept(const Model& m, const std::pair<int, int>& row) {
+  return !(m.constraints[row.first].left_out >> row.second & 1);
+}
+
+/// Replaces the kept equations of a group where others are clearly more independent. Returns
+/// whether it replaced them.
+bool choose(Model& m, const GroupSystem& s, const MatrixXd& all) {
+  MatrixXd kept(s.unknowns, s.unknowns);
+  int count = 0;
+  for (std::size_t i = 0; i < s.rows.size(); ++i)
+    if (is_kept(m, s.rows[i])) kept.row(count++) = all.row(static_cast<Eigen::Index>(i));
+  const auto [order, last] = ranked(all);
+  if (!(last > better * ranked(kept).last)) return false;
+  for (const auto& [c, row] : s.rows) m.constraints[c].left_out |= 1u << row;
+  for (int i = 0; i < s.unknowns; ++i) {
+    const auto& [c, row] = s.rows[order[i]];
+    m.constraints[c].left_out &= ~(1u << row);
+  }
+  return true;
+}
+
+bool has_others(const Model& m, GroupId g) {
+  return !m.groups[g].constant && std::ranges::any_of(m.constraints, [g](const Constraint& c) {
+    return c.group == g && c.left_out != 0;
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<const Model> with_chosen_equations(const Model& model, std::span<const double> q) {
+  auto chosen = std::make_unique<Model>(model);
+  std::vector<double> state(q.begin(), q.end());
+  state.insert(state.end(), model.fixed_values.begin(), model.fixed_values.end());
+  Lineariser lineariser(model);
+  bool is_other = false;
+  for (const GroupSystem& s : group_systems(model)) {
+    if (s.unknowns == 0 || !has_others(model, s.group)) continue;
+    const MatrixXd all = lineariser.at(state, s).jacobian.leftCols(s.unknowns);
+    if (all.allFinite() && choose(*chosen, s, all)) is_other = true;
+  }
+  return is_other ? std::move(chosen) : nullptr;
+}
+
+bool has_other_equations(const Model& m) {
+  return std::ranges::any_of(m.constraints, [&m](const Constraint& c) {
+    return c.left_out != 0 && !m.groups[c.group].constant;
+  });
+}
+
+}  // namespace desmo

@@ -1,0 +1,175 @@
+#include "formulations/verification/branch/file_variation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "formulations/constraints/constraints.h"
+
+namespace desmo {
+
+namespace {
+
+constexpr double last_digit = 2 * 0x1p-53;        // relative, of a number of the file
+constexpr double stated_digits = 3 * last_digit;  // of a product or ratio of three of them
+
+/// Covers the second order, and rounding of radii.
+constexpr double above = 1 + 0x1p-20;
+
+template <class Kind>
+constexpr bool is_measured = requires(const Derived* const* x, Derived* c) {
+  Kind::measure(x, c);
+};
+
+/// The drawing of a model, whose numbers vary.
+class VariedDrawing {
+ public:
+  explicit VariedDrawing(const Model& m) : m_(m), state_(m.state_size()) {
+    for (const Entity& e : m.entities) {
+      // A component of a direction varies with the others, which its length is made of.
+      const double direction = e.kind == EntityKind::vector ? last_digit : 0;
+      const int first = m_.state_index(static_cast<EntityId>(&e - m.entities.data()));
+      for (int i = 0; i < e.size; ++i) {
+        const double x = (e.fixed ? m.fixed_values : m.estimate)[e.first + i];
+        state_[first + i] = Derived(x, {0, std::max(direction, last_digit * std::abs(x))});
+      }
+    }
+    for (const Constraint& c : m.constraints) vary_line(c);
+  }
+
+  double radius(int state) const { return state_[state].radius; }
+
+  /// Adds to the radii of a constraint's dimensions, or to those of its rows.
+  void vary(Constraint& c) const {
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
+      if constexpr (has_table<Kind>) {
+        vary_table<Kind>(c);
+      } else if constexpr (Kind::constants > 0) {
+        c.remainders.resize(Kind::constants + Kind::rows);
+        if constexpr (Kind::linear)
+          vary_rows<Kind>(c);
+        else
+          vary_dimensions<Kind>(c);
+      }
+    });
+  }
+
+ private:
+  template <class Kind>
+  auto operands(const Constraint& c) const {
+    std::array<const Derived*, Kind::operand_sizes.size()> x;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] = state_.data() + m_.state_index(c.operands[k]);
+    return x;
+  }
+
+  /// Lets a direction vary with the ends of a line along which it points.
+  void vary_line(const Constraint& c) {
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
+      if constexpr (Kind::linear && Kind::constants == 1 && is_measured<Kind>) {
+        const std::array<const Derived*, 3> x = operands<Kind>(c);
+        if (c.constants[0] == 0) return;
+        const int first = m_.state_index(c.operands[2]);
+        for (int i = 0; i < Kind::operand_sizes[2]; ++i)
+          state_[first + i].radius =
+              std::max(state_[first + i].radius,
+                       (x[0][i].radius + x[1][i].radius) / std::abs(c.constants[0]));
+      }
+    });
+  }
+
+  /// Dimensions vary with what they are measured between. Those that the drawing does not have come
+  /// from a stated length or a frame: they are products or ratios of up to three more numbers.
+  template <class Kind>
+  void vary_dimensions(Constraint& c) const {
+    std::array<Derived, Kind::constants> drawn;
+    Kind::measure(operands<Kind>(c).data(), drawn.data());
+    bool is_drawn = true;
+    for (int k = 0; k < Kind::constants; ++k) {
+      const Derived off = drawn[k] - c.dimension(k);
+      is_drawn &= std::abs(off.value + off.correction) <= drawn[k].radius;
+    }
+    for (int k = 0; k < Kind::constants; ++k) {
+      const double stated = is_drawn ? 0 : stated_digits * std::abs(c.constants[k]);
+      c.remainders[k].radius += (drawn[k].radius + stated) * above;
+    }
+  }
+
+  /// Factors of a linear kind vary with all that is in it. A body carries what that leaves of Φ
+  /// along, turned: each row may be off by its length. Radii of the factors themselves would be
+  /// multiplied by how far points are from the origin.
+  template <class Kind>
+  void vary_rows(Constraint& c) const {
+    const auto x = operands<Kind>(c);
+    std::array<Derived, Kind::constants> factors;
+    for (int k = 0; k < Kind::constants; ++k) factors[k] = c.dimension(k);
+    std::array<Derived, Kind::rows> phi;
+    Kind::residual(x.data(), factors.data(), phi.data());
+    bool is_drawn = true;
+    double squares = 0;
+    for (const Derived& row : phi) {
+      is_drawn &= std::abs(row.value + row.correction) <= row.radius;
+      squares += row.radius * row.radius;
+    }
+    double radius = std::sqrt(squares);
+    if (!is_drawn)
+      for (const Derived& factor : factors)
+        radius += stated_digits * std::abs(factor.value) * reach<Kind>(c);
+    for (int row = 0; row < Kind::rows; ++row)
+      c.remainders[Kind::constants + row].radius = radius * above;
+  }
+
+  /// The equation of a table may be off by what the digits of its arguments and values make up.
+  template <class Kind>
+  void vary_table(Constraint& c) const {
+    const std::vector<double>& numbers = c.constants;
+    const auto size = [&](std::size_t k) { return std::abs(numbers[Kind::table + k]); };
+    const auto pieces = static_cast<std::size_t>(numbers[Kind::table]);
+    double largest = 0;  // of f
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const std::size_t first = 4 + pieces + 4 * i;
+      largest =
+          std::max(largest, size(first) + size(first + 1) * std::max(size(3), size(3 + pieces)));
+    }
+    c.remainders.resize(numbers.size() + Kind::rows);
+    c.remainders.back().radius =
+        stated_digits * (std::abs(numbers[0]) * largest + std::abs(numbers[2])) * above;
+  }
+
+  /// Returns the largest length of a vector, or distance of two points, among a constraint's
+  /// operands.
+  template <class Kind>
+  double reach(const Constraint& c) const {
+    const auto x = operands<Kind>(c);
+    double longest = 0;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      for (std::size_t other = 0; other <= k; ++other) {
+        const bool are_points = is_point(c.operands[k]) && is_point(c.operands[other]);
+        if (!are_points && other < k) continue;
+        double squares = 0;
+        for (int i = 0; i < Kind::operand_sizes[k]; ++i)
+          squares += std::pow(x[k][i].value - (are_points ? x[other][i].value : 0), 2);
+        longest = std::max(longest, std::sqrt(squares));
+      }
+    return longest;
+  }
+
+  bool is_point(EntityId e) const { return m_.entities[e].kind == EntityKind::point; }
+
+  const Model& m_;
+  std::vector<Derived> state_;
+};
+
+}  // namespace
+
+Model with_file_variation(const Model& model) {
+  const VariedDrawing drawing(model);
+  Model varied = model;
+  for (Constraint& c : varied.constraints) drawing.vary(c);
+  for (std::size_t i = 0; i < varied.fixed_remainders.size(); ++i)
+    varied.fixed_remainders[i].radius +=
+        drawing.radius(model.coordinates() + static_cast<int>(i)) * above;
+  return varied;
+}
+
+}  // namespace desmo

@@ -1,0 +1,35 @@
+#include "formulations/verification/branch/misfit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "formulations/constraints/constraints.h"
+#include "formulations/model/scales.h"
+
+namespace desmo {
+
+Misfit misfit_of(const Model& m, int constraint, int row, double residual,
+                 std::span<const double> state) {
+  const Constraint& c = m.constraints[constraint];
+  Misfit result{constraint, 0, false};
+  visit_kind(c.kind, [&]<class Kind>(Kind) {
+    std::array<const double*, Kind::operand_sizes.size()> x;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] = state.data() + m.state_index(c.operands[k]);
+    std::array<double, Kind::operand_sizes.size()> slope{};  // of each operand
+    Kind::jacobian(x.data(), constants_at<Kind>(c.constants.data(), x.data()).data(),
+                   [&](int r, int operand, int, double value) {
+                     if (r == row) slope[operand] = std::hypot(slope[operand], value);
+                   });
+    double steepest[2] = {0, 0};  // of what is no length, and of lengths
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      double& most = steepest[is_length(m.entities[c.operands[k]].kind)];
+      most = std::max(most, slope[k]);
+    }
+    result.is_length = steepest[1] > 0;
+    result.amount = std::abs(residual) / steepest[result.is_length];
+  });
+  return result;
+}
+
+}  // namespace desmo

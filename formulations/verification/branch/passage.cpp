@@ -1,0 +1,181 @@
+#include "formulations/verification/branch/passage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace desmo {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+PerLevel<std::vector<double>> drivers_at(const Model& m, double time) {
+  PerLevel<std::vector<double>> z;
+  for (const Driver& d : m.drivers) {
+    const MotionSample<double> x = sample(d.motion, time);
+    z.position.push_back(x.position);
+    z.velocity.push_back(x.velocity);
+    z.acceleration.push_back(x.acceleration);
+  }
+  return z;
+}
+
+/// Returns the first knot of a driver's spline after a time; infinity: there is none.
+double next_knot(const Model& m, double time) {
+  double first = infinity;
+  for (const Driver& d : m.drivers)
+    if (const Spline* spline = std::get_if<Spline>(&d.motion))
+      if (const auto knot = std::ranges::upper_bound(spline->knots(), time);
+          knot != spline->knots().end())
+        first = std::min(first, *knot);
+  return first;
+}
+
+/// The motion of the drivers as it leaves a point.
+class Departure {
+ public:
+  Departure(const Model& m, const DriverLine& line, double start)
+      : m_(m), line_(line), start_(start) {}
+
+  /// Returns about the first time at which the drivers are `distance` away from the line's origin,
+  /// in the unit of arc; infinity where they never are. Steps are doubled from each knot on, since
+  /// drivers that rest there depart as a power of time.
+  double time_at(double distance) const {
+    const auto is_away = [&](double t) {
+      return line_.distance(drivers_at(m_, t).position, 0) >= distance;
+    };
+    if (is_away(start_)) return start_;
+    double begin = start_, inside = start_, step = 0;
+    for (double knot = next_knot(m_, begin);;) {
+      step = std::max(2 * step, std::nextafter(begin, infinity) - begin);
+      const double next = std::min(begin + step, knot);
+      if (next == infinity) return infinity;
+      if (is_away(next)) return last_inside(inside, next, is_away);
+      inside = next;
+      if (next == knot) begin = knot, step = 0, knot = next_knot(m_, begin);
+    }
+  }
+
+  /// Returns whether the drivers' path fails to be tangent to the line at the line's origin, or the
+  /// drivers never reach the distance `far`. near < far: distances from the origin in the unit of
+  /// arc.
+  bool has_corner(double near, double far) const {
+    if (m_.drivers.size() == 1) return false;
+    const double first = time_at(near), second = time_at(far);
+    if (second == infinity) return true;  // there is too little to see
+    const std::vector<double> z = drivers_at(m_, first).position;
+    double rounding = 0;
+    for (std::size_t k = 0; k < z.size(); ++k)
+      rounding += 4 * Interval::unit * std::abs(z[k]) / line_.magnitudes[k];
+    const double off = line_.distance(z, line_.arc(z));
+    return off > rounding && off / near > sine(second) / 2;
+  }
+
+ private:
+  static double last_inside(double inside, double away, const auto& is_away) {
+    for (int i = 0; i < 64; ++i) {
+      const double middle = inside + (away - inside) / 2;
+      (is_away(middle) ? away : inside) = middle;
+    }
+    return away;
+  }
+  /// Returns the sine of the angle between the line and the way to the drivers.
+  double sine(double time) const {
+    const std::vector<double> z = drivers_at(m_, time).position;
+    return line_.distance(z, line_.arc(z)) / line_.distance(z, 0);
+  }
+
+  const Model& m_;
+  const DriverLine& line_;
+  double start_;
+};
+
+/// Leads positions from one point of the drivers straight to another one. Returns whether all the
+/// way is proven.
+bool lead(Model m, std::span<const double> from, std::span<const double> to,
+          std::vector<double>& q) {
+  if (std::ranges::equal(from, to)) return true;
+  for (std::size_t k = 0; k < from.size(); ++k)
+    m.drivers[k].motion = Polynomial{{from[k], to[k] - from[k]}};
+  BranchPath path(m);
+  if (!path.start_at({0, {q, {}, {}}, {}}) || path.go_to(1).end != PathEnd::same) return false;
+  std::ranges::copy(path.present().values.position, q.begin());
+  return true;
+}
+
+/// Proves the instant of the motion at a time, on the branch to which the line leads, and that the
+/// motion goes on from there to a later time.
+bool prove_beyond(const Model& m, StraightCrossing& crossing, double time, double later,
+                  PassedPoint& point) {
+  const PerLevel<std::vector<double>> z = drivers_at(m, time);
+  const double s = crossing.line().arc(z.position);
+  const CertifiedInstant* on_line = crossing.go_to(s);
+  if (!on_line) return false;
+  const double rate = crossing.line().along(z.velocity),
+               change = crossing.line().along(z.acceleration);
+  PerLevel<std::vector<double>> x;
+  for (const Level level : all_levels)
+    x[level].assign(on_line->values[level].begin(), on_line->values[level].end());
+  for (int i = 0; i < m.coordinates(); ++i) {
+    x.acceleration[i] = x.acceleration[i] * rate * rate + x.velocity[i] * change;
+    x.velocity[i] *= rate;
+  }
+  if (m.drivers.size() > 1 && !lead(m, crossing.line().at(s), z.position, x.position)) return false;
+  Refinement refinement(m);
+  const RefinedInstant& r = refinement.refine(
+      {.index = 0, .time = time, .q = x.position, .qd = x.velocity, .qdd = x.acceleration});
+  if (!r.proven) return false;
+  BranchPath path(m);
+  if (!path.start_at({time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position}) ||
+      path.go_to(later).end != PathEnd::same)
+    return false;
+  point.before = time;
+  point.values.position.assign(r.instant.q.begin(), r.instant.q.end());
+  point.values.velocity.assign(r.instant.qd.begin(), r.instant.qd.end());
+  point.values.acceleration.assign(r.instant.qdd.begin(), r.instant.qdd.end());
+  point.radius.assign(r.radius.position.begin(), r.radius.position.end());
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> PassedPoint::positions(const Model& m, double at) const {
+  const std::vector<double> z = drivers_at(m, at).position;
+  const double s = line.arc(z) / width;
+  std::vector<double> q;
+  for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, s));
+  for (std::size_t k = 0; k < z.size(); ++k) q[m.entities[m.drivers[k].coordinate].first] = z[k];
+  return q;
+}
+
+std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last) {
+  return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time);
+}
+
+std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
+                                             std::span<const double> direction, double start) {
+  StraightCrossing crossing(m, last, direction);
+  if (!crossing.find()) return {};
+  PassedPoint point{.time = start,
+                    .after = start,
+                    .before = infinity,
+                    .line = crossing.line(),
+                    .width = crossing.width(),
+                    .polynomials = crossing.positions()};
+  const Departure departure(m, crossing.line(), start);
+  // Nearest to the point, rates may have too few digits to be proven.
+  for (double d = std::max(4 * crossing.nearest(), Interval::unit); d < crossing.reach(); d *= 2) {
+    const double time = departure.time_at(d);
+    if (time == infinity) return point;
+    if (departure.has_corner(d, crossing.reach())) return {};
+    const double far = departure.time_at(crossing.reach());
+    const double later = far < infinity ? far : time + (time - start);
+    if (!prove_beyond(m, crossing, time, later, point)) continue;
+    point.time = start + (time - start) / 2;
+    return point;
+  }
+  return {};
+}
+
+}  // namespace desmo

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/verification/branch/straight_crossing.h"
+
+namespace desmo {
+
+/// A change point that a motion passes, turns back at or rests on.
+struct PassedPoint {
+  double time;           ///< of the point [s], about
+  double after, before;  ///< of the proven instants next to it [s]; before: infinite where the
+                         ///< motion rests on the point for good
+  /// The first proven instant beyond, up to its accelerations, from which BranchPath goes on. Not
+  /// where `before` is infinite.
+  PerLevel<std::vector<double>> values{};
+  std::vector<double> radius{};  ///< of its positions
+
+  DriverLine line;
+  double width;
+  std::vector<Quintic<double>> polynomials;  ///< of each coordinate across the point, of s / width
+
+  CertifiedInstant beyond() const {
+    return {before, {values.position, values.velocity, values.acceleration}, radius};
+  }
+  /// Returns positions of all coordinates at a time between `after` and `before`, where no instant
+  /// is proven and rates have no digits.
+  std::vector<double> positions(const Model& model, double time) const;
+};
+
+/// Passes the change point on which a motion is stuck (PathEnd::stuck), if there is a smooth
+/// continuation (StraightCrossing): then the motion goes on beyond the point or, where its drivers
+/// turn back, on the branch that it came from. Nothing where there is none: at a fold, where
+/// several branches are alike up to their fourth derivatives, and where the path of several
+/// drivers has a corner.
+/// - last: the last proven instant, where BranchPath::present() is
+///
+/// A path that is stuck for want of tests may be before the point still when it has passed, and
+/// then be stuck again.
+///
+///   const FollowedStep step = path.go_to(time);
+///   if (step.end == PathEnd::stuck)
+///     if (const auto point = pass_change_point(model, path.present()))
+///       path.start_at(point->beyond());   // rows between after and before: point->positions()
+std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last);
+
+/// Passes the change point on which a motion begins, when something else leads there: the way from
+/// the drawing.
+/// - last: the last proven instant on that way; its time is not read
+/// - direction: of the drivers on the way, up to a factor
+/// - start: of the motion [s]: PassedPoint::after. No instant is proven there
+std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
+                                             std::span<const double> direction, double start);
+
+}  // namespace desmo

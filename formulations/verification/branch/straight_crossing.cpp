@@ -1,0 +1,264 @@
+#include "formulations/verification/branch/straight_crossing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/model/scales.h"
+
+namespace desmo {
+
+namespace {
+
+/// Instants at −2h and −h are at −1 and 1 of a polynomial's argument; then h is here.
+constexpr double extension = 5;
+
+Model with_drivers_on(const DriverLine& line, Model m) {
+  for (std::size_t k = 0; k < m.drivers.size(); ++k)
+    m.drivers[k].motion = Polynomial{{line.origin[k], line.rates[k]}};
+  return m;
+}
+
+std::vector<double> of_drivers(const Model& m, std::span<const double> coordinates) {
+  std::vector<double> result;
+  for (const Driver& d : m.drivers) result.push_back(coordinates[m.entities[d.coordinate].first]);
+  return result;
+}
+
+}  // namespace
+
+DriverLine::DriverLine(const Model& m, std::span<const double> from,
+                       std::span<const double> direction)
+    : magnitudes(of_drivers(m, natural_magnitudes(m))),
+      origin(from.begin(), from.end()),
+      rates(direction.begin(), direction.end()) {
+  double largest = 0;
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    largest = std::max(largest, std::abs(rates[k]) / magnitudes[k]);
+  for (double& x : rates) x /= largest;
+  const double length = std::sqrt(along(rates));
+  for (double& x : rates) x /= length;
+}
+
+bool DriverLine::exists() const {
+  return std::ranges::all_of(rates, [](double x) { return std::isfinite(x); });
+}
+
+double DriverLine::along(std::span<const double> change) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    sum += change[k] / magnitudes[k] * (rates[k] / magnitudes[k]);
+  return sum;
+}
+
+double DriverLine::arc(std::span<const double> z) const {
+  std::vector<double> change(z.begin(), z.end());
+  for (std::size_t k = 0; k < change.size(); ++k) change[k] -= origin[k];
+  return along(change);
+}
+
+std::vector<double> DriverLine::at(double s) const {
+  std::vector<double> z = origin;
+  for (std::size_t k = 0; k < z.size(); ++k) z[k] += s * rates[k];
+  return z;
+}
+
+double DriverLine::distance(std::span<const double> z, double s) const {
+  double squares = 0;
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    const double off = (z[k] - origin[k] - s * rates[k]) / magnitudes[k];
+    squares += off * off;
+  }
+  return std::sqrt(squares);
+}
+
+StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
+                                   std::span<const double> direction)
+    : magnitudes_(natural_magnitudes(m)),
+      line_(m, of_drivers(m, last.values.position), direction),
+      model_(with_drivers_on(line_, m)),
+      before_(model_),
+      beyond_(model_),
+      refinement_(model_),
+      no_rates_(m.coordinates()) {
+  if (line_.exists()) find_nodes(last);
+}
+
+/// Goes back from the point as far as the mechanism moves. The last instant itself is so near to
+/// the point that no path leads back from it. Taylor's polynomial leads to another one; that both
+/// are on the same branch is told by the motion, which leads smoothly from the one to the other.
+void StraightCrossing::find_nodes(const CertifiedInstant& last) {
+  const std::optional<Node> here = node({0, {last.values.position, no_rates_, no_rates_}, {}});
+  if (!here) return;
+  std::vector<double> q(here->values.position);
+  for (double s = std::sqrt(Interval::unit); s < 1; s *= 2) {
+    for (std::size_t i = 0; i < q.size(); ++i)
+      q[i] = here->values.position[i] -
+             s * (here->values.velocity[i] - s / 2 * here->values.acceleration[i]);
+    if (!before_.start_at({-s, {q, {}, {}}, {}})) continue;
+    // Two units of arc are as good as any: a way that is too long is halved.
+    before_.go_to(-2);
+    if (before_.present().time > -8 * s) continue;  // too few halvings
+    nodes_.clear();
+    if (std::optional<Node> farthest = node(before_.present()))
+      nodes_.push_back(std::move(*farthest));
+    if (leads_to(*here, -s)) return;
+  }
+  nodes_.clear();
+}
+
+/// Returns whether the branch of the nodes, up to that s, leads to an instant at s = 0.
+bool StraightCrossing::leads_to(const Node& end, double nearest) {
+  if (nodes_.empty()) return false;
+  int count = 2;
+  while (std::ldexp(nodes_.front().s, -count) < nearest) ++count;
+  if (!reach_nodes(count)) return false;
+  const Node &far = nodes_[count - 2], &near = nodes_[count - 1];
+  for (int i = 0; i < model_.coordinates(); ++i) {
+    // From −2h and −h to 0: the argument is 3.
+    const Interval extended = value_at(polynomial(far, near, i), Interval(3));
+    const double miss = std::abs(extended.mid - end.values.position[i]);
+    if (!(miss <= extended.radius + end.radius.position[i])) return false;
+  }
+  return true;
+}
+
+double StraightCrossing::distance(int level) const {
+  return std::ldexp(-nodes_.front().s, -1 - level);
+}
+
+/// Returns a copy of an instant with the radii of its rates; nothing where they are not proven.
+std::optional<StraightCrossing::Node> StraightCrossing::node(const CertifiedInstant& instant) {
+  const RefinedInstant& r = refinement_.refine({.index = 0,
+                                                .time = instant.time,
+                                                .q = instant.values.position,
+                                                .qd = instant.values.velocity,
+                                                .qdd = instant.values.acceleration});
+  if (!r.proven) return {};
+  Node copy{instant.time, {}, {}};
+  const PerLevel<std::span<const double>> values{r.instant.q, r.instant.qd, r.instant.qdd};
+  for (const Level level : all_levels) {
+    copy.values[level].assign(values[level].begin(), values[level].end());
+    copy.radius[level].assign(r.radius[level].begin(), r.radius[level].end());
+  }
+  return copy;
+}
+
+/// Finds nodes before the point until there are that many. Returns whether they are proven.
+bool StraightCrossing::reach_nodes(int count) {
+  while (static_cast<int>(nodes_.size()) < count) {
+    if (before_.go_to(nodes_.back().s / 2).end != PathEnd::same) return false;
+    std::optional<Node> next = node(before_.present());
+    if (!next) return false;
+    nodes_.push_back(std::move(*next));
+  }
+  return true;
+}
+
+/// Returns the quintic through two nodes, with their radii. Its argument is −1 and 1 there.
+Quintic<Interval> StraightCrossing::polynomial(const Node& a, const Node& b, int i) const {
+  const double half = (b.s - a.s) / 2;
+  const auto end = [&](const Node& x) {
+    const auto value = [&](Level level) {
+      return Interval(x.values[level][i], x.radius[level][i]);
+    };
+    return EndValues<Interval>{value(Level::position), value(Level::velocity) * half,
+                               value(Level::acceleration) * (half * half)};
+  };
+  return hermite(end(a), end(b), Level::acceleration);
+}
+
+/// Compares the continuation at a level with an instant beyond: its miss of each coordinate.
+StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) const {
+  const Node &far = nodes_[level], &near = nodes_[level + 1];
+  Miss result;
+  for (int i = 0; i < model_.coordinates(); ++i) {
+    const Interval extended = value_at(polynomial(far, near, i), Interval(extension));
+    result.amount.push_back(std::abs(extended.mid - beyond.values.position[i]));
+    result.rounding.push_back(extended.radius + beyond.radius.position[i]);
+    // Rounding at most halves the fall of what is more than twice as much.
+    result.is_hidden &= result.amount[i] <= 2 * result.rounding[i];
+    result.shows_jumps &= result.rounding[i] < magnitudes_[i] * std::pow(beyond.s, 5);
+  }
+  return result;
+}
+
+/// Returns the largest miss in units of its rounding.
+double StraightCrossing::Miss::over(const std::vector<double>& unit) const {
+  double largest = 0;
+  for (std::size_t i = 0; i < unit.size(); ++i) largest = std::max(largest, amount[i] / unit[i]);
+  return largest;
+}
+
+double StraightCrossing::fall(int level, std::span<const double> positions) {
+  if (!beyond_.start_at({distance(level), {positions, {}, {}}, {}})) return 0;
+  Miss last;
+  double least = INFINITY, bottom = 0, deepest = 0;
+  bool falls = true;
+  for (int k = level;; ++k) {
+    const bool is_led = reach_nodes(k + 2) && beyond_.go_to(distance(k)).end == PathEnd::same;
+    const std::optional<Node> end = is_led ? node(beyond_.present()) : std::nullopt;
+    // Where lengths are in line but for their rounding, the branches pass each other by, and the
+    // miss grows again towards the point. That of another branch falls all the way.
+    if (!end) return !falls && deepest >= bottom ? least : 0;
+    const Miss now = miss(k, *end);
+    if (k == level) {
+      about_ = {nodes_[k + 1].values.position, end->values.position};
+      reach_ = end->s;
+    }
+    if (!falls) {
+      deepest = now.over(last.rounding);
+      continue;
+    }
+    // What is a quintic itself is extended without a miss.
+    if (now.is_hidden && k == level && !(level == 0 && now.shows_jumps)) return 0;
+    const double coarse = k > level ? last.over(now.rounding) : 0;
+    const double fine = std::max(now.over(now.rounding), 2.0);
+    if (k > level && coarse / fine < min_fall && !(now.is_hidden && k > level + 1)) {
+      if (k == level + 1) return coarse / fine;
+      falls = false;
+      bottom = std::min(last.over(now.rounding), fine);
+      last = now;
+      continue;
+    }
+    if (k > level && !now.is_hidden) least = std::min(least, coarse / fine);
+    join(nodes_[k + 1], *end);
+    if (now.is_hidden) return std::max(least, min_fall);
+    last = now;
+  }
+}
+
+/// Lays the polynomials across the point.
+void StraightCrossing::join(const Node& before, const Node& beyond) {
+  width_ = beyond.s;
+  positions_.resize(model_.coordinates());
+  for (int i = 0; i < model_.coordinates(); ++i) {
+    const Quintic<Interval> across = polynomial(before, beyond, i);
+    std::ranges::transform(across, positions_[i].begin(), &Interval::mid);
+  }
+}
+
+bool StraightCrossing::find() {
+  if (nodes_.empty()) return false;
+  // Nearer to the point, rounding hides what even the first derivative does.
+  for (int level = 0; distance(level) > std::sqrt(Interval::unit); ++level) {
+    if (!reach_nodes(level + 2)) return false;
+    const Node &far = nodes_[level], &near = nodes_[level + 1];
+    std::vector<double> beyond;
+    for (int i = 0; i < model_.coordinates(); ++i)
+      beyond.push_back(value_at(polynomial(far, near, i), Interval(extension)).mid);
+    if (fall(level, beyond) < min_fall) continue;
+    beyond_.go_to(0);
+    nearest_ = beyond_.present().time;
+    return true;
+  }
+  return false;
+}
+
+const CertifiedInstant* StraightCrossing::go_to(double s) {
+  BranchPath& path = s > 0 ? beyond_ : before_;
+  // Towards the point: next to it no path leads away.
+  if (!path.start_at({std::copysign(reach_, s), {about_[s > 0], {}, {}}, {}})) return nullptr;
+  return path.go_to(s).end == PathEnd::same ? &path.present() : nullptr;
+}
+
+}  // namespace desmo
