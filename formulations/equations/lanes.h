@@ -10,6 +10,11 @@
 #ifndef DESMO_LANES
 #define DESMO_LANES 4
 #endif
+#if DESMO_LANES > 4
+// Code for wide registers begins a page: where it stands, to less than a cache line, it may take a
+// third longer, and that is not left to what is linked before it.
+asm(".text\n.balign 4096");
+#endif
 
 namespace desmo {
 
