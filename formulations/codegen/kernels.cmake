@@ -1,0 +1,50 @@
+# Generated kernels, a library for each set (see equations/kernel_sets.h), linked by programs alone:
+# nothing else waits for them.
+set(kernel_files "")
+foreach(set cases library)
+  foreach(kind kernels explicit_kernels lane_kernels)
+    list(APPEND kernel_files ${CMAKE_CURRENT_BINARY_DIR}/${set}_${kind}.cpp)
+  endforeach()
+endforeach()
+add_custom_command(OUTPUT ${kernel_files}
+  COMMAND desmo_generate ${CMAKE_CURRENT_BINARY_DIR} DEPENDS desmo_generate
+  COMMENT "Generating symbolic equations, eliminations and explicit orders" VERBATIM)
+add_custom_target(desmo_generated DEPENDS ${kernel_files})
+
+check_cxx_compiler_flag(-march=x86-64-v4 DESMO_HAS_X86_64_V4)
+if(DESMO_HAS_X86_64_V3 AND DESMO_HAS_X86_64_V4 AND NOT DESMO_SANITIZE)
+  set(wide_lanes ON)
+  add_compile_definitions(DESMO_WIDE_LANES)
+endif()
+
+# desmo_kernel_set(SET): the kernels of a set.
+function(desmo_kernel_set set)
+  set(start ${CMAKE_CURRENT_BINARY_DIR}/${set})
+  set(straight ${start}_explicit_kernels.cpp ${start}_lane_kernels.cpp)
+  # Straight-line code: nobody asks errno after a square root, traps after a comparison, or for
+  # pairs of neighbouring operations where the registers are full. Results stay those of IEEE
+  # arithmetic.
+  set_source_files_properties(${straight} PROPERTIES COMPILE_OPTIONS "${straight_line}")
+  desmo_library(${set}_kernels NO_HEADERS FILES ${start}_kernels.cpp ${straight})
+  add_dependencies(desmo_${set}_kernels desmo_generated)
+  if(DESMO_SANITIZE)  # a compiler's output: its results are tested, its instructions are not
+    target_compile_options(desmo_${set}_kernels PRIVATE -fno-sanitize=all -Og -g0)
+  endif()
+  if(NOT wide_lanes)
+    return()
+  endif()
+  # The same kernels for registers of 512 bits, which not every processor has that everything else
+  # runs on. The linker takes one copy of an inline function: none may be here, which a test holds.
+  # Without a red zone what does not fit into registers has shorter addresses, from multiples of 64
+  # on: a tenth less code.
+  set(wide desmo_wide_${set}_kernels)
+  add_library(${wide} OBJECT ${start}_lane_kernels.cpp)
+  add_dependencies(${wide} desmo_generated)
+  target_compile_definitions(${wide} PRIVATE DESMO_LANES=8)
+  target_compile_options(${wide} PRIVATE -march=x86-64-v4 -mno-red-zone -fno-exceptions
+    -Wno-uninitialized -Wno-maybe-uninitialized)  # in intrinsics of GCC 12 that mean it
+  target_sources(desmo_${set}_kernels PRIVATE $<TARGET_OBJECTS:${wide}>)
+endfunction()
+set(straight_line -fno-math-errno -fno-trapping-math -fno-tree-slp-vectorize)
+desmo_kernel_set(cases)
+desmo_kernel_set(library)
