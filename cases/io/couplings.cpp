@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "cases/io/readers.h"
 
@@ -9,52 +10,62 @@ namespace {
 using Coordinate = Mechanism::Coordinate;
 using Coupling = Mechanism::Coupling;
 
-/// Converts factors to SI units. Lengths count as the doubles nearest to them.
+bool is_angle(const Coordinate& c) { return c.type == Mechanism::CoordinateType::angle; }
+
+/// Returns a unit of a coordinate, exactly. Lengths count as the doubles nearest to them.
+Derived exact_unit(const DisplayUnit& unit, bool of_angle) {
+  return of_angle && unit.in_si != 1 ? Derived::pi() / 180 : Derived(unit.in_si);
+}
+
+/// Converts factors to SI units.
 void convert(Coupling& coupling, const std::vector<Coordinate>& coordinates,
              const DisplayUnits& units) {
-  const auto is_angle = [&](const Coupling::Term& term) {
-    return coordinates[term.coordinate].type == Mechanism::CoordinateType::angle;
+  const auto turns = [&](const Coupling::Term& term) {
+    return is_angle(coordinates[term.coordinate]);
   };
-  const auto angles = std::ranges::count_if(coupling.terms, is_angle);
+  const auto angles = std::ranges::count_if(coupling.terms, turns);
   if (angles == 0 || angles == std::ssize(coupling.terms)) return;
-  const Derived degree = Derived::pi() / 180;
-  const Derived ratio =
-      Derived(units.length.in_si) / (units.angle.in_si == 1 ? Derived(1) : degree);
+  const Derived ratio = Derived(units.length.in_si) / exact_unit(units.angle, true);
   for (Coupling::Term& term : coupling.terms)
-    if (is_angle(term)) term.factor = term.factor * ratio;
+    if (turns(term)) term.factor = term.factor * ratio;
 }
 
-/// Returns the factor that takes a coordinate to the unit of the file.
-Derived in_file_units(const Coordinate& c, const DisplayUnits& units) {
-  if (c.type != Mechanism::CoordinateType::angle) return Derived(1) / units.length.in_si;
-  return units.angle.in_si == 1 ? Derived(1) : Derived(180) / Derived::pi();
-}
-
-void read_by_table(const JsonValue& value, const std::vector<Coordinate>& coordinates,
-                   const DisplayUnits& units, const Names& names, NamedFiles& files,
-                   Coupling& coupling) {
+Coupling by_table(const JsonValue& value, const std::vector<Coordinate>& coordinates,
+                  const DisplayUnits& units, const Names& names, NamedFiles& files) {
   value.allow({"coordinate", "of", "at", "values", "file", "ends", "from"});
-  const auto column = [&](std::string_view key, std::string_view coordinate) {
-    const JsonValue name = value[coordinate];
-    const int c = names.coordinates.find(name);
-    coupling.terms.push_back({c, in_file_units(coordinates[c], units)});
-    const bool is_angle = coordinates[c].type == Mechanism::CoordinateType::angle;
-    const DisplayUnit& unit = is_angle ? units.angle : units.length;
-    return TableColumn{key, coordinates[c].name, unit,
-                       is_angle ? known_angle_units() : known_length_units(), unit.in_si};
-  };
-  const TableColumn values = column("values", "coordinate"), arguments = column("at", "of");
-  Table table = read_table(value, files, arguments, values);
-  coupling.table = {std::move(table.arguments), std::move(table.values), read_ends(value, true)};
+  const int follows = names.coordinates.find(value["coordinate"]),
+            leads = names.coordinates.find(value["of"]);
+  TableColumn values = column_of("values", coordinates[follows], units),
+              arguments = column_of("at", coordinates[leads], units);
+  const Derived unit = exact_unit(values.unit, is_angle(coordinates[follows]));
+  read_table(value, files, arguments, values);
+  Coupling coupling;
+  for (const auto& [c, column] : {std::pair(follows, &values), std::pair(leads, &arguments)})
+    coupling.terms.push_back({c, Derived(1) / exact_unit(column->unit, is_angle(coordinates[c]))});
+  Coupling::Table& table = coupling.table.emplace();
+  table.arguments = std::move(arguments.numbers);
+  table.values = std::move(values.numbers);
+  table.ends = read_ends(value, true);
   const auto from = value.find("from");
-  if (!from) return;
-  if (from->is_number()) {
-    coupling.table->from = Derived(from->number()) / coupling.terms.front().factor;
-  } else {
+  if (from && from->is_number()) {
+    table.from = unit * from->number();
+  } else if (from) {
     constexpr std::array<std::string_view, 1> starts{"drawing"};
     from->choose("start", starts);
-    coupling.table->from.reset();
+    table.from.reset();
   }
+  return coupling;
+}
+
+Coupling of_sum(const JsonValue& value, const std::vector<Coordinate>& coordinates,
+                const DisplayUnits& units, const Names& names) {
+  value.allow({"sum"});
+  Coupling coupling;
+  for (const JsonValue& factor : value["sum"].members())
+    coupling.terms.push_back(
+        {names.coordinates.find(factor, factor.key()), Derived(factor.number())});
+  convert(coupling, coordinates, units);
+  return coupling;
 }
 
 }  // namespace
@@ -65,17 +76,11 @@ std::vector<Coupling> read_couplings(const JsonValue& root, const Mechanism& mec
   std::vector<Coupling> couplings;
   if (const auto list = root.find("couplings"))
     for (const JsonValue& value : list->members()) {
-      Coupling& coupling = couplings.emplace_back();
-      coupling.name = checked_name(value, value.key());
-      if (value.find("coordinate")) {
-        read_by_table(value, mechanism.coordinates, units, names, files, coupling);
-        continue;
-      }
-      value.allow({"sum"});
-      for (const JsonValue& factor : value["sum"].members())
-        coupling.terms.push_back(
-            {names.coordinates.find(factor, factor.key()), Derived(factor.number())});
-      convert(coupling, mechanism.coordinates, units);
+      const std::string name = checked_name(value, value.key());
+      const bool has_table = value.find("coordinate") || value.find("of");
+      couplings.push_back(has_table ? by_table(value, mechanism.coordinates, units, names, files)
+                                    : of_sum(value, mechanism.coordinates, units, names));
+      couplings.back().name = name;
     }
   return couplings;
 }

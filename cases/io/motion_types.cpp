@@ -135,11 +135,12 @@ class MotionReader {
   Motion table() const {
     value_.allow({"type", "times", "values", "file", "ends", "from"});
     static const DisplayUnit second{"s", 1};
-    Table table = read_table(value_, files_, {"times", "t", second, {&second, 1}},
-                             {"values", coordinate_.name, is_angle_ ? units_.angle : units_.length,
-                              is_angle_ ? known_angle_units() : known_length_units()});
+    TableColumn times{"times", "t", second, {&second, 1}},
+        values = column_of("values", coordinate_, units_);
+    read_table(value_, files_, times, values);
+    for (double& z : values.numbers) z = values.unit.to_si(z);
     try {
-      return make_spline(std::move(table.arguments), std::move(table.values),
+      return make_spline(std::move(times.numbers), std::move(values.numbers),
                          read_ends(value_, false));
     } catch (const std::invalid_argument& error) {
       value_.complain(std::string(error.what()) + "; change the table or its ends");

@@ -126,24 +126,23 @@ Motion read_motion(const JsonValue& value, const Mechanism& mechanism,
                    const Mechanism::Coordinate& coordinate, const FileUnits& units,
                    NamedFiles& files);
 
-/// A table of a motion or a coupling: ascending arguments, and values.
-struct Table {
-  std::vector<double> arguments, values;
-};
-
-/// A column of a table.
+/// A column of a table: arguments, which ascend, or values.
 struct TableColumn {
   std::string_view key;                ///< of its list
   std::string_view name;               ///< in the heading of a file
-  DisplayUnit unit;                    ///< of its numbers, where a heading names none
+  DisplayUnit unit;                    ///< of its numbers
   std::span<const DisplayUnit> units;  ///< those that a heading may name
-  double result = 1;                   ///< unit of the numbers that are returned
+  std::vector<double> numbers{};
 };
 
+/// Returns the column of a coordinate, empty. units: of the file that has the table.
+TableColumn column_of(std::string_view key, const Mechanism::Coordinate& coordinate,
+                      const DisplayUnits& units);
+
 /// Reads a table from its lists, or from the CSV file that its `file` names; without a heading that
-/// has two columns.
-Table read_table(const JsonValue& value, NamedFiles& files, const TableColumn& arguments,
-                 const TableColumn& values);
+/// has two columns. Numbers are those of the file, and units those of its heading.
+void read_table(const JsonValue& value, NamedFiles& files, TableColumn& arguments,
+                TableColumn& values);
 
 /// Reads the ends of a table; natural where there are none. may_index: others than of a motion.
 SplineEnds read_ends(const JsonValue& table, bool may_index);

@@ -90,14 +90,14 @@ std::vector<T> second_derivatives(const std::vector<T>& h, const std::vector<T>&
 
 void check(const std::vector<double>& times, const std::vector<double>& values, SplineEnds ends) {
   const auto refuse = [](const std::string& what) {
-    throw std::invalid_argument("a table of times and values " + what);
+    throw std::invalid_argument("a table " + what);
   };
   const bool periodic = closes(ends);
   if (times.size() != values.size())
     refuse("has " + std::to_string(times.size()) + " times but " + std::to_string(values.size()) +
            " values");
   if (times.size() < (periodic ? 3u : 2u))
-    refuse(periodic ? "that is periodic needs three points or more" : "needs two points or more");
+    refuse(periodic ? "with these ends needs three points or more" : "needs two points or more");
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]))
       refuse("has a time that is not finite, at position " + std::to_string(i));

@@ -61,6 +61,48 @@ TEST(MechanismFile, MessagesShowNothingRawAndNothingLong) {
   EXPECT_LT(mechanism_complaint("{\"a\": 1" + std::string(100'000, '0') + "}").size(), 300u);
 }
 
+TEST(MechanismFile, TablesOfCouplingsThatAreWrongAreNamed) {
+  const std::string both = R"("coordinate": "s", "of": "theta")", at = R"(, "at": [0, 90, 360])",
+                    values = R"(, "values": [5, 7, 5])";
+  const std::pair<std::string, const char*> faults[] = {
+      {both + at + values + R"(, "ends": "periodic", "from": 145)", nullptr},
+      {both + at + values + R"(, "ends": "indexing", "from": "drawing")", nullptr},
+      {R"("coordinate": "s")" + at + values, ": the key 'of' is missing; add it"},
+      {R"("of": "theta")" + at + values, ": the key 'coordinate' is missing; add it"},
+      {both + values, ": the key 'at' is missing; add it"},
+      {both + at, ": the key 'values' is missing; add it"},
+      {both + at + values + R"(, "times": [])", "/times: unknown key 'times'"},
+      {both + at + values + R"(, "sum": {})", "/sum: unknown key 'sum'"},
+      {R"("coordinate": "S", "of": "theta")" + at + values, "/coordinate: unknown coordinate 'S'"},
+      {R"("coordinate": "s", "of": "thta")" + at + values,
+       "/of: unknown coordinate 'thta'; did you mean 'theta'?"},
+      {R"("coordinate": "s", "of": "s")" + at + values, ": coupling 'c': lists 's' twice"},
+      {both + R"(, "at": [], "values": [])", "/at: has 0 numbers; a table needs 2 or more"},
+      {both + R"(, "at": [0, 90])" + values, "/values: has 3 numbers, and 'at' 2; give as many"},
+      {both + R"(, "at": [0, 90, 90])" + values,
+       "/at/2: is not above the number before it; give ascending ones"},
+      {both + R"(, "at": [0, 90, "x"])" + values, "/at/2: is a text; give a number"},
+      {both + at + R"(, "values": 5)", "/values: is a number; give a list"},
+      {both + at + values + R"(, "ends": "free")",
+       "/ends: unknown ends 'free'; there are 'natural', 'clamped', 'periodic', 'indexing'"},
+      {both + at + R"(, "values": [5, 7, 6], "ends": "periodic")",
+       ": coupling 'c': a table that is periodic must end with the value it begins with; change"},
+      {both + R"(, "at": [0, 90], "values": [5, 7], "ends": "indexing")",
+       ": coupling 'c': a table with these ends needs three points or more; change"},
+      {both + R"(, "at": [0, 1e-100], "values": [0, 1e100])", nullptr},
+      {both + at + values + R"(, "from": "start")",
+       "/from: unknown start 'start'; there are 'drawing'"},
+      {both + at + values + R"(, "file": "t.csv")", ": has a file, and lists as well; give one"},
+      {both + R"(, "file": "")", "/file: '' is no file name; give that of a table file"},
+      {both + R"(, "file": "none.csv")", "/file: the table file 'none.csv'"},
+  };
+  for (const auto& [members, message] : faults)
+    expect_start(
+        mechanism_complaint(replaced(slider_crank, "\"drivers\": [",
+                                     "\"couplings\": {\"c\": {" + members + "}}, \"drivers\": [")),
+        message ? "m.json: /couplings/c" + std::string(message) : "accepted");
+}
+
 TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
   const Change changes[] = {
       {"desmo-mechanism", "desmo-mechanisms", "/format: the format is 'desmo-mechanisms', not"},
