@@ -36,9 +36,7 @@ class ConstraintCost final : public ceres::CostFunction {
   ConstraintCost(const Constraint& constraint,
                  const std::array<const double*, Kind::operand_sizes.size()>& fixed,
                  const std::array<double, Kind::rows>& weights)
-      : fixed_(fixed), weights_(weights) {
-    constants_.resize(std::max(constants_.size(), constraint.constants.size()));
-    std::ranges::copy(constraint.constants, constants_.begin());
+      : fixed_(fixed), weights_(weights), constants_(constraint.constants) {
     int kept = 0;
     for (int r = 0; r < Kind::rows; ++r)
       place_[r] = (constraint.left_out >> r & 1U) != 0 ? -1 : kept++;
@@ -79,7 +77,7 @@ class ConstraintCost final : public ceres::CostFunction {
   std::array<const double*, Kind::operand_sizes.size()> fixed_;
   std::array<double, Kind::rows> weights_;
   std::array<int, Kind::operand_sizes.size()> block_;  // of each operand, or -1
-  std::vector<double> constants_ = std::vector<double>(Kind::constants + 1);
+  std::vector<double> constants_;
   std::array<int, Kind::rows> place_;  // of each row among the residuals, or -1
 };
 
