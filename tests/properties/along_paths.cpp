@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -113,9 +114,13 @@ Draft draw_requested(Random& r) {
   return d;
 }
 
-Draft draw_far_start(Random& r) {
-  const auto plane = plane_families();
-  const Family& family = plane[r.below(static_cast<int>(plane.size()))];
+namespace {
+
+const Family& one_of(std::span<const Family> all, Random& r) {
+  return all[r.below(static_cast<int>(all.size()))];
+}
+
+Draft draft_far(Random& r, const Family& family) {
   const DrawnPath path = path_of(draw(family, r));
   const bool turns =
       std::ranges::none_of(path.drawn.mechanism.coordinates, [](const Mechanism::Coordinate& c) {
@@ -127,6 +132,16 @@ Draft draw_far_start(Random& r) {
   Draft d = draft_of(r, family.name, path, path.range.nominal, profile);
   d.aim = "far start";
   return d;
+}
+
+}  // namespace
+
+Draft draw_far_start(Random& r) { return draft_far(r, one_of(plane_families(), r)); }
+
+Draft draw_coupled(Random& r) {
+  const Family& family = one_of(coupled_families(), r);
+  if (r.chance(0.3)) return draft_far(r, family);
+  return draft_inside(r, family.name, path_of(draw(family, r)));
 }
 
 }  // namespace desmo::properties

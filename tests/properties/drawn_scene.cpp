@@ -18,13 +18,10 @@ using Json = nlohmann::ordered_json;
 constexpr int max_draws = 60;
 
 constexpr SceneKind kinds[] = {
-    {"random", draw_random},
-    {"aimed", draw_aimed},
-    {"requested", draw_requested},
-    {"far start", draw_far_start},
-    {"rough", draw_rough},
-    {"decimal", draw_decimal},
-    {"contradicting", draw_contradicting},
+    {"random", draw_random},       {"aimed", draw_aimed},
+    {"requested", draw_requested}, {"far start", draw_far_start},
+    {"coupled", draw_coupled},     {"rough", draw_rough},
+    {"decimal", draw_decimal},     {"contradicting", draw_contradicting},
     {"typed", draw_typed},
 };
 

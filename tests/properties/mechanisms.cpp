@@ -29,7 +29,7 @@ constexpr std::array library_names{"slider_crank",
 
 std::vector<Family> all_families() {
   std::vector<Family> all;
-  for (const auto drawn : {plane_families(), spatial_families()})
+  for (const auto drawn : {plane_families(), spatial_families(), coupled_families()})
     all.insert(all.end(), drawn.begin(), drawn.end());
   for (const char* name : library_names) all.push_back({name, nullptr});
   return all;
@@ -105,6 +105,9 @@ void place(Drawn& d, const Placement& p) {
   for (Mechanism::Vector& vector : m.vectors) vector.direction = p.direction(vector.direction);
   for (Mechanism::Body& body : m.bodies)
     if (body.length) *body.length *= p.size;
+  for (Mechanism::Coupling& coupling : m.couplings)
+    for (Mechanism::Coupling::Term& term : coupling.terms)
+      if (m.coordinates[term.coordinate].type != Type::angle) term.factor = term.factor / p.size;
   std::size_t driver = 0;
   for (Mechanism::Coordinate& c : m.coordinates) {
     if (c.type != Type::angle && c.estimate) *c.estimate *= p.size;

@@ -26,11 +26,12 @@ struct Family {
 // Families of about unit size, with random dimensions.
 std::span<const Family> plane_families();
 std::span<const Family> spatial_families();
+std::span<const Family> coupled_families();  ///< of the plane
 
 /// Overconstrained ones, of which the first contradicts itself by a relative 1e-16 to 1e-5.
 std::span<const Family> overconstrained_families();
 
-/// Returns the families of the plane and of space, then those of the library.
+/// Returns the families of the plane, of space and with couplings, then those of the library.
 const std::vector<Family>& families();
 /// Chooses one of them.
 const Family& chosen_family(Random& random);

@@ -6,12 +6,23 @@
 #include <utility>
 #include <vector>
 
+#include "cases/generators/dyad_chain.h"
 #include "cases/mechanism/builder.h"
 
 namespace desmo::properties {
 
 inline double length_between(const Mechanism::Vec& a, const Mechanism::Vec& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+inline Mechanism::Vec polar(const Mechanism::Vec& from, double length, double angle) {
+  return {from[0] + length * std::cos(angle), from[1] + length * std::sin(angle), 0};
+}
+
+/// Returns where circles about two points meet, left of the line between them for side 1.
+inline Mechanism::Vec meeting(const Mechanism::Vec& a, double from_a, const Mechanism::Vec& b,
+                              double from_b, int side) {
+  return closed_dyad(a, b, from_a, from_b, side).joint;
 }
 
 /// A builder of planar mechanisms in which points have names. All bodies with the same point are

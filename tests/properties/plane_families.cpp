@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "cases/generators/dyad_chain.h"
 #include "tests/properties/mechanisms.h"
 #include "tests/properties/plane_builder.h"
 
@@ -12,15 +11,6 @@ namespace {
 
 using Vec = Mechanism::Vec;
 using enum Mechanism::JointType;
-
-Vec polar(const Vec& from, double length, double angle) {
-  return {from[0] + length * std::cos(angle), from[1] + length * std::sin(angle), 0};
-}
-
-/// Returns where circles about two points meet, left of the line between them for side 1.
-Vec meeting(const Vec& a, double from_a, const Vec& b, double from_b, int side) {
-  return closed_dyad(a, b, from_a, from_b, side).joint;
-}
 
 /// A multiple of 1/8, which adds up exactly.
 double eighths(Random& random, int from, int to) {

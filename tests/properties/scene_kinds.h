@@ -40,6 +40,7 @@ Draft draw_random(Random& random);         ///< motions between singular positio
 Draft draw_aimed(Random& random);          ///< an instant 0 to 0.1 from a singular position
 Draft draw_requested(Random& random);      ///< some entities at some levels are requested
 Draft draw_far_start(Random& random);      ///< begins up to two turns from the drawing
+Draft draw_coupled(Random& random);        ///< coordinates are coupled
 Draft draw_rough(Random& random);          ///< points are drawn up to 10 % off their places
 Draft draw_decimal(Random& random);        ///< lengths and places have few decimals
 Draft draw_contradicting(Random& random);  ///< a crank of three is longer by 1e-16 to 1e-5

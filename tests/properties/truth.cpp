@@ -43,14 +43,17 @@ bool reaches_start(Continuation& c, const Model& m, double time) {
 }
 
 /// Returns what is to be added to each coordinate: measured angles begin less than half a turn from
-/// the drawing, and are continuous from there. Driven ones count as they are.
+/// the drawing, and are continuous from there. Driven and
+/// coupled ones count as they are.
 std::vector<Quadruple> turns_to_drawing(const Model& m, const Values& start) {
   const Quadruple turn = 2 * boost::math::constants::pi<Quadruple>();
   std::vector<Quadruple> turns(m.coordinates());
-  const std::vector<bool> driven = independent_coordinates(m);
-  for (const Entity& e : m.entities)
-    if (e.kind == EntityKind::angle && !e.fixed && !driven[e.first])
+  const std::vector<bool> driven = independent_coordinates(m), coupled = coupled_angles(m);
+  for (std::size_t i = 0; i < m.entities.size(); ++i) {
+    const Entity& e = m.entities[i];
+    if (e.kind == EntityKind::angle && !e.fixed && !driven[e.first] && !coupled[i])
       turns[e.first] = turn * round((m.estimate[e.first] - start[e.first]) / turn);
+  }
   return turns;
 }
 
@@ -104,12 +107,12 @@ double largest_misfit(const Model& m, std::span<const double> q, bool of_all) {
   double largest = 0;
   for (const Constraint& constraint : m.constraints)
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      std::array<Quadruple, Kind::constants + 1> c;
-      for (std::size_t k = 0; k < Kind::constants; ++k)
-        c[k] = as<Quadruple>(constraint.dimension(k));
       std::array<const Quadruple*, Kind::operand_sizes.size()> x;
       for (std::size_t k = 0; k < x.size(); ++k)
         x[k] = state.data() + m.state_index(constraint.operands[k]);
+      const auto c = constants_in<Kind>(constraint.constants.size(), x.data(), [&](std::size_t k) {
+        return as<Quadruple>(constraint.dimension(k));
+      });
       std::array<Quadruple, Kind::rows> phi;
       Kind::residual(x.data(), c.data(), phi.data());
       std::array<double, Kind::rows> slope{};
