@@ -30,9 +30,9 @@ constexpr Real pi = 3.14159265358979323846264338327950288L, degree = pi / 180;
 /// Numbers of a model by their names.
 using Values = std::map<std::string, Jet>;
 
-void add(Values& values, const std::string& name, const Vec2& x) {
-  values[name + ".x"] = x[0];
-  values[name + ".y"] = x[1];
+template <std::size_t D>
+void add(Values& values, const std::string& name, const Vec<D>& x) {
+  for (std::size_t i = 0; i < D; ++i) values[name + "." + "xyz"[i]] = x[i];
 }
 
 /// Returns c0 + c1 t + c2 t² degrees.
@@ -222,6 +222,31 @@ Values curved_rail(double t) {
   return v;
 }
 
+/// A crank on a tilted hinge leads a lever in space by a pin in its slot, and carries a plane on
+/// which a puck lies. Q of the puck keeps to an upright line, R to an upright plane.
+Values guides(double t) {
+  const Jet seventh(1.0L / 7);
+  const Vec3 u = seventh * Vec3{{6, 2, -3}}, v = seventh * Vec3{{-3, 6, -2}},
+             w = seventh * Vec3{{2, 3, 6}};
+  const Jet theta = degrees(t, 0, 200, 60), reach(0.7L);
+  const Vec3 H = reach * w, B = reach * (cos(theta) * u + sin(theta) * v + w);
+  const Vec3 way{{B[0] + Jet(2), B[1] - Jet(0.5L), 0}};
+  const Vec3 slope = (Jet(1) / norm(way)) * way + Vec3{{0, 0, Jet(0.25L)}};
+  const Vec3 D{{-2, Jet(0.5L), B[2] - Jet(0.25L) * norm(way)}};
+  const Vec3 n0 = unit(Vec3{{1, 2, 6}}), n = rotated(n0, w, theta);
+  const Vec3 Q0{{Jet(0.4L), 1, Jet(0.9L)}}, R0{{1, Jet(1.2L), Jet(0.5L)}};
+  const Vec3 M{{Q0[0], Q0[1], 0}};
+  const Vec3 Q = M + ((dot(n0, Q0 - H) - dot(n, M - H)) / n[2]) * z_axis;
+  const Jet up = dot(n0, R0 - Q0), along = norm(R0 - Q0 - up * n0);
+  const Vec3 level = unit(cross(y_axis, n)), rise = cross(n, level);
+  const Jet sine = (R0[1] - Q[1] - up * n[1]) / (along * rise[1]);
+  Values values{{"psi", angle(Vec2{{way[0], way[1]}})}, {"lift", D[2]}};
+  add(values, "B", B), add(values, "D", D), add(values, "s", unit(slope));
+  add(values, "Q", Q), add(values, "n", n);
+  add(values, "R", Q + up * n + along * (sqrt(Jet(1) - sine * sine) * level + sine * rise));
+  return values;
+}
+
 struct Coupled {
   const char* scene;
   Values (*at)(double t);
@@ -241,6 +266,7 @@ constexpr Coupled all[] = {
     {"mimic_gripper", mimic_gripper},
     {"wound_drum", wound_drum},
     {"excavator", excavator},
+    {"guides", guides},
 };
 
 /// Every coupling counts whole turns, so angles are compared as they are.

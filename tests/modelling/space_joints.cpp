@@ -1,13 +1,16 @@
-// Joints in space that hold points on lines and planes: freedoms, equations and closed forms.
+// Joints in space that hold points on lines and planes: freedoms and equations. Closed forms of all
+// formulations: tests/load/couplings.cpp.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "cases/io/files.h"
 #include "cases/mechanism/joint_forms.h"
 #include "tests/modelling/common.h"
 
@@ -63,40 +66,16 @@ INSTANTIATE_TEST_SUITE_P(Table, SpaceJoint,
                            return std::string(find_joint_form(info.param.type, 3)->name);
                          });
 
-/// Expects that one equation holds a point at a distance from a plane.
-void expect_plane_equation(const Model& m) {
+TEST(SpaceJoints, StateNoEquationTwice) {
+  const Scene guides =
+      read_scene(std::filesystem::path(DESMO_SOURCE_DIR) / "tests/load/scenes/guides.scene.json");
+  const ModellingResult r = model_mechanism(guides.mechanism, guides.motions);
+  EXPECT_TRUE(std::ranges::none_of(r.left_out, &LeftOut::redundant));
   const auto is_distance = [](const Constraint& c) {
     return c.name.ends_with(": distance from the plane") && kept_rows(c) == 1 &&
            constraint_kind_name(c.kind) == "projection3";
   };
-  EXPECT_EQ(std::ranges::count_if(m.constraints, is_distance), 1);
-}
-
-TEST(PointOnLine, GuidesALeverByAPinInItsSlot) {
-  Sketch d("slotted lever", 3);
-  const int O = d.ground_point("O", {0, 0, 0}), F = d.ground_point("F", {-2, 0, 0});
-  const int x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0}),
-            z = d.ground_vector("z", {0, 0, 1});
-  const int A = d.point("A", {0, 0, 1}), B = d.point("B", {0, 1, 1});
-  const int D = d.point("D", {-2, 0, 1}), u = d.vector("u", unit({2, 1, 0}));
-  const int crank = d.body("crank", {A, B}, {z}), lever = d.body("lever", {D}, {u, z});
-  d.joint(JointType::cylindrical, Sketch::ground, crank, {O, A}, {z});
-  d.joint(JointType::cylindrical, Sketch::ground, lever, {F, D}, {z});
-  d.joint(JointType::point_on_line, lever, crank, {D, B}, {u}, "slot");
-  d.spatial_angle("theta", line(A, B), x, y).driven = true;
-  d.along("lift", O, A, z).driven = true;
-  const ModellingResult r =
-      model_mechanism(d.release(), {Polynomial{{1.5, 3}}, Polynomial{{1, 0.2}}});
-  EXPECT_TRUE(std::ranges::none_of(r.left_out, &LeftOut::redundant));
-  const std::vector<double> times = instants(2);
-  const Solved s(r.model, times);
-  for (int k = 0; k < s.instants(); ++k) {
-    const double t = times[k], lift = 1 + 0.2 * t;
-    const Vec pin = polar(1, 1.5 + 3 * t) + Vec{0, 0, lift}, arm = pin - Vec{-2, 0, lift};
-    expect_near(s.position(k, "u"), unit(arm), tolerance, "u");
-    EXPECT_NEAR(s.scalar(k, "slot/distance"), norm(arm), tolerance);
-    expect_near(s.position(k, "D"), {-2, 0, lift}, tolerance, "D");
-  }
+  EXPECT_EQ(std::ranges::count_if(r.model.constraints, is_distance), 2);
 }
 
 TEST(PointOnPlane, MovesThePistonOfASwashPlate) {
@@ -112,73 +91,13 @@ TEST(PointOnPlane, MovesThePistonOfASwashPlate) {
   d.joint(JointType::prismatic, Sketch::ground, piston, {M, P}, {z, x});
   d.joint(JointType::point_on_plane, plate, piston, {O, P}, {n});
   d.spatial_angle("theta", {n}, x, y).driven = true;
-  const ModellingResult modelled = model_mechanism(d.release(), {Polynomial{{0, 3}}});
-  expect_plane_equation(modelled.model);
   const std::vector<double> times = instants(2);
-  const Solved s(modelled.model, times);
+  const Solved s(d.release(), {Polynomial{{0, 3}}}, times);
   for (int k = 0; k < s.instants(); ++k) {
     const double z_of_t = height + r * std::tan(tilt) * (1 - std::cos(3 * times[k]));
     expect_near(s.position(k, "P"), {r, 0, z_of_t}, tolerance, "P");
     const double rate = r * std::tan(tilt) * 3 * std::sin(3 * times[k]);
     expect_near(s.velocity(k, "P"), {0, 0, rate}, tolerance, "velocity of P");
-  }
-}
-
-TEST(Planar, KeepsABodyOnATableThatTilts) {
-  const double height = 0.1;
-  Sketch d("table", 3);
-  const int O = d.ground_point("O", {0, 0, 0});
-  const int x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0}),
-            z = d.ground_vector("z", {0, 0, 1});
-  const int n = d.vector("n", {0, 0, 1});
-  const int P = d.point("P", {0.3, 0.4, height}), Q = d.point("Q", {0.5, 0.4, height});
-  const int table = d.body("table", {O}, {x, n}), puck = d.body("puck", {P, Q}, {n});
-  d.joint(JointType::revolute, Sketch::ground, table, {O}, {x});
-  d.joint(JointType::planar, table, puck, {O, P}, {n});
-  d.spatial_angle("tilt", {n}, z, y).driven = true;
-  d.component("px", P, 0).driven = true;
-  d.component("py", P, 1).driven = true;
-  d.component("qy", Q, 1).driven = true;
-  const ModellingResult modelled =
-      model_mechanism(d.release(), {Polynomial{{0, 0.4}}, Polynomial{{0.3, 0.2}},
-                                    Polynomial{{0.4, -0.1}}, Polynomial{{0.4, 0}}});
-  expect_plane_equation(modelled.model);
-  const std::vector<double> times = instants(1);
-  const Solved s(modelled.model, times);
-  for (int k = 0; k < s.instants(); ++k) {
-    const double tilt = 0.4 * times[k], t = times[k];
-    const auto on_table = [&](double px, double py) {
-      return Vec{px, py, (height - py * std::sin(tilt)) / std::cos(tilt)};
-    };
-    const Vec p = on_table(0.3 + 0.2 * t, 0.4 - 0.1 * t);
-    // Along the slope, y differs by 0.1 t / cos(tilt).
-    const double across = 0.1 * t / std::cos(tilt);
-    const Vec q = on_table(p[0] + std::sqrt(0.04 - across * across), 0.4);
-    expect_near(s.position(k, "P"), p, tolerance, "P");
-    expect_near(s.position(k, "Q"), q, tolerance, "Q");
-  }
-}
-
-TEST(Hinge, TurnsADoorAboutTheLineOfItsPoints) {
-  const Vec low{0.1, 0, 0}, high{0.2, 0.1, 2}, latch{1, 0.2, 1};
-  Sketch d("door", 3);
-  const int H1 = d.ground_point("H1", low), H2 = d.ground_point("H2", high),
-            L = d.point("L", latch);
-  const Vec axis = unit(high - low), arm = latch - low - dot(latch - low, axis) * axis;
-  const Vec from = unit(arm), towards = cross(axis, from);
-  const int u = d.ground_vector("u", from), v = d.ground_vector("v", towards);
-  const int door = d.body("door", {H1, H2, L});
-  d.joint(JointType::hinge, Sketch::ground, door, {H1, H2});
-  d.spatial_angle("theta", line(H1, L), u, v).driven = true;
-  const ModellingResult r = model_mechanism(d.release(), {Polynomial{{0, 2}}});
-  EXPECT_TRUE(std::ranges::none_of(r.left_out, &LeftOut::redundant));
-  const std::vector<double> times = instants(2);
-  const Solved s(r.model, times);
-  for (int k = 0; k < s.instants(); ++k) {
-    const double angle = 2 * times[k];
-    expect_near(s.position(k, "L"),
-                latch - arm + std::cos(angle) * arm + std::sin(angle) * cross(axis, arm), tolerance,
-                "L");
   }
 }
 
