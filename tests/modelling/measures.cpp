@@ -12,8 +12,7 @@
 
 #include "cases/io/files.h"
 #include "formulations/model/scales.h"
-#include "formulations/verification/reference/reference.h"
-#include "tests/describing.h"
+#include "tests/modelling/differences.h"
 
 namespace desmo::measures_test {
 namespace {
@@ -119,37 +118,6 @@ TEST(Measures, OfASliderCrankHaveClosedForms) {
     EXPECT_NEAR(rows(i, "rod angle", Level::velocity), phi_d, 1e-11);
   }
 }
-
-/// Derivatives of a coordinate by differences of positions that are known to 1e-19 of them.
-class Differences {
- public:
-  Differences(const Model& model, double time) : m_(model) {
-    std::vector<double> times;
-    for (int i = -4; i <= 4; ++i) times.push_back(time + i * step);
-    instants_ = reference_solution(m_, times, Precision::quadruple);
-  }
-
-  double operator()(const std::string& name, int order) const {
-    static constexpr long double weights[2][9] = {
-        {1 / 280.L, -4 / 105.L, 1 / 5.L, -4 / 5.L, 0, 4 / 5.L, -1 / 5.L, 4 / 105.L, -1 / 280.L},
-        {-1 / 560.L, 8 / 315.L, -1 / 5.L, 8 / 5.L, -205 / 72.L, 8 / 5.L, -1 / 5.L, 8 / 315.L,
-         -1 / 560.L}};
-    const auto i = static_cast<std::size_t>(m_.coordinate(name));
-    long double sum = 0;
-    for (int k = 0; k < 9; ++k)
-      sum += weights[order - 1][k] *
-             (static_cast<long double>(instants_[k].q[i]) + instants_[k].remainder.q[i]);
-    return static_cast<double>(sum / (order == 1 ? step : step * step));
-  }
-  Vec vector(const std::string& name, int order) const {
-    return {(*this)(name + ".x", order), (*this)(name + ".y", order), (*this)(name + ".z", order)};
-  }
-
- private:
-  static constexpr long double step = 0x1p-9L;  // [s]
-  const Model& m_;
-  std::vector<ReferenceInstant> instants_;
-};
 
 /// Returns v, turned by a rotation vector.
 Vec turned(const Vec& v, const Vec& rotation) {
@@ -312,6 +280,8 @@ TEST(Measures, RatiosAtRestAreLimitsOrMissing) {
   const double min_rate = 1e-10 * magnitude;
   EXPECT_TRUE(std::isnan(ratio("theta/s", 0.5 * min_rate, 1, 3, 1)));
   EXPECT_GT(ratio("theta/s", 2 * min_rate, 1, 3, 1), 1e8);
+  EXPECT_TRUE(std::isnan(ratio("theta/s", 0, 0, 0.5 * min_rate, 1)));
+  EXPECT_GT(ratio("theta/s", 0, 0, 2 * min_rate, 1), 1e8);
   EXPECT_EQ(measures.inputs().size(), 2u);
 }
 
