@@ -80,7 +80,11 @@ TEST(SceneFile, OfVersion1SaysTheUnitsThatItNeeds) {
     EXPECT_EQ(scene_complaint(of_version_1(scene_of(slider_crank, driven + ", " + units))),
               "s.json: /motion/theta:" + remedy);
   const std::string angles = driven + R"(, "units": {"angle": "deg"})";
-  EXPECT_EQ(scene_complaint(of_version_1(scene_of(slider_crank, angles))), "accepted");
+  EXPECT_EQ(turn(parse_scene(of_version_1(scene_of(slider_crank, angles)), "", "")).coefficients[1],
+            360 * std::numbers::pi / 180);
+  const std::string defines = R"(, "request": [{"points": {"CG": {"body": "rod", "at": [1, 2]}}}])";
+  expect_start(scene_complaint(of_version_1(scene_of(slider_crank, angles + defines))),
+               "s.json: /request/0/points/CG: the scene does not say in what unit this is");
   expect_start(scene_complaint(of_version_1(scene_of(R"({"library": "slider_crank"})", motion))),
                "s.json: /motion/theta: the mechanism has its angles in 'deg'");
   EXPECT_EQ(scene_complaint(of_version_1(scene_of(R"({"library": "slider_crank"})", ""))),
