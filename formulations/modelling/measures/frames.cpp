@@ -1,8 +1,12 @@
 #include "formulations/modelling/measures/frames.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "formulations/constraints/vec.h"
+#include "formulations/modelling/bodies/drawing.h"
 
 namespace desmo::frames {
 
@@ -17,6 +21,16 @@ Vector cross(const Vector& a, const Vector& b) {
   return c;
 }
 
+/// Returns a frame from directions of a body: their lengths and the angle between them are
+/// constant.
+Frame frame_of(const Vector& u, const Vector& v) {
+  const Vector x = unit(u), z = unit(cross(u, v));
+  return {x, cross(z, x), z};
+}
+
+/// Returns a frame in the plane from a direction of a body.
+Frame frame_of(const Vector& u) { return frame_of(u, {-u[1], u[0], 0.}); }
+
 }  // namespace
 
 Number dot(const Vector& a, const Vector& b) { return vec::dot<3>(a.data(), b.data()); }
@@ -25,13 +39,6 @@ Vector unit(const Vector& a) {
   const Number scale = 1 / std::sqrt(dot(a, a).value);
   return {scale * a[0], scale * a[1], scale * a[2]};
 }
-
-Frame frame_of(const Vector& u, const Vector& v) {
-  const Vector x = unit(u), z = unit(cross(u, v));
-  return {x, cross(z, x), z};
-}
-
-Frame frame_of(const Vector& u) { return frame_of(u, {-u[1], u[0], 0.}); }
 
 Frame seen_from(const Frame& other, const Frame& frame) {
   Frame seen;
@@ -51,13 +58,56 @@ Vector Operand::operator()(const Instant& instant) const {
 }
 
 Vector Line::operator()(const Instant& instant) const {
-  return is_line ? vec::difference<3>(from(instant).data(), to(instant).data()) : to(instant);
+  return vec::difference<3>(from(instant).data(), to(instant).data());
 }
 
 Frame BodyFrame::operator()(const Instant& instant) const {
   if (lines.empty()) return ground;
   const Vector u = lines[0](instant);
   return lines.size() > 1 ? frame_of(u, lines[1](instant)) : frame_of(u);
+}
+
+Line BodyFrames::line(const Mechanism::Direction& d) {
+  if (!d.is_line()) return {operand(d_.vectors[d.vector].name), {}};
+  return {operand(d_.points[d.to].name), operand(d_.points[d.from].name)};
+}
+
+BodyFrame BodyFrames::frame(int body) {
+  BodyFrame result;
+  const int r = rigid_.of_body[body];
+  if (r == 0) return result;
+  const auto& directions = rigid_.list[r].basis.directions;
+  const std::size_t enough = d_.dimension == 2 ? 1 : 2;
+  if (directions.size() < enough)
+    throw std::invalid_argument("request: the points and vectors of body '" + d_.bodies[body].name +
+                                "' do not tell how it is turned; give it another" +
+                                (enough == 2 ? " that is not in line with them" : "") +
+                                ", or ask for an angle or a vector");
+  for (std::size_t k = 0; k < enough; ++k) result.lines.push_back(line(directions[k]));
+  const Vector u = drawn(body, directions[0]);
+  result.drawn = enough == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
+  return result;
+}
+
+Vector BodyFrames::drawn(int body, const Mechanism::Direction& direction) const {
+  const BodyDrawing<double> drawing{d_};
+  auto x = drawing.direction(direction);
+  if (const auto& own = d_.bodies[body].own) {
+    const auto local = drawing.direction(rigid_.list[rigid_.of_body[body]], direction);
+    const Eigen::Vector3d rotation(own->rotation.data());
+    Eigen::Vector3d::Map(x.data()) =
+        Eigen::AngleAxisd(rotation.norm(), rotation.normalized()) * Eigen::Vector3d(local.data());
+  }
+  return {x[0], x[1], x[2]};
+}
+
+Operand BodyFrames::operand(const std::string& name) {
+  const EntityId id = m_.find(name);
+  inputs_.push_back({id, level});
+  const Entity& e = m_.entities[id];
+  Operand result{.first = e.first, .size = e.fixed ? 0 : e.size, .level = level};
+  for (int i = 0; e.fixed && i < e.size; ++i) result.fixed[i] = m_.fixed_values[e.first + i];
+  return result;
 }
 
 }  // namespace desmo::frames

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "cases/mechanism/level.h"
 #include "formulations/base/observer.h"
 #include "formulations/constraints/jet.h"
+#include "formulations/model/model.h"
+#include "formulations/model/plan.h"
+#include "formulations/modelling/bodies/rigid_bodies.h"
 
 namespace desmo::frames {
 
@@ -22,12 +26,6 @@ Number dot(const Vector& a, const Vector& b);
 /// Returns a vector of constant length, scaled to length 1.
 Vector unit(const Vector& a);
 
-/// Returns a frame from directions of a body: their lengths and the angle between them are
-/// constant.
-Frame frame_of(const Vector& u, const Vector& v);
-/// Returns a frame in the plane from a direction of a body.
-Frame frame_of(const Vector& u);
-
 /// Returns the axes of a frame as those of another see them.
 Frame seen_from(const Frame& other, const Frame& frame);
 
@@ -40,10 +38,9 @@ struct Operand {
   Vector operator()(const Instant& instant) const;
 };
 
-/// A vector, or the line from one point to another.
+/// A vector, which leads from nothing, or the line from one point to another.
 struct Line {
   Operand to, from;
-  bool is_line;
 
   Vector operator()(const Instant& instant) const;
 };
@@ -54,6 +51,31 @@ struct BodyFrame {
   std::vector<Line> lines{};  ///< one in the plane, two in space; none: the ground
 
   Frame operator()(const Instant& instant) const;
+};
+
+/// Finds directions and frames of a mechanism's bodies in its model.
+class BodyFrames {
+ public:
+  /// inputs: what the directions and frames read is added to it.
+  BodyFrames(const Mechanism& d, const Model& m, std::vector<Output>& inputs)
+      : d_(d), m_(m), inputs_(inputs), rigid_(find_rigid_bodies(d)) {}
+
+  Line line(const Mechanism::Direction& direction);
+  /// Throws std::invalid_argument, naming the body, where its points and vectors do not tell how it
+  /// is turned.
+  BodyFrame frame(int body);
+  /// Returns a direction of a body as it is drawn; of a body with a frame of its own, as that is.
+  Vector drawn(int body, const Mechanism::Direction& direction) const;
+
+  Level level = Level::position;  ///< to which what is found next is read
+
+ private:
+  Operand operand(const std::string& name);
+
+  const Mechanism& d_;
+  const Model& m_;
+  std::vector<Output>& inputs_;
+  const RigidBodies rigid_;
 };
 
 }  // namespace desmo::frames

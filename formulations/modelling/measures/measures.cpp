@@ -8,14 +8,12 @@
 #include <numbers>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "cases/mechanism/drawing.h"
 #include "cases/mechanism/joint_forms.h"
 #include "formulations/constraints/vec.h"
 #include "formulations/model/scales.h"
-#include "formulations/modelling/bodies/rigid_bodies.h"
 #include "formulations/modelling/measures/frames.h"
 
 namespace desmo {
@@ -54,15 +52,12 @@ double angle_about(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rotati
 class Builder {
  public:
   Builder(const Scene& scene, const Model& model)
-      : scene_(scene), d_(scene.mechanism), m_(model), rigid_(find_rigid_bodies(d_)) {
+      : d_(scene.mechanism), m_(model), bodies_(d_, m_, inputs) {
     for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
       for (int i = 0; i < m_.entities[e].size; ++i)
         taken_.insert(coordinate_name(m_, e, m_.entities[e].first + i));
-  }
-
-  void build() {
-    for (const RequestedMeasure& wanted : scene_.measures) {
-      level_ = wanted.level;
+    for (const RequestedMeasure& wanted : scene.measures) {
+      bodies_.level = wanted.level;
       using enum RequestedMeasure::Kind;
       if (wanted.kind == rotation) add_rotation(wanted.index);
       if (wanted.kind == joint) add_joint(d_.joints[wanted.index]);
@@ -100,16 +95,17 @@ class Builder {
     if (turns(joint.type)) {
       Vector axis{0., 0., 1.};
       if (d_.dimension == 3)
-        axis = unit(drawn(joint.bodies[0], joint.vectors.empty()
-                                               ? between(joint)
-                                               : Mechanism::Direction{joint.vectors[0]}));
+        axis = unit(bodies_.drawn(joint.bodies[0], joint.vectors.empty()
+                                                       ? between(joint)
+                                                       : Mechanism::Direction{joint.vectors[0]}));
       const std::size_t place = add_with_rates(joint.name + ".angle", EntityKind::angle);
-      const Frame first = frame(joint.bodies[0]).drawn;
+      const Frame first = bodies_.frame(joint.bodies[0]).drawn;
       add_turn(place, joint.bodies[0], joint.bodies[1],
                {matrix(first).transpose() * part(axis, &Number::value)});
     }
     if (slides(joint.type)) {
-      const Line along = line({joint.vectors[0]}), line_of_both = line(between(joint));
+      const Line along = bodies_.line({joint.vectors[0]}),
+                 line_of_both = bodies_.line(between(joint));
       const auto u = drawing.vector(joint.vectors[0]), s0 = drawing.direction(between(joint));
       const double start = vec::dot<3>(u.data(), s0.data());
       const std::size_t place = add_with_rates(joint.name + ".travel", EntityKind::distance);
@@ -126,7 +122,7 @@ class Builder {
 
   /// Computes the turn of a body in another one, from the drawing, about axes of that.
   void add_turn(std::size_t place, int in, int body, Axes axes) {
-    const BodyFrame a = frame(in), b = frame(body);
+    const BodyFrame a = bodies_.frame(in), b = bodies_.frame(body);
     const Eigen::Matrix3d drawn = matrix(seen_from(a.drawn, b.drawn));
     rules.emplace_back(place, [=, axes = std::move(axes)](const Instant& instant, auto values) {
       const Frame frame = seen_from(a(instant), b(instant));
@@ -177,7 +173,7 @@ class Builder {
 
   void add(PerLevel<std::string> names, EntityKind kind) {
     for (const Level level : all_levels) {
-      if (level > level_) names[level].clear();
+      if (level > bodies_.level) names[level].clear();
       if (!names[level].empty() && !taken_.insert(names[level]).second)
         throw std::invalid_argument("request: the name '" + names[level] +
                                     "' is taken by a coordinate of the mechanism; rename that");
@@ -185,65 +181,10 @@ class Builder {
     list.push_back({std::move(names), kind});
   }
 
-  BodyFrame frame(int body) {
-    BodyFrame result;
-    const int r = rigid_.of_body[body];
-    if (r == 0) return result;
-    const auto& directions = rigid_.list[r].basis.directions;
-    const std::size_t enough = d_.dimension == 2 ? 1 : 2;
-    if (directions.size() < enough)
-      throw std::invalid_argument("request: the points and vectors of body '" +
-                                  d_.bodies[body].name +
-                                  "' do not tell how it is turned; give it another" +
-                                  (enough == 2 ? " that is not in line with them" : "") +
-                                  ", or ask for an angle or a vector");
-    for (std::size_t k = 0; k < enough; ++k) result.lines.push_back(line(directions[k]));
-    const Vector u = drawn(body, directions[0]);
-    result.drawn = enough == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
-    return result;
-  }
-
-  /// Returns a direction of a body as it is drawn; of a body with a frame of its own, as that is.
-  Vector drawn(int body, const Mechanism::Direction& direction) const {
-    const auto& own = d_.bodies[body].own;
-    auto x = Drawing<double>{d_}.direction(direction);
-    if (own) {
-      const auto place = [](const std::vector<int>& list, int entity) {
-        return std::ranges::find(list, entity) - list.begin();
-      };
-      const auto& [points, vectors] = std::tie(d_.bodies[body].points, d_.bodies[body].vectors);
-      Eigen::Vector3d local;
-      for (int i = 0; i < 3; ++i)
-        local[i] = direction.is_line() ? own->points[place(points, direction.to)][i] -
-                                             own->points[place(points, direction.from)][i]
-                                       : own->vectors[place(vectors, direction.vector)][i].value;
-      const Eigen::Vector3d rotation(own->rotation.data());
-      local = Eigen::AngleAxisd(rotation.norm(), rotation.normalized()) * local;
-      std::ranges::copy(local, x.begin());
-    }
-    return {x[0], x[1], x[2]};
-  }
-
-  Line line(const Mechanism::Direction& d) {
-    if (!d.is_line()) return {operand(d_.vectors[d.vector].name), {}, false};
-    return {operand(d_.points[d.to].name), operand(d_.points[d.from].name), true};
-  }
-
-  Operand operand(const std::string& name) {
-    const EntityId id = m_.find(name);
-    inputs.push_back({id, level_});
-    const Entity& e = m_.entities[id];
-    Operand result{.first = e.first, .size = e.fixed ? 0 : e.size, .level = level_};
-    for (int i = 0; e.fixed && i < e.size; ++i) result.fixed[i] = m_.fixed_values[e.first + i];
-    return result;
-  }
-
-  const Scene& scene_;
   const Mechanism& d_;
   const Model& m_;
-  const RigidBodies rigid_;
+  BodyFrames bodies_;
   std::set<std::string> taken_;
-  Level level_ = Level::position;  // of the measure that is added
 };
 
 }  // namespace
@@ -251,7 +192,6 @@ class Builder {
 Measures::Measures(const Scene& scene, const Model& model) : coordinates_(model.coordinates()) {
   if (scene.measures.empty()) return;
   Builder builder(scene, model);
-  builder.build();
   list_ = std::move(builder.list);
   inputs_ = std::move(builder.inputs);
   rules_ = std::move(builder.rules);
