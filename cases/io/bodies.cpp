@@ -62,6 +62,7 @@ class BodyReader {
     std::vector<Mechanism::Point> points;
     if (const auto list = value.find("points"))
       points = read_points(*list, d_.dimension, units_, own);
+    meet_what_is_drawn(points, frame);
     for (const auto& [name, position] : points) {
       const Vec x = drawn_position(frame, position);
       body.points.push_back(place(d_.points, names_.points, own.points, body.points, {name, x}));
@@ -73,6 +74,22 @@ class BodyReader {
       auto& exact = frame.vectors.emplace_back();
       for (int i = 0; i < 3; ++i) exact[i] = {u[i], remainder[i]};
     }
+  }
+
+  /// Moves a frame that is to place points. Points of the body that are drawn already are then, on
+  /// average, where they are drawn.
+  void meet_what_is_drawn(const std::vector<Mechanism::Point>& points,
+                          Mechanism::Frame& frame) const {
+    Vec way{};
+    std::size_t drawn = 0;
+    for (const auto& [name, local] : points)
+      if (const auto known = names_.points.position(name)) {
+        const Vec to = d_.points[*known].position, from = drawn_position(frame, local);
+        for (int i = 0; i < 3; ++i) way[i] += to[i] - from[i];
+        ++drawn;
+      }
+    if (drawn == 0 || drawn == points.size()) return;
+    for (int i = 0; i < 3; ++i) frame.origin[i] += way[i] / static_cast<double>(drawn);
   }
 
   /// Returns the position of the next of a body's entities. Adds it unless it is drawn already.

@@ -85,7 +85,7 @@ std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension
                                             Names& names);
 
 /// Reads the ground and the bodies. Adds points and vectors that only their frames have, at the
-/// nominal place of the first of these.
+/// nominal place of the first of these, moved to where its other points are.
 void read_bodies(const JsonValue& root, Mechanism& mechanism, const DisplayUnits& units,
                  Names& names);
 
