@@ -225,30 +225,63 @@ TEST(Measures, OfJointsInSpaceFollowTheirDrivers) {
   }
 }
 
-/// A crank and a lever on it, both in frames of their own that are roughly placed.
-TEST(Measures, OfBodiesWithFramesStartFromTheirPlaces) {
-  const Scene s = scene(R"({"format": "desmo-mechanism", "version": 1, "name": "boom",
+/// A crank and a lever on it, both in frames of their own that are roughly placed. Their rotations
+/// are the frames'; turns of their joints begin at that place.
+TEST(Measures, OfBodiesWithFramesTurnWithThese) {
+  for (const int rough : {-30, -12}) {
+    const Scene s = scene(R"({"format": "desmo-mechanism", "version": 1, "name": "boom",
       "dimension": 2, "units": {"angle": "deg"}, "points": {"O": [0, 0]},
       "ground": {"points": ["O"]},
       "bodies": {"boom": {"at": [0.01, 0, 40], "points": {"O": [0, 0], "B": [2, 0]}},
-                 "stick": {"at": [1.5, 1.2, -30], "points": {"B": [0, 0], "E": [1, 0]}}},
+                 "stick": {"at": [1.5, 1.2, )" +
+                              std::to_string(rough) + R"(], "points": {"B": [0, 0], "E": [1, 0]}}},
       "joints": [
         {"name": "J1", "type": "revolute", "bodies": ["ground", "boom"], "points": ["O"]},
         {"name": "J2", "type": "revolute", "bodies": ["boom", "stick"], "points": ["B"]}],
       "coordinates": {"a": {"angle": ["O", "B"]}, "b": {"angle": ["B", "E"]}},
       "drivers": ["a", "b"]})",
-                        R"("a": {"type": "polynomial", "coefficients": [40, 50]},
+                          R"("a": {"type": "polynomial", "coefficients": [40, 50]},
       "b": {"type": "polynomial", "coefficients": [-30, -20]})",
-                        R"({"points": {"CG": {"body": "stick", "at": [0.4, 0.1]}}},
+                          R"({"points": {"CG": {"body": "stick", "at": [0.4, 0.1]}}},
       {"rotations": ["stick"], "joints": ["J2"], "level": "velocity"})");
-  const std::vector<double> times = instants(1, 0.1);
-  const Rows rows(s, times);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double t = times[i] * pi / 180, a = 2 * pi / 9 + 50 * t, b = -pi / 6 - 20 * t;
-    EXPECT_NEAR(rows(i, "stick.rotation"), -20 * t, 1e-13);
-    EXPECT_NEAR(rows(i, "J2.angle"), -70 * t, 1e-13);
-    EXPECT_NEAR(rows(i, "d/dt J2.angle"), -70 * pi / 180, 1e-13);
-    EXPECT_NEAR(rows(i, "CG.x"), 2 * std::cos(a) + 0.4 * std::cos(b) - 0.1 * std::sin(b), 1e-13);
+    const std::vector<double> times = instants(1, 0.1);
+    const Rows rows(s, times);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double t = times[i] * pi / 180, a = 2 * pi / 9 + 50 * t, b = -pi / 6 - 20 * t;
+      EXPECT_NEAR(rows(i, "stick.rotation"), b, 1e-13);
+      EXPECT_NEAR(rows(i, "J2.angle"), b - a - (rough - 40) * pi / 180, 1e-13);
+      EXPECT_NEAR(rows(i, "d/dt J2.angle"), -70 * pi / 180, 1e-13);
+      EXPECT_NEAR(rows(i, "CG.x"), 2 * std::cos(a) + 0.4 * std::cos(b) - 0.1 * std::sin(b), 1e-13);
+    }
+  }
+}
+
+/// A lid, turned about the z of its frame on a post that leans by 0.3 about x.
+TEST(Measures, OfABodyWithAFrameInSpaceIsTheFramesRotation) {
+  for (const char* rough : {"0, 0, 0", "0.2, 0.05, -0.1"}) {
+    const Scene s = scene(R"({"format": "desmo-mechanism", "version": 1, "name": "lid",
+      "dimension": 3, "points": {"O": [0, 0, 0]},
+      "vectors": {"x": [1, 0, 0], "z": [0, -0.2955202066613396, 0.955336489125606],
+                  "y": {"normal": ["z", "x"]}},
+      "ground": {"points": ["O"], "vectors": ["x", "y", "z"]},
+      "bodies": {"lid": {"at": [0, 0, 0, )" +
+                              std::string(rough) + R"(],
+        "points": {"O": [0, 0, 0], "E": [1, 0, 0]}, "vectors": {"z": [0, 0, 1]}}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "lid"], "points": ["O"],
+                  "vectors": ["z"]}],
+      "coordinates": {"a": {"angle": ["O", "E"], "from": "x", "towards": "y"}},
+      "drivers": ["a"]})",
+                          R"("a": {"type": "polynomial", "coefficients": [0.2, 1]})",
+                          R"({"rotations": ["lid"]})");
+    const std::vector<double> times = instants(1, 0.25);
+    const Rows rows(s, times);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double a = 0.2 + times[i], sine = std::sin(0.3), cosine = std::cos(0.3);
+      const Vec rotation = rows.vector(i, "lid.rotation");
+      expect_near(turned({1, 0, 0}, rotation),
+                  {std::cos(a), cosine * std::sin(a), sine * std::sin(a)}, 1e-13, "x");
+      expect_near(turned({0, 0, 1}, rotation), {0, -sine, cosine}, 1e-13, "z");
+    }
   }
 }
 

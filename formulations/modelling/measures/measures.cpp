@@ -83,7 +83,7 @@ class Builder {
     const std::size_t first = list.size();
     for (const std::string& i : components)
       add({name + ".rotation" + i, name + ".omega" + i, name + ".alpha" + i}, EntityKind::angle);
-    add_turn(first, 0, body, std::move(axes));
+    add_turn(first, 0, body, std::move(axes), turn_of_frame(body));
   }
 
   void add_joint(const Mechanism::Joint& joint) {
@@ -120,10 +120,19 @@ class Builder {
     return {-1, joint.points[0], joint.points[1]};
   }
 
-  /// Computes the turn of a body in another one, from the drawing, about axes of that.
-  void add_turn(std::size_t place, int in, int body, Axes axes) {
+  /// Returns how a body's own frame, if it has one, is drawn.
+  Eigen::Matrix3d turn_of_frame(int body) const {
+    const auto& own = d_.bodies[body].own;
+    if (!own) return Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d rotation(own->rotation.data());
+    return Eigen::AngleAxisd(rotation.norm(), rotation.normalized()).toRotationMatrix();
+  }
+
+  /// Computes the turn of a body in another one about axes of that. start: its turn in the drawing
+  void add_turn(std::size_t place, int in, int body, Axes axes,
+                const Eigen::Matrix3d& start = Eigen::Matrix3d::Identity()) {
     const BodyFrame a = bodies_.frame(in), b = bodies_.frame(body);
-    const Eigen::Matrix3d drawn = matrix(seen_from(a.drawn, b.drawn));
+    const Eigen::Matrix3d drawn = start.transpose() * matrix(seen_from(a.drawn, b.drawn));
     rules.emplace_back(place, [=, axes = std::move(axes)](const Instant& instant, auto values) {
       const Frame frame = seen_from(a(instant), b(instant));
       const Eigen::Quaterniond since(Eigen::Matrix3d(matrix(frame) * drawn.transpose()));

@@ -25,8 +25,8 @@ struct Measure {
 /// The measures that a scene requests (Scene::measures). They are functions of coordinates and
 /// rates: formulations do not know them.
 ///
-/// - a rotation from the drawing: in the plane an angle in (−π, π], in space a vector along the
-///   axis, as long as the angle, at most π. Its rates are ω and α in the ground's frame
+/// - a rotation from the drawing, or that of a body's own frame: in the plane an angle in (−π, π],
+///   in space a vector along its axis, at most π long. Its rates are ω and α in the ground's frame
 /// - a joint's turn about its axis, in (−π, π], and travel along it, of the second body in the
 ///   first, from the drawing
 /// - a ratio of two rates; where both vanish, the limit, which is that of accelerations. NaN where
