@@ -5,8 +5,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "formulations/constraints/constraints.h"
+#include "formulations/model/locking.h"
 #include "formulations/model/partition.h"
 
 namespace desmo {
@@ -145,22 +146,6 @@ std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstrea
     if (entity[d.coordinate] >= 0) m.drive(entity[d.coordinate], d.motion);
   validate(m);
   return {std::move(m), std::move(entity)};
-}
-
-/// Returns whether a block may have no solution: it determines more than scalars that are measured,
-/// by equations that are not linear.
-bool may_lock(const Model& m, const PartDefinition& block, const std::vector<EntityId>& owner) {
-  const auto is_geometric = [&](int coordinate) {
-    const EntityKind kind = m.entities[owner[coordinate]].kind;
-    return kind == EntityKind::point || kind == EntityKind::vector;
-  };
-  const auto is_linear = [&](const Equation& e) {
-    bool linear = false;
-    visit_kind(m.constraints[e.constraint].kind, [&](auto kind) { linear = kind.linear; });
-    return linear;
-  };
-  return std::ranges::any_of(block.unknowns, is_geometric) &&
-         !std::ranges::all_of(block.equations, is_linear);
 }
 
 std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
