@@ -9,8 +9,8 @@
 
 namespace desmo {
 
-/// Refusal of a mechanism whose constraints contradict each other. Its text says by how much, in
-/// the unit of lengths inside or, for people, in that of their file.
+/// Refusal of a mechanism whose constraints contradict each other or the drawing. Its text says by
+/// how much, in the unit of lengths inside or, for people, in that of their file.
 class ContradictionError : public std::invalid_argument {
  public:
   /// before, after: the text around the amount. unit: "m"; "1" where the amount is no length in a
@@ -29,7 +29,7 @@ class ContradictionError : public std::invalid_argument {
 
  private:
   static std::string written(double amount, const DisplayUnit& unit) {
-    return formatted("%.1e", unit.from_si(amount)) + (unit.name == "1" ? "" : " " + unit.name);
+    return formatted("%.2g", unit.from_si(amount)) + (unit.name == "1" ? "" : " " + unit.name);
   }
 
   std::string before_, after_;

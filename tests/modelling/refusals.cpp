@@ -24,7 +24,7 @@ TEST(Refused, ThirdCrankThatContradictsByMoreThanTheLimit) {
   for (const double off : {2e-2, -2e-2})
     expect_refused(parallelogram({0, 2, 5}, 1, 1 + off), turning,
                    {"contradict each other as it moves: with its drivers ('theta') moved by ",
-                    "' is off by ", " at best"});
+                    "0.1 rad, '", "' is off by ", " at best"});
   for (const double off : {1e-9, 1e-6, -1e-5, 2e-3})
     EXPECT_NO_THROW(model_mechanism(parallelogram({0, 2, 5}, 1, 1 + off), turning)) << off;
 }
@@ -55,8 +55,8 @@ TEST(Refused, TooManyDrivers) {
 
 TEST(Refused, MissingDriver) {
   expect_refused(four_bar_sketch().release_pinned(), {},
-                 {"under-constrained", "'crank'", "'coupler'", "'rocker'", "add a driver",
-                  "'theta'", "'psi'"});
+                 {"under-constrained", "'crank'", "'coupler'", "'rocker'",
+                  "add a driver, such as 'theta', or a joint"});
 }
 
 /// In the plane a rod between two pins cannot spin about their line.
@@ -109,6 +109,17 @@ TEST(Refused, DistanceAlongAVectorThatTheBodyLeaves) {
   d.angle("theta", line(A, B)).driven = true;
   d.along("s", A, B, x);
   expect_refused(d.release_pinned(), {still}, {"over-constrained", "crank", "'theta'"});
+}
+
+TEST(Refused, LineThatIsDrawnOffTheVectorAlongWhichItIs) {
+  Sketch d("sleeve", 3);
+  const int A = d.ground_point("A", {0, 0, 0}), z = d.ground_vector("z", {0, 0, 1});
+  const int P = d.point("P", {0.03, 0, 2}), sleeve = d.body("sleeve", {P}, {z});
+  d.joint(JointType::cylindrical, Sketch::ground, sleeve, {A, P}, {z}, "post");
+  d.component("height", P, 2).driven = true;
+  expect_refused(d.release(), {still},
+                 {"joint 'post': A-P is not along 'z' in the nominal position: it is off by 0.03 m",
+                  "\"at\""});
 }
 
 TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {

@@ -215,10 +215,12 @@ std::string failure_text(const CheckedSummary& s, const Model& m, const DisplayU
   // There is none where an instant between those solved is not right.
   const std::string residual =
       std::isfinite(s.residual) ? formatted(" (residual %.1e)", s.residual) : "";
-  const std::string start = !is_start ? ""
-                                      : start_text(m, units,
-                                                   z.empty() ? driver_values(m, s.time)
-                                                             : std::vector(z.begin(), z.end()));
+  std::string start = !is_start ? ""
+                                : start_text(m, units,
+                                             z.empty() ? driver_values(m, s.time)
+                                                       : std::vector(z.begin(), z.end()));
+  if (!start.empty() && z.empty())
+    start += " (a motion with \"from\": \"drawing\" counts from there)";
   return place + moment(s.time) + ": " + reason.what + residual +
          assembly_error_text(s.assembly_error, m, units) + start + "; " + reason.remedy;
 }

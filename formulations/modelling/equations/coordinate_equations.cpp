@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
+#include "formulations/modelling/contradiction_error.h"
 #include "formulations/modelling/equations/equation_writer.h"
 
 namespace desmo {
@@ -138,9 +140,16 @@ void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   const Vec s = Drawing<double>{d}.direction(c.of), u = d.vectors[c.vector].direction;
   const double along = nominal::dot(s, u);
   const Vec off = s - Vec{along * u[0], along * u[1], along * u[2]};
-  if (nominal::norm(off) > 1e-6 * nominal::size(d))
-    throw std::invalid_argument("coordinate '" + c.name + "': " + w.text(c.of) + " is not along '" +
-                                d.vectors[c.vector].name + "' in the nominal position");
+  const double distance = nominal::norm(off);
+  if (distance <= 1e-6 * nominal::size(d)) return;
+  const bool is_of_joint =
+      std::ranges::count(d.coordinates, c.name, &Mechanism::Coordinate::name) == 0;
+  const std::string name =
+      is_of_joint ? "joint '" + c.name.substr(0, c.name.rfind('/')) : "coordinate '" + c.name;
+  throw ContradictionError(
+      name + "': " + w.text(c.of) + " is not along '" + d.vectors[c.vector].name +
+          "' in the nominal position: it is off by ",
+      distance, "; draw it along that, or place one of the bodies by \"at\"", d.length_unit);
 }
 
 template <int D>

@@ -158,24 +158,25 @@ std::string names_of(const Mechanism& d, const RigidBodies& rigid, const std::ve
 
 [[noreturn]] void refuse_undetermined(const Mechanism& d, const RigidBodies& rigid,
                                       const std::vector<int>& bodies, int missing) {
-  std::string measured;
-  for (const Mechanism::Coordinate& c : d.coordinates)
-    if (!c.driven && std::ranges::any_of(bodies_related(rigid, c), [&](int b) {
-          return std::ranges::binary_search(bodies, b);
-        }))
-      measured += (measured.empty() ? "'" : ", '") + c.name + "'";
+  // Those that a request defines come after the mechanism's own.
+  const auto measured = std::ranges::find_if(d.coordinates, [&](const Mechanism::Coordinate& c) {
+    return !c.driven && std::ranges::any_of(bodies_related(rigid, c), [&](int b) {
+      return std::ranges::binary_search(bodies, b);
+    });
+  });
   std::string spins;
   for (const int b : bodies)
     if (const std::string about = undetermined_spin(d, rigid, b); !about.empty())
       spins += "; '" + d.bodies[rigid.list[b].bodies.front()].name + "' is free to spin about " +
                about + ", which its other points do not follow";
-  throw std::invalid_argument(
-      d.name + " is under-constrained: " + std::to_string(missing) +
-      (missing == 1 ? " freedom" : " freedoms") + " among " + names_of(d, rigid, bodies) +
-      (missing == 1 ? " is" : " are") + " determined by no joint or driver" + spins +
-      "; add a driver" +
-      (measured.empty() ? " (declare a coordinate to drive)" : ", such as " + measured + ",") +
-      " or a joint");
+  throw std::invalid_argument(d.name + " is under-constrained: " + std::to_string(missing) +
+                              (missing == 1 ? " freedom" : " freedoms") + " among " +
+                              names_of(d, rigid, bodies) + (missing == 1 ? " is" : " are") +
+                              " determined by no joint or driver" + spins + "; add a driver" +
+                              (measured == d.coordinates.end()
+                                   ? " (declare a coordinate to drive)"
+                                   : ", such as '" + measured->name + "',") +
+                              " or a joint");
 }
 
 }  // namespace

@@ -61,8 +61,13 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
   for (std::size_t i = 0; i < c.others.size() && i < shown; ++i)
     others += (i == 0 ? ", against '" : ", '") + m.constraints[c.others[i]].name + "'";
   if (c.others.size() > shown) others += ", …";
+  const std::vector<EntityId> owner = entity_of_coordinate(m);
+  const bool turns =
+      std::none_of(s.columns.begin() + s.unknowns, s.columns.end(),
+                   [&](int coordinate) { return is_length(m.entities[owner[coordinate]].kind); });
   throw ContradictionError(text + ": with its drivers (" + driver_names(m, s) + ") moved by " +
-                               formatted("%g", c.moved) + ", '" + constraint.name + "' is off by ",
+                               formatted("%g", c.moved) + (turns ? " rad" : " of its size") +
+                               ", '" + constraint.name + "' is off by ",
                            c.amount, " at best" + others, is_of_length ? m.length_unit : "1");
 }
 
