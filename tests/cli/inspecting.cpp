@@ -115,6 +115,65 @@ TEST_F(Cli, MarksRedundantConstraints) {
   EXPECT_TRUE(std::ranges::any_of(left_out, [](const Json& l) { return l["redundant"] == true; }));
 }
 
+/// A pin in a slot, with a cam on its arm; and two slides of which one rests on the other.
+TEST_F(Cli, NotesWhatADrawingMayNotHaveMeant) {
+  const auto inspect = [&](const std::string& pin, const std::string& follower) {
+    write("m.json", R"({"format": "desmo-mechanism", "version": 1, "name": "slot", "dimension": 2,
+      "units": {"length": "mm", "angle": "deg"}, "points": {"A": [0, 0], "H": [10, 0],
+        "P": [30, )" + pin +
+                        R"(], "F": [0, )" + follower + R"(]},
+      "vectors": {"slot": [1, 0], "y": [0, 1]}, "ground": {"points": ["A", "H"], "vectors": ["y"]},
+      "bodies": {"arm": {"points": ["A", "P"]}, "gate": {"points": ["H"], "vectors": ["slot"]},
+                 "follower": {"points": ["F"], "vectors": ["y"]}},
+      "joints": [
+        {"type": "revolute", "bodies": ["ground", "arm"], "points": ["A"]},
+        {"type": "revolute", "bodies": ["ground", "gate"], "points": ["H"]},
+        {"name": "pin", "type": "revolute_on_slider", "bodies": ["gate", "arm"],
+         "vectors": ["slot"], "points": ["H", "P"]},
+        {"type": "prismatic", "bodies": ["ground", "follower"], "vectors": ["y"],
+         "points": ["A", "F"]}],
+      "coordinates": {"phi": {"angle": ["A", "P"]}, "s": {"distance": ["A", "F"], "along": "y"}},
+      "couplings": {"cam": {"coordinate": "s", "of": "phi", "at": [-180, 180],
+                            "values": [40, 40]}},
+      "drivers": ["phi"]})");
+    ASSERT_EQ(desmo("inspect m.json"), 0) << err_;
+  };
+  // Of lengths of 20 to 32 mm, 1e-9 is between 1e-8 mm and 1e-7 mm; of 40 mm, 1e-6 is 4e-5 mm.
+  inspect("1e-8", "40.00001");
+  EXPECT_EQ(err_, "");
+  inspect("1e-7", "40.0001");
+  EXPECT_TRUE(says("note: pin: ") && says("note: coupling 'cam': ")) << err_;
+  inspect("4", "35");
+  EXPECT_EQ(err_,
+            "note: pin: P is drawn 4 mm off the line through H along 'slot', and stays there\n"
+            "note: coupling 'cam': its table gives s = 40 mm where phi is drawn, s is drawn "
+            "at 35 mm; where the table is a lift, add \"from\": \"drawing\"\n");
+
+  write("rest.json", R"({"format": "desmo-scene", "version": 2, "mechanism": {
+    "format": "desmo-mechanism", "version": 1, "name": "rest", "dimension": 3,
+    "points": {"A": [0, 0, 0], "M": [5, 0, 0], "Q": [0, 0, 1], "P": [5, 0, 1.25]},
+    "vectors": {"x": [1, 0, 0], "z": [0, 0, 1]},
+    "ground": {"points": ["A", "M"], "vectors": ["x", "z"]},
+    "bodies": {"table": {"points": ["Q"], "vectors": ["x", "z"]},
+               "tip": {"points": ["P"], "vectors": ["x", "z"]}},
+    "joints": [
+      {"type": "prismatic", "bodies": ["ground", "table"], "vectors": ["z", "x"],
+       "points": ["A", "Q"]},
+      {"type": "prismatic", "bodies": ["ground", "tip"], "vectors": ["z", "x"],
+       "points": ["M", "P"]},
+      {"name": "rest", "type": "point_on_plane", "bodies": ["table", "tip"], "vectors": ["z"],
+       "points": ["Q", "P"]}],
+    "coordinates": {"s": {"distance": ["A", "Q"], "along": "z"}}, "drivers": ["s"]},
+    "motion": {"s": {"type": "speed", "value": 1}}, "time": {"at": 0.5}})");
+  ASSERT_EQ(desmo("solve rest.json"), 0) << err_;
+  EXPECT_TRUE(
+      says("note: rest: P is drawn 0.25 m off the plane through Q with the normal 'z', and "
+           "stays there\n"))
+      << err_;
+  ASSERT_EQ(desmo("solve rest.json --quiet"), 0);
+  EXPECT_EQ(err_, "");
+}
+
 TEST_F(Cli, NamesIdleFreedoms) {
   ASSERT_EQ(desmo("inspect rssr"), 0) << err_;
   EXPECT_TRUE(prints("coupler: free to spin about the line of 'A' and 'B'")) << out_;

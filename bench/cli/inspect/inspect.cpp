@@ -1,7 +1,9 @@
 // desmo inspect: the structure of a mechanism.
+#include <cstdio>
 #include <memory>
 
 #include "bench/cli/commands.h"
+#include "bench/cli/drawing_notes.h"
 #include "bench/cli/inspect/inspection.h"
 #include "cases/io/new_files.h"
 
@@ -14,7 +16,10 @@ struct InspectOptions {
 };
 
 void run(const InspectOptions& options) {
-  const Inspection inspection = inspect(load_mechanism(options.mechanism));
+  const Input input = load_mechanism(options.mechanism);
+  const Inspection inspection = inspect(input);
+  std::fputs(note_on_drawing(input.scene.mechanism, inspection.model(), input.units).c_str(),
+             stderr);
   write_standard_output(options.json ? to_json(inspection) : to_text(inspection));
 }
 

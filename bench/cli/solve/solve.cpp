@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bench/cli/commands.h"
+#include "bench/cli/drawing_notes.h"
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
 #include "bench/cli/interruption.h"
@@ -198,6 +199,7 @@ void solve(const SolveOptions& options) {
   protect_input(options.output, input, options.drivers);
   OutputFile output(options.output, remove_when_interrupted);
   const Model whole = model_mechanism(input).model;
+  if (!options.quiet) say(note_on_drawing(input.scene.mechanism, whole, input.units));
   const Plan plan = make_plan(whole, outputs_of(input, whole), extent_of(options.check.mode));
   Measures measures(input.scene, plan.model);
   if (options.explain) say(explain(plan, whole));

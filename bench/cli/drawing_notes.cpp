@@ -1,0 +1,69 @@
+#include "bench/cli/drawing_notes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "formulations/constraints/coordinates.h"
+#include "formulations/constraints/table.h"
+#include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/scales.h"
+
+namespace desmo::cli {
+namespace {
+
+/// An offset is meant as 0 where it is, over the characteristic length of its points, at most this.
+constexpr double max_meant_as_zero = 1e-9;
+
+/// A table leads through the drawing where its value is off by at most this, of a length over the
+/// characteristic length of its points, else [rad]. Drawings have some digits.
+constexpr double max_difference = 1e-6;
+
+std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const Model& m,
+                           const DisplayUnits& units) {
+  const bool in_plane = j.type == Mechanism::JointType::point_on_plane;
+  if (!in_plane && j.type != Mechanism::JointType::revolute_on_slider) return "";
+  const std::string name = j.name + (in_plane ? ": distance from the plane" : ": offset");
+  const auto kept = std::ranges::find(m.constraints, name, &Constraint::name);
+  if (kept == m.constraints.end()) return "";
+  const double offset = std::abs(kept->constants[0]);
+  if (offset <= max_meant_as_zero * CharacteristicLengths(m).of(*kept)) return "";
+  return "note: " + j.name + ": " + d.points[j.points[1]].name + " is drawn " +
+         quantity(offset, units.length, "%.3g") + " off the " +
+         (in_plane ? "plane" : "line") + " through " + d.points[j.points[0]].name +
+         (in_plane ? " with the normal '" : " along '") + d.vectors[j.vectors[0]].name +
+         "', and stays there\n";
+}
+
+/// c: the equation of a coupling by a table, of which the first coordinate follows the second.
+std::string note_on_table(const Constraint& c, const Model& m, const DisplayUnits& units) {
+  const Entity &first = m.entities[c.operands[0]], &second = m.entities[c.operands[1]];
+  const double drawn = m.estimate[first.first], at = c.constants[1] * m.estimate[second.first];
+  const double given =
+      c.constants[2] +
+      c.constants[0] * table_coefficient<0>(c.constants.data() + TableCoupling::table, at);
+  const bool is_of_length = is_length(first.kind);
+  const double off = is_of_length ? (given - drawn) / CharacteristicLengths(m).of(c)
+                                  : std::remainder(given - drawn, 2 * std::numbers::pi);
+  if (std::abs(off) <= max_difference) return "";
+  const DisplayUnit unit = unit_of(units, first.kind);
+  return "note: coupling '" + c.name.substr(0, c.name.rfind(':')) + "': its table gives " +
+         first.name + " = " + quantity(given, unit, "%.6g") + " where " + second.name +
+         " is drawn, " + first.name + " is drawn at " + quantity(drawn, unit, "%.6g") +
+         "; where the table is a lift, add \"from\": \"drawing\"\n";
+}
+
+}  // namespace
+
+std::string note_on_drawing(const Mechanism& d, const Model& m, const DisplayUnits& units) {
+  std::string notes;
+  for (const Mechanism::Joint& j : d.joints) notes += note_on_offset(d, j, m, units);
+  // The drawing is an estimate where bodies have their shape from elsewhere.
+  if (std::ranges::any_of(d.bodies, [](const auto& body) { return body.own || body.length; }))
+    return notes;
+  for (const Constraint& c : m.constraints)
+    if (constraint_kind_name(c.kind) == TableCoupling::name) notes += note_on_table(c, m, units);
+  return notes;
+}
+
+}  // namespace desmo::cli
