@@ -29,10 +29,9 @@ std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const 
   const double offset = std::abs(kept->constants[0]);
   if (offset <= max_meant_as_zero * CharacteristicLengths(m).of(*kept)) return "";
   return "note: " + j.name + ": " + d.points[j.points[1]].name + " is drawn " +
-         quantity(offset, units.length, "%.3g") + " off the " +
-         (in_plane ? "plane" : "line") + " through " + d.points[j.points[0]].name +
-         (in_plane ? " with the normal '" : " along '") + d.vectors[j.vectors[0]].name +
-         "', and stays there\n";
+         quantity(offset, units.length, "%.3g") + " off the " + (in_plane ? "plane" : "line") +
+         " through " + d.points[j.points[0]].name + (in_plane ? " with the normal '" : " along '") +
+         d.vectors[j.vectors[0]].name + "', and stays there\n";
 }
 
 /// c: the equation of a coupling by a table, of which the first coordinate follows the second.

@@ -38,7 +38,7 @@ Coupling by_table(const JsonValue& value, const std::vector<Coordinate>& coordin
   TableColumn values = column_of("values", coordinates[follows], units),
               arguments = column_of("at", coordinates[leads], units);
   const Derived unit = exact_unit(values.unit, is_angle(coordinates[follows]));
-  read_table(value, files, arguments, values);
+  read_table(value, files, coordinates, arguments, values);
   Coupling coupling;
   for (const auto& [c, column] : {std::pair(follows, &values), std::pair(leads, &arguments)})
     coupling.terms.push_back({c, Derived(1) / exact_unit(column->unit, is_angle(coordinates[c]))});

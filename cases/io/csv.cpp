@@ -34,9 +34,12 @@ bool to_number(std::string_view field, double& value) {
 ColumnHeading column_heading(std::string_view field) {
   if (field.size() > 1 && field.front() == '"' && field.back() == '"')
     field = field.substr(1, field.size() - 2);
-  const std::size_t bracket = field.ends_with(']') ? field.rfind(" [") : std::string_view::npos;
+  const std::size_t bracket = field.ends_with(']')   ? field.rfind('[')
+                              : field.ends_with(')') ? field.rfind('(')
+                                                     : std::string_view::npos;
   if (bracket == std::string_view::npos) return {field, {}, false};
-  return {field.substr(0, bracket), field.substr(bracket + 2, field.size() - bracket - 3), true};
+  return {trimmed(field.substr(0, bracket)),
+          trimmed(field.substr(bracket + 1, field.size() - bracket - 2)), true};
 }
 
 }  // namespace desmo

@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text);
 /// Reads a whole field as a number. Returns whether it is one.
 bool to_number(std::string_view field, double& value);
 
-/// Name and unit of a column: those of `theta [deg]`, also in quotes.
+/// Name and unit of a column: those of `theta [deg]` or `theta (deg)`, also in quotes.
 struct ColumnHeading {
   std::string_view name, unit;  ///< the unit may be empty
   bool has_unit;

@@ -137,7 +137,7 @@ class MotionReader {
     static const DisplayUnit second{"s", 1};
     TableColumn times{"times", "t", second, {&second, 1}},
         values = column_of("values", coordinate_, units_);
-    read_table(value_, files_, times, values);
+    read_table(value_, files_, mechanism_.coordinates, times, values);
     for (double& z : values.numbers) z = values.unit.to_si(z);
     try {
       return make_spline(std::move(times.numbers), std::move(values.numbers),

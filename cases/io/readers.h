@@ -140,8 +140,10 @@ TableColumn column_of(std::string_view key, const Mechanism::Coordinate& coordin
                       const DisplayUnits& units);
 
 /// Reads a table from its lists, or from the CSV file that its `file` names; without a heading that
-/// has two columns. Numbers are those of the file, and units those of its heading.
-void read_table(const JsonValue& value, NamedFiles& files, TableColumn& arguments,
+/// has two columns. Numbers are those of the file, and units those of its heading. coordinates:
+/// those of the mechanism, of which a heading must name no other.
+void read_table(const JsonValue& value, NamedFiles& files,
+                const std::vector<Mechanism::Coordinate>& coordinates, TableColumn& arguments,
                 TableColumn& values);
 
 /// Reads the ends of a table; natural where there are none. may_index: others than of a motion.

@@ -11,9 +11,13 @@ namespace {
 
 class TableFile {
  public:
-  TableFile(const JsonValue& place, NamedFiles::Text file, TableColumn& arguments,
+  TableFile(const JsonValue& place, NamedFiles::Text file,
+            const std::vector<Mechanism::Coordinate>& coordinates, TableColumn& arguments,
             TableColumn& values)
-      : place_(place), file_(std::move(file)), columns_{&arguments, &values} {}
+      : place_(place),
+        file_(std::move(file)),
+        coordinates_(coordinates),
+        columns_{&arguments, &values} {}
 
   void read() {
     std::string_view rest = file_.text;
@@ -58,8 +62,11 @@ class TableFile {
         at_[i] = static_cast<std::size_t>(found - names.begin());
       else if (width_ != 2)
         fail("no column is called " + name(i) + "; " + suggestion(columns_[i]->name, names));
+      else if (names[i] == columns_[1 - i]->name ||
+               std::ranges::count(coordinates_, names[i], &Mechanism::Coordinate::name) > 0)
+        fail("column " + std::to_string(i + 1) + " is called " + in_quotes(names[i]) + ", where " +
+             name(i) + " is expected; correct the heading");
     }
-    if (at_[0] == at_[1]) fail("has one column for " + name(0) + " and " + name(1) + "; give two");
     for (const int i : {0, 1}) read_unit(*columns_[i], column_heading(fields_[at_[i]]));
   }
 
@@ -90,6 +97,7 @@ class TableFile {
 
   const JsonValue& place_;
   NamedFiles::Text file_;
+  const std::vector<Mechanism::Coordinate>& coordinates_;
   std::array<TableColumn*, 2> columns_;  // arguments, values
   long line_ = 0;
   std::size_t width_ = 0;
@@ -122,13 +130,14 @@ TableColumn column_of(std::string_view key, const Mechanism::Coordinate& coordin
           is_angle ? known_angle_units() : known_length_units()};
 }
 
-void read_table(const JsonValue& value, NamedFiles& files, TableColumn& arguments,
+void read_table(const JsonValue& value, NamedFiles& files,
+                const std::vector<Mechanism::Coordinate>& coordinates, TableColumn& arguments,
                 TableColumn& values) {
   const auto file = value.find("file");
   if (!file) return read_lists(value, arguments, values);
   if (value.find(arguments.key) || value.find(values.key))
     value.complain("has a file, and lists as well; give one of them");
-  TableFile(*file, files.read_named(*file, "table"), arguments, values).read();
+  TableFile(*file, files.read_named(*file, "table"), coordinates, arguments, values).read();
 }
 
 SplineEnds read_ends(const JsonValue& table, bool may_index) {

@@ -211,9 +211,11 @@ TEST_F(TableFile, HasRowsOfTimesAndValues) {
     EXPECT_EQ(sample(motion, 1.0).position, 10 * degree) << rows;
     EXPECT_NEAR(sample(motion, 2.0).position, 40 * degree, 1e-15) << rows;
   }
-  Motion motion;
-  ASSERT_EQ(read("t [s],angle [rad]\n0,0\n1,10\n2,40\n", &motion), "accepted");
-  EXPECT_EQ(sample(motion, 1.0).position, 10);
+  for (const char* heading : {"t [s],angle [rad]", "Time (s),Motor (rad)"}) {
+    Motion motion;
+    ASSERT_EQ(read(heading + std::string("\n0,0\n1,10\n2,40\n"), &motion), "accepted");
+    EXPECT_EQ(sample(motion, 1.0).position, 10) << heading;
+  }
 }
 
 TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
@@ -222,10 +224,12 @@ TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
       {"t,angle\n0,0\n", "has 1 rows"},
       {"0,0,0\n1,1,1\n", "line 1: has 3 columns and no heading; give two, 't' and 'angle'"},
       {"t,angel,s\n0,0,0\n", "line 1: no column is called 'angle'; did you mean 'angel'?"},
-      {"angle,t2\n0,0\n1,1\n", "line 1: has one column for 't' and 'angle'; give two"},
+      {"angle,t2\n0,0\n1,1\n", "line 1: column 1 is called 'angle', where 't' is expected"},
+      {"x,t\n0,0\n1,1\n", "line 1: column 2 is called 't', where 'angle' is expected"},
+      {"t,turn [rad]\n0,0\n1,1\n", "line 1: column 2 is called 'turn', where 'angle' is expected"},
       {"t [ms],angle\n0,0\n1,1\n",
        "line 1: 't' is in 'ms', no unit that it can have; give it in 's'"},
-      {"t,angle [mm]\n0,0\n1,1\n",
+      {"t,z (mm)\n0,0\n1,1\n",
        "line 1: 'angle' is in 'mm', no unit that it can have; give it in 'deg'"},
       {"t,angle\n0,0\n\n1,x\n", "line 4: column 2: 'x' is not a number"},
       {"0,0\n1,nan\n", "line 2: column 2: 'nan' is not a number"},
@@ -282,7 +286,7 @@ TEST_F(CouplingFile, WhatIsWrongIsNamedWithItsLine) {
       {"angle,height\n0,0\n", "has 1 rows; a table needs 2 or more"},
       {"0,0,0\n1,1,1\n", "line 1: has 3 columns and no heading; give two, 'angle' and 'height'"},
       {"t,height,s\n0,0,0\n", "line 1: no column is called 'angle'; there are 't', 'height', 's'"},
-      {"height,a\n0,0\n1,1\n", "line 1: has one column for 'angle' and 'height'; give two"},
+      {"height,a\n0,0\n1,1\n", "line 1: column 1 is called 'height', where 'angle' is expected"},
       {"angle [mm],height\n0,0\n1,1\n", "line 1: 'angle' is in 'mm', no unit that it can have"},
       {"angle,height [1]\n0,0\n1,1\n",
        "line 1: 'height' is in '1', no unit that it can have; give it in 'm'"},
