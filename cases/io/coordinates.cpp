@@ -42,12 +42,16 @@ class CoordinateReader {
       if (const auto from = value.find("from")) c.from = read_direction(*from, names_);
       return;
     }
-    const JsonValue from = value["from"];
+    const JsonValue from = value["from"], towards = value["towards"];
     std::string_view name = from.text();
     c.opposite = name.starts_with('-');
     if (c.opposite) name.remove_prefix(1);
     c.from.vector = names_.vectors.find(from, name);
-    c.towards.vector = names_.vectors.find(value["towards"]);
+    if (towards.text().starts_with('-'))
+      towards.complain(
+          "an opposite such as " + in_quotes(towards.text()) +
+          " is taken by \"from\" alone; give a vector that is declared in that direction");
+    c.towards.vector = names_.vectors.find(towards);
   }
 
   void read_distance(const JsonValue& value, Coordinate& c) const {

@@ -59,6 +59,7 @@ Coupling by_table(const JsonValue& value, const std::vector<Coordinate>& coordin
 
 Coupling of_sum(const JsonValue& value, const std::vector<Coordinate>& coordinates,
                 const DisplayUnits& units, const Names& names) {
+  if (!value.find("sum")) value.allow({"sum", "coordinate", "of", "at", "values"});
   value.allow({"sum"});
   Coupling coupling;
   for (const JsonValue& factor : value["sum"].members())

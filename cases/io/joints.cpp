@@ -2,45 +2,54 @@
 
 #include "cases/io/readers.h"
 #include "cases/mechanism/joint_forms.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo {
 namespace {
 
-/// What others call a joint, and how it is written as a coupling.
+/// What others call a joint, and how it is written as a coupling of angles in degrees or radians.
 struct CouplingName {
-  std::string_view type, example;
+  std::string_view type, in_degrees, in_radians, meaning;
 };
 constexpr CouplingName coupling_names[] = {
-    {"gear", R"({"wheel1": 20, "wheel2": 40})"},
-    {"rack", R"({"pinion": 15, "travel": -1})"},
-    {"screw", R"({"turn": 5, "travel": -360})"},
-    {"belt", R"({"pulley1": 60, "pulley2": -30})"},
+    {"gear", R"({"wheel1": 20, "wheel2": 40})", R"({"wheel1": 20, "wheel2": 40})", "teeth"},
+    {"rack", R"({"pinion": 94.24777960769379, "travel": -360})", R"({"pinion": 15, "travel": -1})",
+     "a pinion of radius 15"},
+    {"screw", R"({"turn": 5, "travel": -360})", R"({"turn": 5, "travel": -6.283185307179586})",
+     "5 a turn"},
+    {"belt", R"({"pulley1": 60, "pulley2": -30})", R"({"pulley1": 60, "pulley2": -30})", "radii"},
 };
 
-void refuse_coupling(const JsonValue& value) {
-  for (const auto& [type, example] : coupling_names)
+void refuse_coupling(const JsonValue& value, const DisplayUnits& units) {
+  for (const auto& [type, in_degrees, in_radians, meaning] : coupling_names)
     if (value.text() == type)
       value.complain("'" + std::string(type) +
                      "' is a coupling of coordinates and no joint; join the bodies to what carries "
                      "them, declare a coordinate of each, and give \"couplings\": {\"name\": "
                      "{\"sum\": " +
-                     std::string(example) + "}}");
+                     std::string(units.angle.name == "deg" ? in_degrees : in_radians) + "}} (" +
+                     std::string(meaning) + ")");
 }
 
-Mechanism::JointType read_type(const JsonValue& value) {
-  refuse_coupling(value);
+Mechanism::JointType read_type(const JsonValue& value, int dimension, const DisplayUnits& units) {
+  refuse_coupling(value, units);
+  const auto form = std::ranges::find(joint_forms(), value.text(), &JointForm::name);
+  if (form != joint_forms().end()) return form->type;  // validate() refuses another dimension's
   std::vector<std::string_view> names;
   for (const JointForm& known : joint_forms())
-    if (std::ranges::find(names, known.name) == names.end()) names.push_back(known.name);
-  const std::string_view name = names[value.choose("type of joint", names)];
-  return std::ranges::find(joint_forms(), name, &JointForm::name)->type;
+    if (known.dimension == dimension) names.push_back(known.name);
+  value.complain("unknown type of joint " + in_quotes(value.text()) + "; " +
+                 suggestion(value.text(), names));
 }
 
-Mechanism::Joint read_joint(const JsonValue& value, const Names& names) {
+Mechanism::Joint read_joint(const JsonValue& value, int dimension, const DisplayUnits& units,
+                            const Names& names) {
+  Mechanism::Joint joint{};
+  // Looks at it before at keys that another type might have.
+  if (const auto type = value.find("type")) joint.type = read_type(*type, dimension, units);
   value.allow({"name", "type", "bodies", "points", "vectors"});
-  Mechanism::Joint joint;
+  value["type"];  // is required
   if (const auto name = value.find("name")) joint.name = checked_name(*name, name->text());
-  joint.type = read_type(value["type"]);
   joint.bodies = names.bodies.find_pair(value["bodies"]);
   if (const auto points = value.find("points")) joint.points = names.points.find_each(*points);
   if (const auto vectors = value.find("vectors")) joint.vectors = names.vectors.find_each(*vectors);
@@ -49,10 +58,11 @@ Mechanism::Joint read_joint(const JsonValue& value, const Names& names) {
 
 }  // namespace
 
-std::vector<Mechanism::Joint> read_joints(const JsonValue& root, const Names& names) {
+std::vector<Mechanism::Joint> read_joints(const JsonValue& root, int dimension,
+                                          const DisplayUnits& units, const Names& names) {
   std::vector<Mechanism::Joint> joints;
   for (const JsonValue& value : root["joints"].elements())
-    joints.push_back(read_joint(value, names));
+    joints.push_back(read_joint(value, dimension, units, names));
   return joints;
 }
 

@@ -70,7 +70,7 @@ ReadMechanism mechanism_from(const JsonValue& root, NamedFiles& files) {
   d.points = read_points(root["points"], d.dimension, units, names);
   d.vectors = read_vectors(root, d.dimension, d.points, names);
   read_bodies(root, d, units, names);
-  d.joints = read_joints(root, names);
+  d.joints = read_joints(root, d.dimension, units, names);
   name_joints(d);
   d.coordinates = read_coordinates(root, d.dimension, units, names);
   d.couplings = read_couplings(root, d, units, names, files);

@@ -93,7 +93,8 @@ void read_bodies(const JsonValue& root, Mechanism& mechanism, const DisplayUnits
 Mechanism::Vec drawn_position(const Mechanism::Frame& frame, const Mechanism::Vec& local);
 
 /// Reads joints; names of those without one are empty.
-std::vector<Mechanism::Joint> read_joints(const JsonValue& root, const Names& names);
+std::vector<Mechanism::Joint> read_joints(const JsonValue& root, int dimension,
+                                          const DisplayUnits& units, const Names& names);
 
 /// Reads relative coordinates and which of them are driven.
 std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int dimension,

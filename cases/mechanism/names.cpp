@@ -14,7 +14,7 @@ namespace utf = boost::locale::utf;
 constexpr int max_distance = 3;
 constexpr std::size_t min_contained = 3;  // characters of a part of a name
 constexpr std::size_t max_suggestions = 3;
-constexpr std::size_t max_listed = 8;
+constexpr std::size_t max_listed = 15, first_listed = 8;  // all of a list, and of a longer one
 
 // Levenshtein's distance, or limit + 1 when it is larger. Only a band of 2 limit + 1 diagonals is
 // evaluated: the search for a misspelt name visits every name of a mechanism.
@@ -129,7 +129,7 @@ std::string enumeration(std::span<const std::string_view> known) {
   if (known.empty()) return "there are none";
   if (known.size() <= max_listed) return "there are " + list(known);
   return "there are " + std::to_string(known.size()) + ", the first are " +
-         list(known.first(max_listed));
+         list(known.first(first_listed));
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> known) {

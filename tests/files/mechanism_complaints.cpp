@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 #include "tests/files/common.h"
 
@@ -177,13 +178,9 @@ TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
        "\"type\": \"revolut\", \"bodies\": [\"crank\"",
        "/joints/1/type: unknown type of joint 'revolut'; did you mean 'revolute'?"},
       {"\"type\": \"revolute\", \"bodies\": [\"crank\"",
-       "\"type\": \"gear\", \"bodies\": [\"crank\"",
-       "/joints/1/type: 'gear' is a coupling of coordinates and no joint; join the bodies to what "
-       "carries them, declare a coordinate of each, and give \"couplings\": {\"name\": {\"sum\": "
-       "{\"wheel1\": 20, \"wheel2\": 40}}}"},
-      {"\"type\": \"revolute\", \"bodies\": [\"crank\"",
-       "\"type\": \"screw\", \"bodies\": [\"crank\"",
-       "/joints/1/type: 'screw' is a coupling of coordinates"},
+       "\"type\": \"pin\", \"length\": 1, \"bodies\": [\"crank\"",
+       "/joints/1/type: unknown type of joint 'pin'; there are 'revolute', 'prismatic', "
+       "'revolute_on_slider', 'fixed'"},
       {"\"drivers\": [",
        "\"couplings\": {\"c\": {\"sum\": {\"theta\": 5, \"s\": -360}}}, \"drivers\": [",
        "accepted"},
@@ -196,7 +193,8 @@ TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
        "\"couplings\": {\"c\": {\"sum\": {\"theta\": 0, \"s\": 1}}}, \"drivers\": [",
        "/couplings/c: coupling 'c': the factor of 'theta' is 0 or not finite; give another number"},
       {"\"drivers\": [", "\"couplings\": {\"c\": {\"product\": {}}}, \"drivers\": [",
-       "/couplings/c/product: unknown key 'product'"},
+       "/couplings/c/product: unknown key 'product'; there are 'sum', 'coordinate', 'of', 'at', "
+       "'values'"},
       {"\"type\": \"revolute\", \"bodies\": [\"crank\"", "\"bodies\": [\"crank\"",
        "/joints/1: the key 'type' is missing; add it"},
       {"\"type\": \"revolute\", \"bodies\": [\"crank\"",
@@ -243,8 +241,35 @@ TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
                  message == "accepted" ? message : "m.json: " + message);
 }
 
+TEST(MechanismFile, JointsThatAreCouplingsAreShownInTheUnitsOfTheFile) {
+  const std::tuple<const char*, const char*, const char*> joints[] = {
+      {"gear", "deg", R"({"wheel1": 20, "wheel2": 40}}} (teeth))"},
+      {"belt", "rad", R"({"pulley1": 60, "pulley2": -30}}} (radii))"},
+      {"rack", "deg", R"({"pinion": 94.24777960769379, "travel": -360}}} (a pinion of radius 15))"},
+      {"rack", "rad", R"({"pinion": 15, "travel": -1}}} (a pinion of radius 15))"},
+      {"screw", "deg", R"({"turn": 5, "travel": -360}}} (5 a turn))"},
+      {"screw", "rad", R"({"turn": 5, "travel": -6.283185307179586}}} (5 a turn))"},
+  };
+  for (const auto& [type, unit, sum] : joints)
+    EXPECT_EQ(
+        mechanism_complaint(replaced(
+            replaced(slider_crank, "\"deg\"", "\"" + std::string(unit) + "\""),
+            "{\"type\": \"revolute\"", "{\"type\": \"" + std::string(type) + "\", \"ratio\": 1")),
+        "m.json: /joints/1/type: '" + std::string(type) +
+            "' is a coupling of coordinates and no joint; join the bodies to what carries "
+            "them, declare a coordinate of each, and give \"couplings\": {\"name\": "
+            "{\"sum\": " +
+            sum);
+}
+
 TEST(MechanismFile, WhatIsWrongInSpaceIsNamedToo) {
   const Change changes[] = {
+      {"\"spherical\"", "\"ball\"",
+       "/joints/1/type: unknown type of joint 'ball'; there are 'revolute', 'prismatic', "
+       "'cylindrical', 'universal', 'spherical', 'fixed', 'hinge', 'point_on_line', "
+       "'point_on_plane', 'planar'"},
+      {"\"towards\": \"v\"", "\"towards\": \"-v\"",
+       "/coordinates/theta/towards: an opposite such as '-v' is taken by \"from\" alone; "},
       {"[\"v\", \"u\"]", "[\"v\"]", "/vectors/w/normal: has 1 directions; give two"},
       {"[\"v\", \"u\"]", "[\"u\", \"u\"]", "/vectors/w/normal: the two directions are parallel"},
       {"[\"v\", \"u\"]", "[\"w\", \"u\"]",

@@ -21,6 +21,8 @@ TEST(Names, NearestComeFirstAndInOrder) {
   EXPECT_EQ(nearest_names("lo", ids), Names{}) << "too short to say anything";
   EXPECT_EQ(suggestion("C1", known), "did you mean 'C2', 'C'?");
   EXPECT_EQ(suggestion("something", Names{}), "there are none");
+  EXPECT_NE(enumeration(Names(15, "x")).find("there are 'x'"), std::string::npos);
+  EXPECT_NE(enumeration(Names(16, "x")).find("there are 16, the first are"), std::string::npos);
 }
 
 TEST(Names, PatternsMatchAnyCharacters) {
