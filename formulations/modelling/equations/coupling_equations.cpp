@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,24 +28,30 @@ const Mechanism::Coupling::Term& leading_term(const Mechanism& d, const Mechanis
   return *leading;
 }
 
-template <std::size_t N>
-void write(EquationWriter& w, const Mechanism::Coupling& coupling) {
+void constrain(EquationWriter& w, const Mechanism::Coupling& coupling, int kind,
+               const std::vector<Derived>& dimensions) {
+  std::vector<EntityId> operands;
+  for (const Mechanism::Coupling::Term& term : coupling.terms)
+    operands.push_back(w.coordinates().coordinates[term.coordinate]);
+  w.constrain(Origin::joint, coupling.name + ": coupling", kind, operands, dimensions);
+}
+
+void write_sum(EquationWriter& w, const Mechanism::Coupling& coupling) {
+  static constexpr std::array kinds{kind_index<Coupling<2>>(), kind_index<Coupling<3>>(),
+                                    kind_index<Coupling<4>>()};
   const Mechanism& d = w.mechanism;
   const Derived unit = leading_term(d, coupling).factor;
-  std::array<EntityId, N> operands;
-  std::array<Derived, N + 1> dimensions;
+  std::vector<Derived> dimensions;
   Derived sum = 0;
   double magnitude = 0;
-  for (std::size_t k = 0; k < N; ++k) {
-    const auto& [coordinate, factor] = coupling.terms[k];
-    operands[k] = w.coordinates().coordinates[coordinate];
-    dimensions[k] = factor / unit;
-    const Derived term = dimensions[k] * Drawing<Derived>{d}.value(d.coordinates[coordinate]);
+  for (const auto& [coordinate, factor] : coupling.terms) {
+    dimensions.push_back(factor / unit);
+    const Derived term = dimensions.back() * Drawing<Derived>{d}.value(d.coordinates[coordinate]);
     sum = sum + term;
     magnitude += std::abs(term.value);
   }
-  dimensions[N] = is_rounding(sum.value, magnitude) ? Derived(0) : sum;
-  w.constrain<Coupling<N>>(Origin::joint, coupling.name + ": coupling", operands, dimensions);
+  dimensions.push_back(is_rounding(sum.value, magnitude) ? Derived(0) : sum);
+  constrain(w, coupling, kinds[coupling.terms.size() - Mechanism::Coupling::min_terms], dimensions);
 }
 
 /// Returns the numbers of a table (formulations/constraints/table.h).
@@ -92,32 +97,14 @@ void write_table(EquationWriter& w, const Mechanism::Coupling& coupling) {
       coupling.table->from.value_or(Drawing<Derived>{d}.value(first) - drawn).rounded();
   std::vector<Derived> dimensions{unit, coupling.terms[1].factor, from};
   dimensions.insert(dimensions.end(), numbers.begin(), numbers.end());
-  std::array<EntityId, 2> operands;
-  for (int k = 0; k < 2; ++k)
-    operands[k] = w.coordinates().coordinates[coupling.terms[k].coordinate];
-  w.constrain(Origin::joint, coupling.name + ": coupling", kind_index<TableCoupling>(), operands,
-              dimensions);
+  constrain(w, coupling, kind_index<TableCoupling>(), dimensions);
 }
 
 }  // namespace
 
 void write_coupling_equations(EquationWriter& w) {
-  for (const Mechanism::Coupling& coupling : w.mechanism.couplings) {
-    if (coupling.table) {
-      write_table(w, coupling);
-      continue;
-    }
-    switch (coupling.terms.size()) {
-      case 2:
-        write<2>(w, coupling);
-        break;
-      case 3:
-        write<3>(w, coupling);
-        break;
-      default:
-        write<4>(w, coupling);
-    }
-  }
+  for (const Mechanism::Coupling& coupling : w.mechanism.couplings)
+    coupling.table ? write_table(w, coupling) : write_sum(w, coupling);
 }
 
 }  // namespace desmo

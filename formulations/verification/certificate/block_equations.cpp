@@ -34,12 +34,6 @@ struct Degree {
   friend Degree cos(const Degree&) { return of(mixed); }
 };
 
-void set(Compensated<LaneNumbers>& to, int lane, const Derived& x) {
-  to.value.set(lane, x.value);
-  to.correction.set(lane, x.correction);
-  to.radius.set(lane, x.radius);
-}
-
 void write(const LaneInterval& value, int entry, LaneMatrix& to) {
   if (entry < 0) return;
   to.mid[entry] = value.mid;
@@ -194,9 +188,9 @@ BlockEquations::BlockEquations(const std::vector<const ShapedBlock*>& lanes)
   for (int lane = 0; lane < LaneNumbers::count; ++lane) {
     const ShapedBlock& block = *lanes[lane];
     for (std::size_t k = 0; k < block.constants.size(); ++k)
-      set(constants_[k], lane, block.constants[k]);
+      set_lane(constants_[k], lane, block.constants[k]);
     for (std::size_t i = 0; i < block.remainders.size(); ++i)
-      set(remainders_[i], lane, {0, block.remainders[i]});
+      set_lane(remainders_[i], lane, {0, block.remainders[i]});
   }
   for (const auto& c : constants_) enclosed_constants_.push_back(c.enclosure());
   for (const auto& r : remainders_)

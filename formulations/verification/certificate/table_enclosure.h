@@ -58,7 +58,7 @@ template <class S>
 void set_lane(Compensated<S>& x, int lane, const Derived& to) {
   set_lane(x.value, lane, to.value);
   set_lane(x.correction, lane, to.correction);
-  set_lane(x.radius, lane, to.radius * (1 + 0x1p-40));
+  set_lane(x.radius, lane, to.radius);
 }
 template <class S>
 void set_lane(BasicInterval<S>& x, int lane, const Derived& to) {
