@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "cases/io/files.h"
+#include "cases/io/readers.h"
 #include "cases/mechanism/joint_forms.h"
 #include "cases/mechanism/names.h"
 
@@ -121,7 +121,6 @@ class Writer {
         j["sum"][d_.coordinates[coordinate].name] = factor.value;
       return j;
     }
-    constexpr std::array ends{"natural", "clamped", "periodic", "indexing"};
     const Mechanism::Coupling::Table& table = *coupling.table;
     const auto in_si = [&](const std::vector<double>& numbers, int term) {
       Json list = Json::array();
@@ -133,7 +132,7 @@ class Writer {
     j["of"] = d_.coordinates[coupling.terms[1].coordinate].name;
     j["at"] = in_si(table.arguments, 1);
     j["values"] = in_si(table.values, 0);
-    j["ends"] = ends[static_cast<int>(table.ends)];
+    j["ends"] = ends_names[static_cast<int>(table.ends)];
     j["from"] = table.from ? Json(table.from->value) : Json("drawing");
     return j;
   }

@@ -147,6 +147,10 @@ void read_table(const JsonValue& value, NamedFiles& files,
                 const std::vector<Mechanism::Coordinate>& coordinates, TableColumn& arguments,
                 TableColumn& values);
 
+/// Names of ends in a file, in the order of SplineEnds.
+inline constexpr std::array<std::string_view, 4> ends_names{"natural", "clamped", "periodic",
+                                                            "indexing"};
+
 /// Reads the ends of a table; natural where there are none. may_index: others than of a motion.
 SplineEnds read_ends(const JsonValue& table, bool may_index);
 

@@ -141,13 +141,10 @@ void read_table(const JsonValue& value, NamedFiles& files,
 }
 
 SplineEnds read_ends(const JsonValue& table, bool may_index) {
-  static constexpr std::array<std::string_view, 4> names{"natural", "clamped", "periodic",
-                                                         "indexing"};
-  constexpr std::array ends{SplineEnds::natural, SplineEnds::clamped, SplineEnds::periodic,
-                            SplineEnds::indexing};
   const auto given = table.find("ends");
   if (!given) return SplineEnds::natural;
-  return ends[given->choose("ends", std::span(names).first(may_index ? 4 : 3))];
+  return static_cast<SplineEnds>(
+      given->choose("ends", std::span(ends_names).first(may_index ? 4 : 3)));
 }
 
 }  // namespace desmo
