@@ -9,9 +9,9 @@
 
 namespace desmo::cli {
 
-/// Returns lines on points that joints keep where they are drawn, off the line or plane that they
-/// slide on, and on tables that do not lead through the drawing; nothing if there are none.
-/// model: that of the whole mechanism
+/// Returns a line for each joint whose point is drawn off the line or plane that it slides on,
+/// since that offset is kept, and for each table that does not lead through the drawing; empty if
+/// there is none. model: that of the whole mechanism
 std::string note_on_drawing(const Mechanism& mechanism, const Model& model,
                             const DisplayUnits& units);
 

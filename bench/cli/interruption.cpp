@@ -12,7 +12,8 @@
 namespace desmo::cli {
 namespace {
 
-// A handler may do little more than read these: no destructors, no heap.
+// All that the signal handler reads: plain static memory, since a handler may neither run
+// destructors nor use the heap.
 char path_to_remove[PATH_MAX];
 std::atomic<bool> is_to_be_removed{false};
 static_assert(std::atomic<bool>::is_always_lock_free);

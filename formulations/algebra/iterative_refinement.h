@@ -8,10 +8,10 @@
 
 namespace desmo {
 
-/// Iterative refinement: solves Φ_φ x = b with factors of a nearby matrix, from another position or
-/// with fewer digits, as accurately as with its own. The measure is the backward error max w |b −
-/// Φ_φ x| / max w (|b| + |Φ_φ| |x|), in the norm that accepts positions. The weight w is
-/// 1/magnitude of each equation, so that units do not matter.
+/// Iterative refinement: solves Φ_φ x = b with factors of a nearby matrix (of another position, or
+/// with fewer digits) as accurately as with factors of Φ_φ itself. Accuracy is the backward error
+/// max w |b − Φ_φ x| / max w (|b| + |Φ_φ| |x|). The weight w is 1/magnitude of each equation, as in
+/// the norm that accepts positions.
 template <class Real>
 class IterativeRefinement {
  public:

@@ -7,7 +7,6 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "formulations/algebra/linear_solver.h"
@@ -16,9 +15,9 @@
 
 namespace desmo {
 
-/// Sparse LU factorisation by SuiteSparse's KLU. Block triangular form (optional) and ordering are
-/// found once. Later factorisations reuse the pivot order while its pivots stay good. NewtonSolver
-/// and the assessment of solved instants use it.
+/// Sparse LU factorisation by SuiteSparse's KLU, for the algebra `klu` and for ConditionNumber.
+/// Block triangular form (optional) and ordering are found once. Later factorisations reuse the
+/// pivot order while its pivots stay good.
 class KluFactors final : public LinearSolver<double> {
  public:
   explicit KluFactors(const Pattern& pattern, BlockTriangularForm btf = BlockTriangularForm::on)
@@ -50,25 +49,7 @@ class KluFactors final : public LinearSolver<double> {
     return true;
   }
 
-  void solve(double* b) override { solve_all(b, 1); }
-  /// Overwrites B (n × right_sides, column by column) with A⁻¹ B.
-  void solve_all(double* b, int right_sides) {
-    klu_solve(symbolic_, numeric_, n_, right_sides, b, &common_);
-  }
-
-  /// Overwrite B (n × right_sides) with D⁻¹ B and D⁻ᵀ B, D being the irreducible blocks of A
-  /// without what couples them.
-  void solve_blocks(double* b, int right_sides = 1) {
-    uncoupled([&] { solve_all(b, right_sides); });
-  }
-  void solve_blocks_transposed(double* b, int right_sides = 1) {
-    uncoupled([&] { solve_transposed(b, right_sides); });
-  }
-
-  /// Overwrites B (n × right_sides) with A⁻ᵀ B.
-  void solve_transposed(double* b, int right_sides = 1) {
-    klu_tsolve(symbolic_, numeric_, n_, right_sides, b, &common_);
-  }
+  void solve(double* b) override { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
 
   Pivots pivots() const override {
     Pivots result{.reuse_order = true, .choices = pivot_choices_};
@@ -79,33 +60,15 @@ class KluFactors final : public LinearSolver<double> {
 
   void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
 
-  /// Returns the column at which factor() found the matrix singular.
-  int singular_column() const { return common_.singular_col; }
-
-  /// Return the irreducible blocks. Block b has the rows block_rows()[k], and the columns
-  /// block_columns()[k], for k from block_start()[b] to block_start()[b + 1].
+  /// Returns where the irreducible blocks begin among the rows, and where the last ends.
   std::span<const int> block_start() const {
     return {symbolic_->R, static_cast<std::size_t>(symbolic_->nblocks) + 1};
   }
-  std::span<const int> block_rows() const { return {symbolic_->P, row_count()}; }
-  std::span<const int> block_columns() const { return {symbolic_->Q, row_count()}; }
-  /// Return the rows of the blocks in pivot order, and the pivots, of the last factors.
-  std::span<const int> pivot_rows() const { return {numeric_->Pnum, row_count()}; }
-  std::span<const double> pivot_values() const {
-    return {static_cast<const double*>(numeric_->Udiag), row_count()};
-  }
 
  private:
-  template <class Solve>
-  void uncoupled(Solve&& solve_any) {
-    uncoupled_.resize(row_count() + 1);
-    int* const coupled = std::exchange(numeric_->Offp, uncoupled_.data());
-    solve_any();
-    numeric_->Offp = coupled;
+  Eigen::Map<const Eigen::ArrayXd> pivot_array() const {
+    return {static_cast<const double*>(numeric_->Udiag), n_};
   }
-
-  std::size_t row_count() const { return static_cast<std::size_t>(n_); }
-  Eigen::Map<const Eigen::ArrayXd> pivot_array() const { return {pivot_values().data(), n_}; }
 
   /// Returns whether the smallest pivot is large enough compared with the largest (klu_rcond). The
   /// bound is SUNDIALS'.
@@ -121,8 +84,7 @@ class KluFactors final : public LinearSolver<double> {
   klu_symbolic* symbolic_ = nullptr;
   klu_numeric* numeric_ = nullptr;
   long pivot_choices_ = 0;
-  Eigen::ArrayXd chosen_;       // sizes of the pivots when their order was chosen
-  std::vector<int> uncoupled_;  // column starts of a matrix without entries between blocks
+  Eigen::ArrayXd chosen_;  // sizes of the pivots when their order was chosen
 };
 
 }  // namespace desmo

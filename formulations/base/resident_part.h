@@ -8,9 +8,9 @@
 
 namespace desmo {
 
-struct MotionRow;    // prediction/motions_ahead.h
+struct MotionRow;    // motion/prediction/motions_ahead.h
 struct OutputView;   // base/output.h
-struct StepHistory;  // prediction/guess.h
+struct StepHistory;  // motion/prediction/guess.h
 
 /// The places where the parts put their results in a run.
 struct PartOutputs {

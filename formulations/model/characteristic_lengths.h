@@ -21,10 +21,11 @@ class CharacteristicLengths {
   /// Takes the lengths at a solved position q (coordinates), for estimates that are far off.
   CharacteristicLengths(const Model& model, std::span<const double> q);
 
-  /// Returns the length of a point or a distance: the largest distance between points that a
-  /// constraint joins to it, or the largest such distance coordinate. A component counts up to
-  /// nominal_size(). When it is zero, returns the largest length of the group, else of the
-  /// mechanism, else 1.
+  /// Returns the length of a point or a distance: the largest distance between two points of a
+  /// constraint on it, or the largest distance coordinate of such a constraint. That of a
+  /// constraint on a single point counts as nominal_size() at most: it may only tell where the
+  /// origin is. When all are zero, returns the largest length of its group, else of the mechanism,
+  /// else 1.
   double of(EntityId entity) const;
 
   /// Returns the shortest of these distances that is not zero; falls back likewise.

@@ -53,7 +53,8 @@ std::string filled(std::string_view text, const TextValues& values) {
   }
 }
 
-/// "µs/step: microseconds again"
+/// Reads a column: "µs/step: microseconds again" has the heading µs/step and the quantities
+/// microseconds and again.
 Column parse_column(const std::string& text) {
   const std::size_t colon = text.find(": ");
   Column column{text.substr(0, colon), {}};

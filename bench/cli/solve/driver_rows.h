@@ -17,7 +17,7 @@ namespace desmo::cli {
 /// order of the model's drivers and in the units of the output. Commas or blanks
 /// separate the numbers. Empty lines are skipped. A first line that does not begin with a number is
 /// a heading: it names the columns as the output does ("t [s],theta [rad],d/dt theta [rad/s]";
-/// units may be left out), in any order. Columns of others than drivers are then ignored.
+/// units may be left out), in any order. Columns that belong to no driver are then ignored.
 class DriverRows {
  public:
   /// Opens a file, or standard input for "-". Throws Error (unreadable_input).

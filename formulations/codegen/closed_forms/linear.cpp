@@ -8,7 +8,8 @@ namespace desmo::generate {
 
 namespace {
 
-/// An equation that has grown flat beside what it was: its pivot against its other derivatives.
+/// Refuses the division where the equation hardly depends on x any more: compares the derivative
+/// by x, the pivot, with the other derivatives.
 SizeMonitor pivot_size(Expr equation, Expr x, Expr pivot) {
   Expr others = 0;
   for (const Expr input : moving_inputs(equation))

@@ -29,8 +29,8 @@ struct Measure {
 ///   in space a vector along its axis, at most π long. Its rates are ω and α in the ground's frame
 /// - a joint's turn about its axis, in (−π, π], and travel along it, of the second body in the
 ///   first, from the drawing
-/// - a ratio of two rates; where both vanish, the limit, which is that of accelerations. NaN where
-///   the second vanishes alone, or accelerations vanish, too
+/// - a ratio of two rates; where both vanish, that of the accelerations. NaN where only the second
+///   vanishes, or where the accelerations vanish, too
 ///
 ///   const Plan plan = make_plan(whole, outputs_of(scene, whole));  // with what measures read
 ///   Measures measures(scene, plan.model);

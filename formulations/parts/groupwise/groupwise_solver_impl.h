@@ -1,4 +1,5 @@
-// Definitions, instantiated once for each scalar: groupwise_double.cpp, groupwise_quadruple.cpp.
+// Definitions, instantiated once for each scalar: double_solution.cpp, and
+// groupwise_quadruple.cpp of verification/reference.
 #pragma once
 
 #include <algorithm>

@@ -102,7 +102,8 @@ PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
   preconditioner_.resize(n, width);
 }
 
-/// Finds p(s) of each coordinate, and how far it passes from the certified boxes of both instants.
+/// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants, and gap_:
+/// its distance at the ends from the farthest point of the certified boxes.
 void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedInstant& to) {
   const double h = span_.half, s0 = span_.s(from.time), s1 = span_.s(to.time);
   const auto level_of = [](const CertifiedInstant& x, int i) {

@@ -103,11 +103,12 @@ struct CheckOptions {
   std::function<void(const CheckedInstant&)> checked{};
 };
 
-/// Runs a motion like Formulation::run() and proves it: every number that the observer receives is
+/// Runs a motion like Formulation::run() and proves it. Each number that the observer receives is
 /// within its radius of the exact motion of the mechanism in the file, on the branch of the
-/// drawing, continued smoothly through change points that are flagged. Or the row's flag says why
-/// not. An instant (Certifier) is corrected, a step (PathProof) is followed; where the formulation
-/// is elsewhere, or finds nothing, the path is what counts, and the formulation goes on from there.
+/// drawing, continued smoothly through change points that are flagged; or the row's flag says why
+/// not. The certificate of an instant corrects it (Certifier), a path proof follows each step
+/// (PathProof). Where the formulation finds another branch, or nothing, the end of the path is
+/// delivered, and the formulation goes on from there.
 ///
 /// The run ends, as a failure, where there is no position. All instants before it were delivered.
 /// With `past_failures` it continues at the next instant to which a way leads from the drawing.
