@@ -219,6 +219,43 @@ TEST(Start, LeavesOutManyTurns) {
   EXPECT_LT(std::abs(m.value("s", found.q) - m.value("s", right)), 1e-10 * size_of(m));
 }
 
+/// A worm turns the crank of a four-bar by 2π/ratio a turn of the fast crank, whose slider takes
+/// all tests. What has moved is not back, however little: after 1,500 turns the four-bar is
+/// elsewhere.
+TEST(Start, LeavesOutNoTurnOfAShaftThatASlowOneFollows) {
+  const auto start = [](const std::string& ratio) {
+    const Scene scene = parse_scene(R"({"format": "desmo-scene", "version": 2, "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "worm", "dimension": 2,
+      "points": {"O": [0, 0], "P": [30, 0], "C": [-1, 0], "Q": [100, 0], "R": [115, 25.980762113533157],
+        "B": [187.96675386669742, 58.78095769460853], "G": [200, 0]},
+      "vectors": {"x": [1, 0]},
+      "ground": {"points": ["O", "Q", "G"], "vectors": ["x"]},
+      "bodies": {"fast": {"points": ["O", "P"]}, "rod": {"points": ["P", "C"]},
+        "slider": {"points": ["C"], "vectors": ["x"]}, "slow": {"points": ["Q", "R"]},
+        "coupler": {"points": ["R", "B"]}, "rocker": {"points": ["B", "G"]}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "fast"], "points": ["O"]},
+        {"type": "revolute", "bodies": ["fast", "rod"], "points": ["P"]},
+        {"type": "revolute", "bodies": ["rod", "slider"], "points": ["C"]},
+        {"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"], "points": ["O", "C"]},
+        {"type": "revolute", "bodies": ["ground", "slow"], "points": ["Q"]},
+        {"type": "revolute", "bodies": ["slow", "coupler"], "points": ["R"]},
+        {"type": "revolute", "bodies": ["coupler", "rocker"], "points": ["B"]},
+        {"type": "revolute", "bodies": ["rocker", "ground"], "points": ["G"]}],
+      "coordinates": {"a": {"angle": ["O", "P"]}, "b": {"angle": ["Q", "R"]}},
+      "couplings": {"worm": {"sum": {"a": 1, "b": -)" +
+                                        ratio + R"(}}}, "drivers": ["a"]},
+      "motion": {"a": {"type": "constant", "value": 0}}, "time": {"at": 0}})",
+                                    "worm.json", "");
+    return find_start(held_at(make_model(scene), {1500 * turn}), 0).stage;
+  };
+  EXPECT_EQ(start("1"), Stage::reached);
+  EXPECT_EQ(start("2000"), Stage::drivers);
+  if (DESMO_SANITIZED) return;
+  // Ten times max_drift a turn, and a tenth of it, which would have to last for 10⁹ turns.
+  EXPECT_EQ(start("6.3e8"), Stage::drivers);
+  EXPECT_EQ(start("6.3e10"), Stage::reached);
+}
+
 /// The linkage locks a third of a turn from where it is drawn. Beyond a whole turn the crank could
 /// stand as it does before, but nothing leads there.
 TEST(Start, LeavesOutNoTurnThatIsBlocked) {

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cases/io/files.h"
+#include "formulations/modelling/bodies/rigid_bodies.h"
 #include "formulations/verification/run/checked_run.h"
 #include "tests/everything.h"
 #include "tests/load/loading.h"
@@ -105,6 +107,31 @@ TEST_P(Frames, RoughlyDrawnMoveAsDrawnExactly) {
         EXPECT_LE(off, 1e-12 * largest) << id << ": " << e.name << ", " << i;
       }
     }
+  }
+}
+
+/// H stands a little off the plane of the axis and C: turned back by 11.3° it is on the other side.
+TEST(FramesInSpace, AreRefusedWhereTheyStandAsInAMirror) {
+  const auto flap = [](const std::string& turned) {
+    return parse_mechanism(
+        R"({"format": "desmo-mechanism", "version": 1, "name": "flap", "dimension": 3,
+      "units": {"angle": "deg"}, "points": {"G": [0, 0, 0]},
+      "vectors": {"x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1]},
+      "ground": {"points": ["G"], "vectors": ["x", "y", "z"]},
+      "bodies": {"flap": {"at": [0, 0, 0, )" +
+            turned + R"(, 0, 0],
+        "points": {"G": [0, 0, 0], "C": [60, 0, 0], "H": [30, 1, -5]}, "vectors": {"z": [0, 0, 1]}}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "flap"], "points": ["G"], "vectors": ["z"]}],
+      "coordinates": {"theta": {"angle": ["G", "C"], "from": "x", "towards": "y"}},
+      "drivers": ["theta"]})",
+        "flap.json");
+  };
+  EXPECT_NO_THROW(find_rigid_bodies(flap("-11")));
+  try {
+    find_rigid_bodies(flap("-12"));
+    ADD_FAILURE() << "is mirrored";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("body 'flap'"), std::string::npos) << e.what();
   }
 }
 

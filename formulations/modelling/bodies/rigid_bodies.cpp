@@ -155,6 +155,27 @@ void find_shape(const Mechanism& d, RigidBody& body) {
   }
 }
 
+/// Refuses a body that is placed as in a mirror, where the places of what it shares with others are
+/// not those of its own. Lengths and angles do not tell the hand, and the way from the drawing
+/// keeps it: a basis without volume is singular.
+void require_same_hand(const Mechanism& d, const RigidBody& body) {
+  if (!body.has_shape() || body.basis.directions.size() < 3) return;
+  const BodyDrawing<double> drawing{d};
+  const auto volume = [&](auto&& direction) {
+    const Vec a = direction(body.basis.directions[0]), b = direction(body.basis.directions[1]),
+              c = direction(body.basis.directions[2]);
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+  };
+  if (volume([&](const auto& x) { return drawing.direction(x); }) *
+          volume([&](const auto& x) { return drawing.direction(body, x); }) <=
+      0)
+    throw std::invalid_argument("body '" + d.bodies[body.bodies.front()].name +
+                                "': with what other bodies place, its points and vectors stand as "
+                                "in a mirror; place it more "
+                                "exactly by \"at\"");
+}
+
 }  // namespace
 
 bool Basis::has_point(int point) const {
@@ -215,6 +236,7 @@ RigidBodies find_rigid_bodies(const Mechanism& d) {
     for (const int v : body.vectors) rigid.of_vector[v].push_back(r);
     if (r == 0) continue;
     body.basis = choose_basis(d, body);
+    require_same_hand(d, body);
     body.freedoms = count_freedoms(d.dimension, body.basis);
     if (body.freedoms == 0)
       throw std::invalid_argument("body '" + d.bodies[body.bodies.front()].name +

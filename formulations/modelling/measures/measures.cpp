@@ -166,7 +166,7 @@ class Builder {
         return largest;
       };
       const auto vanishes = [&](std::span<const double> rates, int i, double scale) {
-        return std::abs(rates[i]) / magnitude[i] <= Measures::min_rate * scale;
+        return scale == 0 || std::abs(rates[i]) / magnitude[i] <= Measures::min_rate * scale;
       };
       double& ratio = values[0].velocity = not_known;
       if (instant.qd.empty()) return;

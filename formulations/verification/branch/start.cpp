@@ -10,6 +10,7 @@
 
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
+#include "formulations/model/scales.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/branch/passage.h"
@@ -165,6 +166,24 @@ void take_nearest_turns(const Model& m, std::span<const double> others, std::spa
   for (const int i : free_angles(m)) q[i] -= turn * std::round((q[i] - others[i]) / turn);
 }
 
+/// A turn leads back where no coordinate is farther from its first place than this, over its
+/// natural magnitude: what a slow shaft turns in a turn of a fast one is more, what is rounded is
+/// less.
+constexpr double max_drift = 1e-9;
+
+/// Returns whether two positions are the same, but for whole turns of angles and for drivers.
+bool is_back(const Model& m, std::span<const double> from, std::span<const double> to) {
+  const std::vector<bool> driven = independent_coordinates(m);
+  const std::vector<double> magnitude = natural_magnitudes(m);
+  for (const Entity& e : m.entities)
+    for (int i = e.first; !e.fixed && !driven[e.first] && i < e.first + e.size; ++i) {
+      const double moved = to[i] - from[i];
+      const double drift = e.kind == EntityKind::angle ? std::remainder(moved, turn) : moved;
+      if (!(std::abs(drift) <= max_drift * magnitude[i])) return false;
+    }
+  return true;
+}
+
 /// Returns whether a turn of the drivers that are more than one from their values at a time leads
 /// back to where it begins. Then further turns do so, too.
 bool turn_leads_back(const Model& m, double time, const FoundStart& nominal) {
@@ -178,7 +197,12 @@ bool turn_leads_back(const Model& m, double time, const FoundStart& nominal) {
     back[e.first] = sample(d.motion, 1.0).position;
   }
   FoundStart found = nominal;
-  if (follow(going, {}, true, found).end != PathEnd::same) return false;
+  BranchPath first(going);
+  const std::span<const double> from = first.start_at({0, {nominal.q, {}, {}}})
+                                           ? first.present().values.position
+                                           : std::span<const double>(nominal.q);
+  if (follow(going, {}, true, found).end != PathEnd::same || !is_back(m, from, found.q))
+    return false;
   take_nearest_turns(m, found.q, back);
   BranchPath path(going);
   return path.start_at({1, {found.q, {}, {}}}) &&
