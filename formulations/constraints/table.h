@@ -13,11 +13,11 @@ namespace desmo {
 /// Returns how many numbers a table of n pieces has.
 constexpr int table_size(int n) { return 5 * n + 4; }
 
-/// How far an argument may be outside of a table that does not repeat, relative to its length: what
-/// rounding of times and units makes. The outer pieces are continued so far.
+/// Margin by which an argument may be outside of a table that does not repeat, over its length:
+/// what rounding of times and units makes. The outer pieces are continued so far.
 inline constexpr double table_margin = 1e-9;
 
-/// Where an argument is in a table. piece: -1 outside.
+/// Place of an argument in a table. piece: -1 outside.
 struct TablePlace {
   int piece;
   double turns;  ///< whole lengths of the table that were left out

@@ -68,7 +68,7 @@ class WholeSystem {
     return constants_in<Kind>(constraint.constants.size(), x,
                               [&](std::size_t k) { return as<S>(constraint.dimension(k)); });
   }
-  /// Those of jets do not move.
+  /// Returns the same for jets, whose dimensions do not move.
   template <class Kind, class S>
   static auto dimensions(const Constraint& constraint, const Jet<S>* const* x) {
     std::array<std::array<S, 3>, Kind::operand_sizes.size()> values;
