@@ -106,10 +106,8 @@ Suffix tolerance() {
 const std::vector<Suffix>& suffixes() {
   static const std::vector<Suffix> all{
       choice("guess", &Settings::guess, guess_names()),
-      choice("jacobian", &Settings::jacobian, {"newton", "step", "chord"}),
-      choice("factorisation", &Settings::factorisation, {"shared", "per_level"}),
+      choice("jacobian", &Settings::jacobian, {"newton", "step"}),
       choice("btf", &Settings::btf, {"on", "off"}),
-      choice("scalar", &Settings::scalar, {"double", "float", "mixed"}),
       at_once("lanes", &Settings::lanes),
       at_once("segments", &Settings::segments),
       whole_number("threads", &Settings::threads, max_threads),

@@ -35,7 +35,6 @@ struct Common {
   const Variant& variant;
   const Settings settings;  // with a part's share of the tolerance
   const Magnitudes magnitudes;
-  std::shared_ptr<SinglePrecisionState> single;
   Profile* profile;
   const KernelTable& table;
 };
@@ -66,7 +65,6 @@ Draft make_newton(const Common& common, PartDefinition d) {
                       .analysis = common.settings,
                       .settings = settings_of(common, d),
                       .profile = common.profile,
-                      .single = common.single,
                       .magnitudes = common.magnitudes.of_unknowns(d)};
   if (v.evaluation == Evaluation::symbolic)
     context.kernels = bind_kernels(common.model, d, common.table);
@@ -119,11 +117,6 @@ Settings share_of(Settings whole, std::size_t parts) {
   return whole;
 }
 
-std::shared_ptr<SinglePrecisionState> make_single_state(const Model& m, const Settings& settings) {
-  if (settings.scalar != Scalar::single_precision) return nullptr;
-  return std::make_shared<SinglePrecisionState>(m.state_size());
-}
-
 std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
                                            const Settings& settings, Profile* profile,
                                            const KernelTable& table);
@@ -168,7 +161,6 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
                       .variant = v,
                       .settings = share_of(settings, definitions.size()),
                       .magnitudes = Magnitudes(m),
-                      .single = make_single_state(m, settings),
                       .profile = profile,
                       .table = table};
   std::unique_ptr<SegmentExecutor> segments = make_segments(common, definitions, settings);

@@ -1,7 +1,6 @@
 #include "formulations/variants.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -65,25 +64,8 @@ std::string unsupported_reason(const Variant& v, const Settings& s) {
   const Backend* const backend = find_backend(v.algebra);
   if (s.btf != BlockTriangularForm::on && !(backend && backend->has_btf))
     return "block triangular form is KLU's, and there is none to leave out";
-  const bool other_scalar = s.scalar != Scalar::double_precision;
-  if (!backend) {
-    if (s.jacobian != JacobianUpdate::newton)
-      return "a generated elimination keeps no factors that a later iteration could use";
-    if (s.factorisation != Factorisation::shared)
-      return "a generated elimination serves velocity and acceleration in one piece of code";
-    if (other_scalar) return "generated code is in double precision";
-    return {};
-  }
-  if (other_scalar && !backend->dense)
-    return "the sparse library " + std::string(backend->name) + " factorises in double precision";
-  if (s.scalar == Scalar::single_precision) {
-    if (v.evaluation == Evaluation::symbolic) return "generated code is in double precision";
-    if (s.fixed_iterations == 0 && s.tolerance < 10 * std::numeric_limits<float>::epsilon())
-      return "single precision cannot meet this tolerance; ask for 1e-5, or for a number of "
-             "iterations";
-  }
-  if (s.jacobian == JacobianUpdate::chord && s.factorisation == Factorisation::per_level)
-    return "a chord keeps its factors: no level makes its own";
+  if (!backend && s.jacobian != JacobianUpdate::newton)
+    return "a generated elimination keeps no factors that a later iteration could use";
   return {};
 }
 

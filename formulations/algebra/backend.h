@@ -21,16 +21,13 @@ struct Absence {
 struct Backend {
   std::string_view name;
   bool dense;
-  /// Makes a solver of systems with this pattern, as the settings say; with Scalar::mixed its
-  /// factors are in single precision. Throws std::invalid_argument when the library cannot analyse
-  /// the pattern.
-  std::unique_ptr<LinearSolver<double>> (*make_solver)(const Pattern&, const Settings&);
+  /// Makes a solver of systems with this pattern, as the settings say. Throws std::invalid_argument
+  /// when the library cannot analyse the pattern.
+  std::unique_ptr<LinearSolver> (*make_solver)(const Pattern&, const Settings&);
   std::string (*version)();
   Absence (*absence)() = nullptr;  ///< null: it is linked, so always present
-  /// Makes a solver in single precision; null for sparse libraries.
-  std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
-  bool allocates = false;  ///< takes memory from the heap in every factorisation
-  bool has_btf = false;    ///< offers Settings::btf
+  bool allocates = false;          ///< takes memory from the heap in every factorisation
+  bool has_btf = false;            ///< offers Settings::btf
   /// True for the one backend that generated eliminations fall back to: dense, with pivoting,
   /// without heap memory.
   bool is_fallback = false;
@@ -49,7 +46,7 @@ inline std::string version_text(int major, int minor, int patch) {
 
 /// Makes a solver of a class whose constructor takes only the pattern.
 template <class Solver>
-std::unique_ptr<LinearSolver<double>> make_sparse_solver(const Pattern& pattern, const Settings&) {
+std::unique_ptr<LinearSolver> make_solver(const Pattern& pattern, const Settings&) {
   return std::make_unique<Solver>(pattern);
 }
 

@@ -59,7 +59,7 @@ NormalEquations cheapest_normal_equations(const Pattern& pattern) {
   return NormalEquations(pattern, best.form, best.order);
 }
 
-class Cholmod final : public LinearSolver<double> {
+class Cholmod final : public LinearSolver {
  public:
   explicit Cholmod(const Pattern& pattern) : normal_(cheapest_normal_equations(pattern)) {
     cholmod_start(&common_);
@@ -113,7 +113,7 @@ extern const Backend cholmod_backend;
 const Backend cholmod_backend{
     .name = "cholmod",
     .dense = false,
-    .make_solver = &make_sparse_solver<Cholmod>,
+    .make_solver = &make_solver<Cholmod>,
     .version =
         [] {
           return version_text(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);

@@ -12,31 +12,27 @@ namespace desmo {
 
 namespace {
 
-template <class Real>
 class EigenLu {
  public:
   explicit EigenLu(int n) : matrix_(n, n), lu_(n), x_(n) {}
 
-  Real* matrix() { return matrix_.data(); }
+  double* matrix() { return matrix_.data(); }
 
   bool factor() {
     lu_.compute(matrix_);
     return (lu_.matrixLU().diagonal().array() != 0).all();
   }
 
-  void solve(Real* b) {
-    Eigen::Map<Vector> right(b, x_.size());
+  void solve(double* b) {
+    Eigen::Map<Eigen::VectorXd> right(b, x_.size());
     x_ = lu_.solve(right);
     right = x_;
   }
 
  private:
-  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-
-  Matrix matrix_;
-  Eigen::PartialPivLU<Matrix> lu_;
-  Vector x_;
+  Eigen::MatrixXd matrix_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Eigen::VectorXd x_;
 };
 
 }  // namespace
@@ -45,10 +41,9 @@ extern const Backend eigen_backend;
 const Backend eigen_backend{
     .name = "eigen",
     .dense = true,
-    .make_solver = &make_dense_solver<EigenLu>,
+    .make_solver = &make_solver<Dense<EigenLu>>,
     .version =
         [] { return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION); },
-    .make_single_solver = &make_single_dense_solver<EigenLu>,
     .is_fallback = true};
 
 }  // namespace desmo

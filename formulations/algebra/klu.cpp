@@ -10,7 +10,7 @@ const Backend klu_backend{
     .name = "klu",
     .dense = false,
     .make_solver = [](const Pattern& pattern,
-                      const Settings& settings) -> std::unique_ptr<LinearSolver<double>> {
+                      const Settings& settings) -> std::unique_ptr<LinearSolver> {
       return std::make_unique<KluFactors>(pattern, settings.btf);
     },
     .version = [] { return version_text(KLU_MAIN_VERSION, KLU_SUB_VERSION, KLU_SUBSUB_VERSION); },

@@ -18,7 +18,7 @@ namespace desmo {
 /// Sparse LU factorisation by SuiteSparse's KLU, for the algebra `klu` and for ConditionNumber.
 /// Block triangular form (optional) and ordering are found once. Later factorisations reuse the
 /// pivot order while its pivots stay good.
-class KluFactors final : public LinearSolver<double> {
+class KluFactors final : public LinearSolver {
  public:
   explicit KluFactors(const Pattern& pattern, BlockTriangularForm btf = BlockTriangularForm::on)
       : n_(pattern.n), start_(pattern.column_start), row_(pattern.row) {

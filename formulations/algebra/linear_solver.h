@@ -6,8 +6,7 @@ namespace desmo {
 
 /// Solver of linear systems with the scaled Jacobian A of one part (JacobianFactors scales rows and
 /// columns of Φ_φ). Its sparsity pattern never changes: the constructor takes the Pattern, analyses
-/// it and allocates; later calls allocate nothing of ours. Real is double or float.
-template <class Real>
+/// it and allocates; later calls allocate nothing of ours.
 class LinearSolver {
  public:
   LinearSolver() = default;
@@ -18,18 +17,15 @@ class LinearSolver {
   /// Factorises A. values: (entries of the pattern), read until the last solve() with these
   /// factors. Returns false when a pivot is zero; of a nearly singular matrix the factors are
   /// returned.
-  virtual bool factor(const Real* values) = 0;
+  virtual bool factor(const double* values) = 0;
 
   /// Overwrites b (n) with A⁻¹ b, using the last factors.
-  virtual void solve(Real* b) = 0;
+  virtual void solve(double* b) = 0;
 
   /// Returns the number of solve() calls, with a residual each, that cost as much as a new Jacobian
   /// and its factors. The default is that of sparse factorisations, where the Jacobian is a good
   /// part of the cost.
   virtual int break_even_solves() const { return 3; }
-
-  /// Returns whether the factors have fewer digits than Real.
-  virtual bool rounds_factors() const { return false; }
 
   /// Returns the state of the pivots. The default is that of a solver that chooses them anew in
   /// every factor().

@@ -107,7 +107,7 @@ Ma27Analysis cheapest_ma27_analysis(const Pattern& pattern) {
   return rows.operations < columns.operations ? std::move(rows) : std::move(columns);
 }
 
-class Ma27 final : public LinearSolver<double> {
+class Ma27 final : public LinearSolver {
  public:
   explicit Ma27(const Pattern& pattern)
       : a_(cheapest_ma27_analysis(pattern)),
@@ -172,7 +172,7 @@ class Ma27 final : public LinearSolver<double> {
 extern const Backend ma27_backend;
 const Backend ma27_backend{.name = "ma27",
                            .dense = false,
-                           .make_solver = &make_sparse_solver<Ma27>,
+                           .make_solver = &make_solver<Ma27>,
                            .version = [] { return coinhsl().version; },
                            .absence = [] { return coinhsl().absence; }};
 

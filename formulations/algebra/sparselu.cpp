@@ -11,7 +11,7 @@ namespace desmo {
 
 namespace {
 
-class SparseLu final : public LinearSolver<double> {
+class SparseLu final : public LinearSolver {
  public:
   explicit SparseLu(const Pattern& pattern) : matrix_(pattern.n, pattern.n), x_(pattern.n) {
     matrix_.resizeNonZeros(static_cast<Eigen::Index>(pattern.row.size()));
@@ -47,7 +47,7 @@ extern const Backend sparselu_backend;
 const Backend sparselu_backend{
     .name = "sparselu",
     .dense = false,
-    .make_solver = &make_sparse_solver<SparseLu>,
+    .make_solver = &make_solver<SparseLu>,
     .version =
         [] { return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION); },
     .allocates = true,

@@ -14,7 +14,7 @@ namespace desmo {
 
 namespace {
 
-class Spqr final : public LinearSolver<double> {
+class Spqr final : public LinearSolver {
  public:
   explicit Spqr(const Pattern& pattern)
       : n_(pattern.n),
@@ -78,7 +78,7 @@ extern const Backend spqr_backend;
 const Backend spqr_backend{
     .name = "spqr",
     .dense = false,
-    .make_solver = &make_sparse_solver<Spqr>,
+    .make_solver = &make_solver<Spqr>,
     .version =
         [] { return version_text(SPQR_MAIN_VERSION, SPQR_SUB_VERSION, SPQR_SUBSUB_VERSION); },
     .allocates = true,

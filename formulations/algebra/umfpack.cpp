@@ -13,7 +13,7 @@ namespace desmo {
 
 namespace {
 
-class Umfpack final : public LinearSolver<double> {
+class Umfpack final : public LinearSolver {
  public:
   explicit Umfpack(const Pattern& pattern)
       : n_(pattern.n),
@@ -65,7 +65,7 @@ class Umfpack final : public LinearSolver<double> {
 extern const Backend umfpack_backend;
 const Backend umfpack_backend{.name = "umfpack",
                               .dense = false,
-                              .make_solver = &make_sparse_solver<Umfpack>,
+                              .make_solver = &make_solver<Umfpack>,
                               .version =
                                   [] {
                                     return version_text(UMFPACK_MAIN_VERSION, UMFPACK_SUB_VERSION,

@@ -22,13 +22,11 @@ struct PartSettings {
       : tolerance(s.tolerance),
         max_iterations(s.max_iterations),
         fixed_iterations(s.fixed_iterations),
-        jacobian(s.jacobian),
-        factorisation(s.factorisation) {}
+        jacobian(s.jacobian) {}
 
   double tolerance;  ///< limit of ‖Φ‖₂ of the part's own equations, each over its magnitude
   int max_iterations, fixed_iterations;  ///< see Settings
   JacobianUpdate jacobian;
-  Factorisation factorisation;
   /// True where the requested tolerance is below the part's rounding floor, which replaces it.
   /// Newton's method then makes one more correction once it has met the tolerance. Explicit
   /// parts need none: their cores are iterated to a fraction of the tolerance.

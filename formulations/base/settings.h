@@ -28,24 +28,11 @@ enum class Guess {
 };
 
 /// When Φ_φ, the Jacobian of a part by its unknowns, is factorised. Positions are accepted by the
-/// tolerance alone, whatever the factors.
+/// tolerance alone, whatever the factors. Velocity and acceleration share those of the solved
+/// position.
 enum class JacobianUpdate {
-  newton,  ///< in every iteration, and at the solved position for velocity and acceleration
-  step,    ///< at the solved position, for velocity, acceleration and the next step's iterations
-  chord,   ///< when the factors at hand, several steps old, have become too slow
-};
-
-/// Floating-point numbers that the analysis uses.
-enum class Scalar {
-  double_precision,
-  single_precision,  ///< the state, the equations and the linear systems
-  mixed,             ///< the factors alone are single; what is solved with them is refined
-};
-
-/// Levels that a factorisation at the solved position serves.
-enum class Factorisation {
-  shared,     ///< velocity and acceleration
-  per_level,  ///< one of them: each level makes its own
+  newton,  ///< in every iteration, and at the solved position
+  step,    ///< at the solved position, also for the next step's iterations
 };
 
 /// Permutation of a matrix to block triangular form by KLU, before it factorises the blocks.
@@ -68,9 +55,7 @@ struct Settings {
   /// until the tolerance is met or max_iterations times.
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;
-  Factorisation factorisation = Factorisation::shared;
   BlockTriangularForm btf = BlockTriangularForm::on;  ///< used by KLU alone
-  Scalar scalar = Scalar::double_precision;
   /// Number of equal subsystems, or parts of one type, that a batch solves at once on wide
   /// registers: 4 or, where the processor has AVX-512, 8. 1: no batches. For `explicit` alone.
   int lanes = 1;

@@ -12,40 +12,40 @@ namespace desmo {
 
 namespace automatic_equations {
 
-template <class Kind, class S>
-using Operands = std::array<const S*, Kind::operand_sizes.size()>;
+template <class Kind>
+using Operands = std::array<const double*, Kind::operand_sizes.size()>;
 
-template <class S, std::size_t N>
-std::array<const S*, N> pointers(const S* state, const std::array<int, N>& positions) {
-  std::array<const S*, N> result;
+template <std::size_t N>
+std::array<const double*, N> pointers(const double* state, const std::array<int, N>& positions) {
+  std::array<const double*, N> result;
   for (std::size_t k = 0; k < N; ++k) result[k] = state + positions[k];
   return result;
 }
 
 /// Writes the partial derivatives of one constraint to their positions in values.
-template <class Kind, class Object, class Operands, class S>
-inline void write_jacobian(const Object& o, const Operands& x, S* values) {
+template <class Kind, class Object, class Operands>
+inline void write_jacobian(const Object& o, const Operands& x, double* values) {
   int i = 0;
   Kind::jacobian(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
-                 [&](int, int, int, S value) { values[o.slots[i++]] = value; });
+                 [&](int, int, int, double value) { values[o.slots[i++]] = value; });
 }
 
 /// Copies the equations that belong to the part to their rows.
-template <class S, std::size_t N>
-void pick(const std::array<int, N>& rows, const std::array<S, N>& all, S* to) {
+template <std::size_t N>
+void pick(const std::array<int, N>& rows, const std::array<double, N>& all, double* to) {
   for (std::size_t r = 0; r < N; ++r)
     if (rows[r] >= 0) to[rows[r]] = all[r];
 }
 
 }  // namespace automatic_equations
 
-template <class S>
 template <class Kind>
-struct BasicAutomaticEquations<S>::SameKind {
+struct AutomaticEquations::SameKind {
   struct Object {
     std::array<int, Kind::operand_sizes.size()> operands;  // positions in the state
     /// Those of a table are many.
-    std::conditional_t<has_table<Kind>, std::vector<S>, std::array<S, Kind::constants>> constants;
+    std::conditional_t<has_table<Kind>, std::vector<double>, std::array<double, Kind::constants>>
+        constants;
     int row;  // first row in the part, when the part has all rows
     std::array<int, Kind::entries> slots;
     std::array<int, Kind::rows> rows;  // row in the part; -1: belongs to another part
@@ -54,44 +54,41 @@ struct BasicAutomaticEquations<S>::SameKind {
   std::vector<Object> cut;    // some equations belong to the part
 };
 
-template <class S>
-struct BasicAutomaticEquations<S>::AllKinds {
+struct AutomaticEquations::AllKinds {
   template <class... Kinds>
   static std::tuple<SameKind<Kinds>...> of(std::tuple<Kinds...>);
   decltype(of(std::declval<ConstraintKinds>())) of_kinds;
 };
 
-template <class S>
-struct BasicAutomaticEquations<S>::Loops {
-  void (*constant_jacobian)(const AllKinds&, S* values);
-  void (*residual)(const AllKinds&, const S* state, S* phi);
-  void (*jacobian)(const AllKinds&, const S* state, S* values);
-  void (*quadratic)(const AllKinds&, const S* state, const S* rate, S* gamma);
+struct AutomaticEquations::Loops {
+  void (*constant_jacobian)(const AllKinds&, double* values);
+  void (*residual)(const AllKinds&, const double* state, double* phi);
+  void (*jacobian)(const AllKinds&, const double* state, double* values);
+  void (*quadratic)(const AllKinds&, const double* state, const double* rate, double* gamma);
 };
 
-template <class S>
 template <class Kind, bool Whole>
-struct BasicAutomaticEquations<S>::LoopsOf {
+struct AutomaticEquations::LoopsOf {
   static const auto& objects(const AllKinds& all_kinds) {
     const SameKind<Kind>& same_kind = std::get<SameKind<Kind>>(all_kinds.of_kinds);
     return Whole ? same_kind.whole : same_kind.cut;
   }
 
-  static void constant_jacobian(const AllKinds& all_kinds, S* values) {
+  static void constant_jacobian(const AllKinds& all_kinds, double* values) {
     if constexpr (Kind::linear)
       for (const auto& o : objects(all_kinds))
-        automatic_equations::write_jacobian<Kind>(o, automatic_equations::Operands<Kind, S>{},
+        automatic_equations::write_jacobian<Kind>(o, automatic_equations::Operands<Kind>{},
                                                   values);  // they read no state
   }
 
-  static void residual(const AllKinds& all_kinds, const S* state, S* phi) {
+  static void residual(const AllKinds& all_kinds, const double* state, double* phi) {
     for (const auto& o : objects(all_kinds)) {
       const auto x = automatic_equations::pointers(state, o.operands);
       if constexpr (Whole) {
         Kind::residual(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
                        phi + o.row);
       } else {
-        std::array<S, Kind::rows> all;
+        std::array<double, Kind::rows> all;
         Kind::residual(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
                        all.data());
         automatic_equations::pick(o.rows, all, phi);
@@ -99,14 +96,15 @@ struct BasicAutomaticEquations<S>::LoopsOf {
     }
   }
 
-  static void jacobian(const AllKinds& all_kinds, const S* state, S* values) {
+  static void jacobian(const AllKinds& all_kinds, const double* state, double* values) {
     if constexpr (!Kind::linear)
       for (const auto& o : objects(all_kinds))
         automatic_equations::write_jacobian<Kind>(
             o, automatic_equations::pointers(state, o.operands), values);
   }
 
-  static void quadratic(const AllKinds& all_kinds, const S* state, const S* rate, S* gamma) {
+  static void quadratic(const AllKinds& all_kinds, const double* state, const double* rate,
+                        double* gamma) {
     for (const auto& o : objects(all_kinds)) {
       const auto x = automatic_equations::pointers(state, o.operands);
       const auto v = automatic_equations::pointers(rate, o.operands);
@@ -114,7 +112,7 @@ struct BasicAutomaticEquations<S>::LoopsOf {
         Kind::quadratic(x.data(), v.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
                         gamma + o.row);
       } else {
-        std::array<S, Kind::rows> all;
+        std::array<double, Kind::rows> all;
         Kind::quadratic(x.data(), v.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
                         all.data());
         automatic_equations::pick(o.rows, all, gamma);
@@ -125,8 +123,7 @@ struct BasicAutomaticEquations<S>::LoopsOf {
   static constexpr Loops table{&constant_jacobian, &residual, &jacobian, &quadratic};
 };
 
-template <class S>
-BasicAutomaticEquations<S>::BasicAutomaticEquations(const Model& m, const PartDefinition& part)
+AutomaticEquations::AutomaticEquations(const Model& m, const PartDefinition& part)
     : all_kinds_(std::make_unique<AllKinds>()) {
   std::vector<JacobianEntry> entries;
   const int n = static_cast<int>(part.equations.size());
@@ -145,11 +142,11 @@ BasicAutomaticEquations<S>::BasicAutomaticEquations(const Model& m, const PartDe
         o.rows[part.equations[row].row] = row;
 
       int i = 0;
-      static constexpr std::array<S, 3> any{1, 1, 1};  // the pattern is that of all values
-      automatic_equations::Operands<Kind, S> x;
+      static constexpr std::array<double, 3> any{1, 1, 1};  // the pattern is that of all values
+      automatic_equations::Operands<Kind> x;
       x.fill(any.data());
       Kind::jacobian(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),
-                     [&](int r, int operand, int component, S) {
+                     [&](int r, int operand, int component, double) {
                        o.slots[i++] =
                            static_cast<int>(entries.size());  // its place in `entries`, for now
                        entries.push_back({o.rows[r], o.operands[operand] + component,
@@ -172,30 +169,22 @@ BasicAutomaticEquations<S>::BasicAutomaticEquations(const Model& m, const PartDe
   std::apply([&](auto&... same_kind) { (assign(same_kind), ...); }, all_kinds_->of_kinds);
 }
 
-template <class S>
-BasicAutomaticEquations<S>::~BasicAutomaticEquations() = default;
+AutomaticEquations::~AutomaticEquations() = default;
 
-template <class S>
-void BasicAutomaticEquations<S>::constant_jacobian(S* values) const {
+void AutomaticEquations::constant_jacobian(double* values) const {
   for (const Loops* l : loops_) l->constant_jacobian(*all_kinds_, values);
 }
 
-template <class S>
-void BasicAutomaticEquations<S>::residual(const S* state, S* phi) const {
+void AutomaticEquations::residual(const double* state, double* phi) const {
   for (const Loops* l : loops_) l->residual(*all_kinds_, state, phi);
 }
 
-template <class S>
-void BasicAutomaticEquations<S>::jacobian(const S* state, S* values) const {
+void AutomaticEquations::jacobian(const double* state, double* values) const {
   for (const Loops* l : loops_) l->jacobian(*all_kinds_, state, values);
 }
 
-template <class S>
-void BasicAutomaticEquations<S>::quadratic(const S* state, const S* rate, S* gamma) const {
+void AutomaticEquations::quadratic(const double* state, const double* rate, double* gamma) const {
   for (const Loops* l : loops_) l->quadratic(*all_kinds_, state, rate, gamma);
 }
-
-template class BasicAutomaticEquations<double>;
-template class BasicAutomaticEquations<float>;
 
 }  // namespace desmo

@@ -11,20 +11,19 @@ namespace desmo {
 
 /// Automatic equations: loops over the constraint objects of a part. Objects of one kind are
 /// contiguous, so that no call in a loop is virtual. The constructor looks up the positions of
-/// their partial derivatives. Real is double or float.
-template <class Real>
-class BasicAutomaticEquations final : public Equations<Real> {
+/// their partial derivatives.
+class AutomaticEquations final : public Equations {
  public:
-  BasicAutomaticEquations(const Model& model, const PartDefinition& part);
-  ~BasicAutomaticEquations() override;
+  AutomaticEquations(const Model& model, const PartDefinition& part);
+  ~AutomaticEquations() override;
 
   const Pattern& pattern() const override { return pattern_; }
-  void constant_jacobian(Real* values) const override;
-  void residual(const Real* state, Real* phi) const override;
-  void jacobian(const Real* state, Real* values) const override;
+  void constant_jacobian(double* values) const override;
+  void residual(const double* state, double* phi) const override;
+  void jacobian(const double* state, double* values) const override;
   /// Does nothing: the loop of jacobian() has written these entries.
-  void known_jacobian(const Real*, Real*) const override {}
-  void quadratic(const Real* state, const Real* rate, Real* gamma) const override;
+  void known_jacobian(const double*, double*) const override {}
+  void quadratic(const double* state, const double* rate, double* gamma) const override;
 
  private:
   template <class Kind>
@@ -38,7 +37,5 @@ class BasicAutomaticEquations final : public Equations<Real> {
   std::unique_ptr<AllKinds> all_kinds_;
   std::vector<const Loops*> loops_;  // loops of the batches that have objects; a part has few kinds
 };
-
-using AutomaticEquations = BasicAutomaticEquations<double>;
 
 }  // namespace desmo

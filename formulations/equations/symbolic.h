@@ -28,7 +28,7 @@ std::optional<std::vector<BoundKernel>> bind_kernels(
     const KernelTable& table = KernelTable::built_in());
 
 /// Symbolic equations: the generated kernels of a part's groups, called one after the other.
-class SymbolicEquations final : public Equations<double> {
+class SymbolicEquations final : public Equations {
  public:
   /// kernels: the part's, made by bind_kernels().
   SymbolicEquations(const Model& model, const PartDefinition& part,

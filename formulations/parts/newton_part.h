@@ -13,13 +13,6 @@ namespace desmo {
 
 struct Backend;
 
-/// The state in single precision, shared by the parts of a formulation.
-struct SinglePrecisionState {
-  std::vector<float> q, qd, qdd;
-
-  explicit SinglePrecisionState(int size) : q(size), qd(size), qdd(size) {}
-};
-
 /// The ingredients of a Newton part.
 struct PartContext {
   const Model& model;
@@ -31,15 +24,13 @@ struct PartContext {
   /// Settings of the analysis, for the linear solver. The tolerance among them is not the part's.
   const Settings& analysis;
   PartSettings settings;
-  Profile* profile = nullptr;                      ///< receives the phases; null in timed code
-  std::shared_ptr<SinglePrecisionState> single{};  ///< null unless the scalar is single
-  std::vector<double> magnitudes{};                ///< of the unknowns; none: all are 1
+  Profile* profile = nullptr;        ///< receives the phases; null in timed code
+  std::vector<double> magnitudes{};  ///< of the unknowns; none: all are 1
 };
 
 /// Makes the part that a context describes: Newton–Raphson (see NewtonSolver) with linear systems
-/// solved by `backend`, in the precision of context.analysis.scalar. In single precision the
-/// equations are automatic. Throws std::invalid_argument when the backend cannot analyse the
-/// part's Jacobian.
+/// solved by `backend`. Throws std::invalid_argument when the backend cannot analyse the part's
+/// Jacobian.
 std::unique_ptr<Part> make_newton_part(const PartContext& context, const Backend& backend);
 
 }  // namespace desmo

@@ -33,34 +33,28 @@ class Acceptance {
 };
 
 /// Newton–Raphson on a part's equations (paper, Fig. 2b), for every way of evaluating equations
-/// and of solving linear systems. Real is double or float. JacobianFactors decides when Φ_φ is
-/// factorised. A correction by old factors is taken back unless it made ‖Φ‖ smaller or met the
-/// tolerance; one that led to NaN is taken back, too.
+/// and of solving linear systems. JacobianFactors decides when Φ_φ is factorised. A correction by
+/// old factors is taken back unless it made ‖Φ‖ smaller or met the tolerance; one that led to NaN
+/// is taken back, too.
 ///
 /// A step that fails is tried a second time, from the same prediction, where factors or a pivot
 /// order may have been old. The second attempt discards both and factorises in every iteration.
-template <class Real>
 class NewtonSolver {
  public:
-  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-
   /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units. magnitudes: of
   /// the unknowns; empty: all are 1. linear_solver: of the pattern of these equations.
-  NewtonSolver(std::unique_ptr<const Equations<Real>> equations, std::span<const double> weights,
+  NewtonSolver(std::unique_ptr<const Equations> equations, std::span<const double> weights,
                std::span<const double> magnitudes, const PartSettings& settings,
-               std::unique_ptr<LinearSolver<Real>> linear_solver)
+               std::unique_ptr<LinearSolver> linear_solver)
       : equations_(std::move(equations)),
         pattern_(equations_->pattern()),
         unknowns_(pattern_.unknowns),
         limits_(settings),
         update_(settings.jacobian),
         corrects_solved_(settings.at_rounding),
-        per_level_(settings.factorisation == Factorisation::per_level),
         reuses_pivots_(linear_solver->pivots().reuse_order),
-        weights_(
-            Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern_.n).template cast<Real>()),
-        factors_(*equations_, weights, weights_, magnitudes, update_, limits_.accept,
-                 std::move(linear_solver)),
+        weights_(Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern_.n)),
+        factors_(*equations_, weights, magnitudes, limits_.accept, std::move(linear_solver)),
         b_(pattern_.n),
         correction_(pattern_.n),
         start_(pattern_.n) {}
@@ -74,7 +68,7 @@ class NewtonSolver {
   Pivots pivots() const { return factors_.solver().pivots(); }
 
   /// See Part::solve; q, qd and qdd are the state and its time derivatives.
-  PartResult solve(Real* q, Real* qd, Real* qdd, Level level) {
+  PartResult solve(double* q, double* qd, double* qdd, Level level) {
     if (!reuses_pivots_ && update_ == JacobianUpdate::newton)
       return attempt(q, qd, qdd, level, update_);
     unknowns_.for_each([&](int at, int i) { start_[i] = q[at]; });
@@ -89,7 +83,7 @@ class NewtonSolver {
   }
 
  private:
-  PartResult attempt(Real* q, Real* qd, Real* qdd, Level level, JacobianUpdate update) {
+  PartResult attempt(double* q, double* qd, double* qdd, Level level, JacobianUpdate update) {
     factors_.begin_position(update);
     PartResult result = position(q);
     if (result.status != Status::solved) return result;
@@ -102,7 +96,7 @@ class NewtonSolver {
 
   // ---- The paper's Fig. 2b ----
 
-  PartResult position(Real* q) {
+  PartResult position(double* q) {
     PartResult result;
     Acceptance acceptance(limits_, corrects_solved_);
     for (;; ++result.iterations) {
@@ -125,31 +119,27 @@ class NewtonSolver {
     }
   }
 
-  bool rates(const Real* q, Real* qd, Real* qdd, Level level) {
-    if (!factors_.prepare_rates(q)) return false;
+  bool rates(const double* q, double* qd, double* qdd, Level level) {
+    if (!factors_.factor_at(q)) return false;
     factors_.evaluate_known(q);
-    if (!velocity(qd)) return false;
-    if (level == Level::velocity) return true;
-    // Where each level makes factors of its own (Factorisation::per_level).
-    if (per_level_ && !factors_.factor_at(q)) return false;
-    return acceleration(q, qd, qdd);
+    velocity(qd);
+    if (level == Level::acceleration) acceleration(q, qd, qdd);
+    return true;
   }
 
-  bool velocity(Real* qd) {
+  void velocity(double* qd) {
     b_.setZero();
-    subtract_known_product(qd);                   // −Φ_h ḣ
-    if (!factors_.solve_rates(b_)) return false;  // eq. (3)
+    subtract_known_product(qd);  // −Φ_h ḣ
+    factors_.solve(b_);          // eq. (3)
     scatter(qd);
-    return true;
   }
 
-  bool acceleration(const Real* q, const Real* qd, Real* qdd) {
+  void acceleration(const double* q, const double* qd, double* qdd) {
     equations_->quadratic(q, qd, b_.data());
-    b_ = -b_;                                     // −Φ̇_q q̇
-    subtract_known_product(qdd);                  // −Φ_h ḧ
-    if (!factors_.solve_rates(b_)) return false;  // eq. (4)
+    b_ = -b_;                     // −Φ̇_q q̇
+    subtract_known_product(qdd);  // −Φ_h ḧ
+    factors_.solve(b_);           // eq. (4)
     scatter(qdd);
-    return true;
   }
 
   static PartResult failure(PartResult result, Status status) {
@@ -158,31 +148,31 @@ class NewtonSolver {
   }
 
   /// Takes back a correction that old factors gave, and gives these up.
-  void retract(Real* q) {
+  void retract(double* q) {
     unknowns_.for_each([&](int at, int i) { q[at] += correction_[i]; });
     factors_.give_up();
   }
 
-  void subtract_known_product(const Real* rate) {
-    const Real* value = factors_.values() + pattern_.dependent_entries();
+  void subtract_known_product(const double* rate) {
+    const double* value = factors_.values() + pattern_.dependent_entries();
     for (const JacobianEntry& e : pattern_.known) b_[e.row] -= *value++ * rate[e.place];
   }
 
-  [[gnu::always_inline]] void scatter(Real* target) const {
+  [[gnu::always_inline]] void scatter(double* target) const {
     unknowns_.for_each([&](int at, int i) { target[at] = b_[i]; });
   }
 
-  std::unique_ptr<const Equations<Real>> equations_;
+  std::unique_ptr<const Equations> equations_;
   const Pattern& pattern_;
   PartUnknowns unknowns_;
   IterationLimits limits_;
   JacobianUpdate update_;
-  bool corrects_solved_, per_level_, reuses_pivots_;
-  Vector weights_;
-  JacobianFactors<Real> factors_;
-  Vector b_;           // right-hand side, then solution
-  Vector correction_;  // the last one by old factors
-  Vector start_;       // unknowns at the start of the step
+  bool corrects_solved_, reuses_pivots_;
+  Eigen::VectorXd weights_;
+  JacobianFactors factors_;
+  Eigen::VectorXd b_;           // right-hand side, then solution
+  Eigen::VectorXd correction_;  // the last one by old factors
+  Eigen::VectorXd start_;       // unknowns at the start of the step
 };
 
 }  // namespace desmo

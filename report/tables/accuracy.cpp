@@ -59,7 +59,7 @@ Table accuracy_costs(const Record& record) {
 namespace {
 
 constexpr double accuracy = 1e-9;
-constexpr std::array updates{"newton", "step", "chord"};
+constexpr std::array updates{"newton", "step", "chord"};  // the last in earlier records only
 
 /// The usual formulation, and what its points are held against.
 struct Usual {
@@ -83,6 +83,12 @@ struct Usual {
   const NamedPoint* stopped;          ///< with them, no further than the accuracy asks
 };
 
+bool is_tried(const Points& points, std::string_view update) {
+  return std::ranges::any_of(points, [&](const NamedPoint* point) {
+    return point->second.configuration.jacobian == update;
+  });
+}
+
 void add_case(Table& table, const SeriesKey& series, const Points& points) {
   const Usual usual(points);
   const auto add = [&](const std::string& guess, const std::string& update,
@@ -93,7 +99,8 @@ void add_case(Table& table, const SeriesKey& series, const Points& points) {
                           step_ratio_entry(usual.stopped, best)});
   };
   for (const std::string& guess : guesses_of(points))
-    for (const char* update : updates) add(guess, update, usual.best(guess, update));
+    for (const char* update : updates)
+      if (is_tried(points, update)) add(guess, update, usual.best(guess, update));
   if (const NamedPoint* per_level = usual.best("previous", "newton", "per_level"))
     add("previous", sentence("guesses_and_updates.per_level"), per_level);
 }

@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Table, ChangePointOfEvery, testing::ValuesIn(tested_var
 TEST(ChangePoints, ArePassedWhateverIsAskedForAndHoweverStepsAreTaken) {
   for (const Level level : all_levels)
     for (const char* id :
-         {"global_automatic_klu", "global_automatic_klu/jacobian:chord",
+         {"global_automatic_klu", "global_automatic_klu/jacobian:step",
           "block_symbolic_explicit/guess:hermite5", "group_symbolic_inlined/stride:4"})
       for (const TimeGrid& grid : {TimeGrid{0, 1. / 16, 81}, {0.01, 1. / 15, 70}, {0, 1, 6}})
         expect_scott_russell(id, grid, level);

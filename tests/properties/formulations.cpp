@@ -14,15 +14,11 @@ struct Additions {
 constexpr Additions additions[] = {
     {"global_automatic_klu",
      "/guess:linear /guess:quadratic /guess:hermite3 /guess:hermite5 /guess:adams8 /jacobian:step "
-     "/jacobian:chord /factorisation:per_level /btf:off /stride:2 /stride:4 /stride:16 /stride:64 "
+     "/btf:off /stride:2 /stride:4 /stride:16 /stride:64 "
      "/iterations:1 /iterations:2 /iterations:3 /tolerance:1e-6 /tolerance:1e-9 /tolerance:1e-15 "
      "/threads:2 /guess:hermite5/stride:4 /guess:hermite5/iterations:1"},
-    {"global_automatic_lapack",
-     "/scalar:float/tolerance:1e-4 /scalar:mixed /jacobian:step/scalar:mixed /jacobian:chord "
-     "/guess:hermite5"},
-    {"group_automatic_eigen",
-     "/scalar:float/tolerance:1e-3 /scalar:mixed /guess:hermite5/jacobian:chord /stride:8 "
-     "/iterations:1"},
+    {"global_automatic_lapack", "/jacobian:step /guess:hermite5"},
+    {"group_automatic_eigen", "/guess:hermite5/jacobian:step /stride:8 /iterations:1"},
     {"block_symbolic_inlined",
      "/guess:hermite5 /guess:linear /guess:adams8 /stride:2 /stride:8 /stride:32 /iterations:1 "
      "/iterations:2 /tolerance:1e-15 /tolerance:1e-8 /threads:2"},

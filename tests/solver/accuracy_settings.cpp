@@ -49,13 +49,11 @@ TEST(Newton, ConvergesQuadratically) {
   }
 }
 
-TEST(Chord, ConvergesLinearly) {
-  for (const char* update : {"/jacobian:step", "/jacobian:chord"})
-    for (const char* id :
-         {"global_automatic_klu", "group_automatic_lapack", "group_symbolic_eigen"})
-      for (int k = 1; k <= 4; ++k)
-        EXPECT_NEAR(order_in_the_step(std::string(id) + update, k), k + 1, 0.1 * (k + 1))
-            << id << update << ", " << k;
+TEST(OldFactors, ConvergeLinearly) {
+  for (const char* id : {"global_automatic_klu", "group_automatic_lapack", "group_symbolic_eigen"})
+    for (int k = 1; k <= 4; ++k)
+      EXPECT_NEAR(order_in_the_step(std::string(id) + "/jacobian:step", k), k + 1, 0.1 * (k + 1))
+          << id << ", " << k;
 }
 
 /// Evaluates ‖Φ‖₂ of all groups of a mechanism, each equation over its magnitude.
@@ -96,8 +94,8 @@ class AccuracySettings : public EveryVariant {
 };
 
 /// Steps far too long for old factors, and a walk into a dead point: what is accepted meets the
-/// tolerance, and where Newton's method gets through, so does a chord.
-TEST_P(AccuracySettings, NoChordEndsAboveItsTolerance) {
+/// tolerance, and where Newton's method gets through, so do old factors.
+TEST_P(AccuracySettings, NoOldFactorsEndAboveTheTolerance) {
   const Settings settings{.tolerance = 1e-11, .max_iterations = 50};
   for (const bool to_the_dead_point : {false, true}) {
     const Model m = to_the_dead_point ? locking_four_bar() : truck_model(1);
@@ -112,8 +110,7 @@ TEST_P(AccuracySettings, NoChordEndsAboveItsTolerance) {
       for (int i = 0; i <= static_cast<int>(end / h); ++i)
         possible.push_back(newton->step(h * i).ok());
       for (const char* suffixes :
-           {"/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step",
-            "/guess:hermite5/jacobian:chord", "/guess:linear/jacobian:chord"}) {
+           {"/jacobian:step", "/guess:hermite5/jacobian:step", "/guess:linear/jacobian:step"}) {
         const std::string id = with(suffixes);
         if (id.empty()) continue;
         const auto f = formulated(id, m, settings);
@@ -169,19 +166,10 @@ TEST_P(AccuracySettings, AgreeWithTheReference) {
       {"/guess:hermite3", q, v, a},
       {"/guess:hermite5", q, v, a},
       {"/jacobian:step", q, v, a},
-      {"/jacobian:chord", q, v, a},
       {"/guess:hermite5/jacobian:step", q, v, a},
-      {"/guess:hermite5/jacobian:chord", q, v, a},
-      {"/factorisation:per_level", q, v, a},
-      {"/guess:hermite3/jacobian:step/factorisation:per_level", q, v, a},
-      {"/scalar:mixed", q, v, a},
-      {"/guess:hermite5/jacobian:step/scalar:mixed", q, v, a},
-      {"/guess:hermite5/jacobian:chord/scalar:mixed", q, v, a},
       {"/iterations:3", q, v, a},
       {"/guess:hermite5/iterations:2", q, v, a},
       {"/tolerance:1e-6", 1e-4, 1e-3, 1e-2},
-      {"/scalar:float/iterations:3", 1e-3, 1e-3, 1e-1},
-      {"/guess:hermite3/jacobian:step/scalar:float/tolerance:1e-4", 1e-2, 1e-2, 1e-1},
   };
   for (const auto& [m, grid, reference] : known_motions()) {
     const double size = m.name == "four_bar" ? 6 : 1;  // of a body
@@ -207,8 +195,7 @@ TEST_P(AccuracySettings, WorkAtEveryLevel) {
   const Model m = truck_model(1);
   const auto plain = formulated(GetParam().id, m);
   ASSERT_TRUE(plain->assemble(0).ok());
-  for (const char* suffixes :
-       {"/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step"}) {
+  for (const char* suffixes : {"/jacobian:step", "/guess:hermite5/jacobian:step"}) {
     const std::string id = with(suffixes);
     if (id.empty()) continue;
     const auto f = formulated(id, m);
@@ -243,38 +230,11 @@ long factorisations(const std::string& id, const Model& m) {
 
 TEST(Factorisations, AreAsManyAsTheSettingsSay) {
   const Model m = truck_model(1);
-  const std::string klu = "global_automatic_klu", dense = "global_automatic_eigen";
+  const std::string klu = "global_automatic_klu";
   EXPECT_GT(factorisations(klu, m), 300);
   EXPECT_EQ(factorisations(klu + "/iterations:2", m), 300);
-  EXPECT_EQ(factorisations(klu + "/factorisation:per_level/iterations:2", m), 400);
   // The second step has no instant before last, and may need another.
   EXPECT_NEAR(factorisations(klu + "/guess:hermite5/jacobian:step", m), 101, 1);
-  EXPECT_LT(factorisations(dense + "/guess:hermite5/jacobian:chord", m), 50);
-}
-
-/// Within 1e-9 of a dead point single factors are worth nothing: the step fails, or its velocities
-/// are as good as those of double factors.
-TEST(MixedScalar, NeverPassesSinglePrecisionOffAsDouble) {
-  for (const double distance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
-    const Model m = locking_four_bar();
-    const double lock = std::acos(-13.0 / 32) - std::acos(0.5);
-    const auto mixed = formulated("group_automatic_lapack/scalar:mixed", m),
-               full = formulated("group_automatic_lapack", m);
-    bool ok = true;
-    for (int i = 0; i <= 200 && ok; ++i) {
-      const double t = lock - distance - (1 - i / 200.0) * 0.9;
-      ok = mixed->step(t).ok();
-      if (!ok) break;
-      ASSERT_TRUE(full->step(t).ok());
-      const std::vector<double> zero(full->qd().size());
-      const double size = max_difference(full->qd(), zero);
-      // Both positions are within the tolerance, from which the velocity differs by its condition.
-      EXPECT_LT(max_difference(mixed->qd(), full->qd()), 1e-8 * (1 + size * size * size));
-    }
-    if (distance >= 1e-2) {
-      EXPECT_TRUE(ok) << distance;
-    }
-  }
 }
 
 }  // namespace

@@ -22,39 +22,21 @@ TEST(Id, HasItsSuffixesInOneOrder) {
                      .guess = Guess::hermite5,
                      .fixed_iterations = 2,
                      .jacobian = JacobianUpdate::step,
-                     .factorisation = Factorisation::per_level,
-                     .scalar = Scalar::mixed};
+                     .btf = BlockTriangularForm::off};
   const std::string id =
-      "global_automatic_lapack/guess:hermite5/jacobian:step/factorisation:per_level/scalar:mixed"
-      "/iterations:2/tolerance:2.5e-7";
-  EXPECT_EQ(id_with(find_variant("global_automatic_lapack"), all), id);
+      "global_automatic_klu/guess:hermite5/jacobian:step/btf:off/iterations:2/tolerance:2.5e-7";
+  EXPECT_EQ(id_with(find_variant("global_automatic_klu"), all), id);
   const Configuration back = parse_id(
-      "global_automatic_lapack/tolerance:2.5e-07/iterations:2/scalar:mixed/guess:hermite5"
-      "/factorisation:per_level/jacobian:step");
+      "global_automatic_klu/tolerance:2.5e-07/iterations:2/btf:off/guess:hermite5/jacobian:step");
   EXPECT_EQ(id_with(*back.variant, back.settings), id);
 }
 
 TEST(Id, ReadsBackEveryValueOfEverySuffix) {
-  for (const char* suffix : {"",
-                             "/guess:linear",
-                             "/guess:quadratic",
-                             "/guess:hermite3",
-                             "/guess:hermite5",
-                             "/guess:adams8",
-                             "/jacobian:step",
-                             "/jacobian:chord",
-                             "/factorisation:per_level",
-                             "/scalar:mixed",
-                             "/scalar:float/tolerance:1e-5",
-                             "/iterations:1",
-                             "/iterations:12",
-                             "/tolerance:1e-6",
-                             "/stride:2",
-                             "/stride:64",
-                             "/stride:8/tolerance:1e-6",
-                             "/tolerance:1e-10",
-                             "/tolerance:3e+0",
-                             "/guess:hermite5/jacobian:step/tolerance:1e-8"}) {
+  for (const char* suffix :
+       {"", "/guess:linear", "/guess:quadratic", "/guess:hermite3", "/guess:hermite5",
+        "/guess:adams8", "/jacobian:step", "/iterations:1", "/iterations:12", "/tolerance:1e-6",
+        "/stride:2", "/stride:64", "/stride:8/tolerance:1e-6", "/tolerance:1e-10",
+        "/tolerance:3e+0", "/guess:hermite5/jacobian:step/tolerance:1e-8"}) {
     const std::string id = std::string("group_automatic_eigen") + suffix;
     const Configuration c = parse_id(id);
     EXPECT_EQ(c.variant, &find_variant("group_automatic_eigen"));
@@ -75,11 +57,11 @@ TEST(Id, ReadsBackEveryValueOfEverySuffix) {
 
 TEST(Id, LeavesTheBaseWhereItSaysNothing) {
   const Settings base{.tolerance = 1e-7, .max_iterations = 40, .guess = Guess::linear};
-  const Settings s = parse_id("group_symbolic_klu/jacobian:chord/guess:hermite3", base).settings;
+  const Settings s = parse_id("group_symbolic_klu/jacobian:step/guess:hermite3", base).settings;
   EXPECT_EQ(s.tolerance, 1e-7);
   EXPECT_EQ(s.max_iterations, 40);
   EXPECT_EQ(s.guess, Guess::hermite3);
-  EXPECT_EQ(s.jacobian, JacobianUpdate::chord);
+  EXPECT_EQ(s.jacobian, JacobianUpdate::step);
 }
 
 TEST(Id, SaysWhatIsWrong) {
@@ -92,8 +74,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
       {"group_symbolic_klu/gess:linear",
        "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
-       "jacobian, factorisation, btf, scalar, lanes, segments, threads, stride, iterations, "
-       "tolerance"},
+       "jacobian, btf, lanes, segments, threads, stride, iterations, tolerance"},
       {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4, 8"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
@@ -116,13 +97,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"global_automatic_umfpack/btf:off", "block triangular form is KLU's"},
       {"group_symbolic_inlined/btf:off", "block triangular form is KLU's"},
       {"group_mixed", "unknown formulation 'group_mixed'"},
-      {"group_symbolic_klu/scalar:mixed", "klu factorises in double precision"},
-      {"group_symbolic_eigen/scalar:float", "generated code is in double precision"},
-      {"group_automatic_eigen/scalar:float", "single precision cannot meet this tolerance"},
       {"group_symbolic_inlined/jacobian:step", "keeps no factors"},
-      {"block_symbolic_inlined/factorisation:per_level", "one piece of code"},
-      {"group_symbolic_inlined/scalar:mixed", "double precision"},
-      {"group_symbolic_klu/jacobian:chord/factorisation:per_level", "no level makes its own"},
   };
   for (const auto& [id, complaint] : wrong) try {
       parse_id(id);
@@ -134,14 +109,11 @@ TEST(Id, SaysWhatIsWrong) {
 
 TEST(Id, WhatIsNotApplicableIsNotMade) {
   const Model m = four_bar_model(1);
-  EXPECT_THROW(
-      make_formulation(find_variant("group_symbolic_klu"), m, {.scalar = Scalar::single_precision}),
-      std::invalid_argument);
   for (const Settings& wrong : {Settings{.stride = 65}, {.threads = 0}, {.lanes = 4}})
     EXPECT_THROW(make_formulation(find_variant("group_symbolic_klu"), m, wrong),
                  std::invalid_argument);
   EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m,
-                                {.jacobian = JacobianUpdate::chord}),
+                                {.jacobian = JacobianUpdate::step}),
                std::invalid_argument);
 }
 

@@ -1,23 +1,19 @@
-// Newton's method (Fig. 2b), its choice of factors and their refinement, on one equation whose
-// solution everybody knows: Φ(x; h) = x² − h = 0.
+// Newton's method (Fig. 2b) and its choice of factors, on one equation whose solution everybody
+// knows: Φ(x; h) = x² − h = 0.
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
-#include "formulations/algebra/iterative_refinement.h"
-#include "formulations/parts/jacobian_factors.h"
 #include "formulations/parts/newton_solver.h"
 
 namespace desmo::newton_test {
 namespace {
 
 /// x² − h in a state (x, h). Notes each x at which Φ is evaluated.
-class Square final : public Equations<double> {
+class Square final : public Equations {
  public:
   explicit Square(std::vector<double>* tried = nullptr) : tried_(tried) {
     pattern_.n = 1;
@@ -43,36 +39,35 @@ class Square final : public Equations<double> {
   std::vector<double>* tried_;
 };
 
-/// Factors of a matrix of one entry, each too large by `off` of itself. Counts them.
-class OneEntry final : public LinearSolver<double> {
+/// Factors of a matrix of one entry. Counts them.
+class OneEntry final : public LinearSolver {
  public:
-  OneEntry(int& factorisations, double off = 0) : count_(factorisations), off_(off) {}
+  explicit OneEntry(int& factorisations) : count_(factorisations) {}
   bool factor(const double* values) override {
     ++count_;
-    factor_ = values[0] * (1 + off_);
+    factor_ = values[0];
     return factor_ != 0;
   }
   void solve(double* b) override { *b /= factor_; }
-  bool rounds_factors() const override { return off_ != 0; }
 
  private:
   int& count_;
-  double off_, factor_ = 0;
+  double factor_ = 0;
 };
 
 class NewtonOfASquare : public testing::Test {
  protected:
-  NewtonSolver<double> solver(const PartSettings& settings, double off = 0) {
+  NewtonSolver solver(const PartSettings& settings) {
     return {std::make_unique<Square>(&tried_),
             one_,
             {},
             settings,
-            std::make_unique<OneEntry>(factorisations_, off)};
+            std::make_unique<OneEntry>(factorisations_)};
   }
   PartSettings settings(JacobianUpdate update = JacobianUpdate::newton) const {
     return PartSettings(Settings{.tolerance = 1e-12, .max_iterations = 25, .jacobian = update});
   }
-  PartResult solve(NewtonSolver<double>& newton, double h, Level level = Level::acceleration) {
+  PartResult solve(NewtonSolver& newton, double h, Level level = Level::acceleration) {
     q_[1] = h;
     return newton.solve(q_, qd_, qdd_, level);
   }
@@ -140,48 +135,6 @@ TEST_F(NewtonOfASquare, TakesBackACorrectionThatLedAway) {
   ASSERT_GT(tried_.size(), 3u);
   EXPECT_NEAR(tried_[1], 50, 0.1);
   EXPECT_NEAR(tried_[2], tried_[0], 1e-13);
-}
-
-/// Rates of a chord come from old factors, refined to what the solved position's would give.
-TEST_F(NewtonOfASquare, RefinesRatesOfOldFactors) {
-  auto newton = solver(settings(JacobianUpdate::chord));
-  ASSERT_EQ(solve(newton, 2).status, Status::solved);
-  const int before = factorisations_;
-  ASSERT_EQ(solve(newton, 2.0001).status, Status::solved);
-  EXPECT_EQ(factorisations_, before);
-  EXPECT_NEAR(qd_[0], 4 / (2 * q_[0]), 2e-14);
-}
-
-TEST_F(NewtonOfASquare, RefinesRatesOfRoundedFactors) {
-  auto newton = solver(settings(), 1e-7);
-  ASSERT_EQ(solve(newton, 2).status, Status::solved);
-  EXPECT_NEAR(qd_[0], 4 / (2 * q_[0]), 2e-14);
-}
-
-class RefinementOfOneEntry : public testing::Test {
- protected:
-  /// Solves 2 x = 3 with 2.2 in place of 2.
-  bool solve(int sweeps) {
-    const Square equations;
-    const double values[] = {2, 0, 0};
-    return refinement_.solve(
-        equations.pattern(), values, [](double* b) { *b /= 2.2; }, sweeps, x_);
-  }
-  const Eigen::VectorXd weights_ = Eigen::VectorXd::Ones(1);
-  IterativeRefinement<double> refinement_{weights_, true};
-  Eigen::VectorXd x_ = Eigen::VectorXd::Constant(1, 3);
-};
-
-/// A backward error of 16 units of rounding is allowed, in |b| + |2 x| = 6.
-TEST_F(RefinementOfOneEntry, ReachesRounding) {
-  EXPECT_TRUE(solve(20));
-  EXPECT_NEAR(x_[0], 1.5, 48 * std::numeric_limits<double>::epsilon());
-}
-
-/// Each sweep leaves an eleventh of the error: after two, 1e-3 are left.
-TEST_F(RefinementOfOneEntry, GivesBackTheRightSideWhereSweepsDoNotSuffice) {
-  EXPECT_FALSE(solve(2));
-  EXPECT_EQ(x_[0], 3);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ constexpr double seconds = 1;
 constexpr int dense_instants = 6;
 
 /// Formulations with the full settings grid: global and by groups or blocks, automatic and
-/// generated, sparse and dense. Only what is automatic and dense offers float.
+/// generated, sparse and dense.
 constexpr std::array<std::string_view, 11> tuned{
     "global_automatic_klu",    "global_symbolic_klu",     "group_symbolic_klu",
     "group_symbolic_lapack",   "group_symbolic_eigen",    "group_symbolic_inlined",
@@ -76,10 +76,7 @@ void add_size(std::vector<AccuracySeries>& all, const Case& c, int coordinates, 
       add_dense(v, minimal_settings());
     else
       add_usual(v, reduced_settings());
-    if (largest && is_tuned(v)) {
-      add_usual(v, full_settings(v));
-      add_usual(v, {{.factorisation = Factorisation::per_level}});
-    }
+    if (largest && is_tuned(v)) add_usual(v, full_settings(v));
     if (largest && is_in_table_2(v)) add_usual(v, table_settings());
   }
   all.push_back(std::move(usual));

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
                              Guess::hermite3, Guess::hermite5, Guess::adams8};
-constexpr std::array updates{JacobianUpdate::newton, JacobianUpdate::step, JacobianUpdate::chord};
 constexpr std::array strides{2, 4, 8, 16, 32};
 constexpr std::array reduced_strides{8, 16, 32};  // errors of three sizes that no closed form has
 
@@ -61,20 +60,13 @@ std::vector<Settings> reduced_settings() {
 
 std::vector<Settings> full_settings(const Variant& variant) {
   std::vector<Settings> all;
-  const auto add = [&](Scalar scalar, std::span<const Guess> from,
-                       std::span<const JacobianUpdate> by) {
-    for (const Guess guess : from)
-      for (const JacobianUpdate update : by)
-        for (Settings s : stops()) {
-          s.scalar = scalar;
-          s.guess = guess;
-          s.jacobian = update;
-          all.push_back(s);
-        }
-  };
-  add(Settings{}.scalar, guesses, updates);
-  for (const Scalar scalar : {Scalar::mixed, Scalar::single_precision})
-    add(scalar, std::array{Guess::previous, Guess::hermite5}, std::span(updates).first(2));
+  for (const Guess guess : guesses)
+    for (const JacobianUpdate update : {JacobianUpdate::newton, JacobianUpdate::step})
+      for (Settings s : stops()) {
+        s.guess = guess;
+        s.jacobian = update;
+        all.push_back(s);
+      }
   for (const Settings& s : solved_from()) add_strides(all, s, strides);
   if (!variant.is_explicit()) return all;
   std::vector<Settings> with_lanes = all;

@@ -19,9 +19,7 @@ std::vector<Settings> reduced_settings();
 
 /// Returns the full grid, which includes settings that the variant does not offer
 /// (unsupported_reason):
-/// - in double precision, every guess × Jacobian update × stop (a tolerance or a number of
-/// iterations)
-/// - single and mixed precision, with the paper's guess and the best one
+/// - every guess × Jacobian update × stop (a tolerance or a number of iterations)
 /// - strides, with the paper's settings and with those that usually cost least
 /// - for variants with code for lanes, all of these with lanes, too
 std::vector<Settings> full_settings(const Variant& variant);
