@@ -1,6 +1,5 @@
 #include "formulations/parts/newton_part.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "formulations/algebra/backend.h"
@@ -11,26 +10,6 @@
 namespace desmo {
 
 namespace {
-
-/// A part solved by Newton–Raphson.
-class NewtonPart final : public Part {
- public:
-  NewtonPart(std::unique_ptr<const Equations> equations, const PartContext& c,
-             std::unique_ptr<LinearSolver> linear_solver)
-      : solver_(std::move(equations), c.weights, c.magnitudes, c.settings,
-                std::move(linear_solver)) {}
-
-  PartResult solve(State& s, std::span<const double>, Level level) override {
-    return solver_.solve(s.q.data(), s.qd.data(), s.qdd.data(), level);
-  }
-  PartCounts counts() const override {
-    return {.refactorisations = std::max(0L, solver_.pivots().choices - 1)};
-  }
-  Pivots pivots() const override { return solver_.pivots(); }
-
- private:
-  NewtonSolver solver_;
-};
 
 std::unique_ptr<const Equations> make_equations(const PartContext& c) {
   if (!c.kernels) return std::make_unique<AutomaticEquations>(c.model, c.definition);
@@ -46,7 +25,8 @@ std::unique_ptr<Part> make_newton_part(const PartContext& c, const Backend& back
     equations = std::make_unique<ProfiledEquations>(std::move(equations), *c.profile);
     solver = std::make_unique<ProfiledSolver>(std::move(solver), *c.profile);
   }
-  return std::make_unique<NewtonPart>(std::move(equations), c, std::move(solver));
+  return std::make_unique<NewtonSolver>(std::move(equations), c.weights, c.magnitudes, c.settings,
+                                        std::move(solver));
 }
 
 }  // namespace desmo

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -32,14 +33,14 @@ class Acceptance {
   bool is_last_;
 };
 
-/// Newton–Raphson on a part's equations (paper, Fig. 2b), for every way of evaluating equations
-/// and of solving linear systems. JacobianFactors decides when Φ_φ is factorised. A correction by
-/// old factors is taken back unless it made ‖Φ‖ smaller or met the tolerance; one that led to NaN
-/// is taken back, too.
+/// A part solved by Newton–Raphson on its equations (paper, Fig. 2b), for every way of evaluating
+/// equations and of solving linear systems. JacobianFactors decides when Φ_φ is factorised. A
+/// correction by old factors is taken back unless it made ‖Φ‖ smaller or met the tolerance; one
+/// that led to NaN is taken back, too.
 ///
 /// A step that fails is tried a second time, from the same prediction, where factors or a pivot
 /// order may have been old. The second attempt discards both and factorises in every iteration.
-class NewtonSolver {
+class NewtonSolver final : public Part {
  public:
   /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units. magnitudes: of
   /// the unknowns; empty: all are 1. linear_solver: of the pattern of these equations.
@@ -62,13 +63,13 @@ class NewtonSolver {
   NewtonSolver(const NewtonSolver&) = delete;
   NewtonSolver& operator=(const NewtonSolver&) = delete;
 
-  const Pattern& pattern() const { return pattern_; }
+  PartCounts counts() const override {
+    return {.refactorisations = std::max(0L, pivots().choices - 1)};
+  }
+  Pivots pivots() const override { return factors_.solver().pivots(); }
 
-  /// See LinearSolver::pivots.
-  Pivots pivots() const { return factors_.solver().pivots(); }
-
-  /// See Part::solve; q, qd and qdd are the state and its time derivatives.
-  PartResult solve(double* q, double* qd, double* qdd, Level level) {
+  PartResult solve(State& state, std::span<const double>, Level level) override {
+    double *const q = state.q.data(), *const qd = state.qd.data(), *const qdd = state.qdd.data();
     if (!reuses_pivots_ && update_ == JacobianUpdate::newton)
       return attempt(q, qd, qdd, level, update_);
     unknowns_.for_each([&](int at, int i) { start_[i] = q[at]; });

@@ -68,14 +68,14 @@ class NewtonOfASquare : public testing::Test {
     return PartSettings(Settings{.tolerance = 1e-12, .max_iterations = 25, .jacobian = update});
   }
   PartResult solve(NewtonSolver& newton, double h, Level level = Level::acceleration) {
-    q_[1] = h;
-    return newton.solve(q_, qd_, qdd_, level);
+    state_.q[1] = h;
+    return newton.solve(state_, {}, level);
   }
 
   const std::vector<double> one_{1};
   int factorisations_ = 0;
   std::vector<double> tried_;
-  double q_[2] = {1.5, 0}, qd_[2] = {0, 4}, qdd_[2] = {0, 3};  // of x and h
+  State state_{{1.5, 0}, {0, 4}, {0, 3}};  // of x and h
 };
 
 TEST_F(NewtonOfASquare, FindsPositionVelocityAndAcceleration) {
@@ -83,9 +83,9 @@ TEST_F(NewtonOfASquare, FindsPositionVelocityAndAcceleration) {
   const PartResult r = solve(newton, 2);
   ASSERT_EQ(r.status, Status::solved);
   const double x = std::sqrt(2.0), v = 4 / (2 * x);  // 2xẋ = ḣ, 2xẍ + 2ẋ² = ḧ
-  EXPECT_NEAR(q_[0], x, 1e-15);
-  EXPECT_NEAR(qd_[0], v, 1e-15);
-  EXPECT_NEAR(qdd_[0], (3 - 2 * v * v) / (2 * x), 1e-15);
+  EXPECT_NEAR(state_.q[0], x, 1e-15);
+  EXPECT_NEAR(state_.qd[0], v, 1e-15);
+  EXPECT_NEAR(state_.qdd[0], (3 - 2 * v * v) / (2 * x), 1e-15);
   EXPECT_EQ(r.iterations, 4);
   EXPECT_EQ(factorisations_, r.iterations + 1);  // the last one serves both rates
 }
@@ -94,7 +94,7 @@ TEST_F(NewtonOfASquare, LeavesRatesAloneAtTheLevelOfPositions) {
   auto newton = solver(settings());
   ASSERT_EQ(solve(newton, 2, Level::position).status, Status::solved);
   EXPECT_EQ(factorisations_, 4);
-  EXPECT_EQ(qd_[0], 0);
+  EXPECT_EQ(state_.qd[0], 0);
 }
 
 TEST_F(NewtonOfASquare, CorrectsOnceMoreAtRounding) {
@@ -107,7 +107,7 @@ TEST_F(NewtonOfASquare, CorrectsOnceMoreAtRounding) {
 TEST_F(NewtonOfASquare, SaysWhyItFails) {
   auto newton = solver(settings());
   EXPECT_EQ(solve(newton, -1).status, Status::not_converged);
-  q_[0] = 0;
+  state_.q[0] = 0;
   EXPECT_EQ(solve(newton, 1).status, Status::singular);
   EXPECT_EQ(solve(newton, NAN).status, Status::not_finite);
 }
@@ -119,7 +119,7 @@ TEST_F(NewtonOfASquare, FactorisesOnceAStep) {
   for (int i = 1; i <= 5; ++i) {
     const int before = factorisations_;
     ASSERT_EQ(solve(newton, 2 + 1e-3 * i).status, Status::solved);
-    EXPECT_NEAR(q_[0], std::sqrt(2 + 1e-3 * i), 1e-12);
+    EXPECT_NEAR(state_.q[0], std::sqrt(2 + 1e-3 * i), 1e-12);
     EXPECT_EQ(factorisations_, before + 1);
   }
 }
@@ -127,11 +127,11 @@ TEST_F(NewtonOfASquare, FactorisesOnceAStep) {
 /// Old factors of 0.02 send x to 50 from 0.01, where Φ is larger: the step goes on from 0.01.
 TEST_F(NewtonOfASquare, TakesBackACorrectionThatLedAway) {
   auto newton = solver(settings(JacobianUpdate::step));
-  q_[0] = 0.011;
+  state_.q[0] = 0.011;
   ASSERT_EQ(solve(newton, 1e-4).status, Status::solved);
   tried_.clear();
   ASSERT_EQ(solve(newton, 1).status, Status::solved);
-  EXPECT_NEAR(q_[0], 1, 1e-12);
+  EXPECT_NEAR(state_.q[0], 1, 1e-12);
   ASSERT_GT(tried_.size(), 3u);
   EXPECT_NEAR(tried_[1], 50, 0.1);
   EXPECT_NEAR(tried_[2], tried_[0], 1e-13);
