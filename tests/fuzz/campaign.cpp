@@ -163,7 +163,7 @@ Campaign try_all(long first, long last, const Try& attempt_input, bool progress)
 
 Random random_of(std::uint64_t seed, long i) {
   Random of_seed(seed);
-  return Random(of_seed.next() + static_cast<std::uint64_t>(i));
+  return Random(of_seed.bits() + static_cast<std::uint64_t>(i));
 }
 
 }  // namespace

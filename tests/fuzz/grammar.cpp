@@ -110,7 +110,7 @@ class Expansion {
       if (rule == name) return name_in(mechanism_in(root_), member);
     if (rule == "new") return "n" + std::to_string(random_.below(1000));
     if (rule == "joint") return joint_forms()[random_.below(joint_forms().size())].name;
-    if (rule == "around") return 3 * random_.around_zero();
+    if (rule == "around") return 3 * random_.uniform(-1, 1);
     if (rule == "long")
       return "raw:" + std::string(random_.one_in(2) ? "1" : "0.") + std::string(400, '0');
     return value(random_.pick(rules_.at(rule)));

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/fuzz/random.h"
+#include "tests/random.h"
 
 namespace desmo::fuzz {
 

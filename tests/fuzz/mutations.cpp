@@ -23,7 +23,7 @@ double number(const Json& value) { return value.is_number() ? value.get<double>(
 /// Returns a number about as small as the tolerances of the program, on both sides of them.
 double nearly_zero(Random& random) {
   static constexpr std::array sizes = {0., 1e-16, 1e-13, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-5};
-  return random.pick(sizes) * random.around_zero();
+  return random.pick(sizes) * random.uniform(-1, 1);
 }
 
 /// Replaces a point or vector by a p + b q, nearly.
@@ -32,7 +32,7 @@ void combine(Json& root, Random& random) {
     const char *replaced, *from;
     double a, b;
   };
-  const double share = random.one_in(2) ? 0.5 : 2 * random.around_zero();
+  const double share = random.one_in(2) ? 0.5 : 2 * random.uniform(-1, 1);
   const std::array ways = {Combination{"points", "points", 1, 0},  // coincide
                            Combination{"points", "points", share, 1 - share},
                            Combination{"points", "points", 0, 0},
@@ -63,7 +63,7 @@ void transform(Json& root, Random& random) {
   const double stir = way > 2 ? std::pow(10, -static_cast<double>(random.below(8))) : 0;
   for (Json* const point : component_lists(root, "points"))
     for (std::size_t i = 0; i < point->size(); ++i) {
-      const double x = number(point->at(i)) * factor * (1 + stir * random.around_zero());
+      const double x = number(point->at(i)) * factor * (1 + stir * random.uniform(-1, 1));
       point->at(i) = i == flat ? 0 : x + distance;
     }
 }

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "tests/fuzz/grammar.h"
-#include "tests/fuzz/random.h"
+#include "tests/random.h"
 
 namespace desmo::fuzz {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/fuzz/grammar.h"
-#include "tests/fuzz/random.h"
+#include "tests/random.h"
 
 namespace desmo::fuzz {
 

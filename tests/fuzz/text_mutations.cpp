@@ -72,7 +72,7 @@ std::string repeated(const std::string& piece, Random& random) {
 std::string damaged(std::string piece, Random& random) {
   if (!piece.empty()) {
     char& byte = piece[random.below(piece.size())];
-    byte = static_cast<char>(random.one_in(2) ? byte ^ (1 << random.below(8)) : random.next());
+    byte = static_cast<char>(random.one_in(2) ? byte ^ (1 << random.below(8)) : random.bits());
   }
   return piece;
 }

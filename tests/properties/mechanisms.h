@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/mechanism/mechanism.h"
-#include "tests/properties/random.h"
+#include "tests/random.h"
 
 namespace desmo::properties {
 

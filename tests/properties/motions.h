@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "tests/properties/random.h"
+#include "tests/random.h"
 
 namespace desmo::properties {
 

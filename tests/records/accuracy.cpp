@@ -1,11 +1,7 @@
 // Time against error: what trials measure, and that a choice keeps its promise.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 #include <string>
 #include <utility>
@@ -16,6 +12,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
+#include "tests/started.h"
 
 namespace desmo::accuracy::accuracy_test {
 namespace {
@@ -179,16 +176,16 @@ TEST(Search, GivesTheMostAccurateWithinABudget) {
   EXPECT_FALSE(search(motion, {Level::position, 0, 1e-12}, effort).choice);
 }
 
+using AccuracyRecord = InFolder;
+
 // A record of the program is one that the report reads, and has what the filter lets through.
-TEST(AccuracyRecord, IsReadByTheReport) {
-  const std::string record = testing::TempDir() + "desmo_precision_record.json",
-                    run = DESMO_BENCH " accuracy --quick --repetitions 1 --record " + record,
-                    quiet = " >/dev/null 2>&1";
-  ASSERT_EQ(std::system((run + " --filter 'four_bar/114/group_symbolic_inlined$'" + quiet).c_str()),
+TEST_F(AccuracyRecord, IsReadByTheReport) {
+  const std::string record = file("record.json");
+  ASSERT_EQ(shell(DESMO_BENCH " accuracy --quick --repetitions 1 --record " + record +
+                  " --filter 'four_bar/114/group_symbolic_inlined$'"),
             0);
   const std::string outcome = " | grep -q 'four_bar *0.001 *group_symbolic_inlined'";
-  EXPECT_EQ(std::system((DESMO_REPORT " tables --all " + record + outcome).c_str()), 0);
-  std::remove(record.c_str());
+  EXPECT_EQ(shell(DESMO_REPORT " tables --all " + record + outcome), 0);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "tests/records/started.h"
+#include "tests/started.h"
 
 namespace desmo::bench::bench_program_test {
 namespace {
@@ -17,10 +17,11 @@ const std::string too_few =
     " --formulation=group_symbolic_klu/iterations:1"
     " --benchmark_filter=four_bar/114/group_symbolic_klu/iterations:1";
 
-TEST(Bench, ExitCodesSayWhatHappened) {
-  const std::string record = testing::TempDir() + "desmo_record.json";
+using Bench = InFolder;
+
+TEST_F(Bench, ExitCodesSayWhatHappened) {
+  const std::string record = file("record.json");
   const std::string one = " --benchmark_filter=four_bar/114/group_symbolic_klu$";
-  std::filesystem::remove(record);
   EXPECT_EQ(run_bench("--duration=0.2 --record=" + record + one), 0);
   const std::string text = text_of(record);
   EXPECT_CONTAINS(text, "\"status\":\"ok\"");
@@ -49,7 +50,7 @@ TEST(Bench, ExitCodesSayWhatHappened) {
 /// What it says, on standard output and standard error.
 std::string said(const std::string& arguments) { return run(DESMO_BENCH " " + arguments).text; }
 
-TEST(Bench, HasEveryExperimentByItsName) {
+TEST_F(Bench, HasEveryExperimentByItsName) {
   EXPECT_TRUE(said("--version").starts_with("desmo_bench 0."));
   const std::string help = said("--help");
   for (const char* name : {"paper", "accuracy", "size", "instructions", "extremes"}) {
@@ -70,7 +71,7 @@ TEST(Bench, HasEveryExperimentByItsName) {
   EXPECT_CONTAINS(said("accuracy --quick"), "--record FILE is missing");
 }
 
-TEST(Bench, PrintsItsHelpWithoutArguments) {
+TEST_F(Bench, PrintsItsHelpWithoutArguments) {
   EXPECT_EQ(run_bench(""), 0);
   EXPECT_CONTAINS(said(""), "\n  paper ");
 }
@@ -83,7 +84,7 @@ long lines_of(const std::string& text) {
   return lines;
 }
 
-TEST(Bench, ShowsEveryBenchmarkOnlyWhereAsked) {
+TEST_F(Bench, ShowsEveryBenchmarkOnlyWhereAsked) {
   // The residual of one of them is always 0, and has no spread; one is not run.
   const std::string some =
       "--duration=0.02 --repetitions=2 "
@@ -108,7 +109,7 @@ TEST(Bench, ShowsEveryBenchmarkOnlyWhereAsked) {
   EXPECT_CONTAINS(failing, "four_bar/114/group_symbolic_klu/iterations:1: ");
 }
 
-TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {
+TEST_F(Bench, RunsFormulationsWithSettingsBesideTheTable) {
   const std::string id = "group_automatic_klu/guess:hermite5/jacobian:step";
   EXPECT_EQ(run_bench("--duration=0.2 --formulation=" + id + " '--benchmark_filter=four_bar/114/" +
                       id + "'"),
@@ -117,35 +118,31 @@ TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {
   EXPECT_EQ(run_bench("--formulation=group_automatic_klu/scalar:float"), 64);
 }
 
-TEST(Bench, RecordsAreReadByTheReport) {
-  const std::string record = testing::TempDir() + "desmo_end_to_end.json";
-  const std::string report = DESMO_REPORT " tables " + record + " >/dev/null 2>&1";
+TEST_F(Bench, RecordsAreReadByTheReport) {
+  const std::string record = file("record.json");
+  const std::string report = DESMO_REPORT " tables " + record;
   // With a candidate that is not run, and with one that fails.
   ASSERT_EQ(run_bench("--duration=0.02 --record=" + record +
                       " '--benchmark_filter=/(114|225)/global_automatic_(klu|lapack)$'"),
             0);
-  EXPECT_EQ(std::system(report.c_str()), 0);
+  EXPECT_EQ(run(report).code, 0);
   const std::string text = text_of(record);
   for (const char* of : {"four_bar\",\"coordinates\":114", "four_bar\",\"coordinates\":225",
                          "truck_suspension\",\"coordinates\":225"})
     EXPECT_CONTAINS(text, "{\"case\":\"" + std::string(of)) << of;
   ASSERT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
-  EXPECT_EQ(std::system(report.c_str()), 0);
+  EXPECT_EQ(run(report).code, 0);
   // With requests, with and without everything else.
   for (const std::string filter : {"558/block_symbolic_inlined", "request:(damper|axle)$"}) {
     ASSERT_EQ(
         run_bench("--duration=0.02 --record=" + record + " '--benchmark_filter=" + filter + "'"),
         0);
-    EXPECT_EQ(std::system((report + " && " DESMO_REPORT " tables --all " + record +
-                           " | grep -q 'What a request costs'")
-                              .c_str()),
-              0);
+    EXPECT_CONTAINS(run(report + " --all").text, "What a request costs");
   }
-  std::filesystem::remove(record);
 }
 
-TEST(Bench, TimesThePapersSolverWhereItsLibraryIs) {
-  const std::string record = testing::TempDir() + "desmo_ma27.json";
+TEST_F(Bench, TimesThePapersSolverWhereItsLibraryIs) {
+  const std::string record = file("record.json");
   const std::string flags =
       "--duration=0.02 --record=" + record +
       " '--benchmark_filter=truck_suspension/114/(global_automatic|group_symbolic)_(ma27|klu)$'";
@@ -157,12 +154,11 @@ TEST(Bench, TimesThePapersSolverWhereItsLibraryIs) {
         std::string("\"id\":\"group_symbolic_ma27\"")})
     EXPECT_CONTAINS(text, part) << part;
   EXPECT_LACKS(text, "\"status\":\"failed\"");
-  EXPECT_EQ(std::system((DESMO_REPORT " tables " + record + " >/dev/null 2>&1").c_str()), 0);
+  EXPECT_EQ(run(DESMO_REPORT " tables " + record).code, 0);
 
   EXPECT_EQ(run_bench("--formulation=group_automatic_ma27/guess:linear",
                       "DESMO_LIBCOINHSL=" DESMO_MA27_INCOMPLETE),
             64);
-  std::filesystem::remove(record);
 }
 
 }  // namespace

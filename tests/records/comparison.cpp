@@ -1,13 +1,15 @@
 // A record that desmo_bench has just written, in the report.
 
-#include "tests/records/started.h"
+#include "tests/started.h"
 
 namespace desmo::bench::comparison_test {
 namespace {
 
+using FreshRecord = InFolder;
+
 // With a peer, a request, and several threads and one.
-TEST(FreshRecord, IsRead) {
-  const std::string record = testing::TempDir() + "desmo_compared.json";
+TEST_F(FreshRecord, IsRead) {
+  const std::string record = file("record.json");
   const Ended measured =
       run(DESMO_BENCH " --duration=0.2 --benchmark_repetitions=3 --record=" + record +
           " '--benchmark_filter=truck_suspension/558/(peer:tree$|global_automatic_klu(/request:"
@@ -19,7 +21,6 @@ TEST(FreshRecord, IsRead) {
   const Ended report = run(DESMO_REPORT " tables " + record + " --table threads_truck_suspension");
   EXPECT_EQ(report.code, 0);
   EXPECT_LACKS(report.text, "one thread not measured");
-  std::filesystem::remove(record);
 }
 
 }  // namespace

@@ -3,20 +3,17 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "tests/records/started.h"
+#include "tests/started.h"
 
 namespace desmo::extremes_program_test {
 namespace {
 
-class ExtremesProgram : public testing::Test {
+class ExtremesProgram : public InFolder {
  protected:
   int extremes(const std::string& arguments) const {
     return run(DESMO_BENCH " extremes --quick --record " + record_ + " " + arguments).code;
   }
-  ~ExtremesProgram() override { std::filesystem::remove(record_); }
-
-  std::string record_ = testing::TempDir() + "extremes_" +
-                        testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+  const std::string record_ = file("record.json");
 };
 
 TEST_F(ExtremesProgram, RecordsWhatTheReportReads) {

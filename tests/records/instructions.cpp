@@ -1,9 +1,5 @@
 // Instructions a step: what is counted, and the record.
 
-#include <gtest/gtest.h>
-
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,11 +7,10 @@
 #include "bench/experiments/instructions/step_counts.h"
 #include "bench/kit/checked_run.h"
 #include "formulations/id.h"
+#include "tests/started.h"
 
 namespace desmo::instructions::instructions_test {
 namespace {
-
-bool can_count() { return std::system("valgrind --version >/dev/null 2>&1") == 0; }
 
 TEST(Counts, AreOfThePapersAnalysesAndOfWhatGoesBeyond) {
   const std::vector<StepCount> all = to_be_counted(0);
@@ -35,30 +30,24 @@ TEST(Counts, AreOfThePapersAnalysesAndOfWhatGoesBeyond) {
   EXPECT_EQ(to_be_counted(114).front().coordinates, 114);
 }
 
+using InstructionsRecord = InFolder;
+
 // A record of the program is one that the report reads.
-TEST(InstructionsRecord, IsReadByTheReport) {
-  if (!can_count()) GTEST_SKIP() << "needs valgrind";
-  const std::string record = testing::TempDir() + "desmo_instructions_record.json",
-                    run = DESMO_BENCH " instructions --quick --record " + record,
-                    quiet = " >/dev/null 2>&1";
-  const std::string filter =
-      " --filter "
-      "'truck.*/(global_automatic_klu|group_symbolic_explicit(/(lanes|segments):4|/"
-      "check:proof)?)$'";
-  ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
+TEST_F(InstructionsRecord, IsReadByTheReport) {
+  if (shell("valgrind --version") != 0) GTEST_SKIP() << "needs valgrind";
+  const std::string record = file("record.json");
+  ASSERT_EQ(shell(DESMO_BENCH " instructions --quick --record " + record +
+                  " --filter 'truck.*/(global_automatic_klu|group_symbolic_explicit("
+                  "/(lanes|segments):4|/check:proof)?)$'"),
+            0);
   const auto is_reported = [&](const std::string& line) {
-    return std::system(
-               (DESMO_REPORT " tables --all " + record + " | grep -Eq '" + line + "'").c_str()) ==
-           0;
+    return shell(DESMO_REPORT " tables --all " + record + " | grep -Eq '" + line + "'") == 0;
   };
   EXPECT_TRUE(is_reported(" global_automatic_klu *TS-G_klu *[1-9][0-9]{5} *1.00 reference"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit *[1-9][0-9]{3,4} *[1-9][0-9.]* *50"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit/segments:4 *[1-9][0-9]{3} *[1-9][0-9.]* *200"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit/check:proof *[1-9][0-9]{5} *[0-9.]* *200"));
-  EXPECT_EQ(
-      WEXITSTATUS(std::system((DESMO_BENCH " instructions --coordinates 113" + quiet).c_str())),
-      64);
-  std::remove(record.c_str());
+  EXPECT_EQ(shell(DESMO_BENCH " instructions --coordinates 113"), 64);
 }
 
 }  // namespace

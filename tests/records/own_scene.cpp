@@ -1,9 +1,8 @@
 // desmo_bench --scene: a scene of the user's own in the tables and the record.
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/records/started.h"
+#include "tests/started.h"
 
 namespace desmo::bench::own_scene_test {
 namespace {
@@ -11,15 +10,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-class OwnScene : public testing::Test {
+class OwnScene : public InFolder {
  protected:
-  OwnScene() { fs::create_directories(folder_ / "cache"); }
-  ~OwnScene() override { fs::remove_all(folder_); }
+  OwnScene() { fs::create_directory(folder_ / "cache"); }
 
   /// environment: settings of variables, for the shell.
   Ended measure(const fs::path& scene, const std::string& flags,
                 const std::string& environment = "") const {
-    return run("XDG_CACHE_HOME=" + (folder_ / "cache").string() + " " + environment +
+    return run("XDG_CACHE_HOME=" + file("cache") + " " + environment +
                " " DESMO_BENCH " --repetitions=2 --record=" + record() + " --scene '" +
                scene.string() + "' " + flags);
   }
@@ -30,15 +28,8 @@ class OwnScene : public testing::Test {
       if (cell["id"] == id) return cell;
     return {};
   }
-  /// Writes a text to a file of that name, and returns its path.
-  fs::path file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
-  std::string record() const { return (folder_ / "record.json").string(); }
+  std::string record() const { return file("record.json"); }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
   const fs::path slider_crank_ = DESMO_SOURCE_DIR "/tests/consumer/slider_crank.scene.json";
 };
 
@@ -96,18 +87,18 @@ TEST_F(OwnScene, SaysWhatIsWrongWithItsFile) {
   };
   says(folder_ / "nowhere.json", 66, "there is no such file");
   says(folder_, 66, "is a directory");
-  says(file("cut.json", "{\"format\""), 65, "");
-  says(file("motion.json", scene.dump()), 65, "/motion");
-  says(file("mechanism.json", mechanism.dump()), 65, "/format");
+  says(write("cut.json", "{\"format\""), 65, "");
+  says(write("motion.json", scene.dump()), 65, "/motion");
+  says(write("mechanism.json", mechanism.dump()), 65, "/format");
 
-  const fs::path named = file("four_bar.scene.json", text_of(slider_crank_));
+  const fs::path named = write("four_bar.scene.json", text_of(slider_crank_));
   EXPECT_EQ(measure(named, "").code, 64);
   EXPECT_EQ(measure(slider_crank_, "--scene " + slider_crank_.string()).code, 64);
 }
 
 // Elsewhere names would end in file names and patterns.
 TEST_F(OwnScene, HasANameWithoutBlanks) {
-  const Ended listed = measure(file("my first.crank.json", text_of(slider_crank_)),
+  const Ended listed = measure(write("my first.crank.json", text_of(slider_crank_)),
                                "--benchmark_list_tests --filter group_automatic_klu");
   EXPECT_EQ(listed.code, 0);
   EXPECT_TRUE(listed.text.starts_with("my_first_crank/")) << listed.text;

@@ -13,7 +13,7 @@
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 #include "report/check/check_record.h"
-#include "tests/records/started.h"
+#include "tests/started.h"
 
 namespace desmo::regression::regression_test {
 namespace {
@@ -76,19 +76,8 @@ TEST(SteppedFormulation, ExtraStepsAreTheShareAskedFor) {
   EXPECT_EQ(extra_steps(50, 0), 0);
 }
 
-class Driver : public testing::Test {
+class Driver : public InFolder {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "desmo_regression_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  int shell(const std::string& command) {
-    const int status = std::system((command + " >" + file("out") + " 2>" + file("err")).c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
   int check(const std::string& arguments) {
     return shell(std::string(DESMO_CHECK) + " --base " + programs + " --head " + programs + " " +
                  arguments);
@@ -96,15 +85,13 @@ class Driver : public testing::Test {
   int verdict(const std::string& options = "") {
     return shell(std::string(DESMO_REPORT) + " check " + file("results.json") + " " + options);
   }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
   std::string text(const std::string& name) const { return text_of(folder_ / name); }
   Json results() const { return Json::parse(text("results.json")); }
 
-  static bool can_count() { return std::system("valgrind --version >/dev/null 2>&1") == 0; }
+  bool can_count() { return shell("valgrind --version") == 0; }
 
   const std::string programs = fs::path(DESMO_CHECK).parent_path().string();
   const std::string name = "four_bar/54/block_symbolic_klu";
-  fs::path folder_;
 };
 
 TEST_F(Driver, CountsRepeatToTheLastInstruction) {
@@ -112,8 +99,8 @@ TEST_F(Driver, CountsRepeatToTheLastInstruction) {
   std::vector<Json> counts;
   for (int run = 0; run < 2; ++run) {
     ASSERT_EQ(check("measure " + file("results.json") + " --no-time --candidate " + name), 0)
-        << text("err");
-    EXPECT_EQ(verdict(), 0) << text("out");
+        << err_;
+    EXPECT_EQ(verdict(), 0) << out_;
     const Json both = results()["work"]["instructions"][name];
     counts.push_back(both["base"]);
     counts.push_back(both["head"]);
@@ -127,9 +114,9 @@ TEST_F(Driver, OnePercentMoreInstructionsRaiseAnAlarm) {
   ASSERT_EQ(check("measure " + file("results.json") + " --no-time --candidate " + name +
                   " --slow head:" + name + ":1"),
             0)
-      << text("err");
-  EXPECT_EQ(verdict(), 1) << text("out");
-  EXPECT_CONTAINS(text("out"), "More work: " + name);
+      << err_;
+  EXPECT_EQ(verdict(), 1) << out_;
+  EXPECT_CONTAINS(out_, "More work: " + name);
 }
 
 TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
@@ -142,9 +129,9 @@ TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
   };
   const std::string lacking = "four_bar/54/group_of_the_future",
                     other = "four_bar/24/" + name.substr(12);
-  ASSERT_EQ(add("a", "2026-01-01T00:00:00Z", name), 0) << text("err");
-  ASSERT_EQ(add("c", "2026-03-01T00:00:00Z", name + " " + lacking), 0) << text("err");
-  ASSERT_EQ(add("b", "2026-02-01T00:00:00Z", name + " " + other), 0) << text("err");
+  ASSERT_EQ(add("a", "2026-01-01T00:00:00Z", name), 0) << err_;
+  ASSERT_EQ(add("c", "2026-03-01T00:00:00Z", name + " " + lacking), 0) << err_;
+  ASSERT_EQ(add("b", "2026-02-01T00:00:00Z", name + " " + other), 0) << err_;
   const Json history = Json::parse(text("history.json"));
   EXPECT_EQ(history["schema"], 1);
   EXPECT_EQ(history["cells"], (Json{name, lacking, other}));
@@ -164,7 +151,7 @@ TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
                   file("history.json") + " --commit=d --date=2026 --subject=d " + name),
             74);
   EXPECT_EQ(text("history.json"), before);
-  std::ofstream(folder_ / "history.json") << R"({"schema": "desmo-check"})";
+  write("history.json", R"({"schema": "desmo-check"})");
   EXPECT_EQ(add("d", "2026", name), 74);
   EXPECT_EQ(text("history.json"), R"({"schema": "desmo-check"})");
 }
@@ -172,8 +159,8 @@ TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
 // What is measured is compiled without line numbers: another line of comment gives the same object.
 TEST_F(Driver, ACommentChangesNoInstruction) {
   const std::string source = DESMO_SOURCE_DIR "/formulations/parts/inlined_part.cpp";
-  std::ofstream(folder_ / "plain.cpp") << text_of(source);
-  std::ofstream(folder_ / "commented.cpp") << "// One more line.\n" << text_of(source);
+  write("plain.cpp", text_of(source));
+  write("commented.cpp", "// One more line.\n" + text_of(source));
   // Any file of the library stands for its flags: sources may be compiled several at once.
   for (const Json& entry : Json::parse(std::ifstream(DESMO_BUILD_DIR "/compile_commands.json"))) {
     const std::string command = entry["command"], folder = entry["directory"];
@@ -184,7 +171,7 @@ TEST_F(Driver, ACommentChangesNoInstruction) {
       ASSERT_EQ(shell("cd " + folder + " && cp " + file(name + ".cpp") + " " + file("part.cpp") +
                       " && " + compile + " -o " + file("part.o") + " -c " + file("part.cpp")),
                 0)
-          << text("err");
+          << err_;
       objects.push_back(text("part.o"));
     }
     EXPECT_GT(objects[0].size(), 1000u);
@@ -195,14 +182,13 @@ TEST_F(Driver, ACommentChangesNoInstruction) {
 }
 
 TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
-  ASSERT_EQ(check("measure " + file("results.json") + " --no-work --candidate " + name), 0)
-      << text("err");
-  EXPECT_CONTAINS(text("err"), "rounds of 1 candidates");
-  EXPECT_LE(verdict(), 3) << text("out");
+  ASSERT_EQ(check("measure " + file("results.json") + " --no-work --candidate " + name), 0) << err_;
+  EXPECT_CONTAINS(err_, "rounds of 1 candidates");
+  EXPECT_LE(verdict(), 3) << out_;
   EXPECT_EQ(results()["head"]["paper"]["cells"][0]["time"]["seconds"].size(), 25u);
   EXPECT_EQ(results()["control"]["base"].size(), 25u);
-  ASSERT_EQ(check("more " + file("results.json") + " first " + name), 0) << text("err");
-  ASSERT_EQ(check("more " + file("results.json") + " second " + name), 0) << text("err");
+  ASSERT_EQ(check("more " + file("results.json") + " first " + name), 0) << err_;
+  ASSERT_EQ(check("more " + file("results.json") + " second " + name), 0) << err_;
   const Json json = results();
   for (const char* side : {"base", "head"}) {
     EXPECT_EQ(json[side]["paper"]["cells"][0]["time"]["seconds"].size(), 50u);
@@ -211,21 +197,21 @@ TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
     EXPECT_EQ(json["second"]["control"][side].size(), 25u);
   }
   EXPECT_NE(json["base"]["paper"]["cells"][0]["time"], json["head"]["paper"]["cells"][0]["time"]);
-  EXPECT_LE(verdict(), 3) << text("err");
+  EXPECT_LE(verdict(), 3) << err_;
 }
 
 TEST_F(Driver, ErrorsNameWhatIsWrongAndLeaveNoFile) {
   EXPECT_EQ(check("measure " + file("results.json") + " --slow head:no/1/such:5"), 64);
-  EXPECT_CONTAINS(text("err"), "no/1/such");
+  EXPECT_CONTAINS(err_, "no/1/such");
   EXPECT_EQ(check("measure " + file("results.json") + " --slow sideways:" + name + ":5"), 64);
   EXPECT_EQ(check("measure " + file("results.json") + " --slow head:" + name + ":much"), 64);
   EXPECT_EQ(check("measure " + file("results.json") + " --candidate no/1/such"), 64);
   const std::string alone =
       std::string(DESMO_CHECK) + " --head " + file("nowhere") + " measure " + file("results.json");
   EXPECT_EQ(shell(alone), 64);
-  EXPECT_CONTAINS(text("err"), "times need --base");
+  EXPECT_CONTAINS(err_, "times need --base");
   EXPECT_EQ(shell(alone + " --no-time"), 74);
-  EXPECT_CONTAINS(text("err"), file("nowhere"));
+  EXPECT_CONTAINS(err_, file("nowhere"));
   EXPECT_EQ(check("more " + file("results.json") + " first " + name), 74);
   EXPECT_EQ(check("measure " + file("no/folder.json") + " --no-work --candidate " + name), 74);
   EXPECT_FALSE(fs::exists(file("results.json")));

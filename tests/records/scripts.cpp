@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "tests/records/started.h"
+#include "tests/started.h"
 
 namespace desmo::scripts_test {
 namespace {
@@ -64,63 +64,51 @@ TEST(Scripts, NameTheArgumentThatTheyDoNotKnow) {
 
 /// A folder of programs that stand before the system's: nothing is installed, the user is root, and
 /// apt-get notes its arguments and answers by `answer`, a piece of shell.
-class OtherSystem {
- public:
-  explicit OtherSystem(const std::string& answer) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+class Setup : public InFolder {
+ protected:
+  Ended setup(const std::string& answer) const {
     add("dpkg-query", "exit 1");
     add("id", "echo 0");
-    add("apt-get", "echo \"$@\" >>" + calls() + "; n=$(wc -l <" + calls() + "); " + answer);
-  }
-  ~OtherSystem() { fs::remove_all(folder_); }
-
-  Ended setup(const std::string& sets) const {
-    return run_script("bench/setup", sets, "PATH=" + folder_.string() + ":\"$PATH\" ");
+    add("apt-get",
+        "echo \"$@\" >>" + file("calls") + "; n=$(wc -l <" + file("calls") + "); " + answer);
+    return run_script("bench/setup", "counts", "PATH=" + folder_.string() + ":\"$PATH\" ");
   }
   std::vector<std::string> called() const {
-    std::ifstream in(calls());
+    std::ifstream in(file("calls"));
     std::vector<std::string> lines;
     for (std::string line; std::getline(in, line);) lines.push_back(line);
     return lines;
   }
 
  private:
-  void add(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name) << "#!/bin/sh\n" << text << '\n';
-    fs::permissions(folder_ / name, fs::perms::owner_all);
+  void add(const std::string& name, const std::string& text) const {
+    fs::permissions(write(name, "#!/bin/sh\n" + text + "\n"), fs::perms::owner_all);
   }
-  std::string calls() const { return (folder_ / "calls").string(); }
-
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
-TEST(Setup, WaitsForAnotherAptGet) {
+TEST_F(Setup, WaitsForAnotherAptGet) {
   // As apt-get 2.6 says it of each of its locks: the lists', that of what it downloads, and dpkg's.
-  const OtherSystem system(R"sh(case $n in
+  const Ended ended = setup(R"sh(case $n in
     1) echo "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 7 (apt-get)" >&2
        echo "E: Unable to lock directory /var/lib/apt/lists/" >&2; exit 100 ;;
     3) echo "E: Could not get lock /var/cache/apt/archives/lock." >&2; exit 100 ;;
     esac)sh");
-  const Ended ended = system.setup("counts");
   EXPECT_EQ(ended.code, 0) << ended.text;
   EXPECT_CONTAINS(ended.text, "Waiting for another apt-get");
-  const std::vector<std::string> called = system.called();
-  ASSERT_EQ(called.size(), 4u);
-  for (const int update : {0, 1}) EXPECT_TRUE(called[update].ends_with(" update"));
+  const std::vector<std::string> calls = called();
+  ASSERT_EQ(calls.size(), 4u);
+  for (const int update : {0, 1}) EXPECT_TRUE(calls[update].ends_with(" update"));
   for (const int install : {2, 3}) {
-    EXPECT_TRUE(called[install].ends_with(" valgrind")) << called[install];
-    EXPECT_CONTAINS(called[install], "DPkg::Lock::Timeout=");
+    EXPECT_TRUE(calls[install].ends_with(" valgrind")) << calls[install];
+    EXPECT_CONTAINS(calls[install], "DPkg::Lock::Timeout=");
   }
 }
 
-TEST(Setup, EndsWhereAptGetFails) {
-  const OtherSystem system("echo 'E: Unable to fetch some archives' >&2; exit 100");
-  const Ended ended = system.setup("counts");
+TEST_F(Setup, EndsWhereAptGetFails) {
+  const Ended ended = setup("echo 'E: Unable to fetch some archives' >&2; exit 100");
   EXPECT_EQ(ended.code, 69);
   EXPECT_CONTAINS(ended.text, "Unable to fetch");
-  EXPECT_EQ(system.called().size(), 1u);
+  EXPECT_EQ(called().size(), 1u);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -15,7 +13,7 @@
 #include "bench/kit/problem.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
-#include "tests/contains.h"
+#include "tests/started.h"
 
 namespace desmo::size::size_test {
 namespace {
@@ -126,23 +124,21 @@ TEST(SizeSeries, AskBothQuestionsOfBothCases) {
   }
 }
 
+using SizeRecord = InFolder;
+
 // A record of the program is one that the report reads, and has what the filter lets through. How
 // many sizes a slope has is looked for by itself: behind a wide interval it stands on the next
 // line.
-TEST(SizeRecord, IsReadByTheReport) {
-  const std::string record = testing::TempDir() + "desmo_growth_record.json",
-                    run = DESMO_BENCH " size --quick --repetitions 2 --record " + record,
-                    quiet = " >/dev/null 2>&1";
-  const std::string filter =
-      " --filter '(four_bar/(114|225|336)/group_symbolic_explicit|break_even/four_bar/"
-      "[1-3].*/global_automatic_(klu|lapack))$'";
-  ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
-  for (const char* found : {" four_bar *group_symbolic_explicit ", " n=3( |$)", " four_bar *klu "})
-    EXPECT_EQ(std::system(
-                  (DESMO_REPORT " tables --all " + record + " | grep -Eq '" + found + "'").c_str()),
-              0)
+TEST_F(SizeRecord, IsReadByTheReport) {
+  const std::string record = file("record.json");
+  ASSERT_EQ(shell(DESMO_BENCH " size --quick --repetitions 2 --record " + record +
+                  " --filter '(four_bar/(114|225|336)/group_symbolic_explicit|break_even/four_bar/"
+                  "[1-3].*/global_automatic_(klu|lapack))$'"),
+            0);
+  for (const std::string found :
+       {" four_bar *group_symbolic_explicit ", " n=3( |$)", " four_bar *klu "})
+    EXPECT_EQ(shell(DESMO_REPORT " tables --all " + record + " | grep -Eq '" + found + "'"), 0)
         << found;
-  std::remove(record.c_str());
 }
 
 }  // namespace

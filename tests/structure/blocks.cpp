@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ctime>
 #include <map>
 #include <set>
 #include <utility>
@@ -78,25 +77,6 @@ TEST(Blocks, OfAnOrderedChainAreItsSmallestSteps) {
   for (const PartDefinition& b : make_partition(m, Partition::block))
     sizes.push_back(b.unknowns.size());
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 3, 3, 3}));
-}
-
-TEST(Growth, OfTheAnalysisIsNearlyLinear) {
-  // Ten times as many dyads take ten times as long; a quadratic step somewhere, a hundred times.
-  // The best of several runs each, in this process's own time: a busy machine does not decide.
-  const auto seconds = [](int dyads, int runs) {
-    double best = 1e9;
-    for (int i = 0; i < runs; ++i) {
-      const std::clock_t start = std::clock();
-      const Model m = four_bar_model(dyads);
-      EXPECT_EQ(m.structural_groups(), dyads + 1);
-      EXPECT_EQ(make_partition(m, Partition::block).size(), dyads + 2u);
-      best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    return best;
-  };
-  const double small = seconds(50, 10), medium = seconds(500, 5), large = seconds(5000, 2);
-  EXPECT_LT(medium, 40 * small);
-  EXPECT_LT(large, 40 * medium);
 }
 
 TEST(Growth, OfEquationsAndOfWhatTheyReadIsLinear) {

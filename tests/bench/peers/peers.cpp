@@ -3,11 +3,7 @@
 
 #include "tests/peers.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -15,6 +11,7 @@
 #include "bench/experiments/paper/peer_candidate.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
+#include "tests/started.h"
 
 namespace desmo::peers_test {
 namespace {
@@ -75,21 +72,18 @@ TEST_P(Peers, FindEveryCoordinateOnce) {
 INSTANTIATE_TEST_SUITE_P(Build, Peers, testing::Values("simbody", "simbody_direct", "ceres"),
                          [](const auto& info) { return info.param; });
 
-TEST(PeersOfTheBench, AreInItsRecordAndInTheReport) {
-  const std::filesystem::path folder = testing::TempDir() + "desmo_peers";
-  std::filesystem::create_directories(folder);
-  const std::string record = folder / "record.json";
-  const auto succeeds = [](const std::string& command) {
-    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
-  };
-  ASSERT_TRUE(succeeds(DESMO_BENCH " --duration=0.1 --benchmark_repetitions=2 --record=" + record +
-                       " '--benchmark_filter=truck_suspension/114/.*(peer|guess):'"));
-  ASSERT_TRUE(succeeds(DESMO_REPORT " tables " + record + " --out " + folder.string()));
-  const std::string table = folder / "peers_truck_suspension.csv";
+using PeersOfTheBench = InFolder;
+
+TEST_F(PeersOfTheBench, AreInItsRecordAndInTheReport) {
+  const std::string record = file("record.json");
+  ASSERT_EQ(shell(DESMO_BENCH " --duration=0.1 --benchmark_repetitions=2 --record=" + record +
+                  " '--benchmark_filter=truck_suspension/114/.*(peer|guess):'"),
+            0);
+  ASSERT_EQ(shell(DESMO_REPORT " tables " + record + " --out " + folder_.string()), 0);
+  const std::string table = text_of(folder_ / "peers_truck_suspension.csv");
   for (const char* name : {"simbody", "simbody_direct", "ceres", "tree", "tree_adams8",
                            "group_symbolic_explicit/guess:quadratic"})
-    EXPECT_TRUE(succeeds(std::string("grep ',") + name + ",' " + table)) << name;
-  std::filesystem::remove_all(folder);
+    EXPECT_CONTAINS(table, "," + std::string(name) + ",");
 }
 
 std::string refusal_by_simbody(const std::function<void(Mechanism&)>& change) {
