@@ -9,18 +9,15 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tests/refusal.h"
+
 namespace desmo::bench::own_process_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 std::string message_of(const std::function<Json()>& work) {
-  try {
-    in_own_process("truck/558", work);
-  } catch (const std::runtime_error& e) {
-    return e.what();
-  }
-  return {};
+  return refusal<std::runtime_error>([&] { in_own_process("truck/558", work); });
 }
 
 TEST(OwnProcess, GivesBackWhatItMadeToTheLastDigit) {

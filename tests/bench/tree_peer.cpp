@@ -12,6 +12,7 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "tests/peers.h"
+#include "tests/refusal.h"
 
 namespace desmo::tree_peer_test {
 namespace {
@@ -100,16 +101,13 @@ Scene rising(double left, double right) {
 std::string message_of(const PeerDefinition& peer, const Scene& scene) {
   const Model model = make_model(scene);
   const auto solver = peer.make(scene, model);
-  try {
+  return refusal<std::runtime_error>([&] {
     solver->assemble(0);
     for (int i = 1; i < 300; ++i) {
       solver->step(0.01 * i);
       for (const double q : solver->answer().q) EXPECT_TRUE(std::isfinite(q));
     }
-  } catch (const std::runtime_error& e) {
-    return e.what();
-  }
-  return "solved";
+  });
 }
 
 TEST_P(TreePeers, SayWhatCannotBeClosedAndWhere) {

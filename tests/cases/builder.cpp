@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/io/files.h"
+#include "tests/refusal.h"
 
 namespace desmo::builder_test {
 namespace {
@@ -52,12 +53,7 @@ TEST(Builder, LeavesWhatIsWrongToValidation) {
     const int body = builder.body("body", {p});
     builder.carry(MechanismBuilder::ground, {p});
     change(builder, body, p);
-    try {
-      validate(builder.release());
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+    return desmo::refusal([&] { validate(builder.release()); });
   };
   EXPECT_EQ(refusal([](auto& b, int body, int p) { b.joint(revolute, 0, body, {p}); }), "accepted");
   EXPECT_EQ(refusal([](auto& b, int body, int p) { b.joint(revolute, body, 7, {p}); }),

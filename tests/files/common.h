@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cases/io/files.h"
+#include "tests/refusal.h"
 
 namespace desmo {
 
@@ -87,22 +88,12 @@ inline std::string replaced(std::string text, const std::string& old, const std:
   return text.replace(at, old.size(), by);
 }
 
-template <class Parse>
-std::string complaint(Parse parse) {
-  try {
-    parse();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 inline std::string mechanism_complaint(const std::string& text) {
-  return complaint([&] { parse_mechanism(text, "m.json"); });
+  return refusal<InputError>([&] { parse_mechanism(text, "m.json"); });
 }
 
 inline std::string scene_complaint(const std::string& text) {
-  return complaint([&] { parse_scene(text, "s.json", ""); });
+  return refusal<InputError>([&] { parse_scene(text, "s.json", ""); });
 }
 
 inline void expect_start(const std::string& message, const std::string& start) {

@@ -317,7 +317,7 @@ TEST(MechanismFile, ThatCannotBeReadSaysWhy) {
   const fs::path folder = fs::path(testing::TempDir()) / "desmo_files_test";
   fs::create_directories(folder);
   const auto complaint_of = [](const fs::path& file) {
-    return complaint([&] { read_mechanism(file); });
+    return refusal<InputError>([&] { read_mechanism(file); });
   };
   const std::string missing = (folder / "missing.json").string();
   EXPECT_EQ(complaint_of(missing), missing + ": there is no such file; check its name and folder");

@@ -191,7 +191,7 @@ class TableFile : public testing::Test {
   /// Reads a table of the angle, or says why not.
   std::string read(const std::string& rows, Motion* motion = nullptr) {
     std::ofstream(folder() / "t.csv") << rows;
-    return complaint([&] {
+    return refusal<InputError>([&] {
       const Scene s = parse_scene(
           scene_of(drawn("angle"), R"("motion": {"angle": {"type": "table", "file": "t.csv"}},
                                       "time": {"end": 2, "step": 1})"),
@@ -249,7 +249,7 @@ class CouplingFile : public TableFile {
  protected:
   std::string read(const std::string& rows, Mechanism* mechanism = nullptr) {
     std::ofstream(folder() / "t.csv") << rows;
-    return complaint([&] {
+    return refusal<InputError>([&] {
       const Scene s = parse_scene(
           scene_of(replaced(drawn("turn"), "\"drivers\"",
                             R"("couplings": {"c": {"coordinate": "height", "of": "angle",

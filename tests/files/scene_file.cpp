@@ -150,7 +150,7 @@ TEST(SceneFile, FindsItsMechanismBesideIt) {
   std::ofstream(folder / "bad.scene.json") << scene_of("\"bad.json\"", driven);
   std::ofstream(folder / "lost.scene.json") << scene_of("\"lost.json\"", driven);
   const auto complaint_of = [&](const char* file) {
-    return complaint([&] { read_scene(folder / file); });
+    return refusal<InputError>([&] { read_scene(folder / file); });
   };
   EXPECT_EQ(read_scene(folder / "good.scene.json").mechanism.name, "slider_crank");
   expect_start(complaint_of("bad.scene.json"),

@@ -13,6 +13,7 @@
 #include "cases/io/files.h"
 #include "formulations/model/scales.h"
 #include "tests/modelling/differences.h"
+#include "tests/refusal.h"
 
 namespace desmo::measures_test {
 namespace {
@@ -320,14 +321,9 @@ TEST(Measures, RatiosAtRestAreLimitsOrMissing) {
 
 TEST(Measures, ThatThereAreNotAreRefused) {
   const auto refusal = [](const std::string& mechanism, const std::string& motion,
-                          const std::string& request) -> std::string {
+                          const std::string& request) {
     const Scene s = scene(mechanism, motion, request);
-    try {
-      outputs_of(s, make_model(s));
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "accepted";
+    return desmo::refusal([&] { outputs_of(s, make_model(s)); });
   };
   EXPECT_NE(refusal(R"({"library": "double_wishbone"})", "", R"({"rotations": ["tie_rod"]})")
                 .find("the points and vectors of body 'tie_rod' do not tell how it is turned"),

@@ -9,18 +9,10 @@
 #include "cases/generators/cases.h"
 #include "tests/describing.h"
 #include "tests/mechanisms.h"
+#include "tests/refusal.h"
 
 namespace desmo::values_test {
 namespace {
-
-std::string refusal(const auto& look_up) {
-  try {
-    look_up();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 TEST(Values, OfEveryCoordinateAreFoundByTheNameThatItHas) {
   for (const Model& m : {four_bar_model(2), truck_model(1)}) {

@@ -163,12 +163,8 @@ void set_family(Json& json, const std::string& id, double seconds, double spread
 Record record_from(const Json& json) { return parse_record(json.dump()); }
 
 std::string complaint(const std::string& text) {
-  try {
-    parse_record(text);
-  } catch (const InputError& error) {
-    return std::string(error.what()).substr(std::string("record: ").size());
-  }
-  return "accepted";
+  const std::string said = refusal<InputError>([&] { parse_record(text); }), file = "record: ";
+  return said.starts_with(file) ? said.substr(file.size()) : said;
 }
 
 std::string complaint(const Json& json) { return complaint(json.dump()); }

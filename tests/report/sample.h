@@ -15,6 +15,7 @@
 #include "report/tables/tables.h"
 #include "report/text/document.h"
 #include "tests/contains.h"
+#include "tests/refusal.h"
 
 namespace desmo::report {
 

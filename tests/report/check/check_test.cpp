@@ -192,12 +192,7 @@ TEST(Check, InstructionsAreComparedWithABaselineOfAnotherProcessor) {
 }
 
 std::string complaint_of_check(const Json& check) {
-  try {
-    check_from(check);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal<InputError>([&] { check_from(check); });
 }
 
 TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
