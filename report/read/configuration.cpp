@@ -8,11 +8,9 @@
 namespace desmo::report {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string Configuration::*>, 6> settings{
+constexpr std::array<std::pair<std::string_view, std::string Configuration::*>, 4> settings{
     {{"guess", &Configuration::guess},
      {"jacobian", &Configuration::jacobian},
-     {"factorisation", &Configuration::factorisation},
-     {"scalar", &Configuration::scalar},
      {"iterations", &Configuration::iterations},
      {"tolerance", &Configuration::tolerance}}};
 
@@ -38,10 +36,7 @@ bool is_complete(std::string_view suffix) {
 
 }  // namespace
 
-bool Configuration::has_papers_algorithm() const {
-  const Configuration paper;
-  return factorisation == paper.factorisation && scalar == paper.scalar && others.empty();
-}
+bool Configuration::has_papers_algorithm() const { return others.empty(); }
 
 bool Configuration::has_papers_settings() const {
   const Configuration paper;

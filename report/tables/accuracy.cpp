@@ -71,10 +71,9 @@ struct Usual {
   }
 
   const NamedPoint* best(std::string_view guess, std::string_view update,
-                         std::string_view factorisation = "shared") const {
+                         const std::vector<std::string>& others = {}) const {
     return cheapest(points, accuracy, [&](const Configuration& c) {
-      return c.guess == guess && c.jacobian == update && c.scalar == "double" &&
-             c.factorisation == factorisation && c.others.empty();
+      return c.guess == guess && c.jacobian == update && c.others == others;
     });
   }
 
@@ -101,7 +100,7 @@ void add_case(Table& table, const SeriesKey& series, const Points& points) {
   for (const std::string& guess : guesses_of(points))
     for (const char* update : updates)
       if (is_tried(points, update)) add(guess, update, usual.best(guess, update));
-  if (const NamedPoint* per_level = usual.best("previous", "newton", "per_level"))
+  if (const NamedPoint* per_level = usual.best("previous", "newton", {"factorisation:per_level"}))
     add("previous", sentence("guesses_and_updates.per_level"), per_level);
 }
 

@@ -32,7 +32,8 @@ Points drawn(Points points) {
   std::erase_if(points, [&](const NamedPoint* p) {
     if (!is_solved(*p)) return false;
     const Configuration& c = p->second.configuration;
-    double& error = least.try_emplace({c.formulation, c.scalar, c.solves_every_instant()}, infinity)
+    const std::string scalar(setting(p->first.id, "scalar"));
+    double& error = least.try_emplace({c.formulation, scalar, c.solves_every_instant()}, infinity)
                         .first->second;
     if (!(position_error(*p) < error)) return p->first.id != c.formulation;
     error = position_error(*p);
