@@ -111,7 +111,8 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
                   : ": the motion cannot be followed past a singular position; which branch it "
                     "continues on is not known");
     case RowFlag::Kind::misfit:
-      return group + moment(f.time) + ": the equations contradict each other: " +
+      return group + moment(f.after) + (f.after < f.time ? ", between rows" : "") +
+             ": the equations contradict each other: " +
              off_by(f.misfit->constraint, f.misfit->amount, f.misfit->is_length, m, units) +
              "; the motion is that of the others";
     case RowFlag::Kind::crossing:

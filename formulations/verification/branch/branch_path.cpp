@@ -106,7 +106,10 @@ const RefinedInstant& BranchPath::predict(double time) {
 
 /// Proves the step from the present instant to another one, earlier or later.
 PathCertificate BranchPath::prove(const CertifiedInstant& to) {
-  return to.time < present_.time ? path_.prove(to, present_) : path_.prove(present_, to);
+  PathCertificate c =
+      to.time < present_.time ? path_.prove(to, present_) : path_.prove(present_, to);
+  if (c.proven && is_accepted_) c.proven = is_accepted_(path_);
+  return c;
 }
 
 /// Returns that time, or the first knot on the way there.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "formulations/model/model.h"
 #include "formulations/verification/branch/followed_step.h"
@@ -26,6 +28,11 @@ class BranchPath {
   explicit BranchPath(const Model& model, int budget = max_tests, InitialResidual initial = {});
   explicit BranchPath(const Model&& model, int budget = max_tests,
                       InitialResidual initial = {}) = delete;
+
+  /// Asks about each step that is proven. Where the answer is false, shorter ones are taken.
+  void ask_about_steps(std::function<bool(const PathProof&)> is_accepted) {
+    is_accepted_ = std::move(is_accepted);
+  }
 
   /// Begins at an instant, which it copies. Returns whether its positions and rates are proven, as
   /// follow() needs.
@@ -64,6 +71,7 @@ class BranchPath {
   const int budget_;
   Refinement refinement_;
   PathProof path_;  // shares its blocks
+  std::function<bool(const PathProof&)> is_accepted_;
   Memory memory_;
   CertifiedInstant present_;
   Memory predicted_;

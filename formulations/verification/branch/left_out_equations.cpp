@@ -7,14 +7,21 @@
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/characteristic_lengths.h"
+#include "formulations/modelling/independence/linearisation.h"
 #include "formulations/verification/branch/file_variation.h"
+#include "formulations/verification/certificate/hermite.h"
 #include "formulations/verification/certificate/table_enclosure.h"
+#include "formulations/verification/certificate/taylor_model.h"
 
 namespace desmo {
 
 namespace {
 
 using Number = Compensated<double>;
+
+/// Places on a step, of s, where misfits are looked for.
+constexpr std::array looks{-0.875, -0.75, -0.625, -0.5, -0.375, -0.25, -0.125, 0.,
+                           0.125,  0.25,  0.375,  0.5,  0.625,  0.75,  0.875};
 
 std::vector<Equation> left_out_of(const Model& m) {
   std::vector<Equation> all;
@@ -24,12 +31,49 @@ std::vector<Equation> left_out_of(const Model& m) {
   return all;
 }
 
+/// Evaluates Φ of an equation in a scalar. coordinate(i): coordinate i in that scalar.
+template <class S>
+S value_of(const Model& m, const Equation& equation, const auto& coordinate) {
+  const Constraint& c = m.constraints[equation.constraint];
+  S result;
+  visit_kind(c.kind, [&]<class Kind>(Kind) {
+    constexpr std::size_t operands = Kind::operand_sizes.size();
+    std::array<std::array<S, 3>, operands> components;
+    std::array<const S*, operands> x;
+    for (std::size_t k = 0; k < operands; ++k) {
+      const Entity& e = m.entities[c.operands[k]];
+      for (int i = 0; i < e.size; ++i)
+        components[k][i] = e.fixed ? S(m.fixed_value(e.first + i)) : coordinate(e.first + i);
+      x[k] = components[k].data();
+    }
+    std::array<S, Kind::constants + 1> dimensions;
+    constexpr int count = has_table<Kind> ? 3 : Kind::constants;
+    for (int k = 0; k < count; ++k) dimensions[k] = S(c.dimension(k));
+    if constexpr (has_table<Kind>)
+      read_table<Kind>(dimensions, x.data(),
+                       [&](int, int k) { return c.dimension(Kind::table + k); });
+    std::array<S, Kind::rows> phi;
+    Kind::residual(x.data(), dimensions.data(), phi.data());
+    result = phi[equation.row];
+  });
+  return result;
+}
+
+/// Returns by how much the digits of the file may move Φ of an equation, besides its dimensions.
+double slack_of(const Model& m, const Equation& equation) {
+  const Constraint& c = m.constraints[equation.constraint];
+  const std::size_t slack = c.constants.size() + equation.row;
+  return slack < c.remainders.size() ? c.remainders[slack].radius : 0;
+}
+
 }  // namespace
 
 LeftOutEquations::LeftOutEquations(const Model& m) : m_(m), equations_(left_out_of(m)) {
   if (equations_.empty()) return;
   varied_ = with_file_variation(m);
   certifier_.emplace(varied_);
+  refinement_.emplace(m);
+  drivers_.resize(m.drivers.size());
   const CharacteristicLengths lengths(m);
   for (const Equation& e : equations_) length_.push_back(lengths.of(m.constraints[e.constraint]));
   state_.resize(m.coordinates());
@@ -40,32 +84,11 @@ LeftOutEquations::LeftOutEquations(const Model& m) : m_(m), equations_(left_out_
 /// positions within their radii.
 Interval LeftOutEquations::residual(const Equation& equation, std::span<const double> q,
                                     std::span<const double> radius) const {
-  const Model& m = varied_;
-  const Constraint& c = m.constraints[equation.constraint];
-  Interval result;
-  visit_kind(c.kind, [&]<class Kind>(Kind) {
-    constexpr std::size_t operands = Kind::operand_sizes.size();
-    std::array<std::array<Number, 3>, operands> components;
-    std::array<const Number*, operands> x;
-    for (std::size_t k = 0; k < operands; ++k) {
-      const Entity& e = m.entities[c.operands[k]];
-      for (int i = 0; i < e.size; ++i)
-        components[k][i] = e.fixed ? Number(m.fixed_value(e.first + i))
-                                   : Number(q[e.first + i], 0, radius[e.first + i]);
-      x[k] = components[k].data();
-    }
-    std::array<Number, Kind::constants + 1> dimensions;
-    for (int k = 0; k < Kind::constants; ++k) dimensions[k] = Number(c.dimension(k));
-    if constexpr (has_table<Kind>)
-      read_table<Kind>(dimensions, x.data(),
-                       [&](int, int k) { return c.dimension(Kind::table + k); });
-    std::array<Number, Kind::rows> phi;
-    Kind::residual(x.data(), dimensions.data(), phi.data());
-    result = phi[equation.row].enclosure();
-    if (const std::size_t slack = c.constants.size() + equation.row; slack < c.remainders.size())
-      result.radius += c.remainders[slack].radius;
-  });
-  return result;
+  Interval phi = value_of<Number>(varied_, equation, [&](int i) {
+                   return Number(q[i], 0, radius[i]);
+                 }).enclosure();
+  phi.radius += slack_of(varied_, equation);
+  return phi;
 }
 
 bool LeftOutEquations::holds(const Equation& equation, std::span<const double> q,
@@ -88,13 +111,72 @@ std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
   for (std::size_t i = 0; i < equations_.size(); ++i) {
     const Equation& e = equations_[i];
     if (holds(e, q, known)) continue;
-    const Misfit misfit = misfit_of(m_, e.constraint, e.row, residual(e, q, known).mid, state_);
-    const double relative = misfit.is_length ? misfit.amount / length_[i] : misfit.amount;
-    if (!(relative > largest)) continue;
-    largest = relative;
-    worst = misfit;
+    const double phi = residual(e, q, known).mid;
+    if (!(relative(i, phi) > largest)) continue;
+    largest = relative(i, phi);
+    worst = misfit_of(m_, e.constraint, e.row, phi, state_);
   }
   return worst;
+}
+
+double LeftOutEquations::relative(std::size_t i, double residual) const {
+  const auto& [constraint, row] = equations_[i];
+  const Misfit misfit = misfit_of(m_, constraint, row, residual, state_);
+  return misfit.is_length ? misfit.amount / length_[i] : misfit.amount;
+}
+
+bool LeftOutEquations::look_along(const PathProof& step) {
+  using Path = TaylorModel<double, 5>;
+  go_to(step, 0);
+  for (std::size_t i = 0; i < equations_.size(); ++i) {
+    const Path phi = value_of<Path>(varied_, equations_[i], [&](int k) {
+      Path x;
+      x.c = step.path(k);
+      x.rest = step.radius()[k];
+      return x;
+    });
+    const bool is_long = !(relative(i, phi.magnitude()) <= max_misfit);
+    const auto is_missed = [&](double s) { return std::abs(value_at(phi.c, s)) > phi.rest; };
+    if (!is_long && std::ranges::none_of(looks, is_missed)) continue;
+    if (!is_told_at(i, step, worst_place(i, step)) && is_long) return false;
+  }
+  return true;
+}
+
+/// Lays the positions of a step's path in `state_`.
+void LeftOutEquations::go_to(const PathProof& step, double s) {
+  for (int k = 0; k < m_.coordinates(); ++k) state_[k] = value_at(step.path(k), s);
+}
+
+/// Returns about where on the path of a step equation i misses by most.
+double LeftOutEquations::worst_place(std::size_t i, const PathProof& step) {
+  double largest = -1, place = 0;
+  for (const double s : looks) {
+    go_to(step, s);
+    const double phi = std::abs(residual(equations_[i], state_, step.radius()).mid);
+    if (phi > largest) largest = phi, place = s;
+  }
+  return place;
+}
+
+/// Looks at equation i in a point of a step, and notes its misfit. Returns false where it may hold
+/// there: then a shorter step has a tighter enclosure.
+bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s) {
+  Instant wanted{.index = 0, .time = step.time_at(s), .q = {}, .qd = {}, .qdd = {}};
+  go_to(step, s);
+  wanted.q = std::span(state_).first(m_.coordinates());
+  const RefinedInstant& point = refinement_->refine(wanted);
+  if (!point.proven) return false;
+  for (std::size_t k = 0; k < drivers_.size(); ++k)
+    drivers_[k] = point.instant.q[m_.entities[m_.drivers[k].coordinate].first];
+  const LiveRow drivers{.time = wanted.time, .z = drivers_};
+  if (const std::optional<Misfit> misfit = check(point, &drivers)) {
+    note(Between{*misfit, wanted.time});
+    return true;
+  }
+  // What digits leave open in a point is not told by a shorter step, either.
+  const Interval phi = residual(equations_[i], point.instant.q, point.radius.position);
+  return !(relative(i, phi.magnitude()) <= max_misfit / 2);
 }
 
 std::span<const double> LeftOutEquations::radius(const Instant& instant, const LiveRow* drivers) {

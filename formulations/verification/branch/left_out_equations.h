@@ -2,12 +2,14 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cases/numbers/interval.h"
 #include "formulations/base/live_row.h"
 #include "formulations/model/partition.h"
 #include "formulations/verification/branch/misfit.h"
+#include "formulations/verification/certificate/path_proof.h"
 #include "formulations/verification/certificate/refinement.h"
 
 namespace desmo {
@@ -20,6 +22,9 @@ namespace desmo {
 ///
 ///   LeftOutEquations left_out(model);
 ///   if (const auto misfit = left_out.check(refined)) …   // no exact motion exists
+///
+/// Between instants, one is enclosed along the tube of each step (PathProof): steps are so short
+/// that no misfit is overlooked which modelling would refuse in a drawing (`max_misfit`).
 ///
 /// Costs a certificate of positions where the instant's own radii do not explain all residuals;
 /// else an evaluation of these equations. One thread at a time may use it.
@@ -36,6 +41,23 @@ class LeftOutEquations {
   /// which count as exact; null: the model's motions. Allocates nothing.
   std::optional<Misfit> check(const RefinedInstant& refined, const LiveRow* drivers = nullptr);
 
+  /// A misfit, and the time where it was found [s].
+  struct Between {
+    Misfit misfit;
+    double time;
+  };
+
+  /// Looks for misfits along the last step of a path, which is proven, and notes the largest.
+  /// Returns false where the step is too long to tell.
+  bool look_along(const PathProof& step);
+  /// Returns the largest misfit that look_along() has noted since this was called last. Drivers
+  /// count as exact there.
+  std::optional<Between> take_between() { return std::exchange(between_, {}); }
+  /// Notes a misfit that was found along a step.
+  void note(const std::optional<Between>& found) {
+    if (found && (!between_ || found->misfit.amount > between_->misfit.amount)) between_ = found;
+  }
+
   /// Returns for each coordinate how far it may be from that of any mechanism that rounds to the
   /// same file; infinite where that is not known. Two choices of equations mean the same motion
   /// where their instants are within these radii. Only where any() is true. Valid until the next
@@ -45,6 +67,11 @@ class LeftOutEquations {
  private:
   Interval residual(const Equation& equation, std::span<const double> q,
                     std::span<const double> radius) const;
+  /// Returns the misfit of a residual in `state_`, over the lengths of equation i or in rad.
+  double relative(std::size_t i, double residual) const;
+  void go_to(const PathProof& step, double s);
+  double worst_place(std::size_t i, const PathProof& step);
+  bool is_told_at(std::size_t i, const PathProof& step, double s);
   bool holds(const Equation& equation, std::span<const double> q,
              std::span<const double> radius) const;
 
@@ -53,7 +80,9 @@ class LeftOutEquations {
   std::vector<Equation> equations_;
   std::vector<double> length_;  // of each equation
   std::optional<Certifier> certifier_;
-  std::vector<double> state_;
+  std::optional<Refinement> refinement_;  // of instants between rows
+  std::vector<double> state_, drivers_;
+  std::optional<Between> between_;
 };
 
 }  // namespace desmo

@@ -26,6 +26,7 @@ struct Span {
     half = std::nextafter(std::max(to - middle, middle - from), INFINITY);
   }
   double s(double time) const { return (time - middle) / half; }
+  double time(double s) const { return middle + half * s; }
 };
 
 double size_of(const Polynomial5& c) {
@@ -46,6 +47,8 @@ class PathProof::Tube {
 
   std::span<const double> radius() const { return radius_; }
   double centre(int i, double time) const { return value_at(path_[i], span_.s(time)); }
+  const Polynomial5& path(int i) const { return path_[i]; }
+  double time_at(double s) const { return span_.time(s); }
 
  private:
   using Value = PathEquations::Value;
@@ -324,5 +327,7 @@ std::span<const double> PathProof::radius() const { return tube_->radius(); }
 double PathProof::centre(int coordinate, double time) const {
   return tube_->centre(coordinate, time);
 }
+const Quintic<double>& PathProof::path(int coordinate) const { return tube_->path(coordinate); }
+double PathProof::time_at(double s) const { return tube_->time_at(s); }
 
 }  // namespace desmo

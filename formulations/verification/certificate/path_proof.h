@@ -7,6 +7,7 @@
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
 #include "formulations/verification/certificate/certificate.h"
+#include "formulations/verification/certificate/hermite.h"
 
 namespace desmo {
 
@@ -69,6 +70,9 @@ class PathProof {
   std::span<const double> radius() const;
   /// Returns the tube's centre line at a time, up to rounding.
   double centre(int coordinate, double time) const;
+  /// Returns the tube's centre line as a polynomial of s, and the time at s [s].
+  const Quintic<double>& path(int coordinate) const;
+  double time_at(double s) const;
 
  private:
   class Tube;

@@ -10,13 +10,19 @@ namespace desmo {
 
 CheckedMotion::Follower::Follower(std::unique_ptr<const Model> c, const Model& m,
                                   std::span<const Level> levels)
-    : chosen(std::move(c)), model(chosen ? *chosen : m), refinement(model, levels), path(model) {}
+    : chosen(std::move(c)),
+      model(chosen ? *chosen : m),
+      refinement(model, levels),
+      path(model),
+      left_out(model) {
+  if (left_out.any())
+    path.ask_about_steps([this](const PathProof& step) { return left_out.look_along(step); });
+}
 
 CheckedMotion::CheckedMotion(const Model& m, std::span<const Level> levels, double tolerance)
     : m_(m),
       levels_(levels),
       follower_(std::make_unique<Follower>(nullptr, m, levels)),
-      left_out_(m),
       no_rates_(m.coordinates(), NAN),
       tolerances_(natural_magnitudes(m)),
       slack_(tolerances_) {
@@ -179,6 +185,7 @@ bool CheckedMotion::choose_other_equations(std::span<const double> q) {
                                                         .qdd = present.values.acceleration});
     if (!r.proven || !other->path.start_at(certified(r))) return false;
   }
+  other->left_out.note(follower_->left_out.take_between());
   follower_ = std::move(other);
   return true;
 }
@@ -229,14 +236,23 @@ void CheckedMotion::deliver_unproven(const Instant& solved, const RefinedInstant
   result_.instant = solved;
 }
 
-/// Flags a proven result where an equation that was left out does not hold. A flag that it has
-/// stays, with the misfit.
+/// Flags a proven result where an equation that was left out does not hold, or does not on the way
+/// from the last row. A flag that it has stays, with the misfit.
 void CheckedMotion::find_misfit(const RefinedInstant& r) {
-  if (!left_out_.any()) return;
-  const std::optional<Misfit> misfit = left_out_.check(r);
+  LeftOutEquations& left_out = follower_->left_out;
+  if (!left_out.any()) return;
+  std::optional<Misfit> misfit = left_out.check(r);
+  double time = r.instant.time;
+  if (const auto between = left_out.take_between();
+      between && (!misfit || between->misfit.amount > misfit->amount)) {
+    misfit = between->misfit;
+    time = between->time;
+  }
   if (!misfit) return;
   if (!result_.flag)
     result_.flag = {.kind = RowFlag::Kind::misfit,
+                    .after = time,
+                    .before = time,
                     .group = m_.constraints[misfit->constraint].group};
   result_.flag->misfit = misfit;
 }

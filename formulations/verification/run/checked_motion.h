@@ -55,6 +55,7 @@ class CheckedMotion {
     const Model& model;
     Refinement refinement;
     BranchPath path;
+    LeftOutEquations left_out;
   };
 
   /// Returns whether the path begins at the last proven instant.
@@ -73,7 +74,6 @@ class CheckedMotion {
   const Model& m_;
   const std::span<const Level> levels_;
   std::unique_ptr<Follower> follower_;
-  LeftOutEquations left_out_;
   /// State in which the last check began.
   struct {
     double time = 0;

@@ -29,14 +29,16 @@ struct RowFlag {
   enum class Kind {
     unproven,  ///< the instant has no proof: `failure` says why
     branch,    ///< proven, but on an unknown branch since the interval from `after` to `before`
-    misfit,    ///< an equation that was left out does not hold: there is no exact motion
+    misfit,    ///< an equation that was left out does not hold there, or on the way from the row
+               ///< before: there is no exact motion
     crossing,  ///< the step passes a change point, on its smooth continuation
     on_point,  ///< the row lies on a change point: it has a position and no rates
   };
   Kind kind = Kind::unproven;
-  double time = 0;               ///< of the row [s]
-  double after = 0, before = 0;  ///< branch, crossing: ends of the interval [s]
-  GroupId group = no_position;   ///< of the test that failed, if known
+  double time = 0;  ///< of the row [s]
+  /// Ends of the interval [s]; of a misfit: where it was found, at the row or on the way to it.
+  double after = 0, before = 0;
+  GroupId group = no_position;  ///< of the test that failed, if known
   ProofFailure failure = ProofFailure::none;
   std::optional<Misfit> misfit{};
 };

@@ -96,7 +96,10 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   if (options.check == CheckMode::proof) {
     checks_->refinement.emplace(checks_->motions.model(), checks_->levels);
     checks_->path.emplace(checks_->motions.model(), options.max_sub_steps + 1);
-    checks_->left_out.emplace(checks_->motions.model());
+    LeftOutEquations& left_out = checks_->left_out.emplace(checks_->motions.model());
+    if (left_out.any())
+      checks_->path->ask_about_steps(
+          [&left_out](const PathProof& step) { return left_out.look_along(step); });
   }
   restart();
 }
@@ -187,10 +190,8 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
                       .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
-    else if (const std::optional<Misfit> misfit = c.left_out->check(*found, &row))
-      summary.flag = {.kind = RowFlag::Kind::misfit,
-                      .group = formulation_.model().constraints[misfit->constraint].group,
-                      .misfit = misfit};
+    else if (const std::optional<RowFlag> flag = misfit_flag(*found, row))
+      summary.flag = flag;
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
     summary.flag = {.kind = RowFlag::Kind::unproven,
@@ -198,6 +199,25 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
                     .failure = found->last.failure};
   }
   if (summary.flag) summary.flag->time = row.time;
+}
+
+/// Returns the flag of a row where an equation that was left out does not hold, or does not on the
+/// way from the last row.
+std::optional<RowFlag> LiveRun::misfit_flag(const RefinedInstant& found, const LiveRow& row) {
+  LeftOutEquations& left_out = *checks_->left_out;
+  std::optional<Misfit> misfit = left_out.check(found, &row);
+  double time = row.time;
+  if (const auto between = left_out.take_between();
+      between && (!misfit || between->misfit.amount > misfit->amount)) {
+    misfit = between->misfit;
+    time += between->time;
+  }
+  if (!misfit) return {};
+  return RowFlag{.kind = RowFlag::Kind::misfit,
+                 .after = time,
+                 .before = time,
+                 .group = formulation_.model().constraints[misfit->constraint].group,
+                 .misfit = misfit};
 }
 
 /// Goes from the drawing to the first row. Where no way leads there, the answer is what the
