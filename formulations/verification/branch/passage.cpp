@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "formulations/constraints/constraints.h"
+
 namespace desmo {
 
 namespace {
@@ -138,24 +140,52 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, double time, doubl
   return true;
 }
 
-}  // namespace
-
-std::vector<double> PassedPoint::positions(const Model& m, double at) const {
-  const std::vector<double> z = drivers_at(m, at).position;
-  const double s = line.arc(z) / width;
-  std::vector<double> q;
-  for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, s));
-  for (std::size_t k = 0; k < z.size(); ++k) q[m.entities[m.drivers[k].coordinate].first] = z[k];
-  return q;
+/// Returns the model whose tables go on for ever as the pieces do that are read at positions q;
+/// nothing where it has no tables. A knot on a change point, where third derivatives jump, is none
+/// of this model: what continues smoothly here is where the motion goes on to within third order.
+std::optional<Model> with_tables_continued(const Model& m, std::span<const double> q) {
+  constexpr int table = TableCoupling::table, numbers = table + table_size(1);
+  std::optional<Model> smooth;
+  for (std::size_t i = 0; i < m.constraints.size(); ++i) {
+    const Constraint& c = m.constraints[i];
+    if (c.kind != kind_index<TableCoupling>()) continue;
+    const Entity& e = m.entities[c.operands[1]];
+    const auto number = [&c](int k) { return c.dimension(table + k); };
+    const double at = c.constants[1] * (e.fixed ? m.fixed_values : q)[e.first];
+    const auto [piece, turns] = find_in_table<double>([&](int k) { return number(k).value; }, at);
+    if (piece < 0) continue;
+    const int n = static_cast<int>(c.constants[table]);
+    const Derived length = number(3 + n) - number(3), begin = at - 8 * length.value,
+                  t = begin - (number(3 + piece) + length * turns);
+    const auto a = [&](int k) { return number(4 + n + 4 * piece + k); };
+    const Derived a1 = a(1), a2 = a(2), a3 = a(3);
+    const std::array<Derived, table_size(1)> single{
+        1,
+        0,
+        0,
+        begin,
+        at + 8 * length.value,
+        ((a3 * t + a2) * t + a1) * t + a(0) + number(2) * turns,
+        (a3 * 3 * t + a2 * 2) * t + a1,
+        a3 * 3 * t + a2,
+        a3};
+    if (!smooth) smooth = m;
+    Constraint& to = smooth->constraints[i];
+    to.constants.resize(numbers);
+    to.remainders.resize(numbers);
+    for (std::size_t k = 0; k < single.size(); ++k) {
+      to.constants[table + k] = single[k].value;
+      to.remainders[table + k] = single[k].remainder();
+    }
+  }
+  return smooth;
 }
 
-std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last) {
-  return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time);
-}
-
-std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
-                                             std::span<const double> direction, double start) {
-  StraightCrossing crossing(m, last, direction);
+/// Passes a change point of a model on the branches of another one, which is the same on this side
+/// and smooth.
+std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const CertifiedInstant& last,
+                                std::span<const double> direction, double start) {
+  StraightCrossing crossing(smooth, last, direction);
   if (!crossing.find()) return {};
   PassedPoint point{.time = start,
                     .after = start,
@@ -176,6 +206,29 @@ std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInst
     return point;
   }
   return {};
+}
+
+}  // namespace
+
+std::vector<double> PassedPoint::positions(const Model& m, double at) const {
+  const std::vector<double> z = drivers_at(m, at).position;
+  const double s = line.arc(z) / width;
+  std::vector<double> q;
+  for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, s));
+  for (std::size_t k = 0; k < z.size(); ++k) q[m.entities[m.drivers[k].coordinate].first] = z[k];
+  return q;
+}
+
+std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last) {
+  return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time);
+}
+
+std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
+                                             std::span<const double> direction, double start) {
+  std::optional<PassedPoint> point = pass(m, m, last, direction, start);
+  if (point) return point;
+  const std::optional<Model> smooth = with_tables_continued(m, last.values.position);
+  return smooth ? pass(m, *smooth, last, direction, start) : point;
 }
 
 }  // namespace desmo
