@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "cases/mechanism/motion.h"
+#include "formulations/model/whole_turns.h"
 
 namespace desmo {
 
@@ -67,18 +69,44 @@ bool move_drivers(const Model& m, std::span<const double> changes, State& state,
   }
 }
 
+/// Turns of a driver that lead back need not be made: takes whole ones off its change, and moves
+/// the state by them.
+void leave_out_turns(const Model& m, std::vector<double>& changes, State& state,
+                     const Solve& solve) {
+  constexpr double turn = 2 * std::numbers::pi;
+  std::vector<double> way(changes.size());
+  if (!move_drivers(m, way, state, solve)) return;
+  for (std::size_t d = 0; d < changes.size(); ++d) {
+    const double turns = std::trunc(std::abs(changes[d]) / turn);
+    if (m.entities[m.drivers[d].coordinate].kind != EntityKind::angle || turns < 2) continue;
+    State moved = state;
+    way[d] = std::copysign(turn, changes[d]);
+    const bool leads_back = move_drivers(m, way, moved, solve) && is_back(m, state.q, moved.q);
+    const double made = std::exchange(way[d], 0);
+    if (!leads_back) continue;
+    changes[d] -= turns * made;
+    for (const Entity& e : m.entities)
+      if (!e.fixed && e.kind == EntityKind::angle)
+        state.q[e.first] += turns * turn * std::round((moved.q[e.first] - state.q[e.first]) / turn);
+  }
+}
+
 }  // namespace
 
-bool continue_drivers_to(const Model& m, double t, State& state, const Solve& solve) {
+ContinuationEnd continue_drivers_to(const Model& m, double t, State& state, const Solve& solve) {
   const State start = state;
-  const std::vector<double> changes = driver_changes(m, start, t);
-  if (move_drivers(m, changes, state, solve)) return true;
+  std::vector<double> changes = driver_changes(m, start, t);
+  if (continuation_steps(m, changes) > max_continuation_steps)
+    leave_out_turns(m, changes, state, solve);
+  if (continuation_steps(m, changes) > max_continuation_steps) return ContinuationEnd::too_long;
+  if (move_drivers(m, changes, state, solve)) return ContinuationEnd::reached;
   std::vector<double> whole;  // where the short way is blocked, the long one may not be
   for (const Driver& d : m.drivers)
     whole.push_back(sample(d.motion, t).position - start.q[m.entities[d.coordinate].first]);
-  if (whole == changes) return false;
+  if (whole == changes || continuation_steps(m, whole) > max_continuation_steps)
+    return ContinuationEnd::blocked;
   state = start;
-  return move_drivers(m, whole, state, solve);
+  return move_drivers(m, whole, state, solve) ? ContinuationEnd::reached : ContinuationEnd::blocked;
 }
 
 }  // namespace desmo

@@ -20,13 +20,25 @@ std::vector<double> driver_changes(const Model& model, const State& from, double
 /// count whole turns, drivers turn by at most 0.1 rad in a step.
 int continuation_steps(const Model& model, std::span<const double> changes);
 
+/// A continuation takes at most so many steps: some 16,000 turns, or a second of a small mechanism.
+inline constexpr int max_continuation_steps = 1000000;
+
+/// End of a continuation.
+enum class ContinuationEnd {
+  reached,
+  blocked,
+  too_long,  ///< it would take more than max_continuation_steps
+};
+
 /// Moves the drivers of a solved state in proportion to where they are at time t [s], give or take
 /// whole turns: how an instant in the middle of a motion is reached without those before it. solve:
 /// solves the positions of a state for its drivers, given the last ones, and returns whether it
 /// could; it is first called where the state is, to find its branches. A step that cannot be solved
-/// is halved. Where that leads nowhere, whole turns are made. Returns false where t cannot be
-/// reached; the state is then on the way. Not for timed loops.
-bool continue_drivers_to(const Model& model, double t, State& state,
-                         const std::function<bool(State&, std::span<const double> last)>& solve);
+/// is halved. Where that leads nowhere, whole turns are made. Of more than
+/// max_continuation_steps, turns that lead back (is_back()) are left out. Where t is not
+/// reached, the state is on the way. Not for timed loops.
+ContinuationEnd continue_drivers_to(
+    const Model& model, double t, State& state,
+    const std::function<bool(State&, std::span<const double> last)>& solve);
 
 }  // namespace desmo

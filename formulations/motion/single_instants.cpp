@@ -1,5 +1,6 @@
 // The instants that TimeStepping solves by themselves, and the first one of a motion.
 #include <algorithm>
+#include <cmath>
 
 #include "formulations/motion/driver_continuation.h"
 #include "formulations/motion/time_stepping.h"
@@ -62,7 +63,16 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
     return summary;
   }
   last = state;  // what is solved once is in both
-  if (whole_turns_count(model()) && lead_drivers_to(t)) last.q = state.q;
+  if (whole_turns_count(model())) {
+    const ContinuationEnd end = lead_drivers_to(t);
+    if (end == ContinuationEnd::reached) {
+      last.q = state.q;
+    } else if (end == ContinuationEnd::too_long && !drivers_.is_live()) {
+      summary.status = Status::not_converged;
+      summary.residual = NAN;
+      return summary;
+    }
+  }
   summary = solve_at(t, level);
   // The estimate may be far off: a fixed number of iterations is for steps.
   for (int i = 0; i < settings().max_iterations && summary.ok() &&
@@ -80,14 +90,14 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
   return summary;
 }
 
-bool TimeStepping::lead_drivers_to(double t) {
+ContinuationEnd TimeStepping::lead_drivers_to(double t) {
   const State start = now_.state;
   const auto solve = [&](State& to, std::span<const double> from) {
     return sequence_.solve_positions(to, from);
   };
-  if (continue_drivers_to(model(), t, now_.state, solve)) return true;
-  now_.state = start;
-  return false;
+  const ContinuationEnd end = continue_drivers_to(model(), t, now_.state, solve);
+  if (end != ContinuationEnd::reached) now_.state = start;
+  return end;
 }
 
 bool TimeStepping::start_at(std::span<const double> q, double t) {
@@ -99,7 +109,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
     clear_rates(*s);
   }
   forget();
-  assembled_ = lead_drivers_to(t);
+  assembled_ = lead_drivers_to(t) == ContinuationEnd::reached;
   if (!assembled_) return false;
   now_.time = t;
   last.q = state.q;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formulations/base/output_writer.h"
+#include "formulations/motion/driver_continuation.h"
 #include "formulations/motion/part_sequence.h"
 #include "formulations/motion/prediction/driver_source.h"
 #include "formulations/motion/prediction/state_predictor.h"
@@ -69,9 +70,9 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
   Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
   Summary assemble_from_estimate(double t, Level level);
-  /// Leads the drivers from a solved position to time t. Returns false, and leaves the positions,
-  /// where that is not possible.
-  bool lead_drivers_to(double t);
+  /// Leads the drivers from a solved position to time t. Leaves the positions where that is not
+  /// possible.
+  ContinuationEnd lead_drivers_to(double t);
   void note_failure(int part);
   void find_culprit_of_failure(Summary& summary) const;
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);

@@ -256,6 +256,34 @@ TEST(Start, LeavesOutNoTurnOfAShaftThatASlowOneFollows) {
   EXPECT_EQ(start("6.3e10"), Stage::reached);
 }
 
+/// A differential: wheel c makes half of the turns that a and b make. Turns of both lead back where
+/// they are as many, those of one alone do not.
+TEST(Start, LeavesOutTurnsOfSeveralDriversWhereEachLeadsBack) {
+  const Scene scene = parse_scene(R"({"format": "desmo-scene", "version": 2, "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "differential", "dimension": 2,
+      "points": {"O": [0, 0], "A": [1, 0], "P": [3, 0], "B": [4, 0], "Q": [6, 0], "C": [7, 0]},
+      "ground": {"points": ["O", "P", "Q"]},
+      "bodies": {"first": {"points": ["O", "A"]}, "second": {"points": ["P", "B"]},
+        "third": {"points": ["Q", "C"]}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "first"], "points": ["O"]},
+        {"type": "revolute", "bodies": ["ground", "second"], "points": ["P"]},
+        {"type": "revolute", "bodies": ["ground", "third"], "points": ["Q"]}],
+      "coordinates": {"a": {"angle": ["O", "A"]}, "b": {"angle": ["P", "B"]},
+        "c": {"angle": ["Q", "C"]}},
+      "couplings": {"differential": {"sum": {"a": 1, "b": 1, "c": -2}}}, "drivers": ["a", "b"]},
+      "motion": {"a": {"type": "constant", "value": 0}, "b": {"type": "constant", "value": 0}},
+      "time": {"at": 0}})",
+                                  "differential.json", "");
+  const Model m = make_model(scene);
+  const FoundStart equal = find_start(held_at(m, {1e4 * turn + 0.1, 1e4 * turn + 0.3}), 0);
+  EXPECT_EQ(equal.stage, Stage::reached);
+  EXPECT_NEAR(m.value("c", equal.q), 1e4 * turn + 0.2, 1e-9);
+  const FoundStart other = find_start(held_at(m, {1e4 * turn, 10001 * turn}), 0);
+  EXPECT_EQ(other.stage, Stage::reached);
+  EXPECT_NEAR(m.value("c", other.q), 10000.5 * turn, 1e-9);
+  EXPECT_NEAR(m.value("C.x", other.q), 5, 1e-9);
+}
+
 /// The linkage locks a third of a turn from where it is drawn. Beyond a whole turn the crank could
 /// stand as it does before, but nothing leads there.
 TEST(Start, LeavesOutNoTurnThatIsBlocked) {

@@ -33,7 +33,7 @@ std::string off_by(int constraint, double amount, bool is_length, const Model& m
 
 std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m,
                                 const DisplayUnits& units) {
-  if (!d || d->constraint < 0) return "";
+  if (!d || d->constraint < 0 || !std::isfinite(d->amount)) return "";
   return "; at the nearest to it " + off_by(d->constraint, d->amount, d->is_length, m, units);
 }
 
@@ -61,6 +61,20 @@ std::string unproven_text(ProofFailure failure) {
   return "the position is too near a singular one to prove that a solution is near";
 }
 
+/// Returns why the branch of a row is not known.
+std::string lost_text(const RowFlag& f) {
+  const bool is_start = f.after == f.before;
+  if (f.out_of_tests)
+    return is_start ? ": the budget of tests ended on the way from the drawing to the start; which "
+                      "branch it leads to is not known; draw it nearer to the start"
+                    : ": the budget of tests of a step ended before the motion was followed; which "
+                      "branch it continues on is not known; take smaller steps";
+  return is_start ? ": the way from the drawing to the start is blocked by a singular position; "
+                    "which branch it leads to is not known"
+                  : ": the motion cannot be followed past a singular position; which branch it "
+                    "continues on is not known";
+}
+
 /// Newton's method has failed, and there is no assembly error.
 constexpr const char* not_reached = "a position exists, but was not found from the one before";
 
@@ -71,16 +85,28 @@ struct Reason {
   std::string what, remedy;
 };
 
+/// Returns why a table is of no help. Without a proof, nobody knows which way led out of it.
+Reason table_reason(const CheckedSummary& s, const Model& m, const DisplayUnits& units) {
+  if (s.table_lock) {
+    const Entity& argument = m.entities[s.table_lock->argument];
+    return {"the motion locks: the table has an extremum at " + argument.name + " = " +
+                quantity(s.table_lock->at, unit_of(units, argument.kind), "%.6g"),
+            "keep the coordinate that follows it within the table's values"};
+  }
+  return {"a coordinate is outside of its table", "extend the table, or let it repeat"};
+}
+
 /// Returns why no position was found. is_start: the failed instant is the first, so that no step
 /// leads to it.
-Reason reason_of(const CheckedSummary& s, const Model& m, bool is_start) {
+Reason reason_of(const CheckedSummary& s, const Model& m, const DisplayUnits& units,
+                 bool is_start) {
   if (is_start && s.start == FoundStart::Stage::drawing)
     return {"the drawing is singular", "draw it off the singular position, such as a dead centre"};
   if (s.status == Status::singular)
     return {"the position is singular", "choose a motion that avoids it"};
   if (s.status == Status::not_finite && s.constraint >= 0 &&
       constraint_kind_name(m.constraints[s.constraint].kind) == "coupling_by_table")
-    return {"a coordinate is outside of its table", "extend the table, or let it repeat"};
+    return table_reason(s, m, units);
   if (s.status != Status::not_converged)
     return {"the equations are not finite", "check the motion and the estimates"};
   if (s.residual < near_rounding)
@@ -104,12 +130,7 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
     case RowFlag::Kind::unproven:
       return group + moment(f.time) + ": " + unproven_text(f.failure);
     case RowFlag::Kind::branch:
-      return group + interval(f.after, f.before) +
-             (f.after == f.before
-                  ? ": the way from the drawing to the start is blocked by a singular position; "
-                    "which branch it leads to is not known"
-                  : ": the motion cannot be followed past a singular position; which branch it "
-                    "continues on is not known");
+      return group + interval(f.after, f.before) + lost_text(f);
     case RowFlag::Kind::misfit:
       return group + moment(f.after) + (f.after < f.time ? ", between rows" : "") +
              ": the equations contradict each other: " +
@@ -198,7 +219,8 @@ std::string note_on_gaps(const CheckedSummary& s, const Model& m, const DisplayU
 
 std::string refusal_text(const CheckedSummary& s, const Model& m, const DisplayUnits& units) {
   return flag_text(*s.first_flag, m, units) +
-         "; choose a motion that avoids it, or solve without --strict";
+         (s.first_flag->out_of_tests ? "" : "; choose a motion that avoids it") +
+         ", or solve without --strict";
 }
 
 std::string overflow_text(const std::string& column, double time) {
@@ -210,7 +232,7 @@ std::string overflow_text(const std::string& column, double time) {
 std::string failure_text(const CheckedSummary& s, const Model& m, const DisplayUnits& units,
                          std::span<const double> z) {
   const bool is_start = s.instants == 0;
-  const Reason reason = reason_of(s, m, is_start);
+  const Reason reason = reason_of(s, m, units, is_start);
   std::string place = group_text(s.group, m);
   if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
   // There is none where an instant between those solved is not right.

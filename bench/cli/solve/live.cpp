@@ -38,7 +38,8 @@ std::string failure_of(const LiveSummary& s, const LiveRow& row, const LiveRun& 
                       .time = s.time,
                       .after = s.path.time,
                       .before = s.time,
-                      .group = s.path.group},
+                      .group = s.path.group,
+                      .out_of_tests = s.path.out_of_tests},
                      plan.model, units) +
            "; choose rows that keep away from it";
   CheckedSummary failure;
@@ -46,6 +47,7 @@ std::string failure_of(const LiveSummary& s, const LiveRow& row, const LiveRun& 
   failure.instants = run.has_position();
   const LiveRun::Obstacle obstacle = run.explain();
   if (s.status == Status::not_converged) failure.assembly_error = obstacle.assembly_error;
+  failure.table_lock = obstacle.table_lock;
   if (obstacle.group >= 0) {
     failure.group = obstacle.group;
     failure.constraint = obstacle.constraint;

@@ -218,6 +218,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     step *= growth.proven();
   }
   result.time = present_.time;
+  result.out_of_tests = result.tests >= budget_;
   return result;
 }
 

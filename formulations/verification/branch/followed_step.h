@@ -8,7 +8,7 @@ namespace desmo {
 enum class PathEnd {
   same,   ///< in the instant that was handed in
   other,  ///< at its time, but elsewhere: the instant is on another branch
-  stuck,  ///< before it: the motion locks, or passes a singular position
+  stuck,  ///< before it: the motion locks, passes a singular position, or takes too many tests
 };
 
 /// Report on a step that was followed.
@@ -18,6 +18,7 @@ struct FollowedStep {
   int sub_steps = 0;            ///< 1: the step was proven at the first try
   double time = 0;              ///< of the last proven instant [s]
   GroupId group = no_position;  ///< stuck: where the last test failed
+  bool out_of_tests = false;    ///< stuck: the budget ended; a smaller step may lead on
 };
 
 }  // namespace desmo

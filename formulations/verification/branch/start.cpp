@@ -1,5 +1,6 @@
 #include "formulations/verification/branch/start.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -10,7 +11,7 @@
 
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
-#include "formulations/model/scales.h"
+#include "formulations/model/whole_turns.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/branch/passage.h"
@@ -38,13 +39,12 @@ std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
   return all;
 }
 
-/// Returns the motion from a value, at 0, to that of another motion at a time, at 1. turn: whole
-/// ones of it are left out.
-Polynomial straight(double from, const Motion& motion, double time, double turn) {
+/// Returns the motion from a value, at 0, to that of another motion at a time, at 1, but for whole
+/// turns that are left out.
+Polynomial straight(double from, const Motion& motion, double time, double left_out_turns) {
   using Number = Compensated<double>;
   const Number way = sample(motion, Number(time)).position - Number(from);
-  const double short_way = std::remainder(way.value, turn);
-  return {{from, short_way}, {{}, {way.correction, way.radius}}};
+  return {{from, std::fma(-left_out_turns, turn, way.value)}, {{}, {way.correction, way.radius}}};
 }
 
 /// Returns the angles that are neither driven nor coupled. Equations read them as sines and
@@ -123,6 +123,7 @@ FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, Foun
     found.passed.push_back(point->time);
   }
   step.tests = tests;
+  step.out_of_tests = step.end == PathEnd::stuck && tests >= BranchPath::max_tests;
   if (way.begun()) found.group = step.group;
   // The last step may have ended with digits to correct.
   if (step.end == PathEnd::same && way.path().start_at({1, {found.q, {}, {}}})) take_positions();
@@ -144,20 +145,25 @@ void pass_at_start(const Model& m, const Model& going, double time, FoundStart& 
   found.point = std::make_shared<const PassedPoint>(std::move(*point));
 }
 
-/// Leads the drivers from the drawing to their values at a time.
-FollowedStep lead_drivers(const Model& m, double time, bool with_turns, FoundStart& found) {
+/// Whole turns of the drivers, and those that coordinates make with them.
+struct Turns {
+  std::vector<double> of_drivers, of_coordinates;
+};
+
+/// Leads the drivers from the drawing to their values at a time, but for turns that lead back.
+FollowedStep lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
   Model going = m;
-  for (Driver& d : going.drivers) {
-    const Entity& e = m.entities[d.coordinate];
-    const bool whole = with_turns || e.kind != EntityKind::angle;
-    d.motion = straight(m.estimate[e.first], d.motion, time, whole ? INFINITY : turn);
+  for (std::size_t d = 0; d < m.drivers.size(); ++d) {
+    Motion& motion = going.drivers[d].motion;
+    const double from = m.estimate[m.entities[m.drivers[d].coordinate].first];
+    motion = straight(from, motion, time, left_out.of_drivers[d]);
   }
   const FollowedStep step = follow(going, {}, true, found);
-  const bool is_blocked = step.end == PathEnd::stuck && step.tests < BranchPath::max_tests;
-  if (is_blocked) pass_at_start(m, going, time, found);
-  if (step.end == PathEnd::same)
-    for (const Driver& d : m.drivers)
-      found.q[m.entities[d.coordinate].first] = sample(d.motion, time).position;
+  if (step.end == PathEnd::stuck && !step.out_of_tests) pass_at_start(m, going, time, found);
+  if (step.end != PathEnd::same) return step;
+  for (int i = 0; i < m.coordinates(); ++i) found.q[i] += turn * left_out.of_coordinates[i];
+  for (const Driver& d : m.drivers)
+    found.q[m.entities[d.coordinate].first] = sample(d.motion, time).position;
   return step;
 }
 
@@ -166,36 +172,16 @@ void take_nearest_turns(const Model& m, std::span<const double> others, std::spa
   for (const int i : free_angles(m)) q[i] -= turn * std::round((q[i] - others[i]) / turn);
 }
 
-/// A turn leads back where no coordinate is farther from its first place than this, over its
-/// natural magnitude: what a slow shaft turns in a turn of a fast one is more, what is rounded is
-/// less.
-constexpr double max_drift = 1e-9;
-
-/// Returns whether two positions are the same, but for whole turns of angles and for drivers.
-bool is_back(const Model& m, std::span<const double> from, std::span<const double> to) {
-  const std::vector<bool> driven = independent_coordinates(m);
-  const std::vector<double> magnitude = natural_magnitudes(m);
-  for (const Entity& e : m.entities)
-    for (int i = e.first; !e.fixed && !driven[e.first] && i < e.first + e.size; ++i) {
-      const double moved = to[i] - from[i];
-      const double drift = e.kind == EntityKind::angle ? std::remainder(moved, turn) : moved;
-      if (!(std::abs(drift) <= max_drift * magnitude[i])) return false;
-    }
-  return true;
-}
-
-/// Returns whether a turn of the drivers that are more than one from their values at a time leads
-/// back to where it begins. Then further turns do so, too.
-bool turn_leads_back(const Model& m, double time, const FoundStart& nominal) {
+/// Returns whether turns of the drivers lead back to where they begin; then further ones do so,
+/// too. Adds the turns that coordinates make in all of them.
+/// - signs: 1 or −1, of the drivers that turn; 0
+/// - count: number of turns
+bool add_turns(const Model& m, const std::vector<double>& signs, double count,
+               const FoundStart& nominal, std::vector<double>& of_coordinates) {
   Model going = m;
-  std::vector<double> back = nominal.q;
-  for (Driver& d : going.drivers) {
-    const Entity& e = m.entities[d.coordinate];
-    const double from = m.estimate[e.first], way = sample(d.motion, time).position - from;
-    const bool whole = e.kind == EntityKind::angle && std::abs(way) > turn;
-    d.motion = Polynomial{{from, whole ? std::copysign(turn, way) : 0}};
-    back[e.first] = sample(d.motion, 1.0).position;
-  }
+  for (std::size_t d = 0; d < signs.size(); ++d)
+    going.drivers[d].motion =
+        Polynomial{{m.estimate[m.entities[m.drivers[d].coordinate].first], signs[d] * turn}};
   FoundStart found = nominal;
   BranchPath first(going);
   const std::span<const double> from = first.start_at({0, {nominal.q, {}, {}}})
@@ -203,10 +189,51 @@ bool turn_leads_back(const Model& m, double time, const FoundStart& nominal) {
                                            : std::span<const double>(nominal.q);
   if (follow(going, {}, true, found).end != PathEnd::same || !is_back(m, from, found.q))
     return false;
-  take_nearest_turns(m, found.q, back);
-  BranchPath path(going);
-  return path.start_at({1, {found.q, {}, {}}}) &&
-         path.follow({1, {back, {}, {}}}).end == PathEnd::same;
+  for (const Entity& e : m.entities)
+    if (!e.fixed && e.kind == EntityKind::angle)
+      of_coordinates[e.first] += count * std::round((found.q[e.first] - from[e.first]) / turn);
+  return true;
+}
+
+/// Returns the whole turns of drivers on the way to their values at a time, if these lead back to
+/// where they begin: together where all make as many, else those of each driver by itself.
+std::optional<Turns> turns_that_lead_back(const Model& m, double time, const FoundStart& nominal) {
+  Turns all{std::vector<double>(m.drivers.size()), std::vector<double>(m.coordinates())};
+  std::vector<double> signs(m.drivers.size());
+  double most = 0;
+  bool are_equal = true;
+  for (std::size_t d = 0; d < signs.size(); ++d) {
+    const Entity& e = m.entities[m.drivers[d].coordinate];
+    if (e.kind != EntityKind::angle) continue;
+    const double way = sample(m.drivers[d].motion, time).position - m.estimate[e.first];
+    const double turns = all.of_drivers[d] = std::trunc(way / turn);
+    if (turns == 0) continue;
+    signs[d] = turns < 0 ? -1 : 1;
+    are_equal &= most == 0 || most == std::abs(turns);
+    most = std::max(most, std::abs(turns));
+  }
+  if (!(most > 0 && most < INFINITY)) return {};
+  if (are_equal)
+    return add_turns(m, signs, most, nominal, all.of_coordinates) ? std::optional(all)
+                                                                  : std::nullopt;
+  for (std::size_t d = 0; d < signs.size(); ++d) {
+    std::vector<double> own(signs.size());
+    own[d] = signs[d];
+    if (own[d] != 0 && !add_turns(m, own, std::abs(all.of_drivers[d]), nominal, all.of_coordinates))
+      return {};
+  }
+  return all;
+}
+
+/// Returns whether a driver makes so many turns that a path has too few tests for: a step is hardly
+/// longer than a radian.
+bool has_too_many_turns(const Model& m, double time) {
+  constexpr double max_turns = BranchPath::max_tests / 6.;
+  return std::ranges::any_of(m.drivers, [&](const Driver& d) {
+    const Entity& e = m.entities[d.coordinate];
+    const double way = sample(d.motion, time).position - m.estimate[e.first];
+    return e.kind == EntityKind::angle && std::abs(way) > max_turns * turn;
+  });
 }
 
 }  // namespace
@@ -221,18 +248,28 @@ FoundStart find_start(const Model& m, double time) {
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;
-    if (follow(at_drawing, residual_of_drawing(m), false, found).end != PathEnd::same) {
+    const FollowedStep way = follow(at_drawing, residual_of_drawing(m), false, found);
+    if (way.end != PathEnd::same) {
       found.stage = Stage::drawing;
+      found.out_of_tests = way.out_of_tests;
       return found;
     }
   }
   const FoundStart nominal = found;
-  FollowedStep way = lead_drivers(m, time, true, found);
-  if (way.tests >= BranchPath::max_tests && turn_leads_back(m, time, nominal)) {
-    found = nominal;
-    way = lead_drivers(m, time, false, found);
+  const bool are_many = has_too_many_turns(m, time);
+  const Turns none{std::vector<double>(m.drivers.size()), std::vector<double>(m.coordinates())};
+  std::optional<Turns> left_out;
+  if (are_many) left_out = turns_that_lead_back(m, time, nominal);
+  FollowedStep way = lead_drivers(m, time, left_out.value_or(none), found);
+  if (!are_many && way.out_of_tests) {
+    left_out = turns_that_lead_back(m, time, nominal);
+    if (left_out) {
+      found = nominal;
+      way = lead_drivers(m, time, *left_out, found);
+    }
   }
   if (way.end != PathEnd::same) found.stage = Stage::drivers;
+  found.out_of_tests = way.out_of_tests;
   take_nearest_turns(m, m.estimate, found.q);
   return found;
 }

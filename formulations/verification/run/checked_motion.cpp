@@ -40,6 +40,8 @@ void CheckedMotion::begin(double time) {
   const FoundStart start = find_start(m_, time);
   if (follower_->chosen) follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
   start_ = start.point ? FoundStart::Stage::reached : start.stage;
+  blocked_at_.clear();
+  if (start_ != FoundStart::Stage::reached) blocked_at_ = start.q;
   first_flag_.reset();
   if (!start.passed.empty() || start.point)
     first_flag_ = {
@@ -56,7 +58,11 @@ void CheckedMotion::begin(double time) {
     on_path_ = begins() || (choose_other_equations(start.q) && begins());
   }
   if (!on_path_)
-    lost_ = {.kind = RowFlag::Kind::branch, .after = time, .before = time, .group = start.group};
+    lost_ = {.kind = RowFlag::Kind::branch,
+             .after = time,
+             .before = time,
+             .group = start.group,
+             .out_of_tests = start.out_of_tests};
 }
 
 void CheckedMotion::keep_last() {
@@ -109,9 +115,11 @@ const CheckedInstant& CheckedMotion::check(const Instant& solved) {
       lost_ = {.kind = RowFlag::Kind::branch,
                .after = step_.time,
                .before = solved.time,
-               .group = step_.group};
+               .group = step_.group,
+               .out_of_tests = step_.out_of_tests};
     point_.reset();
-    on_path_ = follower_->path.start_at(certified(r));
+    // A motion that has worn out a budget does so in the next step, too, and all its rows are lost.
+    on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(r));
     deliver(r);
     break;
   }
@@ -157,7 +165,8 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
       return true;
     }
     std::optional<PassedPoint> point;
-    if (may_pass) point = pass_change_point(follower_->model, path.present());
+    if (may_pass && !step_.out_of_tests)
+      point = pass_change_point(follower_->model, path.present());
     if (!point) return false;
     point_ = std::make_shared<const PassedPoint>(std::move(*point));
     result_.flag = {.kind = RowFlag::Kind::crossing,
@@ -166,6 +175,7 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
                     .group = step_.group};
   }
   point_.reset();
+  step_.out_of_tests = true;
   return false;
 }
 

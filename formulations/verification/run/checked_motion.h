@@ -38,6 +38,11 @@ class CheckedMotion {
   /// Returns to where the last check() began.
   void return_to_last();
 
+  /// Returns the positions up to which the motion was followed from the drawing.
+  std::span<const double> followed_to() const {
+    return follows() ? follower_->path.present().values.position : blocked_at_;
+  }
+
   /// Returns where the way from the drawing is blocked, if it is.
   FoundStart::Stage start() const { return start_; }
 
@@ -84,6 +89,7 @@ class CheckedMotion {
     std::optional<RowFlag> lost;
   } last_;
   FoundStart::Stage start_ = FoundStart::Stage::reached;
+  std::vector<double> blocked_at_;     // positions on the way from the drawing; empty: reached
   bool on_path_ = false;               // the branch is known
   FollowedStep step_;                  // the last one
   std::optional<RowFlag> lost_;        // since then the branch is unknown

@@ -51,8 +51,8 @@ class CheckedRun final : Observer {
     }
     summary_.start = motion_.start();
     if (elsewhere_ || (!summary_.ok() && solves(tried_))) go_on(From::last);
-    measure_assembly_error();
-    for (; !summary_.ok() && options_.past_failures; measure_assembly_error())
+    explain_failure();
+    for (; !summary_.ok() && options_.past_failures; explain_failure())
       if (pass_gap()) go_on(From::estimate);
     summary_.scales = scales_.current();
     const auto share = [](double radius, double scale) { return scale > 0 ? radius / scale : 0; };
@@ -169,6 +169,7 @@ class CheckedRun final : Observer {
     summary_.group = summary_.constraint = no_position;
     summary_.residual = max_residual_;
     summary_.assembly_error.reset();
+    summary_.table_lock.reset();
   }
 
   /// Solves an instant where the formulation could not.
@@ -214,7 +215,11 @@ class CheckedRun final : Observer {
     core_of(formulation_).start_at(state, summary_.time);
   }
 
-  void measure_assembly_error() {
+  /// Finds out more of a failure.
+  void explain_failure() {
+    if (summary_.status == Status::not_finite)
+      summary_.table_lock =
+          find_table_lock(formulation_.model(), summary_.constraint, motion_.followed_to());
     if (summary_.status == Status::not_converged)
       summary_.assembly_error = assembly_error_at(formulation_, summary_.time);
   }

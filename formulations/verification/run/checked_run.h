@@ -14,6 +14,7 @@
 #include "formulations/verification/certificate/certificate.h"
 #include "formulations/verification/run/assembly_error.h"
 #include "formulations/verification/run/check_options.h"
+#include "formulations/verification/run/table_lock.h"
 
 namespace desmo {
 
@@ -28,7 +29,8 @@ enum class Outcome {
 struct RowFlag {
   enum class Kind {
     unproven,  ///< the instant has no proof: `failure` says why
-    branch,    ///< proven, but on an unknown branch since the interval from `after` to `before`
+    branch,    ///< proven, but on an unknown branch since the interval from `after` to `before`:
+               ///< a singular position lies there, or the tests ended
     misfit,    ///< an equation that was left out does not hold there, or on the way from the row
                ///< before: there is no exact motion
     crossing,  ///< the step passes a change point, on its smooth continuation
@@ -39,6 +41,7 @@ struct RowFlag {
   /// Ends of the interval [s]; of a misfit: where it was found, at the row or on the way to it.
   double after = 0, before = 0;
   GroupId group = no_position;  ///< of the test that failed, if known
+  bool out_of_tests = false;    ///< branch: the budget of tests ended before the interval did
   ProofFailure failure = ProofFailure::none;
   std::optional<Misfit> misfit{};
 };
@@ -81,6 +84,7 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   Scales scales{};                                ///< of the motion
   double condition = 0;                           ///< largest of the rows
   std::optional<AssemblyError> assembly_error{};  ///< on failure, where no position was found
+  std::optional<TableLock> table_lock{};          ///< on failure, where a table is concerned
   std::vector<Gap> gaps{};                        ///< after which the run went on
 
   bool ok() const { return status == Status::solved; }  ///< there was a position at every instant

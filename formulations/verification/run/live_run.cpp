@@ -237,8 +237,11 @@ const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
                       .group = way.group};
     if (found.proven) return return_to(row.time, found, summary);
   } else {
-    c.lost = {
-        .kind = RowFlag::Kind::branch, .after = row.time, .before = row.time, .group = way.group};
+    c.lost = {.kind = RowFlag::Kind::branch,
+              .after = row.time,
+              .before = row.time,
+              .group = way.group,
+              .out_of_tests = way.out_of_tests};
   }
   return summary.status == Status::solved ? &c.refinement->refine(solved(0)) : nullptr;
 }
@@ -328,7 +331,10 @@ LiveRun::Obstacle LiveRun::explain() const {
   std::iota(groups.begin(), groups.end(), 0);
   const Settings& settings = formulation_.settings();
   const Culprit culprit = find_culprit(m, groups, state, settings);
-  return {culprit.group, culprit.constraint, find_assembly_error(m, state, settings)};
+  const std::span<const double> followed_to =
+      checks_->path ? checks_->path->present().values.position : std::span<const double>();
+  return {culprit.group, culprit.constraint, find_assembly_error(m, state, settings),
+          find_table_lock(m, culprit.constraint, followed_to)};
 }
 
 }  // namespace desmo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "formulations/constraints/constraints.h"
+#include "formulations/model/model.h"
+#include "formulations/model/scales.h"
+
+namespace desmo {
+
+/// A turn leads back where no coordinate is farther from its first place than this, over its
+/// natural magnitude: what a slow shaft turns in a turn of a fast one is more, what is rounded is
+/// less.
+inline constexpr double max_drift = 1e-9;
+
+/// Returns whether all equations say the same at two positions: coordinates are the same, but for
+/// whole turns of angles and for drivers; and tables are read in the same places, but for whole
+/// lengths of those that repeat. What led from the one to the other leads on to the next, then.
+/// - from, to: coordinates or states
+inline bool is_back(const Model& m, std::span<const double> from, std::span<const double> to) {
+  constexpr double turn = 2 * std::numbers::pi;
+  const std::vector<bool> driven = independent_coordinates(m);
+  const std::vector<double> magnitude = natural_magnitudes(m);
+  for (const Entity& e : m.entities)
+    for (int i = e.first; !e.fixed && !driven[e.first] && i < e.first + e.size; ++i) {
+      const double moved = to[i] - from[i];
+      const double drift = e.kind == EntityKind::angle ? std::remainder(moved, turn) : moved;
+      if (!(std::abs(drift) <= max_drift * magnitude[i])) return false;
+    }
+  for (const Constraint& c : m.constraints) {
+    if (c.kind != kind_index<TableCoupling>()) continue;
+    const Entity& argument = m.entities[c.operands[1]];
+    if (argument.fixed) continue;
+    const double* const table = c.constants.data() + TableCoupling::table;
+    const double length = table[3 + static_cast<int>(table[0])] - table[3];
+    const double moved = c.constants[1] * (to[argument.first] - from[argument.first]);
+    const double drift = table[1] != 0 ? std::remainder(moved, length) : moved;
+    if (!(std::abs(drift) <= max_drift * length)) return false;
+  }
+  return true;
+}
+
+}  // namespace desmo
