@@ -117,10 +117,11 @@ const Asked asked[] = {
      .outcome = Outcome::degraded,
      .first_flag = RowFlag::Kind::misfit,
      .misfit = {2.8e-7, 4.7e-7}},
+    // Between rows, where it is stretched or folded, the digits open it by their square root.
     {.scene = "bennett_11_digits",
      .outcome = Outcome::degraded,
      .first_flag = RowFlag::Kind::misfit,
-     .misfit = {1e-12, 5e-9}},
+     .misfit = {1e-12, 5e-5}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryScene, testing::ValuesIn(asked), scene_name);

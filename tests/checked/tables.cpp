@@ -39,9 +39,11 @@ struct Wheel {
     "coordinates": {"a": {"angle": ["O", "A"]}, "w": {"angle": ["W", "B"]}},
     "couplings": {)" +
             couplings + R"(}, "drivers": [")" + driver + R"("]},
-  "motion": {")" + driver + R"(": {"type": "polynomial", "coefficients": [)" +
-            std::to_string(start) + ", " + std::to_string(speed) + R"(]}},
-  "time": {"end": )" + std::to_string(end) + R"(, "step": )" + std::to_string(step) + "}}",
+  "motion": {")" +
+            driver + R"(": {"type": "polynomial", "coefficients": [)" + std::to_string(start) +
+            ", " + std::to_string(speed) + R"(]}},
+  "time": {"end": )" +
+            std::to_string(end) + R"(, "step": )" + std::to_string(step) + "}}",
         "wheel", "");
   }
 };
@@ -80,8 +82,8 @@ TEST(CouplingsByTable, AreFlaggedWhereTheyContradictBetweenRows) {
     for (const double step : {0.1, 0.2, 1.})
       for (const char* id : {"global_automatic_klu", "group_automatic_lapack/stride:4"}) {
         SCOPED_TRACE(id + std::to_string(step) + ", " + std::to_string(bump));
-        const CheckedRows r = solve(
-            {.couplings = tables_that_part(bump), .end = 6, .step = step}, id);
+        const CheckedRows r =
+            solve({.couplings = tables_that_part(bump), .end = 6, .step = step}, id);
         EXPECT_EQ(r.summary.outcome(), Outcome::degraded);
         ASSERT_TRUE(r.summary.misfit);
         EXPECT_NEAR(r.summary.misfit->amount, bump * degree, 0.4 * bump * degree);
@@ -155,8 +157,8 @@ TEST(CouplingsByTable, PassChangePointsOnTheirKnots) {
       "values": [30, 45, 70, 90, 102, KNOT, 150]}},
     "drivers": ["a"]},
   "motion": {"a": {"type": "polynomial", "coefficients": [0, 20]}},
-  "time": {"end": 6, "step": )" + std::to_string(step) +
-                         "}}";
+  "time": {"end": 6, "step": )" +
+                         std::to_string(step) + "}}";
       text.replace(text.find("KNOT"), 4, is_even ? "135" : "120");
       const Scene scene = parse_scene(text, "cam", "");
       const Model m = make_model(scene);
@@ -253,10 +255,19 @@ TEST(CouplingsByTable, LeaveOutNoTurnsThatDoNotLeadBack) {
   for (const CheckMode mode : {CheckMode::none, CheckMode::proof}) {
     const CheckedSummary s = run_checked(*f, scene.grid, {}, rows, {.mode = mode});
     EXPECT_EQ(s.status, Status::not_converged);
-    EXPECT_EQ(s.start, mode == CheckMode::none ? FoundStart::Stage::reached
-                                               : FoundStart::Stage::drivers);
+    EXPECT_EQ(s.start,
+              mode == CheckMode::none ? FoundStart::Stage::reached : FoundStart::Stage::drivers);
   }
   EXPECT_TRUE(rows.indices.empty());
+  // A tenth of the steps that a continuation has are made, ten times as many are not.
+  for (const double turns : {1600., 160000.}) {
+    const Scene near =
+        Wheel{.couplings = table("cam", at, flat, "periodic"), .start = 360 * turns + 33}.scene();
+    const Model at_turns = make_model(near);
+    const auto steps = make_formulation(find_variant("group_automatic_lapack"), at_turns);
+    EXPECT_EQ(run_checked(*steps, near.grid, {}, rows, {.mode = CheckMode::none}).ok(),
+              turns < 1e4);
+  }
 }
 
 /// 3,000 turns a row are more than a step is tested for; what is not known then is no singularity.

@@ -8,8 +8,8 @@ namespace desmo::tables_test {
 namespace {
 
 /// A crank a and a wheel w that follows it by tables [°].
-std::string wheel(const std::string& couplings, const std::string& driver, const std::string& motion,
-                  const std::string& step) {
+std::string wheel(const std::string& couplings, const std::string& driver,
+                  const std::string& motion, const std::string& step) {
   return R"({"format": "desmo-scene", "version": 2, "mechanism": {
     "format": "desmo-mechanism", "version": 1, "name": "wheel", "dimension": 2,
     "units": {"angle": "deg"},
@@ -47,10 +47,9 @@ TEST_F(Cli, TellsContradictionsBetweenRows) {
 }
 
 TEST_F(Cli, TellsThatAMotionLocksAtTheExtremumOfATable) {
-  write("scene.json",
-        wheel(R"("cam": {"coordinate": "w", "of": "a", "at": [-20, 0, 20, 40, 60, 80],
+  write("scene.json", wheel(R"("cam": {"coordinate": "w", "of": "a", "at": [-20, 0, 20, 40, 60, 80],
                  "values": [-5, 0, 15, 20, 15, 0]})",
-              "w", "0, 50", "0.1"));
+                            "w", "0, 50", "0.1"));
   EXPECT_EQ(desmo("solve scene.json"), 1);
   EXPECT_FALSE(says("outside")) << err_;
   EXPECT_FALSE(says("nan")) << err_;

@@ -125,6 +125,12 @@ double LeftOutEquations::relative(std::size_t i, double residual) const {
   return misfit.is_length ? misfit.amount / length_[i] : misfit.amount;
 }
 
+bool LeftOutEquations::is_contradiction(const Misfit& misfit) const {
+  const auto equation = std::ranges::find(equations_, misfit.constraint, &Equation::constraint);
+  const double length = length_[equation - equations_.begin()];
+  return misfit.amount > max_misfit * (misfit.is_length ? length : 1);
+}
+
 bool LeftOutEquations::look_along(const PathProof& step) {
   using Path = TaylorModel<double, 5>;
   go_to(step, 0);
@@ -167,6 +173,10 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
   wanted.q = std::span(state_).first(m_.coordinates());
   const RefinedInstant& point = refinement_->refine(wanted);
   if (!point.proven) return false;
+  for (int k = 0; k < m_.coordinates();
+       ++k)  // next to a singular position, another one may be near
+    if (!(std::abs(point.instant.q[k] - state_[k]) <= step.radius()[k] + point.radius.position[k]))
+      return false;
   for (std::size_t k = 0; k < drivers_.size(); ++k)
     drivers_[k] = point.instant.q[m_.entities[m_.drivers[k].coordinate].first];
   const LiveRow drivers{.time = wanted.time, .z = drivers_};

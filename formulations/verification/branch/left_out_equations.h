@@ -47,12 +47,17 @@ class LeftOutEquations {
     double time;
   };
 
+  /// Returns whether a misfit is one that modelling refuses in a drawing: more than digits of a
+  /// file leave.
+  bool is_contradiction(const Misfit& misfit) const;
+
   /// Looks for misfits along the last step of a path, which is proven, and notes the largest.
   /// Returns false where the step is too long to tell.
   bool look_along(const PathProof& step);
   /// Returns the largest misfit that look_along() has noted since this was called last. Drivers
   /// count as exact there.
   std::optional<Between> take_between() { return std::exchange(between_, {}); }
+  const std::optional<Between>& between() const { return between_; }
   /// Notes a misfit that was found along a step.
   void note(const std::optional<Between>& found) {
     if (found && (!between_ || found->misfit.amount > between_->misfit.amount)) between_ = found;

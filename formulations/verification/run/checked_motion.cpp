@@ -93,15 +93,16 @@ bool CheckedMotion::is_on_step(const Instant& instant) const {
 }
 
 const CheckedInstant& CheckedMotion::check(const Instant& solved) {
-  elsewhere_ = false;
   keep_last();
   // What is regular by other equations is no change point.
   for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
     result_ = {};
+    elsewhere_ = false;
     const RefinedInstant& r = follower_->refinement.refine(solved);
     const RefinedInstant* const found = r.proven ? &r : nullptr;
-    if (reach(solved, found, may_pass)) break;
+    if (reach(solved, found, may_pass) && (may_pass || !is_led_astray())) break;
     if (!may_pass) {
+      if (is_led_astray()) go_back();
       choose_other_equations(follows() ? follower_->path.present().values.position : solved.q);
       continue;
     }
@@ -129,10 +130,12 @@ const CheckedInstant& CheckedMotion::check(const Instant& solved) {
 
 const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
   elsewhere_ = true;
+  keep_last();
   for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
     result_ = {};
-    if (reach(wanted, nullptr, may_pass)) break;
+    if (reach(wanted, nullptr, may_pass) && (may_pass || !is_led_astray())) break;
     if (may_pass || !follows()) return nullptr;
+    if (is_led_astray()) go_back();
     choose_other_equations(follower_->path.present().values.position);
   }
   complete_flag();
@@ -177,6 +180,22 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
   point_.reset();
   step_.out_of_tests = true;
   return false;
+}
+
+/// Returns whether the way from the last instant contradicts equations that are left out: where a
+/// linkage closes but for its digits, branches of some equations pass each other by where all of
+/// them go straight on.
+bool CheckedMotion::is_led_astray() const {
+  const LeftOutEquations& left_out = follower_->left_out;
+  std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
+  if (!misfit && left_out.between()) misfit = left_out.between()->misfit;
+  return last_.on_path && !last_.point && misfit && left_out.is_contradiction(*misfit);
+}
+
+/// Returns to where the present check began, and forgets what was found since.
+void CheckedMotion::go_back() {
+  return_to_last();
+  follower_->left_out.take_between();
 }
 
 /// Takes other equations of overconstrained groups, where those that are kept are nearly dependent

@@ -67,6 +67,8 @@ class CheckedMotion {
   bool follows() const { return on_path_ && !point_; }
   bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);
   bool choose_other_equations(std::span<const double> q);
+  bool is_led_astray() const;
+  void go_back();
   void deliver(const RefinedInstant& refined);
   void deliver_path(const Instant& at);
   void deliver_point(const Instant& at);
