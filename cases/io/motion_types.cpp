@@ -138,10 +138,13 @@ class MotionReader {
     TableColumn times{"times", "t", second, {&second, 1}},
         values = column_of("values", coordinate_, units_);
     read_table(value_, files_, mechanism_.coordinates, times, values);
-    for (double& z : values.numbers) z = values.unit.to_si(z);
+    const ExactUnit unit =
+        is_angle_ ? ExactUnit::of_angle(values.unit.in_si) : ExactUnit(values.unit.in_si);
     try {
-      return make_spline(std::move(times.numbers), std::move(values.numbers),
-                         read_ends(value_, false));
+      Spline spline = make_spline(std::move(times.numbers), std::move(values.numbers),
+                                  read_ends(value_, false));
+      if (unit.rounded != 1) spline.scale(unit.exact);
+      return spline;
     } catch (const std::invalid_argument& error) {
       value_.complain(std::string(error.what()) + "; change the table or its ends");
     }

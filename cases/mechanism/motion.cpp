@@ -135,6 +135,11 @@ void add_to(double& value, Remainder& rest, const Derived& distance) {
   rest = sum.remainder();
 }
 
+void require_finite(const Derived& coefficient) {
+  if (!std::isfinite(coefficient.value))
+    throw std::invalid_argument("the motion is too steep to be computed with");
+}
+
 }  // namespace
 
 Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends) {
@@ -159,8 +164,7 @@ void Spline::add(double knot, const std::array<Derived, 4>& piece) {
   Piece& values = pieces_.emplace_back();
   std::array<Remainder, 4>& rest = remainders_.emplace_back();
   for (int k = 0; k < 4; ++k) {
-    if (!std::isfinite(piece[k].value))
-      throw std::invalid_argument("the motion is too steep to be computed with");
+    require_finite(piece[k]);
     values[k] = piece[k].value;
     rest[k] = piece[k].remainder();
   }
@@ -199,6 +203,16 @@ Spline make_spline(const Trapezoid& of) {
 void Spline::shift(const Derived& distance) {
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     add_to(pieces_[i].front(), remainders_[i].front(), distance);
+}
+
+void Spline::scale(const Derived& factor) {
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    for (int k = 0; k < 4; ++k) {
+      const Derived product = (Derived(pieces_[i][k], remainders_[i][k]) * factor).rounded();
+      require_finite(product);
+      pieces_[i][k] = product.value;
+      remainders_[i][k] = product.remainder();
+    }
 }
 
 Motion shifted(Motion motion, const Derived& distance) {

@@ -57,6 +57,8 @@ class Spline {
   const std::vector<double>& knots() const { return knots_; }   ///< ascending, two or more
   const std::vector<Piece>& pieces() const { return pieces_; }  ///< one for each interval
   void shift(const Derived& distance);                          ///< adds it to z(t)
+  /// Multiplies z(t) by a factor. Throws std::invalid_argument when a coefficient overflows.
+  void scale(const Derived& factor);
   /// Remainders of a piece's coefficients.
   std::span<const Remainder> remainders(std::size_t piece) const { return remainders_[piece]; }
 
