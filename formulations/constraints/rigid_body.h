@@ -43,10 +43,10 @@ struct Length {
   }
 };
 
-/// Unit vector u: u·u − 1 = 0.
+/// Unit vector u: u·u − 1 = 0. With D = 4, the norm of Euler parameters.
 template <int D>
 struct Unit {
-  static constexpr std::string_view name = D == 2 ? "unit2" : "unit3";
+  static constexpr std::string_view name = D == 2 ? "unit2" : D == 3 ? "unit3" : "unit4";
   static constexpr std::array operand_sizes{D};
   static constexpr int constants = 0, rows = 1, entries = D;
   static constexpr bool linear = false;

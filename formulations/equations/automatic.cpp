@@ -142,7 +142,8 @@ AutomaticEquations::AutomaticEquations(const Model& m, const PartDefinition& par
         o.rows[part.equations[row].row] = row;
 
       int i = 0;
-      static constexpr std::array<double, 3> any{1, 1, 1};  // the pattern is that of all values
+      // The pattern is that of all values.
+      static constexpr std::array<double, max_components> any{1, 1, 1, 1};
       automatic_equations::Operands<Kind> x;
       x.fill(any.data());
       Kind::jacobian(x.data(), constants_at<Kind>(o.constants.data(), x.data()).data(),

@@ -13,7 +13,7 @@ template <class Visit>
 void visit_incidence(const Model& m, const Constraint& constraint, Visit&& visit) {
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
     // The structure does not depend on the values: any values serve.
-    static constexpr std::array<double, 3> any{1, 1, 1};
+    static constexpr std::array<double, max_components> any{1, 1, 1, 1};
     std::array<const double*, Kind::operand_sizes.size()> x;
     x.fill(any.data());
     Kind::jacobian(x.data(), constants_at<Kind>(constraint.constants.data(), x.data()).data(),

@@ -21,7 +21,7 @@ bool is_linear_in(const std::vector<int>& unknowns, const Model& m, const Equati
   const auto slopes = [&](double change) {
     std::vector<double> result;
     visit_kind(c.kind, [&]<class Kind>(Kind) {
-      std::array<std::array<double, 3>, Kind::operand_sizes.size()> values{};
+      std::array<std::array<double, max_components>, Kind::operand_sizes.size()> values{};
       std::array<const double*, Kind::operand_sizes.size()> x;
       for (std::size_t k = 0; k < x.size(); ++k) {
         const Entity& e = m.entities[c.operands[k]];

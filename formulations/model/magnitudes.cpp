@@ -45,7 +45,8 @@ RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
   constexpr std::size_t operands = Kind::operand_sizes.size();
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
   std::array<double, operands> size, change;
-  std::array<std::array<double, 3>, operands> move;  // a little of everything, to and fro
+  std::array<std::array<double, max_components>, operands>
+      move;  // a little of everything, to and fro
   std::array<const double*, operands> x, v;
   for (std::size_t k = 0; k < operands; ++k) {
     x[k] = state.data() + m.state_index(c.operands[k]);

@@ -30,7 +30,7 @@ template <class Kind>
 struct Sample {
   static constexpr std::size_t operands = Kind::operand_sizes.size();
   template <class S>
-  using Values = std::array<std::array<S, 3>, operands>;
+  using Values = std::array<std::array<S, max_components>, operands>;
 
   Sample(std::mt19937& generator, const Place& place) {
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -62,7 +62,7 @@ struct Sample {
 };
 
 template <class S, std::size_t N>
-std::array<const S*, N> pointers(const std::array<std::array<S, 3>, N>& x) {
+std::array<const S*, N> pointers(const std::array<std::array<S, max_components>, N>& x) {
   std::array<const S*, N> p;
   for (std::size_t k = 0; k < N; ++k) p[k] = x[k].data();
   return p;
@@ -86,7 +86,7 @@ std::vector<S> jacobian(const Values& q, const Constants& c) {
 /// Returns operands and constants with their rates.
 template <class Kind, class S, class Values>
 auto moving(const Values& q, const Values& qd, const Values& qdd) {
-  std::array<std::array<Jet<S>, 3>, Kind::operand_sizes.size()> x;
+  std::array<std::array<Jet<S>, max_components>, Kind::operand_sizes.size()> x;
   for (std::size_t k = 0; k < x.size(); ++k)
     for (int i = 0; i < Kind::operand_sizes[k]; ++i) x[k][i] = {q[k][i], qd[k][i], qdd[k][i]};
   return x;
@@ -176,7 +176,7 @@ using Number = Compensated<LaneNumbers>;
 /// Returns the numbers of four samples, a lane each.
 template <class Kind>
 auto in_lanes(const std::array<Sample<Kind>, 4>& samples, auto Sample<Kind>::*member) {
-  std::array<std::array<Number, 3>, Kind::operand_sizes.size()> x;
+  std::array<std::array<Number, max_components>, Kind::operand_sizes.size()> x;
   for (std::size_t k = 0; k < x.size(); ++k)
     for (int i = 0; i < 3; ++i)
       for (int lane = 0; lane < 4; ++lane)

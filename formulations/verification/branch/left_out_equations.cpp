@@ -38,7 +38,7 @@ S value_of(const Model& m, const Equation& equation, const auto& coordinate) {
   S result;
   visit_kind(c.kind, [&]<class Kind>(Kind) {
     constexpr std::size_t operands = Kind::operand_sizes.size();
-    std::array<std::array<S, 3>, operands> components;
+    std::array<std::array<S, max_components>, operands> components;
     std::array<const S*, operands> x;
     for (std::size_t k = 0; k < operands; ++k) {
       const Entity& e = m.entities[c.operands[k]];

@@ -92,7 +92,7 @@ struct BlockEquations::FunctionsOf {
   /// Operands in another scalar, made from each local state by a function.
   template <class S>
   struct Operands {
-    std::array<std::array<S, 3>, operands> components;
+    std::array<std::array<S, max_components>, operands> components;
     std::array<const S*, operands> x;
     Constants<S> c;
 
@@ -167,7 +167,7 @@ struct BlockEquations::FunctionsOf {
 
   /// Returns the degree of each entry of the Jacobian.
   static std::vector<Degree> degrees() {
-    std::array<Degree, 3> any;
+    std::array<Degree, max_components> any;
     any.fill(Degree::of(1));
     std::array<const Degree*, operands> x;
     x.fill(any.data());
@@ -213,7 +213,7 @@ void BlockEquations::add(const BlockShape::Object& o) {
       // Φ = Φ_q q + Φ(0)
       using S = Compensated<LaneNumbers>;
       const int* slot = o.slots.data();
-      const std::array<S, 3> zero{};
+      const std::array<S, max_components> zero{};
       std::array<const S*, Kind::operand_sizes.size()> origin;
       origin.fill(zero.data());
       std::array<S, Kind::rows> at_origin;

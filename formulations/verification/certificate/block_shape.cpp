@@ -18,7 +18,7 @@ void for_each_entry(const Constraint& c, const std::array<int, BlockShape::max_o
   visit_kind(c.kind, [&]<class Kind>(Kind) {
     static_assert(Kind::operand_sizes.size() <= BlockShape::max_operands &&
                   Kind::rows <= BlockShape::max_rows);
-    const std::array<double, 3> any{};  // the entries are those of all values
+    const std::array<double, max_components> any{};  // the entries are those of all values
     std::array<const double*, Kind::operand_sizes.size()> x;
     x.fill(any.data());
     Kind::jacobian(x.data(), constants_at<Kind>(constants.data(), x.data()).data(),

@@ -71,7 +71,7 @@ class WholeSystem {
   /// Returns the same for jets, whose dimensions do not move.
   template <class Kind, class S>
   static auto dimensions(const Constraint& constraint, const Jet<S>* const* x) {
-    std::array<std::array<S, 3>, Kind::operand_sizes.size()> values;
+    std::array<std::array<S, max_components>, Kind::operand_sizes.size()> values;
     std::array<const S*, Kind::operand_sizes.size()> at;
     for (std::size_t k = 0; k < at.size(); ++k) {
       for (int i = 0; i < Kind::operand_sizes[k]; ++i) values[k][i] = x[k][i].value;
