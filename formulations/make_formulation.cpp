@@ -178,6 +178,10 @@ std::unique_ptr<Formulation> make(const Variant& v, const Model& m, const Settin
     throw std::invalid_argument(v.id + ": " + reason);
   if (const std::string reason = unavailable_reason(settings); !reason.empty())
     throw std::invalid_argument(id_with(v, settings) + ": " + reason);
+  if (m.modelling != settings.coordinates)
+    throw std::invalid_argument(id_with(v, settings) + ": '" + m.name +
+                                "' is modelled in other coordinates; give make_model() those of "
+                                "the settings");
   std::unique_ptr<SegmentSolver> solver = make_solver(v, m, settings, profile, table);
   if (settings.stride == 1) return solver;
   return std::make_unique<Interpolated>(std::move(solver), settings.stride);

@@ -61,6 +61,8 @@ std::string unsupported_reason(const Variant& v, const Settings& s) {
       return "there is code for four lanes or eight, in explicit order";
   if (s.lanes != 1 && s.segments != 1)
     return "lanes hold parts of one type or segments of the motion, not both";
+  if (s.coordinates != Modelling::natural && (s.lanes != 1 || s.segments != 1))
+    return "lanes and segments hold parts of natural coordinates";
   const Backend* const backend = find_backend(v.algebra);
   if (s.btf != BlockTriangularForm::on && !(backend && backend->has_btf))
     return "block triangular form is KLU's, and there is none to leave out";

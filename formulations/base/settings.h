@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cases/mechanism/scene.h"
+#include "formulations/base/modelling.h"
 
 namespace desmo {
 
@@ -69,6 +70,7 @@ struct Settings {
   /// last; the others are on the quintic through q, q̇ and q̈ of the two solved about them. 1: all
   /// are solved. step() and assemble() always solve.
   int stride = 1;
+  Modelling coordinates = Modelling::natural;  ///< of the model
 };
 
 }  // namespace desmo

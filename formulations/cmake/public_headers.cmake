@@ -20,7 +20,7 @@ set(reference_h formulations/verification/condition.h formulations/verification/
   formulations/verification/reference/reference.h)
 # What these include.
 set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbers/derived.h
-  formulations/base/live_row.h formulations/base/output.h formulations/base/per_level.h
+  formulations/base/live_row.h formulations/base/modelling.h formulations/base/output.h formulations/base/per_level.h
   formulations/base/reference_instant.h formulations/model/scales.h
   formulations/verification/certificate/initial_residual.h
   formulations/verification/run/assembly_error.h formulations/verification/run/check_options.h

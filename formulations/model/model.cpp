@@ -8,12 +8,14 @@
 
 #include "cases/mechanism/names.h"
 #include "formulations/constraints/constraints.h"
+#include "formulations/model/derivations.h"
 
 namespace desmo {
 
 namespace {
 
-constexpr std::string_view axes = "xyz";
+/// Returns the names of components, one letter each.
+std::string_view axes(EntityKind kind) { return kind == EntityKind::orientation ? "0123" : "xyz"; }
 
 void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
@@ -43,7 +45,8 @@ Model::Component Model::find_component(const std::string& component_name) const 
   if (const Entity* e = entity(component_name); e && e->size == 1) return {*e, 0};
   if (const auto size = component_name.size(); size > 2 && component_name[size - 2] == '.')
     if (const Entity* e = entity(component_name.substr(0, size - 2)); e && e->size > 1)
-      if (const auto i = axes.find(component_name.back()); i < static_cast<std::size_t>(e->size))
+      if (const auto i = axes(e->kind).find(component_name.back());
+          i < static_cast<std::size_t>(e->size))
         return {*e, static_cast<int>(i)};
   std::vector<std::string> names;
   for (EntityId e = 0; e < static_cast<EntityId>(entities.size()); ++e)
@@ -123,7 +126,7 @@ void Model::add(Constraint constraint) {
 
 std::string coordinate_name(const Model& m, EntityId entity, int coordinate) {
   const Entity& e = m.entities[entity];
-  return e.size == 1 ? e.name : e.name + "." + axes[coordinate - e.first];
+  return e.size == 1 ? e.name : e.name + "." + axes(e.kind)[coordinate - e.first];
 }
 
 std::vector<EntityId> entity_of_coordinate(const Model& m) {
@@ -178,6 +181,11 @@ std::vector<int> unknowns(const Model& m, GroupId group) {
   return result;
 }
 
+void require_natural(const Model& m) {
+  require(m.modelling == Modelling::natural,
+          m.name + ": natural coordinates alone can be checked; ask for no checks");
+}
+
 void validate(const Model& m) {
   std::unordered_set<std::string> names;
   for (const Entity& e : m.entities)
@@ -197,6 +205,15 @@ void validate(const Model& m) {
             m.name + ", group '" + m.groups[g].name + "': " + std::to_string(equations[g]) +
                 " equations for " + std::to_string(found[g]) + " unknowns (" +
                 (equations[g] > found[g] ? "over" : "under") + "-constrained)");
+  if (std::ranges::count(m.constraints, no_position, &Constraint::derives) ==
+      std::ssize(m.constraints))
+    return;
+  Model kept = m;
+  keep_derivations(kept);
+  for (std::size_t c = 0; c < m.constraints.size(); ++c)
+    if (const Constraint& given = m.constraints[c]; given.derives != kept.constraints[c].derives)
+      throw std::invalid_argument(m.name + ", constraint '" + given.name + "': it cannot derive '" +
+                                  m.entities[derived_entity(given)].name + "'");
 }
 
 }  // namespace desmo

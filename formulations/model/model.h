@@ -9,6 +9,7 @@
 #include "cases/mechanism/level.h"
 #include "cases/mechanism/motion.h"
 #include "cases/numbers/derived.h"
+#include "formulations/base/modelling.h"
 
 namespace desmo {
 
@@ -19,7 +20,7 @@ using GroupId = int;   ///< position in Model::groups
 /// known.
 inline constexpr int no_position = -1;
 
-enum class EntityKind { point, vector, angle, distance };
+enum class EntityKind { point, vector, angle, distance, orientation };
 
 /// A named geometric quantity. Its components are coordinates, or constants if it is fixed.
 struct Entity {
@@ -27,8 +28,9 @@ struct Entity {
   EntityKind kind;
   bool fixed;
   int first;      ///< first component, in q or (fixed) in Model::fixed_values
-  int size;       ///< 2 or 3 for points and vectors, 1 for angles and distances
+  int size;       ///< 2 or 3 for points and vectors, 1 for angles and distances, 4 for orientations
   GroupId group;  ///< group whose solution yields it; no_position when fixed
+  bool internal = false;  ///< serves the model alone: the mechanism has nothing of that name
 };
 
 /// A constraint: a kind applied to entities, with its dimensions.
@@ -42,6 +44,9 @@ struct Constraint {
   /// Rest of each dimension in the file over its constant, none where there are fewer; then, of a
   /// linear kind, that of each row of Φ. Formulations leave both out; proofs take them in.
   std::vector<Remainder> remainders{};
+  /// Operand that Φ is explicit in, ∂Φ/∂operand = ±1: the constraint is a *derivation* of it from
+  /// the others. no_position: the constraint is a *closure*.
+  int derives = no_position;
 
   /// Returns a dimension as the file means it.
   Derived dimension(std::size_t k) const {
@@ -81,6 +86,7 @@ struct Driver {
 struct Model {
   std::string name;
   std::string length_unit = "m";  ///< "1": an unspecified unit
+  Modelling modelling = Modelling::natural;
   std::vector<Entity> entities;
   std::vector<Constraint> constraints;  ///< contiguous by group, in group order
   std::vector<Group> groups;            ///< in solution order
@@ -181,8 +187,17 @@ int kept_rows(const Constraint& constraint);
 /// Returns the coordinates that a group solves for, ascending, without independent ones.
 std::vector<int> unknowns(const Model& model, GroupId group);
 
-/// Checks that names are unique, values are finite, constraints stand in group order, and every
-/// group has as many equations as unknowns. Throws std::invalid_argument, naming the offender.
+/// Throws std::invalid_argument unless coordinates are natural: proofs speak of them alone.
+void require_natural(const Model& model);
+
+/// Returns the entity that a constraint derives; no_position: it is a closure.
+inline EntityId derived_entity(const Constraint& c) {
+  return c.derives < 0 ? no_position : c.operands[c.derives];
+}
+
+/// Checks that names are unique, values are finite, constraints stand in group order, every group
+/// has as many equations as unknowns, and derivations are as keep_derivations() leaves them. Throws
+/// std::invalid_argument, naming the offender.
 void validate(const Model& model);
 
 }  // namespace desmo

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/model/derivations.h"
+
 namespace desmo {
 
 namespace {
@@ -62,7 +64,12 @@ std::vector<PartDefinition> make_partition(const Model& m, Partition partition) 
     }
   }
   if (partition == Partition::global && !moving.empty()) std::ranges::sort(moving.front().unknowns);
-  std::ranges::move(moving, std::back_inserter(constant));
+  for (PartDefinition& part : moving) {
+    if (m.modelling == Modelling::natural || partition == Partition::block)
+      constant.push_back(std::move(part));
+    else
+      std::ranges::move(split_outputs(m, part), std::back_inserter(constant));
+  }
   return constant;
 }
 

@@ -110,6 +110,7 @@ std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstrea
   Model m;
   m.name = whole.name;
   m.length_unit = whole.length_unit;
+  m.modelling = whole.modelling;
   std::vector<GroupId> group(whole.groups.size(), -1);
   for (std::size_t e = 0; e < whole.entities.size(); ++e)
     if (up.entity_level[e] && !whole.entities[e].fixed) group[whole.entities[e].group] = 0;
@@ -130,6 +131,7 @@ std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstrea
     entity[i] = e.fixed ? m.add_fixed(e.kind, e.name, own,
                                       std::span(whole.fixed_remainders).subspan(e.first, e.size))
                         : m.add(e.kind, e.name, own, group[e.group]);
+    m.entities.back().internal = e.internal;
   }
   for (std::size_t g = 0; g < group.size(); ++g)
     for (const EntityId e : whole.groups[g].entities)
@@ -198,7 +200,7 @@ Plan make_plan(const Model& whole, std::span<const Output> outputs, PlanExtent e
   std::vector<Output> everything;
   if (outputs.empty()) {
     for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
-      everything.push_back({e, Level::acceleration});
+      if (!whole.entities[e].internal) everything.push_back({e, Level::acceleration});
     outputs = everything;
   }
   for (const Output& output : outputs)

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formulations/algebra/linear_solver.h"
+#include "formulations/equations/pattern.h"
+#include "formulations/model/derivations.h"
+
+namespace desmo {
+
+/// Static condensation: a solver that eliminates derived unknowns before another solver, of the
+/// rest alone, sees the system. Rows d are derivations and columns y what they derive, rows c are
+/// closures and columns x the rest. D_y is triangular:
+///
+///   A = [D_x D_y; C_x C_y]      A_r = C_x − C_y D_y⁻¹ D_x      b_r = b_c − C_y D_y⁻¹ b_d
+///   x = A_r⁻¹ b_r               y = D_y⁻¹ (b_d − D_x x)
+///
+/// Of Φ_φ, A_r is the chain rule of the textbooks: Φ_x ∂x/∂(r, e) in reference-point coordinates,
+/// Φ_q B with the velocity transformation B in relative ones (Kim and Vanderploeg 1986).
+class Condensed final : public LinearSolver {
+ public:
+  using MakeSolver = std::function<std::unique_ptr<LinearSolver>(const Pattern&)>;
+
+  /// - pattern: of A
+  /// - derivations: of the part (see derivations()), one or more; in their order D_y is triangular
+  /// - make_solver: makes the solver of A_r from its pattern; not called where all is derived
+  Condensed(const Pattern& pattern, std::span<const Derivation> derivations,
+            const MakeSolver& make_solver);
+
+  bool factor(const double* values) override;
+  void solve(double* b) override;
+
+  int break_even_solves() const override;
+  Pivots pivots() const override;
+  void forget_pivots() override;
+
+  /// Returns the pattern of A_r. Its unknowns are those of the part that are not derived.
+  const Pattern& reduced_pattern() const { return reduced_; }
+  /// Returns the number of multiplications and additions by which factor() condenses.
+  int operations() const { return static_cast<int>(operations_.size()); }
+
+ private:
+  struct Copy {
+    int to, from;  // positions in work_ and in the values of A
+  };
+  struct Operation {
+    int target, factor, source;  // positions in work_: target += factor · source
+  };
+  struct DerivedTerm {
+    int closure, derived, factor;  // row of A_r, position in derived_, position in work_
+  };
+  struct Derived {
+    int row, column, pivot;  // of A; position of the pivot among its values
+    int first, end;          // its terms
+  };
+  struct Term {
+    int column, from, to;  // column of A, position among its values and in work_
+  };
+  class Layout;
+
+  Pattern reduced_;
+  std::unique_ptr<LinearSolver> solver_;    // of A_r; null: all is derived
+  std::vector<Derived> derived_;            // in their order
+  std::vector<Term> terms_;                 // of derivations without pivots, by derivation
+  std::vector<Copy> copies_;                // entries of closures
+  std::vector<Operation> operations_;       // closure by closure, the last derivation first
+  std::vector<DerivedTerm> derived_terms_;  // C_y, with what elimination adds to it
+  std::vector<int> closure_row_, column_;   // of A, of each row and column of A_r
+  int cleared_ = 0;                         // number of values that are sums: A_r, then C_y
+  std::vector<double> work_;   // A_r; C_y; −D_x and −D_y, without its pivots, over these
+  std::vector<double> scale_;  // −1/pivot of each derivation
+  std::vector<double> x_, y_;  // right-hand sides, then solution
+};
+
+}  // namespace desmo

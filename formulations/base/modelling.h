@@ -1,0 +1,19 @@
+#pragma once
+
+namespace desmo {
+
+/// Coordinates in which a mechanism is modelled. Every model has the points, vectors and relative
+/// coordinates of the mechanism under the same names.
+enum class Modelling {
+  natural,    ///< these are the coordinates, mixed as the paper has them
+  basis,      ///< the same; what is linear in the basis of a body is derived from it
+  reference,  ///< position and orientation of each body, from which all else is derived
+  relative,   ///< joint variables of a spanning tree, from which all else is derived
+};
+
+/// Returns whether bodies have frames, from which their points and vectors are derived.
+constexpr bool has_frames(Modelling modelling) {
+  return modelling == Modelling::reference || modelling == Modelling::relative;
+}
+
+}  // namespace desmo

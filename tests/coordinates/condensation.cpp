@@ -1,0 +1,128 @@
+// Static condensation against dense elimination, on random sparse systems.
+
+#include "formulations/algebra/condensation.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace desmo::condensation_test {
+namespace {
+
+/// A dense solver by Eigen, which remembers the matrix.
+class DenseSolver final : public LinearSolver {
+ public:
+  DenseSolver(const Pattern& pattern, Eigen::MatrixXd& seen) : pattern_(pattern), seen_(seen) {}
+  bool factor(const double* values) override {
+    seen_ = Eigen::MatrixXd::Zero(pattern_.n, pattern_.n);
+    for (int j = 0; j < pattern_.n; ++j)
+      for (int k = pattern_.column_start[j]; k < pattern_.column_start[j + 1]; ++k)
+        seen_(pattern_.row[k], j) = values[k];
+    lu_.compute(seen_);
+    return true;
+  }
+  void solve(double* b) override {
+    Eigen::Map<Eigen::VectorXd> x(b, pattern_.n);
+    x = lu_.solve(x).eval();
+  }
+
+ private:
+  const Pattern pattern_;
+  Eigen::MatrixXd& seen_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+};
+
+/// A random system: derivations in random rows and columns, each explicit in its unknown, of
+/// unknowns that are not derived or are derived before.
+struct System {
+  int n;
+  std::vector<Derivation> derivations;
+  Eigen::MatrixXd a;
+  Pattern pattern;
+  std::vector<double> values;
+
+  System(int unknowns, int derived, std::mt19937& random) : n(unknowns) {
+    const auto number = [&] { return std::uniform_real_distribution(-1.0, 1.0)(random); };
+    const auto seldom = [&] { return random() % 4 == 0; };
+    std::vector<int> row(n), column(n);
+    std::iota(row.begin(), row.end(), 0);
+    column = row;
+    std::ranges::shuffle(row, random);
+    std::ranges::shuffle(column, random);
+    a = Eigen::MatrixXd::Zero(n, n);
+    for (int d = 0; d < derived; ++d) {
+      derivations.push_back({row[d], column[d]});
+      for (int k = 0; k < n; ++k)
+        if ((k < d || k >= derived) && seldom()) a(row[d], column[k]) = number();
+      a(row[d], column[d]) = random() % 2 ? 1 : -1;
+    }
+    for (int c = derived; c < n; ++c) {
+      for (int k = 0; k < n; ++k)
+        if (seldom()) a(row[c], column[k]) = number();
+      a(row[c], column[c]) += 3;
+    }
+    pattern.n = n;
+    pattern.unknowns.resize(n);
+    std::iota(pattern.unknowns.begin(), pattern.unknowns.end(), 0);
+    pattern.column_start.push_back(0);
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i)
+        if (a(i, j) != 0) {
+          pattern.row.push_back(i);
+          values.push_back(a(i, j));
+        }
+      pattern.column_start.push_back(static_cast<int>(pattern.row.size()));
+    }
+  }
+};
+
+TEST(Condensation, SolvesWhatADenseEliminationSolves) {
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 200; ++trial) {
+    const int n = 2 + static_cast<int>(random() % 30), derived = 1 + static_cast<int>(random() % n);
+    const System s(n, derived, random);
+    Eigen::MatrixXd reduced;
+    Condensed condensed(s.pattern, s.derivations, [&](const Pattern& pattern) {
+      return std::make_unique<DenseSolver>(pattern, reduced);
+    });
+    EXPECT_EQ(condensed.reduced_pattern().n, n - derived);
+    for (int again = 0; again < 2; ++again) {  // a second factorisation leaves nothing of the first
+      ASSERT_TRUE(condensed.factor(s.values.data()));
+      const Eigen::VectorXd b = Eigen::VectorXd::Random(n);
+      Eigen::VectorXd x = b;
+      condensed.solve(x.data());
+      EXPECT_LE((s.a * x - b).norm(), 1e-10 * s.a.norm() * std::max(1.0, x.norm())) << trial;
+    }
+  }
+}
+
+TEST(Condensation, LeavesTheSchurComplement) {
+  std::mt19937 random(2);
+  for (int trial = 0; trial < 50; ++trial) {
+    const int n = 4 + static_cast<int>(random() % 12),
+              derived = 1 + static_cast<int>(random() % (n - 2));
+    const System s(n, derived, random);
+    Eigen::MatrixXd reduced;
+    Condensed condensed(s.pattern, s.derivations, [&](const Pattern& pattern) {
+      return std::make_unique<DenseSolver>(pattern, reduced);
+    });
+    ASSERT_TRUE(condensed.factor(s.values.data()));
+    std::vector<bool> is_derivation(n, false), is_derived(n, false);
+    for (const Derivation& d : s.derivations) is_derivation[d.row] = is_derived[d.column] = true;
+    std::vector<int> d, c, y, x;
+    for (int i = 0; i < n; ++i) {
+      (is_derivation[i] ? d : c).push_back(i);
+      (is_derived[i] ? y : x).push_back(i);
+    }
+    const Eigen::MatrixXd expected =
+        s.a(c, x) - s.a(c, y) * s.a(d, y).partialPivLu().solve(Eigen::MatrixXd(s.a(d, x)));
+    EXPECT_LE((reduced - expected).norm(), 1e-11 * std::max(1.0, expected.norm())) << trial;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::condensation_test
