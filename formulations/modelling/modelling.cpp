@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "formulations/model/derivations.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
 #include "formulations/modelling/equations/candidates.h"
 #include "formulations/modelling/groups/structure.h"
@@ -11,7 +12,8 @@
 
 namespace desmo {
 
-ModellingResult model_mechanism(const Mechanism& d, const std::vector<Motion>& motions) {
+ModellingResult model_mechanism(const Mechanism& d, const std::vector<Motion>& motions,
+                                Modelling modelling) {
   validate(d);
   require_representable(d);
   const auto drivers = std::ranges::count(d.coordinates, true, &Mechanism::Coordinate::driven);
@@ -20,7 +22,7 @@ ModellingResult model_mechanism(const Mechanism& d, const std::vector<Motion>& m
                                 std::to_string(drivers) + " drivers");
   const RigidBodies rigid = find_rigid_bodies(d);
   const Structure structure = find_structure(d, rigid);
-  Candidates candidates = make_candidates(d, rigid, structure, motions);
+  Candidates candidates = make_candidates(d, rigid, structure, motions, modelling);
 
   const std::size_t constant = candidates.model.groups.size() - structure.groups.size();
   std::vector<int> surplus(constant, 0);
@@ -29,12 +31,13 @@ ModellingResult model_mechanism(const Mechanism& d, const std::vector<Motion>& m
   result.left_out = leave_out_dependent(candidates, surplus);
   result.idle = find_idle_freedoms(d, rigid);
   result.model = std::move(candidates.model);
+  keep_derivations(result.model);
   validate(result.model);
   return result;
 }
 
-Model make_model(const Scene& scene) {
-  return model_mechanism(scene.mechanism, scene.motions).model;
+Model make_model(const Scene& scene, Modelling modelling) {
+  return model_mechanism(scene.mechanism, scene.motions, modelling).model;
 }
 
 }  // namespace desmo

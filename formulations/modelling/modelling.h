@@ -34,15 +34,18 @@ struct ModellingResult {
 };
 
 /// Models a mechanism: finds rigid bodies, structural groups, coordinates and independent
-/// equations; says what it left out. motions: one per driven coordinate, in the mechanism's order.
+/// equations; says what it left out.
+/// - motions: one per driven coordinate, in the mechanism's order
+/// - modelling: the kind of coordinates
 /// Throws std::invalid_argument, naming the place, for an invalid mechanism (see validate) or one
 /// that its drivers do not determine.
-ModellingResult model_mechanism(const Mechanism& mechanism, const std::vector<Motion>& motions);
+ModellingResult model_mechanism(const Mechanism& mechanism, const std::vector<Motion>& motions,
+                                Modelling modelling = Modelling::natural);
 
 /// Returns the model alone of a scene's whole mechanism, independent of what the scene requests.
 ///
 ///   const Model model = make_model(library_scene("slider_crank"));
 ///   const int x = model.coordinate("C.x");  // position of that coordinate in q
-Model make_model(const Scene& scene);
+Model make_model(const Scene& scene, Modelling modelling = Modelling::natural);
 
 }  // namespace desmo

@@ -24,7 +24,7 @@ struct Relation {
 void relate_in_plane(EquationWriter& w, const Relation& r) {
   const Basis& basis = r.body.basis;
   if (basis.directions.empty())  // a second name for the same place
-    return w.constrain<Rigid<2, 0>>(Origin::body, r.name, {r.target, w.point(basis.origin)}, {});
+    return w.derive<Rigid<2, 0>>(Origin::body, r.name, {r.target, w.point(basis.origin)}, {});
   const Direction& d = basis.directions.front();
   const double length = nominal::norm(BodyDrawing<double>{w.mechanism}.direction(r.body, d));
   // Seen from the origin, all four kinds measure the same.
@@ -33,17 +33,16 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
         return std::array{drawing.direction(r.body, r.offset), drawing.direction(r.body, d)};
       });
   if (r.is_point() && d.is_line())
-    w.constrain<PlanarRelation<true, true>>(Origin::body, r.name,
-                                            {r.target, w.point(d.from), w.point(d.to)}, c);
+    w.derive<PlanarRelation<true, true>>(Origin::body, r.name,
+                                         {r.target, w.point(d.from), w.point(d.to)}, c);
   else if (r.is_point())
-    w.constrain<PlanarRelation<true, false>>(
-        Origin::body, r.name, {r.target, w.point(basis.origin), w.vector(d.vector)}, c);
+    w.derive<PlanarRelation<true, false>>(Origin::body, r.name,
+                                          {r.target, w.point(basis.origin), w.vector(d.vector)}, c);
   else if (d.is_line())
-    w.constrain<PlanarRelation<false, true>>(Origin::body, r.name,
-                                             {r.target, w.point(d.from), w.point(d.to)}, c);
+    w.derive<PlanarRelation<false, true>>(Origin::body, r.name,
+                                          {r.target, w.point(d.from), w.point(d.to)}, c);
   else
-    w.constrain<PlanarRelation<false, false>>(Origin::body, r.name, {r.target, w.vector(d.vector)},
-                                              c);
+    w.derive<PlanarRelation<false, false>>(Origin::body, r.name, {r.target, w.vector(d.vector)}, c);
 }
 
 /// Calls f<T>() with T = terms, up to Most.
@@ -80,7 +79,7 @@ void relate_in_space(EquationWriter& w, const Relation& r) {
       std::array<Derived, T> values{};
       std::copy_n(terms.begin(), T, operands.begin() + 2);
       std::copy_n(coefficients.begin(), T, values.begin());
-      w.constrain<Rigid<3, T>>(Origin::body, r.name, operands, values);
+      w.derive<Rigid<3, T>>(Origin::body, r.name, operands, values);
     });
   if (!is_rounding(of_origin.value, 1)) {
     terms.insert(terms.begin(), w.point(basis.origin));
@@ -92,7 +91,7 @@ void relate_in_space(EquationWriter& w, const Relation& r) {
       std::array<Derived, T> values{};
       std::copy_n(terms.begin(), T, operands.begin() + 1);
       std::copy_n(coefficients.begin(), T, values.begin());
-      w.constrain<Combination<3, T>>(Origin::body, r.name, operands, values);
+      w.derive<Combination<3, T>>(Origin::body, r.name, operands, values);
     }
   });
 }
@@ -195,11 +194,30 @@ void write_body(EquationWriter& w, const RigidBody& body) {
       relate_vector(w, name, body, v);
 }
 
+/// Derives a frame, and from it what no earlier body derives. Points that one has derived close the
+/// joint there.
+template <int D>
+void write_framed_body(EquationWriter& w, int r) {
+  const RigidBody& body = w.rigid.list[r];
+  const std::string name = w.mechanism.bodies[body.bodies.front()].name + ": ";
+  write_frame<D>(w, r);
+  for (const int p : body.points)
+    if (!body.basis.has_point(p)) relate_point(w, name, body, p);
+  for (const int v : body.vectors)
+    if (!body.basis.has_vector(v) && w.framed->deriving_vector[v] == r)
+      relate_vector(w, name, body, v);
+}
+
 }  // namespace
 
 template <int D>
 void write_body_equations(EquationWriter& w) {
   hold_ground_vectors<D>(w);
+  if (w.framed) {
+    for (const int r : w.framed->tree.order)
+      w.framed->tree.has_frame[r] ? write_framed_body<D>(w, r) : write_body<D>(w, w.rigid.list[r]);
+    return;
+  }
   for (std::size_t r = 1; r < w.rigid.list.size(); ++r) write_body<D>(w, w.rigid.list[r]);
 }
 

@@ -58,17 +58,18 @@ using nominal::Vec;
 class Modeller {
  public:
   Modeller(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
-           const std::vector<Motion>& motions)
+           const std::vector<Motion>& motions, Modelling modelling)
       : d_(d),
         rigid_(rigid),
         structure_(structure),
-        placement_(place_entities(d, rigid, structure)),
+        placement_(place_entities(d, rigid, structure, !has_frames(modelling))),
         motions_(motions),
         m_(result_.model) {
     result_.points.assign(d.points.size(), -1);
     result_.vectors.assign(d.vectors.size(), -1);
     m_.name = d.name;
     m_.length_unit = d.length_unit;
+    m_.modelling = modelling;
   }
 
   Coordinates make() {
@@ -100,6 +101,8 @@ class Modeller {
       m_.groups[g].entities = {result_.vectors[v]};
     }
     constant_groups_ = static_cast<int>(m_.groups.size());
+    for (const int group : structure_.of_body)
+      result_.group_of_body.push_back(group < 0 ? no_position : constant_groups_ + group);
   }
 
   /// Relative coordinates: those declared, and the distances of spatial sliding joints.
@@ -175,10 +178,7 @@ class Modeller {
     const auto list = [&](GroupId g, EntityId e) {
       if (m_.entities[e].group <= g && seen[g].insert(e).second) m_.groups[g].entities.push_back(e);
     };
-    const auto group_of = [&](int body) {
-      const int r = rigid_.of_body[body];
-      return r == 0 ? -1 : constant_groups_ + structure_.of_body[r];
-    };
+    const auto group_of = [&](int body) { return result_.group_of_body[rigid_.of_body[body]]; };
     for (int b = 1; b < static_cast<int>(d_.bodies.size()); ++b) {
       const GroupId g = group_of(b);
       if (g < 0) continue;
@@ -219,8 +219,9 @@ bool declares_distance(const Mechanism& d, const Mechanism::Joint& j) {
 }
 
 Coordinates make_coordinates(const Mechanism& d, const RigidBodies& rigid,
-                             const Structure& structure, const std::vector<Motion>& motions) {
-  return Modeller(d, rigid, structure, motions).make();
+                             const Structure& structure, const std::vector<Motion>& motions,
+                             Modelling modelling) {
+  return Modeller(d, rigid, structure, motions, modelling).make();
 }
 
 }  // namespace desmo

@@ -16,7 +16,8 @@ struct Coordinates {
   /// Relative coordinates: those that the mechanism declares, then the undeclared distances of its
   /// spatial sliding joints, named `<joint>/distance`.
   std::vector<Mechanism::Coordinate> measured;
-  std::vector<EntityId> coordinates;  ///< entity of each relative coordinate
+  std::vector<EntityId> coordinates;   ///< entity of each relative coordinate
+  std::vector<GroupId> group_of_body;  ///< by rigid body; no_position: the ground
 };
 
 /// Returns whether the mechanism declares the distance along a sliding joint as a coordinate.
@@ -25,9 +26,11 @@ bool declares_distance(const Mechanism& mechanism, const Mechanism::Joint& joint
 /// Makes the coordinates of a mechanism. Ground points are constants. A ground vector that moving
 /// bodies share is a coordinate vector of a constant group, as in the paper; others are constants.
 /// place_entities() assigns entities to groups, GroupNames names the groups. motions: one per
-/// driven coordinate, in order. Throws std::invalid_argument, naming the coordinate, when a
+/// driven coordinate, in order. modelling: where bodies have frames, entities do not wait for later
+/// groups. Throws std::invalid_argument, naming the coordinate, when a
 /// coordinate measures nothing that can move.
 Coordinates make_coordinates(const Mechanism& mechanism, const RigidBodies& rigid,
-                             const Structure& structure, const std::vector<Motion>& motions);
+                             const Structure& structure, const std::vector<Motion>& motions,
+                             Modelling modelling = Modelling::natural);
 
 }  // namespace desmo

@@ -68,14 +68,17 @@ int Placement::of(const Mechanism::Coordinate& c) const {
   return last;
 }
 
-Placement place_entities(const Mechanism& d, const RigidBodies& rigid, const Structure& structure) {
+Placement place_entities(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
+                         bool may_wait) {
   const NeededAtOnce needed(d);
   Placement result;
   for (int p = 0; p < static_cast<int>(d.points.size()); ++p)
-    result.of_point.push_back(finder(rigid, structure, rigid.of_point[p], needed.points[p],
+    result.of_point.push_back(finder(rigid, structure, rigid.of_point[p],
+                                     !may_wait || needed.points[p],
                                      [&](const Basis& b) { return b.has_point(p); }));
   for (int v = 0; v < static_cast<int>(d.vectors.size()); ++v)
-    result.of_vector.push_back(finder(rigid, structure, rigid.of_vector[v], needed.vectors[v],
+    result.of_vector.push_back(finder(rigid, structure, rigid.of_vector[v],
+                                      !may_wait || needed.vectors[v],
                                       [&](const Basis& b) { return b.has_vector(v); }));
   return result;
 }

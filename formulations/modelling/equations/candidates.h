@@ -24,9 +24,11 @@ struct Candidates {
 /// - couplings: a linear equation each;
 /// - ground vectors that are coordinates: linear equations that hold them.
 /// An equation belongs to the last group that solves for one of its coordinates. motions: one per
-/// driven coordinate, in order. Throws std::invalid_argument, naming the coordinate, when a
+/// driven coordinate, in order. What is linear in the basis of a body is a derivation, unless
+/// coordinates are natural. Throws std::invalid_argument, naming the coordinate, when a
 /// coordinate cannot be modelled.
 Candidates make_candidates(const Mechanism& mechanism, const RigidBodies& rigid,
-                           const Structure& structure, const std::vector<Motion>& motions);
+                           const Structure& structure, const std::vector<Motion>& motions,
+                           Modelling modelling = Modelling::natural);
 
 }  // namespace desmo

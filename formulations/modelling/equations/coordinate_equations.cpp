@@ -29,6 +29,13 @@ struct Definition {
     writer.constrain<Kind>(Origin::coordinate, coordinate.name + ": definition", operands,
                            dimensions);
   }
+  /// Writes it as what the coordinate, the last operand, is derived by, where bodies have frames.
+  template <class Kind>
+  void derived_as(const std::array<EntityId, Kind::operand_sizes.size()>& operands) const {
+    if (!writer.framed) return as<Kind>(operands);
+    writer.derive<Kind>(Origin::coordinate, coordinate.name + ": definition", operands, {},
+                        static_cast<int>(operands.size()) - 1);
+  }
 };
 
 using Direction = Mechanism::Direction;
@@ -155,13 +162,13 @@ void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
 template <int D>
 void define_component(const Definition& definition) {
   const Mechanism::Coordinate& c = definition.coordinate;
-  const EntityId point = definition.writer.point(c.point), value = definition.value;
+  const std::array operands{definition.writer.point(c.point), definition.value};
   if (c.axis == 0)
-    definition.as<Component<D, 0>>({point, value});
+    definition.derived_as<Component<D, 0>>(operands);
   else if (c.axis == 1)
-    definition.as<Component<D, 1>>({point, value});
+    definition.derived_as<Component<D, 1>>(operands);
   else if constexpr (D == 3)
-    definition.as<Component<3, 2>>({point, value});
+    definition.derived_as<Component<3, 2>>(operands);
 }
 
 template <int D>
@@ -173,6 +180,9 @@ void define(const Definition& definition) {
       return definition.as<Distance<D>>({w.point(c.of.from), w.point(c.of.to), value});
     case along:
       require_along(w, c);
+      if (w.framed)  // closures keep it along
+        return definition.derived_as<Reach<D>>(
+            {w.point(c.of.from), w.point(c.of.to), w.vector(c.vector), value});
       return definition.as<Along<D>>(
           {w.point(c.of.from), w.point(c.of.to), w.vector(c.vector), value});
     case component:
@@ -187,8 +197,13 @@ void define(const Definition& definition) {
 template <int D>
 void write_coordinate_equations(EquationWriter& w) {
   const Coordinates& all = w.coordinates();
+  std::vector<bool> is_variable(all.measured.size(), false);  // of a tree joint
+  if (w.framed)
+    for (const DerivedFrame& frame : w.framed->frames)
+      for (const int c : {frame.angle, frame.travel})
+        if (c >= 0) is_variable[c] = true;
   for (std::size_t c = 0; c < all.measured.size(); ++c)
-    define<D>({w, all.measured[c], all.coordinates[c]});
+    if (!is_variable[c]) define<D>({w, all.measured[c], all.coordinates[c]});
 }
 
 template void write_coordinate_equations<2>(EquationWriter&);

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <span>
 
+#include "formulations/model/derivations.h"
+
 namespace desmo {
 
 namespace {
@@ -22,6 +24,7 @@ double max_coordinate(const Points& points, Position position = {}) {
 template <int D>
 Candidates write_all(EquationWriter& w) {
   write_body_equations<D>(w);
+  if (w.framed) write_cut_joints<D>(w);
   write_joint_equations(w);
   write_coordinate_equations<D>(w);
   write_coupling_equations(w);
@@ -31,9 +34,10 @@ Candidates write_all(EquationWriter& w) {
 }  // namespace
 
 EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
-                               Coordinates coordinates)
+                               Coordinates coordinates, const FramedMechanism* frames)
     : mechanism(d),
       rigid(bodies),
+      framed(frames),
       reach(max_coordinate(d.points, &Mechanism::Point::position)),
       coordinates_(std::move(coordinates)) {}
 
@@ -46,6 +50,14 @@ EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec
   return coordinates_.model.add_fixed(EntityKind::vector, std::move(name),
                                       std::span(vector.direction).first(mechanism.dimension),
                                       std::span(vector.remainder).first(mechanism.dimension));
+}
+
+EntityId EquationWriter::add_variable(EntityKind kind, std::string name,
+                                      std::span<const double> start, int body) {
+  Model& m = coordinates_.model;
+  const EntityId id = m.add(kind, std::move(name), start, coordinates_.group_of_body[body]);
+  m.entities[id].internal = true;
+  return id;
 }
 
 bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism::Direction& b,
@@ -92,10 +104,40 @@ bool is_rounding(double value, double magnitude) {
   return std::abs(value) <= 16 * std::numeric_limits<double>::epsilon() * magnitude;
 }
 
+namespace {
+
+Candidates candidates_of(EquationWriter w) {
+  Candidates candidates = w.mechanism.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
+  keep_derivations(candidates.model);
+  return candidates;
+}
+
+/// What was added to a mechanism serves the model alone.
+void mark_internal(Coordinates& coordinates, const Mechanism& d) {
+  const auto mark = [&](const std::vector<EntityId>& entities, std::size_t own) {
+    for (std::size_t i = own; i < entities.size(); ++i) {
+      coordinates.model.entities[entities[i]].internal = true;
+      for (Group& group : coordinates.model.groups) std::erase(group.entities, entities[i]);
+    }
+  };
+  mark(coordinates.points, d.points.size());
+  mark(coordinates.vectors, d.vectors.size());
+}
+
+}  // namespace
+
 Candidates make_candidates(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
-                           const std::vector<Motion>& motions) {
-  EquationWriter w(d, rigid, make_coordinates(d, rigid, structure, motions));
-  return d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
+                           const std::vector<Motion>& motions, Modelling modelling) {
+  if (!has_frames(modelling)) {
+    return candidates_of(
+        EquationWriter(d, rigid, make_coordinates(d, rigid, structure, motions, modelling)));
+  }
+  const FramedMechanism framed = put_frames(d, rigid, structure, modelling);
+  Coordinates coordinates =
+      make_coordinates(framed.mechanism, framed.rigid, structure, motions, modelling);
+  mark_internal(coordinates, d);
+  return candidates_of(
+      EquationWriter(framed.mechanism, framed.rigid, std::move(coordinates), &framed));
 }
 
 }  // namespace desmo

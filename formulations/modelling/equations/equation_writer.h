@@ -10,17 +10,21 @@
 #include "formulations/constraints/constraints.h"
 #include "formulations/modelling/bodies/drawing.h"
 #include "formulations/modelling/equations/candidates.h"
+#include "formulations/modelling/frames/frames.h"
 
 namespace desmo {
 
 /// A writer of candidate equations: adds them to the model of the coordinates.
 class EquationWriter {
  public:
-  /// Takes over the coordinates. mechanism and rigid must outlive the writer.
-  EquationWriter(const Mechanism& mechanism, const RigidBodies& rigid, Coordinates coordinates);
+  /// Takes over the coordinates. mechanism, rigid and framed must outlive the writer. framed: null
+  /// where bodies have no frames.
+  EquationWriter(const Mechanism& mechanism, const RigidBodies& rigid, Coordinates coordinates,
+                 const FramedMechanism* framed = nullptr);
 
   const Mechanism& mechanism;
   const RigidBodies& rigid;
+  const FramedMechanism* const framed;
   const double reach;  ///< largest absolute coordinate of a point, nominally
 
   /// Returns that of a body's shape, which is drawn or has a frame.
@@ -33,6 +37,9 @@ class EquationWriter {
 
   EntityId add_fixed_vector(std::string name, const Mechanism::Vector& vector);
 
+  /// Adds an internal entity to the group of a rigid body, or one that a variable of a joint is.
+  EntityId add_variable(EntityKind kind, std::string name, std::span<const double> start, int body);
+
   /// Adds an equation to the last group that solves for one of its operands. Adds nothing when all
   /// operands are fixed.
   template <class Kind>
@@ -41,10 +48,19 @@ class EquationWriter {
                  const std::array<Derived, Kind::constants>& dimensions) {
     constrain(origin, std::move(name), kind_index<Kind>(), operands, dimensions);
   }
+  /// Adds an equation that is explicit in an operand: a derivation, unless coordinates are natural.
+  template <class Kind>
+  void derive(Origin origin, std::string name,
+              const std::array<EntityId, Kind::operand_sizes.size()>& operands,
+              const std::array<Derived, Kind::constants>& dimensions, int operand = 0) {
+    constrain(origin, std::move(name), kind_index<Kind>(), operands, dimensions,
+              coordinates_.model.modelling == Modelling::natural ? no_position : operand);
+  }
   /// Adds an equation of a kind by its position, with as many dimensions as it reads.
   void constrain(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
-                 std::span<const Derived> dimensions) {
+                 std::span<const Derived> dimensions, int derives = no_position) {
     Constraint made{std::move(name), kind, {operands.begin(), operands.end()}, {}, 0};
+    made.derives = derives;
     for (const Derived& d : dimensions) {
       made.constants.push_back(d.value);
       made.remainders.push_back(d.remainder());
@@ -98,14 +114,14 @@ std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double
 }
 
 /// Writes the equations within the bodies of a D-dimensional mechanism. Ground vectors that are
-/// coordinates are held constant. Every other body keeps the scalar products of its basis; its
-/// other points and vectors are linear functions of the basis.
+/// coordinates are held constant. Every other body keeps the scalar products of its basis, or
+/// derives its frame; its other points and vectors are linear functions of these.
 template <int D>
 void write_body_equations(EquationWriter& writer);
 
 /// Writes the equations of joints between different rigid bodies: offsets of planar sliding joints
 /// whose distance is not declared, and angles of universal joints. Shared points and vectors and
-/// relative coordinates imply all others.
+/// relative coordinates imply all others. With frames, those of the tree imply theirs.
 void write_joint_equations(EquationWriter& writer);
 
 /// Writes the couplings of coordinates.

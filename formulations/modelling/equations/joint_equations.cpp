@@ -50,10 +50,13 @@ void keep_distance(EquationWriter& w, const Mechanism::Joint& j) {
 }  // namespace
 
 void write_joint_equations(EquationWriter& w) {
-  for (const Mechanism::Joint& j : w.mechanism.joints) {
-    if (w.rigid.of_body[j.bodies[0]] == w.rigid.of_body[j.bodies[1]]) continue;
+  for (std::size_t i = 0; i < w.mechanism.joints.size(); ++i) {
+    const Mechanism::Joint& j = w.mechanism.joints[i];
+    if (w.rigid.of_body[j.bodies[0]] == w.rigid.of_body[j.bodies[1]] ||
+        (w.framed && w.framed->tree.is_of_tree[i]))
+      continue;
     if (w.mechanism.dimension == 2) {
-      if (slides(j.type) && !declares_distance(w.mechanism, j)) keep_offset(w, j);
+      if (slides(j.type) && (w.framed || !declares_distance(w.mechanism, j))) keep_offset(w, j);
     } else if (find_joint_form(j.type, 3)->in_plane) {
       keep_distance(w, j);
     } else if (j.type == Mechanism::JointType::universal) {

@@ -209,7 +209,7 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
 
 /// Rows, in the order in which they are taken.
 std::vector<int> RowSelector::preference(const GroupSystem& s) const {
-  using Rank = std::tuple<bool, int, Origin, int>;
+  using Rank = std::tuple<bool, bool, int, Origin, int>;
   std::vector<Rank> ranks;
   for (int c = s.first_constraint; c < s.end_constraint; ++c) {
     const Constraint& constraint = m_.constraints[c];
@@ -218,11 +218,12 @@ std::vector<int> RowSelector::preference(const GroupSystem& s) const {
     bool linear = false;
     visit_kind(constraint.kind, [&](auto kind) { linear = kind.linear; });
     for (const int n : entries)
-      ranks.emplace_back(!linear, n, origins_[c], static_cast<int>(ranks.size()));
+      ranks.emplace_back(constraint.derives < 0, !linear, n, origins_[c],
+                         static_cast<int>(ranks.size()));
   }
   std::ranges::sort(ranks);
   std::vector<int> order;
-  for (const Rank& r : ranks) order.push_back(std::get<3>(r));
+  for (const Rank& r : ranks) order.push_back(std::get<4>(r));
   return order;
 }
 

@@ -1,0 +1,143 @@
+#include "formulations/modelling/frames/axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace desmo {
+
+using Exact = AxisMaker::Exact;
+
+Derived inner(const Exact& a, const Exact& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Exact outer(const Exact& a, const Exact& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Exact unit(const Exact& a) {
+  const Derived length = sqrt(inner(a, a));
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
+Exact across(const Exact& a, const Exact& of) {
+  const Derived along = inner(a, of);
+  return {a[0] - along * of[0], a[1] - along * of[1], a[2] - along * of[2]};
+}
+
+bool are_same(const Exact& a, const Exact& b) {
+  for (int i = 0; i < 3; ++i)
+    if (!(std::abs((a[i] - b[i]).value) <= same_direction)) return false;
+  return true;
+}
+
+bool are_normal(const Exact& a, const Exact& b) {
+  return std::abs(inner(a, b).value) <= same_direction;
+}
+
+AxisMaker::AxisMaker(FramedMechanism& framed) : framed_(framed) {
+  const Mechanism& d = framed.mechanism;
+  for (const auto& p : d.points) names_.insert(p.name);
+  for (const auto& v : d.vectors) names_.insert(v.name);
+  for (const auto& c : d.coordinates) names_.insert(c.name);
+}
+
+Exact AxisMaker::own(int body, const Mechanism::Direction& d) const {
+  return BodyDrawing<Derived>{framed_.mechanism}.direction(framed_.rigid.list[body], d);
+}
+
+std::array<Exact, 3> AxisMaker::own_axes(int body) const {
+  if (body == 0) return {Exact{1, 0, 0}, Exact{0, 1, 0}, Exact{0, 0, 1}};
+  const auto& directions = framed_.rigid.list[body].basis.directions;
+  const Exact x = unit(own(body, directions.front()));
+  if (framed_.mechanism.dimension == 2) return {x, outer({0, 0, 1}, x), Exact{0, 0, 1}};
+  const Exact y = unit(across(own(body, directions[1]), x));
+  return {x, y, outer(x, y)};
+}
+
+int AxisMaker::axis(int body, const Exact& direction, const std::string& name) {
+  for (const int v : framed_.frames[body].axes)
+    if (v >= 0 && are_same(own(body, v), direction)) return v;
+  for (const int v : framed_.rigid.list[body].vectors)
+    if (framed_.deriving_vector[v] == body && are_same(own(body, v), direction)) return v;
+  return add_vector(body, direction, name);
+}
+
+std::pair<int, int> AxisMaker::normals(int body, int vector) {
+  const auto [at, is_new] = normals_.try_emplace({body, vector});
+  if (!is_new) return at->second;
+  const Exact u = own(body, vector);
+  const std::string name = framed_.mechanism.bodies[framed_.rigid.list[body].bodies.front()].name;
+  // An axis of the frame that is normal to u; or what is normal to u of the one farthest from it.
+  std::array<Exact, 3> axes = own_axes(body);
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    if (const int v = framed_.frames[body].axes[k]; v >= 0) axes[k] = own(body, v);
+  Exact n = axes[0];
+  for (const Exact& axis : axes)
+    if (std::abs(inner(axis, u).value) < std::abs(inner(n, u).value)) n = axis;
+  if (!are_normal(n, u)) n = unit(across(n, u));
+  const int first = axis(body, n, name + "/normal");
+  return at->second = {first, axis(body, outer(u, n), name + "/normal")};
+}
+
+int AxisMaker::add_vector(int body, const Exact& own, const std::string& name) {
+  Mechanism& d = framed_.mechanism;
+  RigidBody& rigid = framed_.rigid.list[body];
+  const int v = static_cast<int>(d.vectors.size());
+  Mechanism::Vector& made = d.vectors.emplace_back();
+  made.name = unique(name);
+  const Exact along = drawn(body, own);
+  for (int i = 0; i < 3; ++i) {
+    const Derived x = along[i].rounded();
+    made.direction[i] = x.value;
+    made.remainder[i] = x.remainder();
+  }
+  d.bodies[rigid.bodies.front()].vectors.push_back(v);
+  rigid.vectors.push_back(v);
+  if (rigid.has_shape()) rigid.own_vectors[v] = own;
+  framed_.rigid.of_vector.push_back({body});
+  framed_.deriving_vector.push_back(body);
+  return v;
+}
+
+int AxisMaker::add_point(int body, int place, const std::string& name) {
+  Mechanism& d = framed_.mechanism;
+  RigidBody& rigid = framed_.rigid.list[body];
+  const int p = static_cast<int>(d.points.size());
+  d.points.push_back({unique(name), d.points[place].position});
+  d.bodies[rigid.bodies.front()].points.push_back(p);
+  rigid.points.push_back(p);
+  if (rigid.has_shape()) rigid.own_points[p] = rigid.own_points.at(place);
+  framed_.rigid.of_point.push_back({body});
+  framed_.deriving.push_back(body);
+  return p;
+}
+
+/// Returns a direction of a body's shape as it is drawn.
+Exact AxisMaker::drawn(int body, const Exact& own) const {
+  const RigidBody& rigid = framed_.rigid.list[body];
+  if (!rigid.has_shape()) return own;
+  const std::array<Exact, 3> of_shape = own_axes(body);
+  const BodyDrawing<Derived> drawing{framed_.mechanism};
+  std::array<Exact, 3> placed;
+  placed[0] = unit(drawing.direction(rigid.basis.directions.front()));
+  if (framed_.mechanism.dimension == 2) {
+    placed[2] = {0, 0, 1};
+    placed[1] = outer(placed[2], placed[0]);
+  } else {
+    placed[1] = unit(across(drawing.direction(rigid.basis.directions[1]), placed[0]));
+    placed[2] = outer(placed[0], placed[1]);
+  }
+  Exact result{};
+  for (int k = 0; k < 3; ++k) {
+    const Derived along = inner(own, of_shape[k]);
+    for (int i = 0; i < 3; ++i) result[i] = result[i] + along * placed[k][i];
+  }
+  return result;
+}
+
+std::string AxisMaker::unique(std::string name) {
+  const std::string base = name;
+  for (int n = 2; !names_.insert(name).second; ++n) name = base + " " + std::to_string(n);
+  return name;
+}
+
+}  // namespace desmo

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "formulations/modelling/bodies/drawing.h"
+#include "formulations/modelling/frames/frames.h"
+
+namespace desmo {
+
+/// Directions at a right angle, or the same, in the sine: the rounding of drawn ones.
+inline constexpr double same_direction = 1e-12;
+
+/// A maker of the axes of bodies: finds vectors of a body by their directions, or adds them.
+/// Directions are those of the body's shape (BodyDrawing).
+class AxisMaker {
+ public:
+  using Exact = BodyDrawing<Derived>::Vec;
+
+  /// Changes the mechanism, its bodies and `deriving_vector` of what it is given, which outlives
+  /// it.
+  explicit AxisMaker(FramedMechanism& framed);
+
+  /// Returns a direction of a rigid body.
+  Exact own(int body, const Mechanism::Direction& d) const;
+  Exact own(int body, int vector) const { return own(body, Mechanism::Direction{vector}); }
+
+  /// Returns orthonormal directions of a body: along its basis, one in the plane, three in space.
+  std::array<Exact, 3> own_axes(int body) const;
+
+  /// Returns a vector with a direction that is derived from the body's frame. Adds one, with the
+  /// name or a similar one, where there is none.
+  int axis(int body, const Exact& direction, const std::string& name);
+
+  /// Returns two vectors n₁, n₂ of a body, at right angles to each other and to its vector u, with
+  /// n₂ = u × n₁.
+  std::pair<int, int> normals(int body, int vector);
+
+  /// Adds a point to a body, in the place of another one.
+  int add_point(int body, int place, const std::string& name);
+
+ private:
+  int add_vector(int body, const Exact& own, const std::string& name);
+  Exact drawn(int body, const Exact& own) const;
+  std::string unique(std::string name);
+
+  FramedMechanism& framed_;
+  std::set<std::string> names_;
+  std::map<std::pair<int, int>, std::pair<int, int>> normals_;  // by body and vector
+};
+
+/// Arithmetic of directions.
+Derived inner(const AxisMaker::Exact& a, const AxisMaker::Exact& b);
+AxisMaker::Exact outer(const AxisMaker::Exact& a, const AxisMaker::Exact& b);
+/// Returns a scaled to length 1.
+AxisMaker::Exact unit(const AxisMaker::Exact& a);
+/// Returns the part of a that is at a right angle to a unit vector.
+AxisMaker::Exact across(const AxisMaker::Exact& a, const AxisMaker::Exact& of);
+/// Returns whether two directions of length 1 are the same, or at a right angle.
+bool are_same(const AxisMaker::Exact& a, const AxisMaker::Exact& b);
+bool are_normal(const AxisMaker::Exact& a, const AxisMaker::Exact& b);
+
+}  // namespace desmo

@@ -1,0 +1,347 @@
+#include "formulations/modelling/frames/frames.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "cases/mechanism/joint_forms.h"
+#include "formulations/modelling/coordinates/placement.h"
+#include "formulations/modelling/frames/axes.h"
+
+namespace desmo {
+
+namespace {
+
+using Direction = Mechanism::Direction;
+using Exact = AxisMaker::Exact;
+using nominal::dot;
+using nominal::Vec;
+
+Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+class FramePlanner {
+ public:
+  FramePlanner(FramedMechanism& framed, const Structure& structure)
+      : framed_(framed),
+        d_(framed.mechanism),
+        rigid_(framed.rigid),
+        structure_(structure),
+        placement_(place_entities(d_, rigid_, structure, false)),
+        axes_(framed),
+        is_plane_(d_.dimension == 2),
+        orientation_(rigid_.list.size()) {}
+
+  void plan() {
+    const int own_vectors = static_cast<int>(d_.vectors.size());
+    for (const int r : framed_.tree.order) {
+      orientation_[r] = r;
+      if (framed_.tree.has_frame[r]) plan_frame(r);
+    }
+    for (const int r : framed_.tree.order)
+      if (framed_.tree.has_frame[r]) rigid_.list[r].basis = basis_of(framed_.frames[r]);
+    for (const int r : framed_.tree.order)
+      if (framed_.tree.has_frame[r]) close_shared_vectors(r, own_vectors);
+    close_sliding_joints();
+  }
+
+ private:
+  Basis basis_of(const DerivedFrame& frame) const {
+    Basis basis;
+    basis.origin = frame.origin;
+    for (const int v : frame.axes)
+      if (v >= 0) basis.directions.push_back({v});
+    return basis;
+  }
+
+  std::string name(int r, const char* what) const {
+    return d_.bodies[rigid_.list[r].bodies.front()].name + "/" + what;
+  }
+
+  // ---- Frames, joint by joint of the tree ----
+
+  void plan_frame(int r) {
+    const TreeJoint& hanging = framed_.tree.hanging[r];
+    DerivedFrame& frame = framed_.frames[r];
+    using enum Mechanism::JointType;
+    if (hanging.joint < 0) {
+      place_origin(r, rigid_.list[r].points.front(), true);
+      turn_freely(r);
+      if (is_plane_) frame.first_angle = bearing(frame.axes[0]);
+      return;
+    }
+    const Mechanism::Joint& j = d_.joints[hanging.joint];
+    place_origin(r, j.points[slides(j.type) && !hanging.is_first ? 1 : 0], false);
+    if (slides(j.type)) plan_travel(r, j);
+    if (j.type == prismatic)
+      keep_axes(r);
+    else if (is_plane_)
+      turn_in_plane(r);
+    else if (j.type == universal)
+      turn_about_two(r, j);
+    else if (j.type == spherical)
+      turn_freely(r);
+    else
+      turn_about(r, j.vectors[0]);
+  }
+
+  void place_origin(int r, int point, bool of_its_own) {
+    // A point that slides is derived here, if no earlier body has; a shared one is the parent's.
+    const TreeJoint& hanging = framed_.tree.hanging[r];
+    const bool moves = hanging.joint >= 0 && slides(d_.joints[hanging.joint].type);
+    framed_.frames[r].origin = of_its_own || (moves && framed_.deriving[point] != r)
+                                   ? axes_.add_point(r, point, name(r, "origin"))
+                                   : point;
+  }
+
+  void plan_travel(int r, const Mechanism::Joint& j) {
+    DerivedFrame& frame = framed_.frames[r];
+    for (int c = 0; c < static_cast<int>(d_.coordinates.size()); ++c) {
+      const Mechanism::Coordinate& travel = d_.coordinates[c];
+      if (travel.type == Mechanism::CoordinateType::along && travel.vector == j.vectors[0] &&
+          std::minmax({travel.of.from, travel.of.to}) == std::minmax({j.points[0], j.points[1]}) &&
+          has_all_here(travel, r))
+        frame.travel = c;
+    }
+    const Vec& from = d_.points[j.points[0]].position;
+    const Vec& to = d_.points[j.points[1]].position;
+    using nominal::operator-;
+    frame.start_travel = dot(to - from, d_.vectors[j.vectors[0]].direction);
+  }
+
+  /// Returns whether a coordinate is found by the group of a body, so that it can be its variable.
+  bool has_all_here(const Mechanism::Coordinate& c, int r) const {
+    return placement_.of(c) == structure_.of_body[r];
+  }
+
+  bool carries(int r, const Direction& d) const {
+    const auto has = [&](const std::vector<int>& carriers) {
+      return std::ranges::binary_search(carriers, r);
+    };
+    return d.is_line() ? has(rigid_.of_point[d.from]) && has(rigid_.of_point[d.to])
+                       : has(rigid_.of_vector[d.vector]);
+  }
+
+  /// Returns the declared angle between the parent and a body; none: there is none that measures
+  /// what the joint turns. axis: of the joint; none in the plane.
+  int measured_angle(int r, int axis) const {
+    const int parent = framed_.tree.hanging[r].parent;
+    for (int c = 0; c < static_cast<int>(d_.coordinates.size()); ++c) {
+      const Mechanism::Coordinate& a = d_.coordinates[c];
+      if (a.type != Mechanism::CoordinateType::angle || !has_all_here(a, r) || !carries(r, a.of))
+        continue;
+      if (!a.from.is_given()) {
+        if (parent == 0) return c;
+        continue;
+      }
+      if (!carries(parent, a.from)) continue;
+      if (is_plane_) return c;
+      if (!carries(parent, a.towards) || a.from.is_line() || a.towards.is_line()) continue;
+      const Exact u = axes_.own(parent, axis), f = axes_.own(parent, a.from),
+                  g = axes_.own(parent, a.towards);
+      if (are_normal(u, f) && are_normal(u, g) && are_normal(f, g) &&
+          are_normal(axes_.own(r, axis), unit(axes_.own(r, a.of))))
+        return c;
+    }
+    return Mechanism::none;
+  }
+
+  void turn_in_plane(int r) {
+    DerivedFrame& frame = framed_.frames[r];
+    const int parent = framed_.tree.hanging[r].parent;
+    frame.angle = measured_angle(r, Mechanism::none);
+    Direction lead = rigid_.list[r].basis.directions.front(), from;
+    if (frame.angle >= 0) {
+      lead = d_.coordinates[frame.angle].of;
+      from = d_.coordinates[frame.angle].from;
+    }
+    if (from.is_given())
+      frame.from = axes_.axis(parent, unit(axes_.own(parent, from)), name(parent, "axis"));
+    else if (parent != 0)
+      frame.from = framed_.frames[parent].axes[0];
+    frame.axes[0] = axes_.axis(r, unit(axes_.own(r, lead)), name(r, "x"));
+    frame.first_angle = bearing(frame.axes[0]) - (frame.from < 0 ? 0 : bearing(frame.from));
+  }
+
+  double bearing(int vector) const {
+    const Vec& u = d_.vectors[vector].direction;
+    return std::atan2(u[1], u[0]);
+  }
+
+  void turn_about(int r, int u) {
+    DerivedFrame& frame = framed_.frames[r];
+    const int parent = framed_.tree.hanging[r].parent;
+    frame.angle = measured_angle(r, u);
+    const Exact axis = axes_.own(r, u);
+    Exact lead;
+    if (frame.angle >= 0) {
+      const Mechanism::Coordinate& c = d_.coordinates[frame.angle];
+      lead = unit(axes_.own(r, c.of));
+      frame.from = c.from.vector;
+      frame.towards = c.towards.vector;
+      frame.opposite = c.opposite;
+    } else {
+      lead = farthest_from(r, axis);
+      std::tie(frame.from, frame.towards) = axes_.normals(parent, u);
+    }
+    if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
+    frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, outer(axis, lead), name(r, "y")),
+                  u};
+    const Vec &x = direction(frame.axes[0]), &f = direction(frame.from),
+              &g = direction(frame.towards);
+    frame.first_angle = std::atan2(dot(x, g), frame.opposite ? -dot(x, f) : dot(x, f));
+  }
+
+  void turn_about_two(int r, const Mechanism::Joint& j) {
+    DerivedFrame& frame = framed_.frames[r];
+    const TreeJoint& hanging = framed_.tree.hanging[r];
+    const int a = j.vectors[hanging.is_first ? 1 : 0], b = j.vectors[hanging.is_first ? 0 : 1];
+    std::tie(frame.from, frame.towards) = axes_.normals(hanging.parent, a);
+    const Exact axis = axes_.own(r, b);
+    Exact lead = farthest_from(r, axis);
+    if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
+    frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, outer(axis, lead), name(r, "y")),
+                  axes_.axis(r, axis, name(r, "z"))};
+    const Vec &of_parent = direction(a), &of_body = direction(frame.axes[2]),
+              &x = direction(frame.axes[0]);
+    frame.first_angle =
+        std::atan2(dot(of_body, direction(frame.towards)), dot(of_body, direction(frame.from)));
+    frame.second_angle = std::atan2(dot(x, of_parent), dot(x, cross(of_parent, of_body)));
+  }
+
+  void keep_axes(int r) {
+    const int parent = framed_.tree.hanging[r].parent;
+    framed_.frames[r].axes = axes_of(parent);
+    orientation_[r] = orientation_[parent];
+  }
+
+  void turn_freely(int r) {
+    DerivedFrame& frame = framed_.frames[r];
+    const std::array<Exact, 3> own = axes_.own_axes(r);
+    static constexpr std::array names{"x", "y", "z"};
+    for (int k = 0; k < (is_plane_ ? 1 : 3); ++k)
+      frame.axes[k] = axes_.axis(r, own[k], name(r, names[k]));
+    if (is_plane_) return;
+    const bool is_free = framed_.tree.hanging[r].joint < 0;
+    const std::array<int, 3> parent =
+        is_free ? frame.axes : axes_of(framed_.tree.hanging[r].parent);
+    Eigen::Matrix3d rotation;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        rotation(i, k) = is_free ? direction(frame.axes[k])[i]
+                                 : dot(direction(parent[i]), direction(frame.axes[k]));
+    Eigen::Quaterniond e(rotation);
+    e.normalize();
+    if (e.w() < 0) e.coeffs() *= -1;
+    frame.orientation = {e.w(), e.x(), e.y(), e.z()};
+  }
+
+  /// Returns the axes of a body; those of the ground are added when they are first asked for.
+  std::array<int, 3> axes_of(int r) {
+    std::array<int, 3>& axes = framed_.frames[r].axes;
+    static constexpr std::array names{"x", "y", "z"};
+    for (int k = 0; r == 0 && k < (is_plane_ ? 1 : 3); ++k)
+      if (axes[k] < 0) axes[k] = axes_.axis(0, axes_.own_axes(0)[k], name(0, names[k]));
+    return axes;
+  }
+
+  /// Returns the direction of a body's basis that is least along another.
+  Exact farthest_from(int r, const Exact& axis) const {
+    Exact best{};
+    double least = 2;
+    for (const Direction& d : rigid_.list[r].basis.directions) {
+      const Exact u = unit(axes_.own(r, d));
+      if (const double along = std::abs(inner(u, axis).value); along < least - 1e-9) {
+        least = along;
+        best = u;
+      }
+    }
+    return best;
+  }
+
+  const Vec& direction(int vector) const { return d_.vectors[vector].direction; }
+
+  // ---- Closures of cut joints ----
+
+  void close_shared_vectors(int r, int count) {
+    std::vector<std::pair<int, int>> closed;  // a vector of each body that shares some
+    const std::vector<int> vectors = rigid_.list[r].vectors;
+    for (const int v : vectors) {
+      const int other = framed_.deriving_vector[v];
+      if (v >= count || other == r || rigid_.list[r].basis.has_vector(v) ||
+          orientation_[other] == orientation_[r])
+        continue;
+      const Exact u = axes_.own(r, v);
+      const auto before = std::ranges::find(closed, other, &std::pair<int, int>::first);
+      if (is_plane_) {
+        framed_.vectors.push_back({v, axes_.axis(r, outer({0, 0, 1}, u), name(r, "normal"))});
+      } else if (before == closed.end()) {
+        const auto [first, second] = axes_.normals(r, v);
+        framed_.vectors.push_back({v, first});
+        framed_.vectors.push_back({v, second});
+      } else {
+        const Exact normal = unit(outer(axes_.own(r, before->second), u));
+        framed_.vectors.push_back({v, axes_.axis(r, normal, name(r, "normal"))});
+      }
+      closed.emplace_back(other, v);
+    }
+  }
+
+  void close_sliding_joints() {
+    if (is_plane_) return;
+    for (int i = 0; i < static_cast<int>(d_.joints.size()); ++i) {
+      const Mechanism::Joint& j = d_.joints[i];
+      if (framed_.tree.is_of_tree[i] || !slides(j.type) ||
+          rigid_.of_body[j.bodies[0]] == rigid_.of_body[j.bodies[1]])
+        continue;
+      for (const int b : {j.bodies[1], j.bodies[0]}) {
+        const int r = rigid_.of_body[b];
+        if (!framed_.tree.has_frame[r] || !carries(r, {j.vectors[0]})) continue;
+        const auto [first, second] = axes_.normals(r, j.vectors[0]);
+        framed_.lines.push_back({i, first});
+        framed_.lines.push_back({i, second});
+        break;
+      }
+    }
+  }
+
+  FramedMechanism& framed_;
+  Mechanism& d_;
+  RigidBodies& rigid_;
+  const Structure& structure_;
+  Placement placement_;
+  AxisMaker axes_;
+  bool is_plane_;
+  std::vector<int> orientation_;  // first body with the same axes
+};
+
+/// Returns the first of the carriers in the order of the tree.
+std::vector<int> first_carriers(const std::vector<std::vector<int>>& carriers,
+                                const SpanningTree& tree) {
+  std::vector<int> position(tree.hanging.size(), -1);  // the ground comes first
+  for (std::size_t i = 0; i < tree.order.size(); ++i) position[tree.order[i]] = static_cast<int>(i);
+  std::vector<int> first;
+  for (const std::vector<int>& all : carriers)
+    first.push_back(all.empty() ? no_position : *std::ranges::min_element(all, {}, [&](int r) {
+      return position[r];
+    }));
+  return first;
+}
+
+}  // namespace
+
+FramedMechanism put_frames(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
+                           Modelling modelling) {
+  FramedMechanism framed{d, rigid, make_tree(d, rigid, structure, modelling), {}, {}, {}, {}, {}};
+  framed.frames.resize(rigid.list.size());
+  framed.deriving = first_carriers(rigid.of_point, framed.tree);
+  framed.deriving_vector = first_carriers(rigid.of_vector, framed.tree);
+  FramePlanner(framed, structure).plan();
+  return framed;
+}
+
+}  // namespace desmo

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/base/modelling.h"
+#include "formulations/modelling/bodies/rigid_bodies.h"
+#include "formulations/modelling/groups/structure.h"
+
+namespace desmo {
+
+/// How a rigid body hangs in the spanning tree.
+struct TreeJoint {
+  int parent = 0;               ///< rigid body; 0: the ground
+  int joint = Mechanism::none;  ///< of the mechanism; none: a free joint
+  bool is_first = false;        ///< the body is the first of the joint
+};
+
+/// A spanning tree of the rigid bodies that have a frame. In `relative` coordinates a body hangs on
+/// its parent by a joint, in `reference` coordinates on the ground by a free joint.
+struct SpanningTree {
+  std::vector<int> order;  ///< all rigid bodies but the ground: parents first, group by group
+  std::vector<TreeJoint> hanging;  ///< by rigid body
+  std::vector<bool> has_frame;     ///< by rigid body; the ground has one
+  std::vector<bool> is_of_tree;    ///< by joint of the mechanism; all others are cut
+};
+
+/// Returns the tree. Groups come in solution order. Within a group, while bodies are left, the next
+/// one hangs on a placed body by the joint with the fewest variables; among equals it is the body
+/// with the most joints, then the one whose parent is nearest to the groups before, then the first
+/// of the file. Bodies without such a joint hang on the ground by a free joint. A body that can
+/// spin idly, such as a rod between two spherical joints, has no frame.
+SpanningTree make_tree(const Mechanism& mechanism, const RigidBodies& rigid,
+                       const Structure& structure, Modelling modelling);
+
+}  // namespace desmo

@@ -1,0 +1,163 @@
+#include <array>
+#include <string>
+
+#include "cases/mechanism/joint_forms.h"
+#include "formulations/modelling/equations/equation_writer.h"
+#include "formulations/modelling/frames/frames.h"
+
+namespace desmo {
+
+namespace {
+
+/// Writes the derivation of one frame.
+template <int D>
+class FrameWriter {
+ public:
+  FrameWriter(EquationWriter& w, int r)
+      : w_(w),
+        r_(r),
+        frame_(w.framed->frames[r]),
+        hanging_(w.framed->tree.hanging[r]),
+        joint_(hanging_.joint < 0 ? nullptr : &w.mechanism.joints[hanging_.joint]),
+        name_(w.mechanism.bodies[w.rigid.list[r].bodies.front()].name) {}
+
+  void write() {
+    using enum Mechanism::JointType;
+    if (!joint_) return write_free();
+    if constexpr (D == 2) {
+      if (joint_->type != prismatic) turn_in_plane();
+    } else if (joint_->type == universal) {
+      turn_about_two();
+    } else if (joint_->type == spherical) {
+      orient(w_.framed->frames[hanging_.parent].axes);
+    } else if (joint_->type != prismatic) {
+      turn_about(first_angle(), frame_.axes[2]);
+    }
+    if (slides(joint_->type)) slide();
+  }
+
+ private:
+  void write_free() {  // its origin is an unknown, too
+    if constexpr (D == 2)
+      turn_in_plane();
+    else
+      orient({});
+  }
+
+  /// φ, or θ from the parent: x = R(θ) x_parent
+  void turn_in_plane() {
+    if (frame_.from < 0) return derive<PlanarDirection>("x", {axis(0), first_angle()}, {});
+    derive<PlanarTurn<Between::vector_and_vector>>(
+        "x", {axis(0), w_.vector(frame_.from), first_angle()}, {Derived(1)});
+  }
+
+  /// x = ±cos θ f + sin θ g; y = u × x
+  void turn_about(EntityId angle, int u) {
+    const std::array operands{axis(0), w_.vector(frame_.from), w_.vector(frame_.towards), angle};
+    frame_.opposite ? derive<Turned<-1>>("x", operands, {}) : derive<Turned<1>>("x", operands, {});
+    derive<Cross>("y", {axis(1), w_.vector(u), axis(0)}, {});
+  }
+
+  /// b = cos θ₁ f + sin θ₁ g; w = a × b; x = cos θ₂ w + sin θ₂ a; y = b × x
+  void turn_about_two() {
+    const int a = joint_->vectors[hanging_.is_first ? 1 : 0];
+    const EntityId second = w_.add_variable(EntityKind::angle, joint_->name + "/second angle",
+                                            std::array{frame_.second_angle}, r_);
+    derive<Turned<1>>(
+        "z", {axis(2), w_.vector(frame_.from), w_.vector(frame_.towards), first_angle()}, {});
+    const nominal::Vec &u = w_.mechanism.vectors[a].direction,
+                       &v = w_.mechanism.vectors[frame_.axes[2]].direction;
+    const std::array product{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                             u[0] * v[1] - u[1] * v[0]};
+    const EntityId between =
+        w_.add_variable(EntityKind::vector, joint_->name + "/between", product, r_);
+    derive<Cross>("between", {between, w_.vector(a), axis(2)}, {});
+    derive<Turned<1>>("x", {axis(0), between, w_.vector(a), second}, {});
+    derive<Cross>("y", {axis(1), axis(2), axis(0)}, {});
+  }
+
+  /// [x y] = [X Y Z] A(e); z = x × y. parent: X, Y, Z; those of space where there are none.
+  void orient(const std::array<int, 3>& parent) {
+    const EntityId e =
+        w_.add_variable(EntityKind::orientation, name_ + "/orientation", frame_.orientation, r_);
+    w_.constrain<Unit<4>>(Origin::body, name_ + ": orientation norm", {e}, {});
+    if (!joint_) {
+      derive<EulerAxis<0>>("x", {axis(0), e}, {});
+      derive<EulerAxis<1>>("y", {axis(1), e}, {});
+    } else {
+      const EntityId x = w_.vector(parent[0]), y = w_.vector(parent[1]), z = w_.vector(parent[2]);
+      derive<EulerAxisOn<0>>("x", {axis(0), x, y, z, e}, {});
+      derive<EulerAxisOn<1>>("y", {axis(1), x, y, z, e}, {});
+    }
+    derive<Cross>("z", {axis(2), axis(0), axis(1)}, {});
+  }
+
+  /// Q = P + s u: the origin is one of these points, or stands in its place.
+  void slide() {
+    const EntityId travel = frame_.travel >= 0
+                                ? w_.coordinates().coordinates[frame_.travel]
+                                : w_.add_variable(EntityKind::distance, joint_->name + "/travel",
+                                                  std::array{frame_.start_travel}, r_);
+    std::array points{joint_->points[0], joint_->points[1]};
+    if (frame_.travel >= 0) {
+      const Mechanism::Direction& of = w_.mechanism.coordinates[frame_.travel].of;
+      points = {of.from, of.to};
+    }
+    const int own = joint_->points[hanging_.is_first ? 0 : 1];
+    const int operand = points[0] == own ? 0 : 1;
+    points[operand] = frame_.origin;
+    w_.derive<Along<D>>(
+        Origin::joint, joint_->name + ": origin",
+        {w_.point(points[0]), w_.point(points[1]), w_.vector(joint_->vectors[0]), travel}, {},
+        operand);
+  }
+
+  EntityId first_angle() {
+    if (frame_.angle >= 0) return w_.coordinates().coordinates[frame_.angle];
+    return w_.add_variable(EntityKind::angle, (joint_ ? joint_->name : name_) + "/angle",
+                           std::array{frame_.first_angle}, r_);
+  }
+
+  EntityId axis(int k) const { return w_.vector(frame_.axes[k]); }
+
+  template <class Kind>
+  void derive(const char* what, const std::array<EntityId, Kind::operand_sizes.size()>& operands,
+              const std::array<Derived, Kind::constants>& dimensions) {
+    w_.derive<Kind>(Origin::body, name_ + ": " + what, operands, dimensions);
+  }
+
+  EquationWriter& w_;
+  int r_;
+  const DerivedFrame& frame_;
+  const TreeJoint& hanging_;
+  const Mechanism::Joint* joint_;  // null: free
+  std::string name_;
+};
+
+}  // namespace
+
+template <int D>
+void write_frame(EquationWriter& w, int r) {
+  FrameWriter<D>(w, r).write();
+}
+
+template void write_frame<2>(EquationWriter&, int);
+template void write_frame<3>(EquationWriter&, int);
+
+template <int D>
+void write_cut_joints(EquationWriter& w) {
+  for (const auto& [vector, normal] : w.framed->vectors)
+    w.constrain<Dot<D>>(Origin::joint, w.text({vector}) + " with " + w.text({normal}),
+                        {w.vector(vector), w.vector(normal)}, {Derived(0)});
+  for (const auto& [joint, normal] : w.framed->lines) {
+    const Mechanism::Joint& j = w.mechanism.joints[joint];
+    w.constrain<Projection<D>>(Origin::joint, j.name + ": off along " + w.text({normal}),
+                               {w.vector(normal), w.point(j.points[0]), w.point(j.points[1])},
+                               {Derived(0)});
+  }
+}
+
+template void write_cut_joints<2>(EquationWriter&);
+template void write_cut_joints<3>(EquationWriter&);
+
+}  // namespace desmo

@@ -1,0 +1,96 @@
+// What linear systems solve for in each kind of coordinates.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "cases/io/files.h"
+#include "cases/library/library.h"
+#include "formulations/formulation.h"
+#include "formulations/model/derivations.h"
+#include "formulations/variants.h"
+#include "tests/mechanisms.h"
+#include "tests/refusal.h"
+
+namespace desmo::coordinate_counts_test {
+namespace {
+
+using Counts = std::vector<int>;
+
+/// Returns the number of unknowns that are not derived, of each moving part that has any.
+Counts solved(const Model& m, Partition partition) {
+  Counts counts;
+  for (const PartDefinition& part : make_partition(m, partition))
+    if (const int n = static_cast<int>(part.unknowns.size() - derivations(m, part).size());
+        n > 0 && !part.constant)
+      counts.push_back(n);
+  return counts;
+}
+
+TEST(Coordinates, LeaveTheUnknownsOfTheTextbooks) {
+  const auto truck = [](Modelling kind, int axles) {
+    return make_model(truck_suspension(axles), kind);
+  };
+  EXPECT_EQ(solved(truck(Modelling::natural, 1), Partition::group), (Counts{39, 19, 19, 16, 16}));
+  EXPECT_EQ(solved(truck(Modelling::basis, 1), Partition::group), (Counts{27, 16, 16, 13, 13}));
+  // Twelve bodies with seven parameters each, and two declared angles.
+  EXPECT_EQ(solved(truck(Modelling::reference, 1), Partition::group), (Counts{28, 15, 15, 14, 14}));
+  EXPECT_EQ(solved(truck(Modelling::relative, 1), Partition::group), (Counts{9, 3, 3, 3, 3}));
+  for (const int axles : {1, 2}) {
+    EXPECT_EQ(solved(truck(Modelling::natural, axles), Partition::global), Counts{109 * axles});
+    EXPECT_EQ(solved(truck(Modelling::basis, axles), Partition::global), Counts{85 * axles});
+    EXPECT_EQ(solved(truck(Modelling::reference, axles), Partition::global), Counts{86 * axles});
+    EXPECT_EQ(solved(truck(Modelling::relative, axles), Partition::global), Counts{21 * axles});
+  }
+  // The crank, then dyads: in reference coordinates with the angle that they declare.
+  const auto chain = [](Modelling kind) {
+    return solved(make_model(four_bar(2), kind), Partition::group);
+  };
+  EXPECT_EQ(chain(Modelling::basis), (Counts{2, 3, 3}));
+  EXPECT_EQ(chain(Modelling::reference), (Counts{3, 7, 7}));
+  EXPECT_EQ(chain(Modelling::relative), (Counts{2, 2}));
+}
+
+TEST(Coordinates, KeepStructuralGroupsAndTheirPublicEntities) {
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Model natural = make_model(scene);
+    for (const Modelling kind : {Modelling::basis, Modelling::reference, Modelling::relative}) {
+      const Model m = make_model(scene, kind);
+      EXPECT_EQ(m.modelling, kind);
+      ASSERT_EQ(m.groups.size(), natural.groups.size()) << l.name;
+      for (std::size_t g = 0; g < m.groups.size(); ++g) {
+        EXPECT_EQ(m.groups[g].name, natural.groups[g].name);
+        EXPECT_EQ(m.groups[g].entities.size(), natural.groups[g].entities.size())
+            << l.name << " " << g;
+      }
+      const Plan everything = make_plan(m, {});
+      for (const Output& output : everything.outputs)
+        EXPECT_FALSE(everything.model.entities[output.entity].internal) << l.name;
+    }
+  }
+}
+
+TEST(Coordinates, OfTheModelAreThoseOfTheSettings) {
+  const Model m = make_model(four_bar(1), Modelling::relative);
+  const Variant& v = find_variant("group_automatic_lapack");
+  EXPECT_NE(refusal([&] { make_formulation(v, m); }).find("other coordinates"), std::string::npos);
+  EXPECT_NO_THROW(make_formulation(v, m, Settings{.coordinates = Modelling::relative}));
+  EXPECT_NE(refusal([&] { require_natural(m); }).find("natural coordinates alone"),
+            std::string::npos);
+}
+
+TEST(Derivations, ThatCannotBeAreRefused) {
+  Model m = make_model(four_bar(1), Modelling::relative);
+  Constraint* derivation = nullptr;
+  for (Constraint& c : m.constraints)
+    if (c.derives == 0) derivation = &c;
+  ASSERT_TRUE(derivation);
+  EXPECT_NO_THROW(validate(m));
+  derivation->derives = 1;  // not explicit in that
+  EXPECT_NE(refusal([&] { validate(m); }).find("cannot derive"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace desmo::coordinate_counts_test
