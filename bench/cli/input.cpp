@@ -155,9 +155,9 @@ void protect_input(const std::string& output, const Input& input, const std::str
   protect(drivers == "-" ? std::string(standard_input) : drivers, "the file of the drivers");
 }
 
-ModellingResult model_mechanism(const Input& input) {
+ModellingResult model_mechanism(const Input& input, Modelling modelling) {
   try {
-    return desmo::model_mechanism(input.scene.mechanism, input.scene.motions);
+    return desmo::model_mechanism(input.scene.mechanism, input.scene.motions, modelling);
   } catch (const ContradictionError& error) {
     throw InputError(input.source + ": " + error.text(input.units.length));
   } catch (const std::invalid_argument& error) {

@@ -38,7 +38,7 @@ Input load_mechanism(const std::string& argument);
 void protect_input(const std::string& output, const Input& input, const std::string& drivers = "");
 
 /// Makes the model of an input. Throws InputError, naming the source.
-ModellingResult model_mechanism(const Input& input);
+ModellingResult model_mechanism(const Input& input, Modelling modelling = Modelling::natural);
 
 /// Returns the outputs of the scene, in terms of its whole model. Throws InputError, naming the
 /// source.

@@ -1,6 +1,8 @@
 // desmo inspect: the structure of a mechanism.
 #include <cstdio>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/drawing_notes.h"
@@ -13,13 +15,15 @@ namespace {
 struct InspectOptions {
   std::string mechanism;
   bool json = false;
+  Modelling coordinates = Modelling::natural;
 };
 
 void run(const InspectOptions& options) {
   const Input input = load_mechanism(options.mechanism);
-  const Inspection inspection = inspect(input);
-  std::fputs(note_on_drawing(input.scene.mechanism, inspection.model(), input.units).c_str(),
-             stderr);
+  const Inspection inspection = inspect(input, options.coordinates);
+  if (options.coordinates == Modelling::natural)
+    std::fputs(note_on_drawing(input.scene.mechanism, inspection.model(), input.units).c_str(),
+               stderr);
   write_standard_output(options.json ? to_json(inspection) : to_text(inspection));
 }
 
@@ -34,11 +38,22 @@ void add_inspect(CLI::App& program) {
                    "Mechanism or scene file, - for standard input, library mechanism, or scalable "
                    "case with its units, such as truck_suspension:5")
       ->required();
+  std::map<std::string, Modelling> kinds;
+  for (const Modelling kind :
+       {Modelling::natural, Modelling::basis, Modelling::reference, Modelling::relative})
+    kinds.emplace(modelling_name(kind), kind);
+  command
+      ->add_option("--coordinates", options->coordinates,
+                   "natural (default), basis, reference or relative: the tree, its variables, the "
+                   "joints that are cut, and what each group solves for")
+      ->transform(CLI::CheckedTransformer(kinds).description(""))
+      ->type_name("KIND");
   command->add_flag("--json", options->json, "As JSON, with equations and unknowns by name");
   command->footer(
       "Examples:\n"
       "  desmo inspect slider_crank\n"
-      "  desmo inspect mine.json --json");
+      "  desmo inspect mine.json --json\n"
+      "  desmo inspect truck_suspension:1 --coordinates relative");
   command->callback([options] { run(*options); });
 }
 

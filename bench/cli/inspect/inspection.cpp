@@ -1,11 +1,13 @@
 #include "bench/cli/inspect/inspection.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
 #include "bench/cli/errors.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
+#include "formulations/modelling/frames/tree.h"
 
 namespace desmo::cli {
 namespace {
@@ -43,19 +45,49 @@ void find_neighbours(const Mechanism& d, Inspection& result) {
     result.groups[g].joined_to.assign(joined[g].begin(), joined[g].end());
 }
 
+void list_solved_for(Inspection& result) {
+  const Model& m = result.model();
+  std::vector<bool> known(m.entities.size(), false);  // derived or driven
+  for (const Constraint& c : m.constraints)
+    if (c.derives >= 0) known[derived_entity(c)] = true;
+  for (const Driver& driver : m.drivers) known[driver.coordinate] = true;
+  for (std::size_t e = 0; e < m.entities.size(); ++e)
+    if (!known[e] && !m.entities[e].fixed)
+      result.groups[m.entities[e].group].solved_for.push_back(m.entities[e].name);
+}
+
+void describe_tree(const Mechanism& d, Modelling modelling, Inspection& result) {
+  const RigidBodies rigid = find_rigid_bodies(d);
+  const SpanningTree tree = make_tree(d, rigid, find_structure(d, rigid), modelling);
+  const auto name = [&](int r) { return d.bodies[rigid.list[r].bodies.front()].name; };
+  for (const int r : tree.order)
+    if (const TreeJoint& hanging = tree.hanging[r]; tree.has_frame[r])
+      result.tree.push_back(
+          {name(r), name(hanging.parent), hanging.joint < 0 ? "" : d.joints[hanging.joint].name});
+  for (std::size_t j = 0; j < d.joints.size(); ++j)
+    if (d.joints[j].type != Mechanism::JointType::fixed && !tree.is_of_tree[j])
+      result.cut_joints.push_back(d.joints[j].name);
+}
+
 }  // namespace
 
 int Inspection::constant_parts() const {
   return static_cast<int>(std::ranges::count(model().groups, true, &Group::constant));
 }
 
-Inspection inspect(const Input& input) {
+std::string_view modelling_name(Modelling modelling) {
+  static constexpr std::array<std::string_view, 4> names{"natural", "basis", "reference",
+                                                         "relative"};
+  return names[static_cast<std::size_t>(modelling)];
+}
+
+Inspection inspect(const Input& input, Modelling modelling) {
   const Mechanism& d = input.scene.mechanism;
   Inspection result{d.title,
                     d.dimension,
                     static_cast<int>(d.bodies.size()) - 1,
                     static_cast<int>(d.joints.size()),
-                    model_mechanism(input),
+                    model_mechanism(input, modelling),
                     {}};
   const Model& m = result.model();
   result.groups.resize(m.groups.size());
@@ -75,6 +107,8 @@ Inspection inspect(const Input& input) {
     throw InputError(input.source + ": " + error.what());
   }
   find_neighbours(d, result);
+  list_solved_for(result);
+  if (has_frames(modelling)) describe_tree(d, modelling, result);
   return result;
 }
 

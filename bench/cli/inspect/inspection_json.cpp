@@ -50,6 +50,7 @@ Json groups_json(const Inspection& inspection) {
                     {"driven", inspected.drivers},
                     {"couplings", inspected.couplings},
                     {"unknowns", inspected.unknowns.size()},
+                    {"solves_for", inspected.solved_for},
                     {"entities", entity_names(m, group.entities)},
                     {"on_ground", inspected.on_ground},
                     {"joined_to", names_of_groups(m, inspected.joined_to)},
@@ -73,6 +74,9 @@ std::string to_json(const Inspection& inspection) {
   Json idle = Json::array();
   for (const IdleFreedom& f : inspection.modelled.idle)
     idle.push_back({{"body", f.body}, {"about", f.about}});
+  Json tree = Json::array();
+  for (const auto& [body, parent, joint] : inspection.tree)
+    tree.push_back({{"body", body}, {"parent", parent}, {"joint", joint}});
   const Json all = {{"name", m.name},
                     {"title", inspection.title},
                     {"dimension", inspection.dimension},
@@ -80,11 +84,14 @@ std::string to_json(const Inspection& inspection) {
                     {"bodies", inspection.bodies},
                     {"joints", inspection.joints},
                     {"coordinates",
-                     {{"all", m.coordinates()},
+                     {{"kind", modelling_name(m.modelling)},
+                      {"all", m.coordinates()},
                       {"dependent", m.coordinates() - m.degrees_of_freedom()},
                       {"independent", driver_names(m)}}},
                     {"constant_parts", inspection.constant_parts()},
                     {"groups", groups_json(inspection)},
+                    {"tree", tree},
+                    {"cut_joints", inspection.cut_joints},
                     {"left_out", left_out},
                     {"idle_freedoms", idle}};
   return all.dump(1) + "\n";

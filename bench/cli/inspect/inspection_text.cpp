@@ -45,9 +45,23 @@ std::string group_text(const Inspection& inspection, GroupId g) {
   if (!inspected.drivers.empty()) text += line("driven", enumerate(inspected.drivers));
   if (!inspected.couplings.empty()) text += line("couplings", enumerate(inspected.couplings));
   text += line("unknowns", std::to_string(inspected.unknowns.size()));
+  if (m.modelling != Modelling::natural && !group.constant)
+    text += line("solves for", inspected.solved_for.empty() ? "nothing; all of them are derived"
+                                                            : enumerate(inspected.solved_for));
   text += line("blocks", block_sizes(inspected.blocks));
   text += line("entities", enumerate(entity_names(m, group.entities)));
   if (!group.constant) text += line("after", enumerate(after));
+  return text;
+}
+
+/// The tree, body by body, and the joints that were cut.
+std::string tree_text(const Inspection& inspection) {
+  std::string text = "\nSpanning tree, parents first:\n";
+  for (const auto& [body, parent, joint] : inspection.tree)
+    text += "  " + wrap(body + " on " + parent + ": " + (joint.empty() ? "free joint" : joint), 4) +
+            "\n";
+  text += "Joints cut, which close loops: " + std::to_string(inspection.cut_joints.size()) + "\n";
+  for (const std::string& joint : inspection.cut_joints) text += "  " + wrap(joint, 4) + "\n";
   return text;
 }
 
@@ -74,6 +88,8 @@ std::string to_text(const Inspection& inspection) {
   text += "\n\n" + std::string(inspection.dimension == 2 ? "plane" : "space") + ", " +
           count(inspection.bodies, "moving body", "moving bodies") + ", " +
           count(inspection.joints, "joint") + "\n";
+  if (m.modelling != Modelling::natural)
+    text += std::string(modelling_name(m.modelling)) + " coordinates\n";
   text += wrap(count(m.coordinates(), "coordinate") + ": " +
                    std::to_string(m.coordinates() - independent) + " dependent, " +
                    std::to_string(independent) + " independent (" + enumerate(driver_names(m), 24) +
@@ -89,6 +105,7 @@ std::string to_text(const Inspection& inspection) {
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
     if (m.groups[g].constant) text += group_text(inspection, g);
 
+  if (!inspection.tree.empty()) text += tree_text(inspection);
   text += "\nConstraints left out, because they follow from others: " +
           std::to_string(inspection.modelled.left_out.size()) + "\n";
   for (const LeftOut& l : inspection.modelled.left_out) text += left_out_text(l, m);

@@ -66,7 +66,12 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
     refuse("unknown formulation " + desmo::in_quotes(variant) + "; " + suggestion(variant, ids) +
            " ('desmo list formulations' shows all)");
   try {
-    return parse_id(id, Settings{.tolerance = input.scene.tolerance});
+    const Configuration chosen = parse_id(id, Settings{.tolerance = input.scene.tolerance});
+    if (chosen.settings.coordinates != Modelling::natural)
+      refuse("formulation " + desmo::in_quotes(id) +
+             ": only natural coordinates are solved here, for proofs speak of them; leave out "
+             "'/coordinates:…' ('desmo inspect --coordinates' shows the others)");
+    return chosen;
   } catch (const std::invalid_argument& error) {
     refuse(printable(error.what(), 500));
     throw;
