@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/modelling/common.h"
+#include "tests/refusal.h"
 
 namespace desmo::couplings_test {
 namespace {
@@ -96,6 +97,18 @@ TEST(Coupling, ThatContradictsOthersIsRefusedWithAllOfThem) {
   expect_refused(ring_of_gears({20, 30, 50, 40}, 21), turning,
                  {"contradict", "'mesh1: coupling'", "'mesh2: coupling'", "'mesh3: coupling'",
                   "'mesh4: coupling'"});
+}
+
+/// One way leads out of the table; the other tells by how much they contradict each other.
+TEST(Coupling, ThatContradictsOthersAtTheEndOfItsTableIsOffByANumber) {
+  Mechanism d = ring_of_gears({20, 30, 50}, 20);
+  for (const double before : {0.1, 41.0}) {
+    const double end = 30 * 1.3 - before;  // of the arguments, near where turn2 is drawn, or not
+    d.couplings[0].table = {{end, end + 41.1}, {0, -41.1}, SplineEnds::natural, std::nullopt};
+    const std::string message = refusal([&] { model_mechanism(d, turning); });
+    EXPECT_NE(message.find("contradict each other as it moves"), std::string::npos) << message;
+    EXPECT_NE(message.find("is off by 0."), std::string::npos) << message;
+  }
 }
 
 TEST(Coupling, TakesAFreedom) {

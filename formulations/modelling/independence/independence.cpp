@@ -72,7 +72,7 @@ std::optional<Contradiction> find_contradiction(const Model& m, const GroupSyste
                                                 const std::vector<double>& position,
                                                 Lineariser& lineariser) {
   if (s.unknowns == 0 || s.rows.empty()) return {};
-  Contradiction found{};
+  std::optional<Contradiction> found;
   for (const double way : {moved, -moved}) {  // one of them may be out of reach
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));
     step.tail(s.drivers()).setConstant(way / steps);
@@ -87,6 +87,8 @@ std::optional<Contradiction> find_contradiction(const Model& m, const GroupSyste
     const double off = whole.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);
     const VectorXd far = extrapolated(half, whole);
     if (off <= max_misfit && far.cwiseAbs().maxCoeff() <= max_misfit) return {};
+    if (found && !std::isfinite(off))
+      continue;  // outside of a table, say; the other way tells more
     const int constraint = s.rows[worst].first;
     found = {constraint, off * unit_of(m, m.constraints[constraint]), way,
              contradicted(s, whole, constraint)};

@@ -65,10 +65,13 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
   const bool turns =
       std::none_of(s.columns.begin() + s.unknowns, s.columns.end(),
                    [&](int coordinate) { return is_length(m.entities[owner[coordinate]].kind); });
-  throw ContradictionError(text + ": with its drivers (" + driver_names(m, s) + ") moved by " +
-                               formatted("%g", c.moved) + (turns ? " rad" : " of its size") +
-                               ", '" + constraint.name + "' is off by ",
-                           c.amount, " at best" + others, is_of_length ? m.length_unit : "1");
+  const std::string where = text + ": with its drivers (" + driver_names(m, s) + ") moved by " +
+                            formatted("%g", c.moved) + (turns ? " rad" : " of its size") + ", '" +
+                            constraint.name + "' ";
+  if (!std::isfinite(c.amount))
+    throw std::invalid_argument(where + "has no value, one way and the other");
+  throw ContradictionError(where + "is off by ", c.amount, " at best" + others,
+                           is_of_length ? m.length_unit : "1");
 }
 
 /// "rounding of its positions is 2e-06 of the shortest of its lengths"
