@@ -93,6 +93,26 @@ TEST_F(Cli, InspectsTheStructureOfTheTruck) {
   EXPECT_EQ(all["groups"][2]["on_ground"], true);
 }
 
+TEST_F(Cli, InspectsTheTreeOfTheTruck) {
+  ASSERT_EQ(desmo("inspect truck_suspension:1 --coordinates relative"), 0) << err_;
+  for (const char* text :
+       {"relative coordinates\n", "solves for    axle1/phi6, ",
+        "Spanning tree, parents first:", "axle1/2 on axle1/3: ", "axle1/8 on axle1/6: ",
+        "axle1/11 on axle1/10: ", "Joints cut, which close loops: 6"})
+    EXPECT_TRUE(prints(text)) << text << "\n" << out_;
+
+  ASSERT_EQ(desmo("inspect truck_suspension:1 --coordinates reference --json"), 0) << err_;
+  const Json all = Json::parse(out_);
+  EXPECT_EQ(all["coordinates"]["kind"], "reference");
+  EXPECT_EQ(all["tree"].size(), 12u);
+  for (const Json& body : all["tree"]) EXPECT_EQ(body["joint"], "");
+  EXPECT_EQ(all["cut_joints"].size(), 18u);
+
+  EXPECT_EQ(desmo("inspect truck_suspension:1 --coordinates relativ"), 64);
+  EXPECT_EQ(desmo("solve four_bar:1 --formulation group_automatic_klu/coordinates:relative"), 64);
+  EXPECT_NE(err_.find("only natural coordinates are solved here"), std::string::npos) << err_;
+}
+
 TEST_F(Cli, MarksRedundantConstraints) {
   write("twins.json", R"({"format": "desmo-mechanism", "version": 1, "name": "twins",
     "dimension": 2,

@@ -87,8 +87,8 @@ TEST(MotionFromTheDrawing, BeginsAtTheExactValueOfEveryKindOfCoordinate) {
     expect_motion(sum, 0.25, value + unit * (3 + 2 * sin(phase)), 2 * unit * pi * cos(phase),
                   -2 * unit * pi * pi * sin(phase), exact_angle);
     const Motion table = motion_of(mechanism, name, R"({"type": "table", "from": "drawing",
-        "times": [0, 1, 2], "values": [0, 0, 0]})");
-    expect_motion(table, 1.5, value, 0, 0, exact_angle);
+        "times": [0, 1, 2], "values": [0, 7, 14]})");
+    expect_motion(table, 1.5, value + unit * 10.5, unit * 7, 0, exact_angle);
     const Motion speed = motion_of(mechanism, name, R"({"type": "speed", "value": -4})");
     expect_motion(speed, 0.5, value - 2 * unit, -4 * unit, 0, exact_angle);
   }
