@@ -9,6 +9,7 @@
 #include "cases/library/library.h"
 #include "formulations/formulation.h"
 #include "formulations/model/derivations.h"
+#include "formulations/model/plan.h"
 #include "formulations/variants.h"
 #include "tests/mechanisms.h"
 #include "tests/refusal.h"
