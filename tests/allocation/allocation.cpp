@@ -167,6 +167,22 @@ TEST_P(EveryStep, AllocatesNothingInAStepWhateverTheSettings) {
   }
 }
 
+TEST_P(EveryStep, AllocatesNothingInAStepWhateverTheCoordinates) {
+  const Variant& v = GetParam();
+  if (v.evaluation == Evaluation::symbolic || allocates_inside(v)) return;
+  for (const Modelling kind : {Modelling::basis, Modelling::reference, Modelling::relative}) {
+    const Model m = make_model(make_scene(find_case("truck_suspension"), 114), kind);
+    const auto f = make_formulation(v, m, {.coordinates = kind});
+    ASSERT_TRUE(f->assemble(0).ok());
+    bool ok = true;
+    const long n = count([&] {
+      for (int i = 1; i <= 50; ++i) ok = f->step(0.01 * i).ok() && ok;
+    });
+    EXPECT_TRUE(ok);
+    EXPECT_EQ(n, 0) << static_cast<int>(kind);
+  }
+}
+
 TEST(TreePeers, AllocateNothingInAStep) {
   for (const PeerDefinition& peer : peers()) {
     if (!peer.name.starts_with("tree")) continue;  // libraries do as they like

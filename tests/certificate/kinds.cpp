@@ -178,7 +178,7 @@ template <class Kind>
 auto in_lanes(const std::array<Sample<Kind>, 4>& samples, auto Sample<Kind>::*member) {
   std::array<std::array<Number, max_components>, Kind::operand_sizes.size()> x;
   for (std::size_t k = 0; k < x.size(); ++k)
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < Kind::operand_sizes[k]; ++i)
       for (int lane = 0; lane < 4; ++lane)
         x[k][i].value.set(lane, (samples[lane].*member)[k][i].mid);
   return x;

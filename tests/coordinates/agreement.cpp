@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ std::vector<Motion> motions() {
   const double seconds = DESMO_SANITIZED ? 0.05 : 0.5;
   for (const LibraryMechanism& l : library()) {
     Scene scene = library_scene(std::string(l.name));
-    const TimeGrid grid = scene.grid;
+    TimeGrid grid = scene.grid;
+    if (DESMO_SANITIZED) grid.instants = std::min(grid.instants, 11);
     all.push_back({std::move(scene), grid});
   }
   for (const int units : {1, 8}) all.push_back({four_bar(units), time_grid(seconds, 0.01)});

@@ -75,7 +75,8 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/", "unknown suffix '/'"},
       {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
       {"group_symbolic_klu/gess:linear",
-       "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
+       "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: coordinates, "
+       "guess, "
        "jacobian, btf, lanes, segments, threads, stride, iterations, tolerance"},
       {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4, 8"},
       {"group_symbolic_klu/guess:cubic",

@@ -33,6 +33,14 @@ bool are_normal(const Exact& a, const Exact& b) {
   return std::abs(inner(a, b).value) <= same_direction;
 }
 
+bool carries(const RigidBodies& rigid, int body, const Mechanism::Direction& d) {
+  const auto has = [&](const std::vector<int>& carriers) {
+    return std::ranges::binary_search(carriers, body);
+  };
+  return d.is_line() ? has(rigid.of_point[d.from]) && has(rigid.of_point[d.to])
+                     : has(rigid.of_vector[d.vector]);
+}
+
 AxisMaker::AxisMaker(FramedMechanism& framed) : framed_(framed) {
   const Mechanism& d = framed.mechanism;
   for (const auto& p : d.points) names_.insert(p.name);

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "formulations/modelling/bodies/drawing.h"
 #include "formulations/modelling/frames/frames.h"
@@ -51,6 +52,15 @@ class AxisMaker {
   std::set<std::string> names_;
   std::map<std::pair<int, int>, std::pair<int, int>> normals_;  // by body and vector
 };
+
+/// Returns whether a rigid body carries a direction: a vector, or both points of a line.
+bool carries(const RigidBodies& rigid, int body, const Mechanism::Direction& direction);
+
+/// Adds the closures of cut joints to a mechanism with frames, and the normals that they need.
+/// - orientation: by rigid body, the first body with the same axes
+/// - own_vectors: number of vectors of the mechanism itself
+void plan_cut_joints(FramedMechanism& framed, AxisMaker& axes, const std::vector<int>& orientation,
+                     int own_vectors);
 
 /// Arithmetic of directions.
 Derived inner(const AxisMaker::Exact& a, const AxisMaker::Exact& b);

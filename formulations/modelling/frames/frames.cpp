@@ -44,9 +44,7 @@ class FramePlanner {
     }
     for (const int r : framed_.tree.order)
       if (framed_.tree.has_frame[r]) rigid_.list[r].basis = basis_of(framed_.frames[r]);
-    for (const int r : framed_.tree.order)
-      if (framed_.tree.has_frame[r]) close_shared_vectors(r, own_vectors);
-    close_sliding_joints();
+    plan_cut_joints(framed_, axes_, orientation_, own_vectors);
   }
 
  private:
@@ -118,29 +116,22 @@ class FramePlanner {
     return placement_.of(c) == structure_.of_body[r];
   }
 
-  bool carries(int r, const Direction& d) const {
-    const auto has = [&](const std::vector<int>& carriers) {
-      return std::ranges::binary_search(carriers, r);
-    };
-    return d.is_line() ? has(rigid_.of_point[d.from]) && has(rigid_.of_point[d.to])
-                       : has(rigid_.of_vector[d.vector]);
-  }
-
   /// Returns the declared angle between the parent and a body; none: there is none that measures
   /// what the joint turns. axis: of the joint; none in the plane.
   int measured_angle(int r, int axis) const {
     const int parent = framed_.tree.hanging[r].parent;
     for (int c = 0; c < static_cast<int>(d_.coordinates.size()); ++c) {
       const Mechanism::Coordinate& a = d_.coordinates[c];
-      if (a.type != Mechanism::CoordinateType::angle || !has_all_here(a, r) || !carries(r, a.of))
+      if (a.type != Mechanism::CoordinateType::angle || !has_all_here(a, r) ||
+          !carries(rigid_, r, a.of))
         continue;
       if (!a.from.is_given()) {
         if (parent == 0) return c;
         continue;
       }
-      if (!carries(parent, a.from)) continue;
+      if (!carries(rigid_, parent, a.from)) continue;
       if (is_plane_) return c;
-      if (!carries(parent, a.towards) || a.from.is_line() || a.towards.is_line()) continue;
+      if (!carries(rigid_, parent, a.towards) || a.from.is_line() || a.towards.is_line()) continue;
       const Exact u = axes_.own(parent, axis), f = axes_.own(parent, a.from),
                   g = axes_.own(parent, a.towards);
       if (are_normal(u, f) && are_normal(u, g) && are_normal(f, g) &&
@@ -264,50 +255,6 @@ class FramePlanner {
   }
 
   const Vec& direction(int vector) const { return d_.vectors[vector].direction; }
-
-  // ---- Closures of cut joints ----
-
-  void close_shared_vectors(int r, int count) {
-    std::vector<std::pair<int, int>> closed;  // a vector of each body that shares some
-    const std::vector<int> vectors = rigid_.list[r].vectors;
-    for (const int v : vectors) {
-      const int other = framed_.deriving_vector[v];
-      if (v >= count || other == r || rigid_.list[r].basis.has_vector(v) ||
-          orientation_[other] == orientation_[r])
-        continue;
-      const Exact u = axes_.own(r, v);
-      const auto before = std::ranges::find(closed, other, &std::pair<int, int>::first);
-      if (is_plane_) {
-        framed_.vectors.push_back({v, axes_.axis(r, outer({0, 0, 1}, u), name(r, "normal"))});
-      } else if (before == closed.end()) {
-        const auto [first, second] = axes_.normals(r, v);
-        framed_.vectors.push_back({v, first});
-        framed_.vectors.push_back({v, second});
-      } else {
-        const Exact normal = unit(outer(axes_.own(r, before->second), u));
-        framed_.vectors.push_back({v, axes_.axis(r, normal, name(r, "normal"))});
-      }
-      closed.emplace_back(other, v);
-    }
-  }
-
-  void close_sliding_joints() {
-    if (is_plane_) return;
-    for (int i = 0; i < static_cast<int>(d_.joints.size()); ++i) {
-      const Mechanism::Joint& j = d_.joints[i];
-      if (framed_.tree.is_of_tree[i] || !slides(j.type) ||
-          rigid_.of_body[j.bodies[0]] == rigid_.of_body[j.bodies[1]])
-        continue;
-      for (const int b : {j.bodies[1], j.bodies[0]}) {
-        const int r = rigid_.of_body[b];
-        if (!framed_.tree.has_frame[r] || !carries(r, {j.vectors[0]})) continue;
-        const auto [first, second] = axes_.normals(r, j.vectors[0]);
-        framed_.lines.push_back({i, first});
-        framed_.lines.push_back({i, second});
-        break;
-      }
-    }
-  }
 
   FramedMechanism& framed_;
   Mechanism& d_;

@@ -144,20 +144,4 @@ void write_frame(EquationWriter& w, int r) {
 template void write_frame<2>(EquationWriter&, int);
 template void write_frame<3>(EquationWriter&, int);
 
-template <int D>
-void write_cut_joints(EquationWriter& w) {
-  for (const auto& [vector, normal] : w.framed->vectors)
-    w.constrain<Dot<D>>(Origin::joint, w.text({vector}) + " with " + w.text({normal}),
-                        {w.vector(vector), w.vector(normal)}, {Derived(0)});
-  for (const auto& [joint, normal] : w.framed->lines) {
-    const Mechanism::Joint& j = w.mechanism.joints[joint];
-    w.constrain<Projection<D>>(Origin::joint, j.name + ": off along " + w.text({normal}),
-                               {w.vector(normal), w.point(j.points[0]), w.point(j.points[1])},
-                               {Derived(0)});
-  }
-}
-
-template void write_cut_joints<2>(EquationWriter&);
-template void write_cut_joints<3>(EquationWriter&);
-
 }  // namespace desmo
