@@ -24,6 +24,7 @@ set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbe
   formulations/base/reference_instant.h formulations/model/scales.h
   formulations/verification/certificate/initial_residual.h
   formulations/verification/run/assembly_error.h formulations/verification/run/check_options.h
+  formulations/verification/run/table_lock.h
   formulations/verification/branch/followed_step.h formulations/verification/branch/misfit.h
   formulations/verification/branch/start.h)
 

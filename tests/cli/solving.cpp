@@ -128,8 +128,8 @@ TEST_F(Cli, TakesSettingsAsSuffixesOfTheFormulation) {
   EXPECT_TRUE(prints(id)) << "the id stands in the heading";
   EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_klu/guess:cubic"), 64);
   EXPECT_TRUE(says("unknown value 'cubic' of '/guess:'; there are: previous, linear")) << err_;
-  EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_klu/scalar:float"), 64);
-  EXPECT_TRUE(says("factorises in double precision")) << err_;
+  EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_klu/lanes:4"), 64);
+  EXPECT_TRUE(says("there is code for four lanes or eight, in explicit order")) << err_;
 }
 
 TEST_F(Cli, RefusesEndingsThatItDoesNotKnowBeforeItSolves) {

@@ -73,6 +73,20 @@ TEST(Coordinates, KeepStructuralGroupsAndHideWhatServesTheModel) {
   }
 }
 
+TEST(Coordinates, OfTheModelHaveNamesThatTheMechanismLeaves) {
+  Scene scene = four_bar(1);
+  Mechanism& d = scene.mechanism;
+  const std::string joint = d.joints.front().name;
+  for (const char* internal : {"/angle", "/travel"}) {
+    d.points.push_back({joint + internal, {0, 0, 0}});
+    d.bodies.front().points.push_back(static_cast<int>(d.points.size()) - 1);
+  }
+  d.points.push_back({d.bodies[1].name + "/x", {1, 0, 0}});
+  d.bodies.front().points.push_back(static_cast<int>(d.points.size()) - 1);
+  for (const Modelling kind : {Modelling::reference, Modelling::relative})
+    EXPECT_NO_THROW(make_model(scene, kind));
+}
+
 TEST(Coordinates, OfTheModelAreThoseOfTheSettings) {
   const Model m = make_model(four_bar(1), Modelling::relative);
   const Variant& v = find_variant("group_automatic_lapack");

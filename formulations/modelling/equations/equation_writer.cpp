@@ -55,6 +55,7 @@ EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec
 EntityId EquationWriter::add_variable(EntityKind kind, std::string name,
                                       std::span<const double> start, int body) {
   Model& m = coordinates_.model;
+  while (std::ranges::count(m.entities, name, &Entity::name) > 0) name += "'";  // a user's
   const EntityId id = m.add(kind, std::move(name), start, coordinates_.group_of_body[body]);
   m.entities[id].internal = true;
   return id;

@@ -37,7 +37,8 @@ class EquationWriter {
 
   EntityId add_fixed_vector(std::string name, const Mechanism::Vector& vector);
 
-  /// Adds an internal entity to the group of a rigid body, or one that a variable of a joint is.
+  /// Adds an internal entity, such as a variable of a joint, to the group of a rigid body. Its name
+  /// is another one where the mechanism has that.
   EntityId add_variable(EntityKind kind, std::string name, std::span<const double> start, int body);
 
   /// Adds an equation to the last group that solves for one of its operands. Adds nothing when all
