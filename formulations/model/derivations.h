@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// Makes closures of the derivations (Constraint::derives) that cannot be: where
+/// Makes closures of constraints that cannot be derivations (clears Constraint::derives), where
 /// - the constraint is not explicit in the entity: its derivatives by that are not (r, r, ±1),
 /// - a row is left out,
 /// - the entity is driven, fixed, of another group, or derived by an earlier constraint,
@@ -26,8 +26,8 @@ struct Derivation {
 /// derived, or are derived before.
 std::vector<Derivation> derivations(const Model& model, const PartDefinition& part);
 
-/// Cuts off what nothing but outputs reads: returns a part, and one after it with the derivations
-/// that no closure of the part needs. A part without unknowns is omitted.
+/// Cuts off what no closure of a part needs: returns the part, and one after it with those
+/// derivations, which outputs and later parts read. A part without unknowns is omitted.
 std::vector<PartDefinition> split_outputs(const Model& model, const PartDefinition& part);
 
 }  // namespace desmo

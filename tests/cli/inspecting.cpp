@@ -98,7 +98,7 @@ TEST_F(Cli, InspectsTheTreeOfTheTruck) {
   for (const char* text :
        {"relative coordinates\n", "solves for    axle1/phi6, ",
         "Spanning tree, parents first:", "axle1/2 on axle1/3: ", "axle1/8 on axle1/6: ",
-        "axle1/11 on axle1/10: ", "Joints cut, which close loops: 6"})
+        "axle1/11 on axle1/10: ", "Joints that are not of the tree: 6"})
     EXPECT_TRUE(prints(text)) << text << "\n" << out_;
 
   ASSERT_EQ(desmo("inspect truck_suspension:1 --coordinates reference --json"), 0) << err_;

@@ -73,6 +73,72 @@ TEST(Coordinates, KeepStructuralGroupsAndHideWhatServesTheModel) {
   }
 }
 
+/// Two bodies that hang on nothing but each other: one is free, the other hangs on it.
+TEST(Coordinates, HangBodiesOnFreeOnes) {
+  const Scene scene = parse_scene(R"({"format": "desmo-scene", "version": 1, "mechanism":
+    {"format": "desmo-mechanism", "version": 1, "name": "scissors", "dimension": 2,
+     "points": {"O": [0, 0], "R": [1, 1], "P": [2, 3], "Q": [3, 0]}, "ground": {"points": ["O"]},
+     "bodies": {"a": {"points": ["R", "P"]}, "b": {"points": ["R", "Q"]}},
+     "joints": [{"type": "revolute", "bodies": ["a", "b"], "points": ["R"]}],
+     "coordinates": {"px": {"component": "P", "axis": "x"}, "py": {"component": "P", "axis": "y"},
+                     "qx": {"component": "Q", "axis": "x"}, "qy": {"component": "Q", "axis": "y"}},
+     "drivers": ["px", "py", "qx", "qy"]},
+    "motion": {"px": {"type": "constant", "value": 2}, "py": {"type": "constant", "value": 3},
+               "qx": {"type": "constant", "value": 3}, "qy": {"type": "constant", "value": 0}},
+    "time": {"end": 1, "step": 0.1}})",
+                                  "scissors", {});
+  EXPECT_EQ(solved(make_model(scene, Modelling::relative), Partition::global), Counts{4});
+  EXPECT_EQ(solved(make_model(scene, Modelling::reference), Partition::global), Counts{6});
+}
+
+/// What slides beside its line keeps its distance from it, so that the joint is cut.
+TEST(Coordinates, KeepWhatSlidesBesideItsLineThere) {
+  const Scene scene = parse_scene(R"({"format": "desmo-scene", "version": 1, "mechanism":
+    {"format": "desmo-mechanism", "version": 1, "name": "offset", "dimension": 2,
+     "points": {"A": [0, 0.1], "C": [1.5, -0.2]}, "vectors": {"u": [1, 0]},
+     "ground": {"points": ["A"], "vectors": ["u"]}, "bodies": {"slider": {"points": ["C"], "vectors": ["u"]}},
+     "joints": [{"type": "prismatic", "bodies": ["ground", "slider"], "points": ["A", "C"], "vectors": ["u"]}],
+     "coordinates": {"cx": {"component": "C", "axis": "x"}}, "drivers": ["cx"]},
+    "motion": {"cx": {"type": "polynomial", "coefficients": [1.5, 1]}},
+    "time": {"end": 1, "step": 0.1}})",
+                                  "offset", {});
+  for (const Modelling kind : {Modelling::basis, Modelling::reference, Modelling::relative}) {
+    const Model m = make_model(scene, kind);
+    const auto f =
+        make_formulation(find_variant("group_automatic_lapack"), m, {.coordinates = kind});
+    ASSERT_TRUE(f->assemble(0.5).ok());
+    EXPECT_NEAR(f->value("C.x"), 2, 1e-12);
+    EXPECT_NEAR(f->value("C.y"), -0.2, 1e-12) << static_cast<int>(kind);
+  }
+}
+
+/// A strut of two halves that may both spin: neither has a frame.
+TEST(Coordinates, KeepHalvesOfAStrutInLine) {
+  const Scene scene = parse_scene(R"({"format": "desmo-scene", "version": 1, "mechanism":
+    {"format": "desmo-mechanism", "version": 1, "name": "strut", "dimension": 3,
+     "points": {"O": [0, 0, 0], "A": [1, 0, 0], "B": [0, 0, 1], "P": [0.5, 0, 0.5], "Q": [0.6, 0, 0.4]},
+     "vectors": {"y": [0, 1, 0], "u": {"along": ["B", "P"]}},
+     "ground": {"points": ["O", "B"], "vectors": ["y"]},
+     "bodies": {"arm": {"points": ["O", "A"], "vectors": ["y"]},
+                "cylinder": {"points": ["B", "P"], "vectors": ["u"]},
+                "rod": {"points": ["A", "Q"], "vectors": ["u"]}},
+     "joints": [{"type": "revolute", "bodies": ["ground", "arm"], "points": ["O"], "vectors": ["y"]},
+                {"type": "spherical", "bodies": ["ground", "cylinder"], "points": ["B"]},
+                {"type": "spherical", "bodies": ["arm", "rod"], "points": ["A"]},
+                {"type": "cylindrical", "bodies": ["cylinder", "rod"], "points": ["P", "Q"], "vectors": ["u"]}],
+     "coordinates": {"height": {"component": "A", "axis": "z"}}, "drivers": ["height"]},
+    "motion": {"height": {"type": "polynomial", "coefficients": [0, 0.1]}},
+    "time": {"end": 1, "step": 0.1}})",
+                                  "strut", {});
+  for (const Modelling kind : {Modelling::reference, Modelling::relative}) {
+    const Model m = make_model(scene, kind);
+    const auto f = make_formulation(find_variant("global_automatic_klu"), m, {.coordinates = kind});
+    ASSERT_TRUE(f->assemble(0).ok() && f->step(1).ok());
+    const double x = f->value("A.x"), z = f->value("A.z") - 1;  // B to A
+    EXPECT_NEAR(f->value("Q.x") * z, (f->value("Q.z") - 1) * x, 1e-10);
+  }
+}
+
 TEST(Coordinates, OfTheModelHaveNamesThatTheMechanismLeaves) {
   Scene scene = four_bar(1);
   Mechanism& d = scene.mechanism;

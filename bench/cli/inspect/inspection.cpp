@@ -65,7 +65,8 @@ void describe_tree(const Mechanism& d, Modelling modelling, Inspection& result) 
       result.tree.push_back(
           {name(r), name(hanging.parent), hanging.joint < 0 ? "" : d.joints[hanging.joint].name});
   for (std::size_t j = 0; j < d.joints.size(); ++j)
-    if (d.joints[j].type != Mechanism::JointType::fixed && !tree.is_of_tree[j])
+    if (rigid.of_body[d.joints[j].bodies[0]] != rigid.of_body[d.joints[j].bodies[1]] &&
+        !tree.is_of_tree[j])
       result.cut_joints.push_back(d.joints[j].name);
 }
 

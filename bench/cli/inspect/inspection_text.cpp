@@ -60,7 +60,7 @@ std::string tree_text(const Inspection& inspection) {
   for (const auto& [body, parent, joint] : inspection.tree)
     text += "  " + wrap(body + " on " + parent + ": " + (joint.empty() ? "free joint" : joint), 4) +
             "\n";
-  text += "Joints cut, which close loops: " + std::to_string(inspection.cut_joints.size()) + "\n";
+  text += "Joints that are not of the tree: " + std::to_string(inspection.cut_joints.size()) + "\n";
   for (const std::string& joint : inspection.cut_joints) text += "  " + wrap(joint, 4) + "\n";
   return text;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cases/mechanism/joint_forms.h"
 #include "formulations/modelling/contradiction_error.h"
 #include "formulations/modelling/equations/equation_writer.h"
 
@@ -171,6 +172,19 @@ void define_component(const Definition& definition) {
     definition.derived_as<Component<3, 2>>(operands);
 }
 
+/// Returns whether the tree, or closures of a joint, keep the points of a coordinate on its line.
+bool is_kept_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
+  if (!w.framed) return false;
+  for (int i = 0; i < static_cast<int>(w.mechanism.joints.size()); ++i) {
+    const Mechanism::Joint& j = w.mechanism.joints[i];
+    if (slides(j.type) && j.vectors[0] == c.vector &&
+        std::minmax({j.points[0], j.points[1]}) == std::minmax({c.of.from, c.of.to}))
+      return w.mechanism.dimension == 2 || w.framed->tree.is_of_tree[i] ||
+             std::ranges::count(w.framed->lines, i, &NormalLine::joint) > 0;
+  }
+  return false;
+}
+
 template <int D>
 void define(const Definition& definition) {
   using enum Mechanism::CoordinateType;
@@ -179,8 +193,7 @@ void define(const Definition& definition) {
     case distance:
       return definition.as<Distance<D>>({w.point(c.of.from), w.point(c.of.to), value});
     case along:
-      require_along(w, c);
-      if (w.framed)  // closures keep it along
+      if (is_kept_along(w, c))
         return definition.derived_as<Reach<D>>(
             {w.point(c.of.from), w.point(c.of.to), w.vector(c.vector), value});
       return definition.as<Along<D>>(
@@ -202,6 +215,8 @@ void write_coordinate_equations(EquationWriter& w) {
     for (const DerivedFrame& frame : w.framed->frames)
       for (const int c : {frame.angle, frame.travel})
         if (c >= 0) is_variable[c] = true;
+  for (const Mechanism::Coordinate& c : all.measured)
+    if (c.type == Mechanism::CoordinateType::along) require_along(w, c);
   for (std::size_t c = 0; c < all.measured.size(); ++c)
     if (!is_variable[c]) define<D>({w, all.measured[c], all.coordinates[c]});
 }

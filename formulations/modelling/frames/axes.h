@@ -12,7 +12,8 @@
 
 namespace desmo {
 
-/// Directions at a right angle, or the same, in the sine: the rounding of drawn ones.
+/// The rounding of drawn directions: in the components of those that are the same, in the cosine of
+/// those at a right angle.
 inline constexpr double same_direction = 1e-12;
 
 /// A maker of the axes of bodies: finds vectors of a body by their directions, or adds them.
@@ -21,19 +22,19 @@ class AxisMaker {
  public:
   using Exact = BodyDrawing<Derived>::Vec;
 
-  /// Changes the mechanism, its bodies and `deriving_vector` of what it is given, which outlives
-  /// it.
+  /// Changes the mechanism, its bodies, `deriving` and `deriving_vector` of what it is given, which
+  /// outlives it.
   explicit AxisMaker(FramedMechanism& framed);
 
   /// Returns a direction of a rigid body.
   Exact own(int body, const Mechanism::Direction& d) const;
   Exact own(int body, int vector) const { return own(body, Mechanism::Direction{vector}); }
 
-  /// Returns orthonormal directions of a body: along its basis, one in the plane, three in space.
+  /// Returns three orthonormal directions of a body, the first of them along its basis.
   std::array<Exact, 3> own_axes(int body) const;
 
-  /// Returns a vector with a direction that is derived from the body's frame. Adds one, with the
-  /// name or a similar one, where there is none.
+  /// Returns an axis of the body's frame, or a vector that the body derives, with a direction. Adds
+  /// one, with the name or a similar one, where there is none.
   int axis(int body, const Exact& direction, const std::string& name);
 
   /// Returns two vectors n₁, n₂ of a body, at right angles to each other and to its vector u, with

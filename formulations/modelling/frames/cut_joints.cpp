@@ -19,8 +19,12 @@ std::string normal_name(const FramedMechanism& framed, int r) {
   return framed.mechanism.bodies[framed.rigid.list[r].bodies.front()].name + "/normal";
 }
 
-/// A vector that an earlier body has derived is normal to two of this body. A second one that both
-/// share is normal to a third, for the first leaves a turn about itself alone.
+/// The sine between two shared vectors above which the second one tells more than the first.
+constexpr double min_sine = 1e-6;
+
+/// A vector that an earlier body has derived closes by products with two normals of this body. A
+/// second one that both share closes by one more, with the normal of both, for the first leaves a
+/// turn about itself alone. One that is parallel to the first tells nothing more.
 void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
                           const std::vector<int>& orientation, int own_vectors, int r) {
   std::vector<std::pair<int, int>> closed;  // other bodies, each with a vector
@@ -39,8 +43,9 @@ void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
       framed.vectors.push_back({v, first});
       framed.vectors.push_back({v, second});
     } else {
-      const AxisMaker::Exact normal = unit(outer(axes.own(r, before->second), u));
-      framed.vectors.push_back({v, axes.axis(r, normal, normal_name(framed, r))});
+      const AxisMaker::Exact normal = outer(axes.own(r, before->second), u);
+      if (!(sqrt(inner(normal, normal)).value > min_sine)) continue;
+      framed.vectors.push_back({v, axes.axis(r, unit(normal), normal_name(framed, r))});
     }
     closed.emplace_back(other, v);
   }

@@ -49,8 +49,8 @@ struct FramedMechanism {
 };
 
 /// Puts frames on the bodies of a mechanism:
-/// - origin: in `reference` a point of its own, in `relative` the joint's point, unless an earlier
-///   body has derived it
+/// - origin: a point of its own where the joint is free; else the joint's point; where that slides
+///   and an earlier body derives it, a new point in its place
 /// - axes: the axis of the joint, and what is normal to it; a vector of the file is taken where it
 /// is
 ///   the same within 1e-12

@@ -6,13 +6,11 @@
 #include <tuple>
 
 #include "cases/mechanism/drawing.h"
+#include "formulations/modelling/frames/axes.h"
 
 namespace desmo {
 
 namespace {
-
-/// Directions at a right angle, in the cosine: rounding of drawn directions.
-constexpr double right_angle = 1e-12;
 
 class TreeMaker {
  public:
@@ -31,9 +29,11 @@ class TreeMaker {
       std::vector<int> left;
       for (const int r : group.bodies)
         if (tree_.has_frame[r]) left.push_back(r);
-      while (hangs_by_joints && place_by_joint(left)) {
+      while (!left.empty()) {
+        if (hangs_by_joints && place_by_joint(left)) continue;
+        place(left.front(), {});
+        left.erase(left.begin());
       }
-      for (const int r : left) place(r, {});
       for (const int r : group.bodies)
         if (!tree_.has_frame[r]) tree_.order.push_back(r);
       for (const int r : group.bodies) depth_[r] = 0;  // of earlier groups, from now on
@@ -84,10 +84,12 @@ class TreeMaker {
       case revolute:
         return 1;
       case prismatic:  // the axes of both bodies are the same: those of no shape of their own
-        return rigid_.list[body].has_shape() || rigid_.list[parent].has_shape() ? 0 : 1;
+        return rigid_.list[body].has_shape() || rigid_.list[parent].has_shape() || is_off_line(j)
+                   ? 0
+                   : 1;
       case revolute_on_slider:
       case cylindrical:
-        return 2;
+        return is_off_line(j) ? 0 : 2;
       case universal:
         return is_at_right_angle(j) ? 2 : 0;
       case spherical:
@@ -101,7 +103,18 @@ class TreeMaker {
     if (d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return true;
     const Drawing<double> drawing{d_};
     return std::abs(nominal::dot(drawing.vector(j.vectors[0]), drawing.vector(j.vectors[1]))) <=
-           right_angle;
+           same_direction;
+  }
+
+  /// Returns whether a point slides beside the line, as it is drawn in the plane: such a joint is
+  /// cut.
+  bool is_off_line(const Mechanism::Joint& j) const {
+    if (d_.dimension == 3 || d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return false;
+    const Drawing<double> drawing{d_};
+    const auto u = drawing.vector(j.vectors[0]),
+               s = drawing.direction({-1, j.points[0], j.points[1]});
+    const double off = std::abs(u[0] * s[1] - u[1] * s[0]);
+    return off > same_direction * std::max(1e-300, nominal::size(d_));
   }
 
   int joints_of(int r) const {

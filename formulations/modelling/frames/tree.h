@@ -16,7 +16,8 @@ struct TreeJoint {
 };
 
 /// A spanning tree of the rigid bodies that have a frame. In `relative` coordinates a body hangs on
-/// its parent by a joint, in `reference` coordinates on the ground by a free joint.
+/// its parent by a joint or, where none will do, on the ground by a free joint; in `reference`
+/// coordinates all do the latter.
 struct SpanningTree {
   std::vector<int> order;  ///< all rigid bodies but the ground: parents first, group by group
   std::vector<TreeJoint> hanging;  ///< by rigid body
