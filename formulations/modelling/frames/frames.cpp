@@ -176,7 +176,7 @@ class FramePlanner {
       frame.towards = c.towards.vector;
       frame.opposite = c.opposite;
     } else {
-      lead = most_normal_to(r, axis);
+      lead = nearest_to_normal(r, axis);
       std::tie(frame.from, frame.towards) = axes_.normals(parent, u);
     }
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
@@ -193,7 +193,7 @@ class FramePlanner {
     const int a = j.vectors[hanging.is_first ? 1 : 0], b = j.vectors[hanging.is_first ? 0 : 1];
     std::tie(frame.from, frame.towards) = axes_.normals(hanging.parent, a);
     const Exact axis = axes_.own(r, b);
-    Exact lead = most_normal_to(r, axis);
+    Exact lead = nearest_to_normal(r, axis);
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
     frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, outer(axis, lead), name(r, "y")),
                   axes_.axis(r, axis, name(r, "z"))};
@@ -241,7 +241,7 @@ class FramePlanner {
   }
 
   /// Returns the direction of a body's basis that is least along another.
-  Exact most_normal_to(int r, const Exact& axis) const {
+  Exact nearest_to_normal(int r, const Exact& axis) const {
     Exact best{};
     double least = 2;
     for (const Direction& d : rigid_.list[r].basis.directions) {
