@@ -18,7 +18,7 @@ namespace desmo {
 ///   A = [D_x D_y; C_x C_y]      A_r = C_x − C_y D_y⁻¹ D_x      b_r = b_c − C_y D_y⁻¹ b_d
 ///   x = A_r⁻¹ b_r               y = D_y⁻¹ (b_d − D_x x)
 ///
-/// Where A is the Jacobian, A_r is what textbooks have by the chain rule: Φ_x ∂x/∂(r, e) in
+/// A_r of a Jacobian A is what textbooks have by the chain rule: Φ_x ∂x/∂(r, e) in
 /// reference-point coordinates, Φ_q B with the velocity transformation B in relative ones (Kim and
 /// Vanderploeg 1986).
 class Condensed final : public LinearSolver {

@@ -21,7 +21,7 @@ struct InspectedGroup {
   std::vector<GroupId> joined_to;       ///< earlier groups with a joint between bodies of both
 };
 
-/// How a body hangs in the spanning tree of a model with frames.
+/// The place of a body in the spanning tree of a model with frames.
 struct HangingBody {
   std::string body, parent;
   std::string joint;  ///< empty: a free joint

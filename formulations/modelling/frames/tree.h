@@ -8,7 +8,7 @@
 
 namespace desmo {
 
-/// How a rigid body hangs in the spanning tree.
+/// The place of a rigid body in the spanning tree.
 struct TreeJoint {
   int parent = 0;               ///< rigid body; 0: the ground
   int joint = Mechanism::none;  ///< of the mechanism; none: a free joint
