@@ -195,7 +195,9 @@ double StraightCrossing::fall(int level, std::span<const double> positions) {
   double least = INFINITY, bottom = 0, deepest = 0;
   bool falls = true;
   for (int k = level;; ++k) {
-    const bool is_led = reach_nodes(k + 2) && beyond_.go_to(distance(k)).end == PathEnd::same;
+    // Branches that are led to where the line itself is rounded pass through without a point.
+    const bool is_led = distance(k) > Interval::unit && reach_nodes(k + 2) &&
+                        beyond_.go_to(distance(k)).end == PathEnd::same;
     const std::optional<Node> end = is_led ? node(beyond_.present()) : std::nullopt;
     // Where lengths are in line but for their rounding, the branches pass each other by, and the
     // miss grows again towards the point. That of another branch falls all the way.
