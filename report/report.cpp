@@ -30,6 +30,7 @@ constexpr std::pair<std::string_view, std::vector<Section> (*)(const Record&)> s
     {"paper", paper_sections},
     {"accuracy", accuracy_sections},
     {"size", size_sections},
+    {"modelling", modelling_sections},
     {"instructions", instructions_sections},
     {"extremes", extremes_sections}};
 

@@ -65,6 +65,9 @@ int run(const bench::CommandLine& line);
 namespace desmo::size {
 int run(const bench::CommandLine& line);
 }
+namespace desmo::modelling {
+int run(const bench::CommandLine& line);
+}
 namespace desmo::instructions {
 int run(const bench::CommandLine& line);
 }

@@ -32,6 +32,7 @@ constexpr Experiment all_experiments[] = {
      desmo::paper::run},
     {"accuracy", "Time against error of formulations and their settings", desmo::accuracy::run},
     {"size", "How time grows with the size of a mechanism", desmo::size::run},
+    {"modelling", "The paper's comparison in each kind of coordinates", desmo::modelling::run},
     {"instructions", "Instructions a step, counted by callgrind", desmo::instructions::run},
     {"extremes", "Every formulation where most go wrong", desmo::extremes::run},
 };

@@ -150,8 +150,10 @@ ProblemCandidate::ProblemCandidate(const Problem& problem, std::string_view id,
 
 ProblemCandidate::ProblemCandidate(const Problem& problem, std::string_view id,
                                    const Configuration& c)
-    : FormulationCandidate(problem.grid, problem.plan.model.name, problem.plan.model.coordinates(),
-                           id, c, Clock::cpu, {problem.level(), {}}),
+    : FormulationCandidate(problem.grid, problem.plan.model.name,
+                           problem.delivered.empty() ? problem.plan.model.coordinates()
+                                                     : static_cast<int>(problem.delivered.size()),
+                           id, c, Clock::cpu, {problem.level(), problem.delivered}),
       problem_(problem) {}
 
 ProblemCandidate::Checked ProblemCandidate::check(ReferenceCache& references, VerifyingRun& found) {

@@ -88,8 +88,9 @@ class ProblemCandidate : public FormulationCandidate {
   /// `others` are the settings that it does not name.
   ProblemCandidate(const Problem& problem, std::string_view id, const Settings& others);
 
- protected:
   const Problem& problem() const override { return problem_; }
+
+ protected:
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
 
  private:

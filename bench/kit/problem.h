@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "cases/mechanism/motion.h"
 #include "formulations/base/per_level.h"
 #include "formulations/base/settings.h"
@@ -23,6 +25,8 @@ struct Problem {
   /// minutes.
   const char* checked_against = "quadruple";
   KernelTable kernels{};  ///< generated code, apart from what desmo was built with
+  /// The coordinates that are delivered and compared, in the order of the reference; empty: all.
+  std::vector<int> delivered{};
 
   Level level() const { return plan.outputs.empty() ? Level::acceleration : plan.level(); }
 };

@@ -1,6 +1,7 @@
 // desmo_generate FOLDER: writes the kernels of every type of group and block, as three C++ files
 // for each set of mechanisms (see kernel_sets.h): FOLDER/cases_kernels.cpp,
-// cases_explicit_kernels.cpp, cases_lane_kernels.cpp, and library_… likewise.
+// cases_explicit_kernels.cpp, cases_lane_kernels.cpp, and library_… likewise; of the cases in other
+// coordinates the first two, coordinates_….
 
 #include <algorithm>
 #include <cctype>
@@ -37,8 +38,9 @@ std::string kernel_name(const Model& m, const std::string& group,
 }
 
 /// Adds the types of a scene's groups and blocks, sampled over its motion, to those found.
-void collect(const Scene& scene, std::vector<SampledType>& found) {
-  const Model whole = make_model(scene);
+void collect(const Scene& scene, std::vector<SampledType>& found,
+             Modelling modelling = Modelling::natural) {
+  const Model whole = make_model(scene, modelling);
   const Model m = make_plan(whole, outputs_of(scene, whole)).model;
   std::vector<double> times;
   for (int i = 0; i < sample_count; ++i)
@@ -99,8 +101,9 @@ void write(std::ostream& out, const KernelFile& file, const std::string& set, Ty
       << ") { return compiled; }\n\n}  // namespace desmo\n";
 }
 
-bool write_set(const std::string& folder, const std::string& set, Types types) {
-  for (const KernelFile& file : kernel_files) {
+bool write_set(const std::string& folder, const std::string& set, Types types,
+               std::span<const KernelFile> files = kernel_files) {
+  for (const KernelFile& file : files) {
     const std::string path = folder + "/" + set + "_" + file.kind + ".cpp";
     std::ofstream out(path);
     write(out, file, set, types);
@@ -133,9 +136,16 @@ int main(int argc, char** argv) {
     const std::size_t of_cases = types.size();
     for (const LibraryMechanism& l : library())
       generate::collect(parse_scene(l.scene, std::string(l.name), {}), types);
+    std::vector<generate::SampledType> others;
+    for (const Case& c : cases())
+      for (const Modelling m : {Modelling::reference, Modelling::relative})
+        generate::collect(c.with_units(2), others, m);
+    for (generate::SampledType& type : others) type.has_one_order = true;
     const std::span<const generate::SampledType> all = types;
+    const std::span files(generate::kernel_files);
     if (!generate::write_set(folder, "cases", all.first(of_cases)) ||
-        !generate::write_set(folder, "library", all.subspan(of_cases)))
+        !generate::write_set(folder, "library", all.subspan(of_cases)) ||
+        !generate::write_set(folder, "coordinates", others, files.first(2)))
       return 74;
   } catch (const std::exception& e) {
     std::cerr << "desmo_generate: " << e.what() << '\n';

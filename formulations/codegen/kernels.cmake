@@ -6,6 +6,9 @@ foreach(set cases library)
     list(APPEND kernel_files ${CMAKE_CURRENT_BINARY_DIR}/${set}_${kind}.cpp)
   endforeach()
 endforeach()
+set(other_coordinates ${CMAKE_CURRENT_BINARY_DIR}/coordinates_kernels.cpp
+  ${CMAKE_CURRENT_BINARY_DIR}/coordinates_explicit_kernels.cpp)
+list(APPEND kernel_files ${other_coordinates})
 add_custom_command(OUTPUT ${kernel_files}
   COMMAND desmo_generate ${CMAKE_CURRENT_BINARY_DIR} DEPENDS desmo_generate
   COMMENT "Generating symbolic equations, eliminations and explicit orders" VERBATIM)
@@ -48,3 +51,9 @@ endfunction()
 set(straight_line -fno-math-errno -fno-trapping-math -fno-tree-slp-vectorize)
 desmo_kernel_set(cases)
 desmo_kernel_set(library)
+
+# The cases in other coordinates, one value at a time: for what compares them.
+add_library(desmo_coordinates_kernels STATIC EXCLUDE_FROM_ALL ${other_coordinates})
+set_source_files_properties(${other_coordinates} PROPERTIES COMPILE_OPTIONS "${straight_line}")
+target_link_libraries(desmo_coordinates_kernels PUBLIC desmo_formulations_core)
+add_dependencies(desmo_coordinates_kernels desmo_generated)

@@ -26,8 +26,13 @@ const KernelLibrary& library_explicit_kernels();
 const KernelLibrary& library_lane_kernels(FourLanes);
 const KernelLibrary& library_lane_kernels(EightLanes);
 
-/// Returns the kernels that the program was linked with: of both sets (DESMO_LIBRARY_KERNELS) or of
-/// the first alone.
+/// Return the kernels of the paper's two cases in reference-point and in relative coordinates, for
+/// programs that link desmo_coordinates_kernels. They are in no other table.
+const KernelLibrary& coordinates_kernels();
+const KernelLibrary& coordinates_explicit_kernels();
+
+/// Returns the kernels that the program was linked with: of both natural sets
+/// (DESMO_LIBRARY_KERNELS) or of the first alone.
 std::span<const KernelLibrary> built_in_kernels();
 
 }  // namespace desmo

@@ -14,9 +14,6 @@ namespace desmo {
 
 namespace {
 
-/// Returns the names of components, one letter each.
-std::string_view axes(EntityKind kind) { return kind == EntityKind::orientation ? "0123" : "xyz"; }
-
 void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
 }
@@ -26,6 +23,10 @@ bool all_finite(std::span<const double> values) {
 }
 
 }  // namespace
+
+std::string_view component_letters(EntityKind kind) {
+  return kind == EntityKind::orientation ? "0123" : "xyz";
+}
 
 int Model::structural_groups() const {
   return static_cast<int>(std::ranges::count(groups, false, &Group::constant));
@@ -45,7 +46,7 @@ Model::Component Model::find_component(const std::string& component_name) const 
   if (const Entity* e = entity(component_name); e && e->size == 1) return {*e, 0};
   if (const auto size = component_name.size(); size > 2 && component_name[size - 2] == '.')
     if (const Entity* e = entity(component_name.substr(0, size - 2)); e && e->size > 1)
-      if (const auto i = axes(e->kind).find(component_name.back());
+      if (const auto i = component_letters(e->kind).find(component_name.back());
           i < static_cast<std::size_t>(e->size))
         return {*e, static_cast<int>(i)};
   std::vector<std::string> names;
@@ -126,7 +127,7 @@ void Model::add(Constraint constraint) {
 
 std::string coordinate_name(const Model& m, EntityId entity, int coordinate) {
   const Entity& e = m.entities[entity];
-  return e.size == 1 ? e.name : e.name + "." + axes(e.kind)[coordinate - e.first];
+  return e.size == 1 ? e.name : e.name + "." + component_letters(e.kind)[coordinate - e.first];
 }
 
 std::vector<EntityId> entity_of_coordinate(const Model& m) {

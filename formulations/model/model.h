@@ -21,6 +21,8 @@ using GroupId = int;   ///< position in Model::groups
 inline constexpr int no_position = -1;
 
 enum class EntityKind { point, vector, angle, distance, orientation };
+/// Returns the letters of components in names: "xyz", or "0123" of an orientation.
+std::string_view component_letters(EntityKind kind);
 
 /// A named geometric quantity. Its components are coordinates, or constants if it is fixed.
 struct Entity {

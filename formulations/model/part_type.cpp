@@ -18,7 +18,8 @@ std::string local_name(const std::string& name) {
 }
 
 std::string component_name(const Entity& e, int component) {
-  return local_name(e.name) + (e.size > 1 ? std::string(".") + "xyz"[component] : "");
+  if (e.size == 1) return local_name(e.name);
+  return local_name(e.name) + "." + component_letters(e.kind)[component];
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The experiments size, instructions and extremes.
+// The experiments size, modelling, instructions and extremes.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -50,6 +50,18 @@ void read_sizes(Record& record, const RecordValue& experiment) {
       const CandidateKey key = read_key(node);
       add_once(*entries, node, key, read_entry(node, record.settings), name_of(key));
     });
+}
+
+void read_modelling(Record& record, const RecordValue& experiment) {
+  read_each(experiment, "times", [&](const RecordValue& node) {
+    const CandidateKey key = read_key(node);
+    add_once(record.modelled, node, key,
+             {{read_entry(node, record.settings)},
+              node["entries"].integer(1),
+              node["condensation"].integer(0),
+              node["condition"].positive()},
+             name_of(key));
+  });
 }
 
 void read_instructions(Record& record, const RecordValue& experiment) {

@@ -1,4 +1,4 @@
-// The part of a record about the experiments accuracy, size, instructions and extremes: plain data.
+// The part of a record about all experiments but the paper's: plain data.
 #pragma once
 
 #include <array>
@@ -69,6 +69,15 @@ struct TimedSize {
   double state_bytes = 0;                     ///< q, q', q''
   std::optional<double> bytes = {};           ///< memory that the formulation keeps
   std::vector<double> seconds_per_step = {};  ///< samples, like those of a Point
+};
+
+// ---- modelling: the same in other coordinates ----
+
+/// A formulation in some coordinates: unknowns are those of its linear systems.
+struct ModelledTime : TimedSize {
+  std::int64_t entries = 0;       ///< of the matrices, after condensation
+  std::int64_t condensation = 0;  ///< operations of one
+  double condition = 0;           ///< of the model, at the first instant
 };
 
 // ---- instructions ----

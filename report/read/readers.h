@@ -16,6 +16,7 @@ namespace desmo::report {
 void read_paper(Record& record, const RecordValue& experiment);
 void read_accuracy(Record& record, const RecordValue& experiment);
 void read_sizes(Record& record, const RecordValue& experiment);
+void read_modelling(Record& record, const RecordValue& experiment);
 void read_instructions(Record& record, const RecordValue& experiment);
 void read_extremes(Record& record, const RecordValue& experiment);
 

@@ -108,6 +108,7 @@ constexpr std::pair<const char*, void (*)(Record&, const RecordValue&)> readers[
     {"paper", read_paper},
     {"accuracy", read_accuracy},
     {"size", read_sizes},
+    {"modelling", read_modelling},
     {"instructions", read_instructions},
     {"extremes", read_extremes}};
 

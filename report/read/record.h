@@ -132,6 +132,8 @@ struct Record {
   // size
   std::map<CandidateKey, TimedSize> growth;      ///< time against coordinates
   std::map<CandidateKey, TimedSize> break_even;  ///< dense and sparse, by unknowns
+  // modelling
+  std::map<CandidateKey, ModelledTime> modelled;  ///< by coordinates
   // instructions
   std::map<CandidateKey, StepCount> instructions;
   // extremes
@@ -156,6 +158,7 @@ inline constexpr Experiment experiments[] = {
     {"paper", has_paper},
     {"accuracy", [](const Record& r) { return !r.points.empty(); }},
     {"size", [](const Record& r) { return !r.growth.empty() || !r.break_even.empty(); }},
+    {"modelling", [](const Record& r) { return !r.modelled.empty(); }},
     {"instructions", [](const Record& r) { return !r.instructions.empty(); }},
     {"extremes", [](const Record& r) { return !r.extremes.empty(); }}};
 

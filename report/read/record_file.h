@@ -12,7 +12,7 @@ namespace desmo::report {
 
 /// The schema version that is known in full. Others of its major version are read, too;
 /// CHANGELOG.md says what they promise.
-inline constexpr const char* schema_version = "2.0.0";
+inline constexpr const char* schema_version = "2.1.0";
 
 // Results files that cannot be read throw InputError, whose message names file and place.
 

@@ -64,16 +64,19 @@ StepTime step_time(std::vector<double> samples) {
 
 StepTime step_time(const NamedPoint& point) { return step_time(point.second.seconds_per_step); }
 
-SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
+SpeedUp speed_up(const std::vector<double>& reference, const std::vector<double>& variant) {
   const StepTime a = step_time(reference), b = step_time(variant);
-  const std::size_t repetitions =
-      std::min(reference.second.seconds_per_step.size(), variant.second.seconds_per_step.size());
+  const std::size_t repetitions = std::min(reference.size(), variant.size());
   return {.value = a.seconds / b.seconds,
           .low = a.seconds / b.again,
           .high = a.again / b.seconds,
           .percent = 100 * (1 - b.seconds / a.seconds),
           .repetitions = repetitions,
           .spread = repetitions >= min_for_interval};
+}
+
+SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
+  return speed_up(reference.second.seconds_per_step, variant.second.seconds_per_step);
 }
 
 const NamedPoint* cheapest(const Points& points, double max_error,

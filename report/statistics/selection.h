@@ -49,8 +49,9 @@ struct StepTime {
 StepTime step_time(std::vector<double> samples);
 StepTime step_time(const NamedPoint& point);
 
-/// Returns the ratio of the least times of two solved points; its interval goes from the
-/// reference's least over the variant's second least to the reverse.
+/// Return the ratio of the least samples of a step, of solved points for example; its interval goes
+/// from the reference's least over the variant's second least to the reverse.
+SpeedUp speed_up(const std::vector<double>& reference, const std::vector<double>& variant);
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
 
 /// The fastest of the solved points within an error, of those that `may`; null when there is none.

@@ -82,7 +82,7 @@ Table guesses(const Record& record);
 /// Shows table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);
 
-// ---- size, instructions, extremes ----
+// ---- size, modelling, instructions, extremes ----
 
 /// Returns all about time against size, the front first. The record has sizes.
 std::vector<Section> size_sections(const Record& record);
@@ -95,6 +95,10 @@ Section growth(const Record& record);
 
 /// Shows from how many unknowns on sparse matrices pay. The record has `break_even`.
 Section dense_or_sparse(const Record& record);
+
+/// Shows the paper's comparison in each kind of coordinates, the front first. The record has
+/// `modelled`.
+std::vector<Section> modelling_sections(const Record& record);
 
 /// Shows instructions of a step, and how many times those of the usual reference, the front first.
 /// The record has `instructions`.

@@ -226,11 +226,11 @@ TEST_F(Program, WritesASiteOfAllRecords) {
 
 TEST_F(Program, ReadsANewerMinorVersionWithANote) {
   Json json = complete_record();
-  json["schema_version"] = "2.1.0";
+  json["schema_version"] = "2.2.0";
   const std::string file = write("newer.json", json.dump());
   EXPECT_EQ(tables(file, "--table best --format csv"), 0);
   EXPECT_EQ(err_, "desmo_report: note: " + file +
-                      ": The file has schema version 2.1.0, this program knows 2.0.0: what the "
+                      ": The file has schema version 2.2.0, this program knows 2.1.0: what the "
                       "newer version adds is not shown.\n");
 }
 

@@ -55,6 +55,28 @@ Json sizes_record() {
   return record;
 }
 
+Json modelling_record() {
+  Json record = empty_record();
+  const std::string truck = "truck_suspension";
+  for (const int n : {114, 558})
+    for (const auto& [suffix, times] : {std::pair{"", 1},
+                                        {"/coordinates:basis", 2},
+                                        {"/coordinates:reference", 3},
+                                        {"/coordinates:relative", 4}})
+      for (const auto& [id, microseconds] : {std::pair{"global_automatic_cholmod", 20 * times},
+                                             {"global_automatic_klu", 10},
+                                             {"group_automatic_lapack", 20},
+                                             {"group_automatic_klu", 5}}) {
+        Json entry = timed_size(truck, n, std::string(id) + suffix, 1e-2 * microseconds * n);
+        entry["unknowns"] = n / times;
+        entry["entries"] = 5 * n;
+        entry["condensation"] = times == 1 ? 0 : 7 * n;
+        entry["condition"] = 80;
+        record["modelling"]["times"].push_back(std::move(entry));
+      }
+  return record;
+}
+
 Json instructions_record() {
   Json record = empty_record();
   record["instructions"]["counts"] = {

@@ -47,9 +47,9 @@ TEST_F(CheckProgram, FilesThatCannotBeJudgedSayWhy) {
   json["schema_version"] = "3.0.0";
   EXPECT_EQ(check(json.dump()), 4);
   EXPECT_CONTAINS(err_, "schema version 3.0.0, and this program reads 2.x");
-  json["schema_version"] = json["head"]["schema_version"] = "2.1.0";
+  json["schema_version"] = json["head"]["schema_version"] = "2.2.0";
   EXPECT_EQ(check(json.dump()), 0);
-  EXPECT_CONTAINS(out_, "schema version 2.1.0, this program knows 2.0.0");
+  EXPECT_CONTAINS(out_, "schema version 2.2.0, this program knows 2.1.0");
   json = check_sample();
   json["head"]["paper"]["cells"][0]["machine"] = "other";
   EXPECT_EQ(check(json.dump()), 4);

@@ -44,14 +44,14 @@ TEST(RecordReader, ReadsANewerMinorVersionWithANote) {
     return to_csv(table_named(make_report(record_from(from)), "best"));
   };
   const std::string expected = of_best(json);
-  for (const char* version : {"2.0.1", "2.7.0", "2.10.3"}) {
+  for (const char* version : {"2.1.1", "2.7.0", "2.10.3"}) {
     json["schema_version"] = version;
     json["paper"]["cells"][0]["added"] = {{"key", 1}};
     json["another experiment"] = Json::array();
     EXPECT_EQ(of_best(json), expected);
     const Record record = record_from(json);
     const std::string note =
-        "schema version " + std::string(version) + ", this program knows 2.0.0";
+        "schema version " + std::string(version) + ", this program knows 2.1.0";
     EXPECT_CONTAINS(note_on_version(record.version), note);
     EXPECT_CONTAINS(to_markdown(make_report(record)), note);
   }

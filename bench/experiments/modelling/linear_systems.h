@@ -1,0 +1,22 @@
+#pragma once
+
+#include "formulations/model/model.h"
+#include "formulations/model/partition.h"
+
+namespace desmo::modelling {
+
+/// What a step hands to linear solvers, over the parts of a partition that move.
+struct LinearSystems {
+  int unknowns = 0;      ///< without derived ones
+  int entries = 0;       ///< of their matrices, after condensation
+  int condensation = 0;  ///< multiplications and additions of one factorisation (see Condensed)
+};
+
+LinearSystems linear_systems(const Model& model, Partition partition);
+
+/// Returns the condition number of a model at the first instant of its motion (see
+/// ConditionNumber): of all its equations, derivations among them. Throws std::runtime_error where
+/// it cannot be assembled.
+double condition_at_start(const Model& model, double time);
+
+}  // namespace desmo::modelling

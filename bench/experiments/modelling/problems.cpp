@@ -1,0 +1,72 @@
+#include "bench/experiments/modelling/problems.h"
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "bench/kit/verification.h"
+#include "formulations/equations/kernel_sets.h"
+#include "formulations/id.h"
+#include "formulations/modelling/measures/measures.h"
+#include "formulations/modelling/modelling.h"
+
+namespace desmo::modelling {
+
+namespace {
+
+constexpr int compared_instants = 11;
+
+Plan whole(Model model) {
+  Plan plan;
+  plan.model = std::move(model);
+  return plan;
+}
+
+/// Lends kernels that the program was linked with.
+void add(KernelTable& table, const KernelLibrary& library) {
+  table.add(std::shared_ptr<const KernelLibrary>(&library, [](const KernelLibrary*) {}));
+}
+
+}  // namespace
+
+std::vector<std::string_view> compared_ids() {
+  return {"global_automatic_klu",   "global_automatic_umfpack", "global_automatic_cholmod",
+          "group_automatic_klu",    "group_automatic_umfpack",  "group_automatic_cholmod",
+          "group_automatic_lapack", "group_symbolic_lapack",    "group_symbolic_inlined",
+          "group_symbolic_explicit"};
+}
+
+std::string id_in(std::string_view id, Modelling kind) {
+  const Variant& v = find_variant(id);
+  // What is derived in `basis` stands first in the order of generated code for natural coordinates.
+  if (kind == Modelling::basis && v.evaluation == Evaluation::symbolic) return {};
+  return id_with(v, Settings{.coordinates = kind});
+}
+
+bench::Problem natural_problem(const Scene& scene, const TimeGrid& grid) {
+  bench::Problem problem = bench::make_problem(whole(make_model(scene)), grid, compared_instants);
+  bench::require_agreement(problem.plan.model, problem.reference.floor);
+  return problem;
+}
+
+bench::Problem problem_in(const Scene& scene, const bench::Problem& natural, Modelling kind) {
+  if (kind == Modelling::natural) return natural;
+  const Model all = make_model(scene, kind);
+  // Without axes of frames that nothing is derived from.
+  bench::Problem problem{.plan = whole(make_plan(all, outputs_of(scene, all)).model),
+                         .grid = natural.grid,
+                         .reference = natural.reference};
+  const Model& m = problem.plan.model;
+  for (const Entity& e : natural.plan.model.entities) {
+    const Entity& same = m.entities[m.find(e.name)];
+    if (e.fixed != same.fixed)
+      throw std::runtime_error(m.name + ": '" + e.name + "' is at rest in some coordinates only");
+    if (e.fixed) continue;
+    for (int i = 0; i < e.size; ++i) problem.delivered.push_back(same.first + i);
+  }
+  add(problem.kernels, coordinates_kernels());
+  add(problem.kernels, coordinates_explicit_kernels());
+  return problem;
+}
+
+}  // namespace desmo::modelling

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/kit/formulation_candidate.h"
+#include "bench/kit/problem.h"
+#include "cases/generators/cases.h"
+#include "formulations/base/modelling.h"
+
+namespace desmo::modelling {
+
+inline constexpr std::array kinds{Modelling::natural, Modelling::basis, Modelling::reference,
+                                  Modelling::relative};
+
+/// Returns the formulations that are compared in each kind of coordinates, by their ids in natural
+/// ones: the paper's partitions with dense and sparse algebra, and generated code.
+std::vector<std::string_view> compared_ids();
+
+/// Returns the id of a formulation in coordinates; empty: the suite has no code for them.
+std::string id_in(std::string_view id, Modelling kind);
+
+/// Returns the problem of a case in some coordinates, to be compared with the quadruple reference
+/// of the natural model by names of entities.
+/// - natural: the same in natural coordinates, with that reference
+/// Throws std::runtime_error where a coordinate of the mechanism is at rest in one model alone.
+bench::Problem problem_in(const Scene& scene, const bench::Problem& natural, Modelling kind);
+
+/// Returns the natural problem, compared at instants all over the motion. Throws what
+/// make_reference throws, and see require_agreement.
+bench::Problem natural_problem(const Scene& scene, const TimeGrid& grid);
+
+}  // namespace desmo::modelling

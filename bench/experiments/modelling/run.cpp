@@ -1,0 +1,116 @@
+// desmo_bench modelling: the paper's comparison in each kind of coordinates.
+#include <CLI/CLI.hpp>
+#include <list>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/experiments/experiments.h"
+#include "bench/experiments/modelling/linear_systems.h"
+#include "bench/experiments/modelling/problems.h"
+#include "bench/kit/process/progress.h"
+#include "bench/kit/record/timed_in_turn.h"
+
+namespace desmo::modelling {
+
+namespace {
+
+using bench::ProblemCandidate;
+using Json = nlohmann::ordered_json;
+
+constexpr int usual_repetitions = 5, quick_repetitions = 3;
+/// Of the paper's motion, from its begin: entering it costs little, and the slowest take a second.
+constexpr int instants = 201;
+
+/// A case at a size, with the formulations that were asked for.
+struct Comparison {
+  const Case* definition;
+  int coordinates;
+  std::vector<std::pair<Modelling, std::string>> ids;
+};
+
+std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
+  const std::regex wanted(options.filter);
+  std::vector<Comparison> all;
+  for (const Case& c : cases())
+    for (const int n : c.sizes) {
+      if (options.quick && n != c.sizes.front()) continue;
+      Comparison one{&c, n, {}};
+      for (const std::string_view natural : compared_ids())
+        for (const Modelling kind : kinds) {
+          const std::string id = id_in(natural, kind),
+                            name = std::string(c.name) + "/" + std::to_string(n) + "/" + id;
+          if (!id.empty() && std::regex_search(name, wanted)) one.ids.emplace_back(kind, id);
+        }
+      if (!one.ids.empty()) all.push_back(std::move(one));
+    }
+  return all;
+}
+
+/// Adds an entry of each formulation to the record. Returns whether nothing is wrong.
+bool measure(const Comparison& comparison, int repetitions, Json& list) {
+  const Scene scene = make_scene(*comparison.definition, comparison.coordinates);
+  TimeGrid grid = comparison.definition->with_units(1).grid;
+  grid.instants = instants;
+  const bench::Problem natural = natural_problem(scene, grid);
+  std::map<Modelling, bench::Problem> problems;
+  std::list<ProblemCandidate> candidates;
+  for (const auto& [kind, id] : comparison.ids) {
+    if (!problems.contains(kind)) problems.emplace(kind, problem_in(scene, natural, kind));
+    candidates.emplace_back(problems.at(kind), id, Settings{});
+  }
+  const bool right = bench::time_in_turn(candidates, repetitions, "modelling");
+  std::map<Modelling, double> conditions;
+  for (const auto& [kind, problem] : problems)
+    conditions[kind] = condition_at_start(problem.plan.model, grid.time(0));
+  for (const ProblemCandidate& candidate : candidates) {
+    Json entry = bench::timed_entry(candidate, comparison.definition->name);
+    const LinearSystems systems =
+        linear_systems(candidate.problem().plan.model, candidate.variant().partition);
+    entry["unknowns"] = systems.unknowns;
+    entry["entries"] = systems.entries;
+    entry["condensation"] = systems.condensation;
+    entry["condition"] = bench::rounded(conditions.at(candidate.settings().coordinates), 4);
+    list.push_back(std::move(entry));
+  }
+  return right;
+}
+
+}  // namespace
+
+int run(const bench::CommandLine& line) {
+  bench::CommonOptions options;
+  CLI::App parser("desmo_bench modelling: the paper's comparison in each kind of coordinates.");
+  bench::add_common(parser, options,
+                    {.quick = "the smallest size of each case, three repetitions",
+                     .filtered = "<case>/<coordinates>/<id>, such as "
+                                 "truck_suspension/558/group_automatic_klu/coordinates:relative",
+                     .repetitions = std::to_string(usual_repetitions)});
+  if (!bench::read(parser, line.arguments)) return 0;
+
+  const std::vector<Comparison> all = comparisons(options);
+  if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
+  bench::RecordWriter recording = begin_record(options, line);
+  const int repetitions = options.repetitions > 0 ? options.repetitions
+                          : options.quick         ? quick_repetitions
+                                                  : usual_repetitions;
+  double work = 0;
+  for (const Comparison& c : all) work += c.coordinates;
+  bench::Progress progress("sizes", work);
+  Json lists;
+  bool right = true;
+  for (const Comparison& c : all) {
+    right &= measure(c, repetitions, lists["times"]);
+    progress.done(c.coordinates);
+  }
+  TimeGrid grid = all.front().definition->with_units(1).grid;
+  grid.instants = instants;
+  recording.write(grid, lists);
+  return right ? 0 : 1;
+}
+
+}  // namespace desmo::modelling

@@ -1,0 +1,150 @@
+// The paper's comparison in each kind of coordinates.
+#include <array>
+#include <map>
+#include <set>
+
+#include "report/statistics/variants.h"
+#include "report/tables/entries.h"
+#include "report/tables/tables.h"
+
+namespace desmo::report {
+namespace {
+
+/// In the order of columns; the first is the paper's.
+constexpr std::array kinds{"natural", "basis", "reference", "relative"};
+
+/// Two formulations, and what the ratio of their times tells.
+struct Pair {
+  std::string_view question, reference, variant;
+};
+constexpr std::array pairs{
+    Pair{"group, dense, over global CHOLMOD", "global_automatic_cholmod", "group_automatic_lapack"},
+    Pair{"group, dense, over global UMFPACK", "global_automatic_umfpack", "group_automatic_lapack"},
+    Pair{"group, dense, over global KLU", "global_automatic_klu", "group_automatic_lapack"},
+    Pair{"group over global, both CHOLMOD", "global_automatic_cholmod", "group_automatic_cholmod"},
+    Pair{"group over global, both UMFPACK", "global_automatic_umfpack", "group_automatic_umfpack"},
+    Pair{"group over global, both KLU", "global_automatic_klu", "group_automatic_klu"},
+    Pair{"in groups, dense over KLU", "group_automatic_klu", "group_automatic_lapack"},
+    Pair{"generated equations over loops, dense", "group_automatic_lapack",
+         "group_symbolic_lapack"},
+    Pair{"generated elimination over dense", "group_symbolic_lapack", "group_symbolic_inlined"},
+    Pair{"explicit order over elimination", "group_symbolic_inlined", "group_symbolic_explicit"}};
+
+std::string kind_of(std::string_view id) {
+  const std::string_view given = setting(id, "coordinates");
+  return given.empty() ? kinds.front() : std::string(given);
+}
+
+std::string id_in(std::string_view id, std::string_view kind) {
+  return std::string(id) + (kind == kinds.front() ? "" : "/coordinates:" + std::string(kind));
+}
+
+/// Null where it was not measured, or failed.
+const ModelledTime* find(const Record& record, const std::string& case_name, std::int64_t size,
+                         const std::string& id) {
+  const auto found = record.modelled.find({case_name, size, id});
+  return found == record.modelled.end() || found->second.status != Status::ok ? nullptr
+                                                                              : &found->second;
+}
+
+std::map<std::string, std::set<std::int64_t>> sizes_of(const Record& record) {
+  std::map<std::string, std::set<std::int64_t>> sizes;
+  for (const auto& [key, entry] : record.modelled) sizes[key.case_name].insert(key.coordinates);
+  return sizes;
+}
+
+/// The mean over all sizes; a mark where a size has none.
+Entry ratio_in(const Record& record, const std::string& case_name,
+               const std::set<std::int64_t>& sizes, const Pair& pair, std::string_view kind) {
+  std::vector<SpeedUp> found;
+  for (const std::int64_t n : sizes) {
+    const ModelledTime *reference = find(record, case_name, n, id_in(pair.reference, kind)),
+                       *variant = find(record, case_name, n, id_in(pair.variant, kind));
+    if (!reference || !variant) return note_entry(missing_mark);
+    found.push_back(speed_up(reference->seconds_per_step, variant->seconds_per_step));
+  }
+  return ratio_entry(mean(found));
+}
+
+Table ratios(const Record& record) {
+  Table table = headed_table("modelling_ratios");
+  for (const auto& [case_name, sizes] : sizes_of(record))
+    for (const Pair& pair : pairs) {
+      std::vector<Entry> row{case_name, std::string(pair.question)};
+      for (const char* kind : kinds) row.push_back(ratio_in(record, case_name, sizes, pair, kind));
+      table.rows.push_back(std::move(row));
+    }
+  return table;
+}
+
+/// Everything measured: a row for each case, size and formulation.
+Table all_times(const Record& record) {
+  Table table = headed_table("modelling");
+  for (const auto& [key, entry] : record.modelled) {
+    std::vector<Entry> row{key.case_name, kind_of(key.id), without_setting(key.id, "coordinates"),
+                           key.coordinates};
+    if (entry.status == Status::ok) {
+      row.insert(row.end(), {step_time_entry(entry.seconds_per_step), entry.unknowns, entry.entries,
+                             entry.condensation, number_entry(entry.condition, 2),
+                             number_entry(entry.iterations_per_step, 3),
+                             error_entry(entry.verification->position), ""});
+    } else {
+      row.push_back(note_entry(failed_mark));
+      row.resize(table.columns.size() - 1, note_entry(missing_mark));
+      row.push_back(entry.message);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// The last case at its largest size: a row for each formulation, a column for each kind.
+Table in_short(const Record& record) {
+  const CandidateKey& last = record.modelled.rbegin()->first;
+  Table table = headed_table("modelling_in_short",
+                             {{"case", last.case_name}, {"coordinates", last.coordinates}});
+  std::set<std::string> ids;
+  for (const auto& [key, entry] : record.modelled)
+    if (key.case_name == last.case_name && key.coordinates == last.coordinates)
+      ids.insert(without_setting(key.id, "coordinates"));
+  for (const std::string& id : ids) {
+    std::vector<Entry> row{id};
+    for (const char* kind : kinds) {
+      const ModelledTime* entry = find(record, last.case_name, last.coordinates, id_in(id, kind));
+      row.push_back(number_entry(
+          entry ? std::optional(1e6 * step_time(entry->seconds_per_step).seconds) : std::nullopt,
+          3));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// "0.69, 0.95, 0.8 and 1.1" in the order of kinds.
+std::string in_all_kinds(const std::vector<Entry>& row) {
+  std::string text;
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    text += (k == 0                  ? ""
+             : k + 1 == kinds.size() ? " and "
+                                     : ", ") +
+            (row[2 + k].has_number() ? row[2 + k].digits.front() : std::string(missing_mark));
+  return text;
+}
+
+}  // namespace
+
+std::vector<Section> modelling_sections(const Record& record) {
+  Table found = ratios(record);
+  const auto* const of_last_case = &*(found.rows.end() - pairs.size());
+  const TextValues values{
+      {"case", of_last_case->front().shown},        {"cholmod", in_all_kinds(of_last_case[0])},
+      {"umfpack", in_all_kinds(of_last_case[1])},   {"klu", in_all_kinds(of_last_case[2])},
+      {"in_groups", in_all_kinds(of_last_case[6])}, {"equations", in_all_kinds(of_last_case[7])}};
+  Section front = headed_section("modelling_front", values),
+          section = headed_section("modelling_section");
+  front.tables = {in_short(record), found};
+  section.tables = {all_times(record)};
+  return {front, section};
+}
+
+}  // namespace desmo::report

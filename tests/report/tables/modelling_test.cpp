@@ -1,0 +1,64 @@
+// The paper's comparison in each kind of coordinates: reader, sentences, tables.
+
+#include "report/figures/figures.h"
+#include "report/formats/formats.h"
+#include "report/report.h"
+#include "tests/report/size_sample.h"
+
+namespace desmo::report::modelling_test {
+namespace {
+
+TEST(ModellingTimes, ThatSayNothingAreRefused) {
+  expect_refusals(modelling_record(),
+                  {{"/modelling/times/0/entries", 0, ": "},
+                   {"/modelling/times/0/condition", 0, ": "},
+                   {"/modelling/times/0/status", "not_run", ": everything here is run"},
+                   {"/modelling/times/1/id", "global_automatic_cholmod", "is given twice"},
+                   {"/modelling", {{"times", Json::array()}}, "nothing was measured"}});
+}
+
+TEST(ModellingTables, CompareInEachKindOfCoordinates) {
+  const Document document = make_report(record_from(modelling_record()));
+  const Table ratios = table_named(document, "modelling_ratios");
+  expect_row(ratios, {"truck_suspension", "group, dense, over global CHOLMOD"},
+             {{"natural", "1.00 …"},
+              {"basis", "2.00 …"},
+              {"reference", "3.00 …"},
+              {"relative", "4.00 …"}});
+  expect_row(ratios, {"truck_suspension", "in groups, dense over KLU"}, {{"relative", "0.25 …"}});
+  expect_row(ratios, {"truck_suspension", "group, dense, over global UMFPACK"},
+             {{"natural", missing_mark}, {"relative", missing_mark}});
+  EXPECT_CONTAINS(to_markdown(document),
+                  "groups with LAPACK solve truck_suspension 1.00, 2.00, 3.00 and 4.00 times as "
+                  "fast as all at once with CHOLMOD");
+  expect_row(table_named(document, "modelling_in_short"), {"global_automatic_cholmod"},
+             {{"natural", "112"}, {"relative", "446"}});
+  expect_row(table_named(document, "modelling"),
+             {"truck_suspension", "basis", "group_automatic_klu", "558"},
+             {{"unknowns", "279"}, {"condensation", "3906"}, {"condition", "80"}});
+}
+
+TEST(ModellingFigure, HasEveryFormulationOfTheLargestSize) {
+  bool found = false;
+  for (const NewFile& file : figures(make_report(record_from(modelling_record()))))
+    found |= file.file_name == "modelling.vl.json" &&
+             file.content.find("group_automatic_klu") != std::string::npos;
+  EXPECT_TRUE(found);
+}
+
+// A size that failed is no part of a mean, and says so.
+TEST(ModellingTables, HaveNoMeanOfFewerSizes) {
+  Json json = modelling_record();
+  json["modelling"]["times"][0]["status"] = "failed";
+  json["modelling"]["times"][0]["message"] = "wrong by design";
+  const Document document = make_report(record_from(json));
+  expect_row(table_named(document, "modelling_ratios"),
+             {"truck_suspension", "group, dense, over global CHOLMOD"},
+             {{"natural", missing_mark}, {"basis", "2.00 …"}});
+  expect_row(table_named(document, "modelling"),
+             {"truck_suspension", "natural", "global_automatic_cholmod", "114"},
+             {{"µs/step", failed_mark}, {"remark", "wrong by design"}});
+}
+
+}  // namespace
+}  // namespace desmo::report::modelling_test
