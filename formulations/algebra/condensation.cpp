@@ -1,6 +1,7 @@
 #include "formulations/algebra/condensation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -60,6 +61,8 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
   // Closure by closure: its columns of A with what derivations add to them, in the order in which
   // they turn up; operations between these for now.
   std::vector<std::map<int, int>> places(closure_row_.size());
+  std::vector<std::vector<DerivedTerm>> factors(derived_.size());
+  std::vector<std::vector<Operation>> operations(derived_.size());
   int count = 0;
   for (std::size_t c = 0; c < closure_row_.size(); ++c) {
     std::map<int, int>& place = places[c];
@@ -71,13 +74,20 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
       const auto at = place.find(derived_[d].column);
       if (at == place.end()) continue;
       const int factor = at->second;
-      derived_terms_.push_back({static_cast<int>(c), d, factor});
+      factors[d].push_back({static_cast<int>(c), d, factor});
       for (int t = derived_[d].first; t < derived_[d].end; ++t) {
         const auto [target, is_new] = place.emplace(terms_[t].column, count);
         count += is_new;
-        operations_.push_back({target->second, factor, t});
+        operations[d].push_back({target->second, factor, t});
       }
     }
+  }
+
+  // Derivation by derivation, the last first: neighbours are of different closures, so that the
+  // processor need not wait for what it has just written.
+  for (int d = static_cast<int>(derived_.size()) - 1; d >= 0; --d) {
+    std::ranges::copy(factors[d], std::back_inserter(derived_terms_));
+    std::ranges::copy(operations[d], std::back_inserter(operations_));
   }
 
   // Where they stand: A_r compressed by columns, then C_y, then the terms of derivations.

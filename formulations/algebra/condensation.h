@@ -67,7 +67,7 @@ class Condensed final : public LinearSolver {
   std::vector<Derived> derived_;            // in their order
   std::vector<Term> terms_;                 // of derivations without pivots, by derivation
   std::vector<Copy> copies_;                // entries of closures
-  std::vector<Operation> operations_;       // closure by closure, the last derivation first
+  std::vector<Operation> operations_;       // the last derivation first, then by closure
   std::vector<DerivedTerm> derived_terms_;  // C_y, with what elimination adds to it
   std::vector<int> closure_row_, column_;   // of A, of each row and column of A_r
   int cleared_ = 0;                         // number of values that are sums: A_r, then C_y

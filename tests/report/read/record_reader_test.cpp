@@ -120,7 +120,7 @@ TEST(RecordReader, RefusesWrongTypesAndValues) {
   for (const std::string version : {"", "2", "2.0", "2.0.0.0", "2.0.0-beta", "2..0", "2.0.",
                                     " 2.0.0", "2.-1.0", "99999999999.0.0", "two"})
     refusals.push_back(
-        {"/schema_version", version, ": \"" + version + "\" is not a version, as 2.0.0"});
+        {"/schema_version", version, ": \"" + version + "\" is not a version, as 2.1.0"});
   expect_refusals(complete_record(), refusals);
 }
 
