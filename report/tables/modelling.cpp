@@ -2,6 +2,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 
 #include "report/statistics/variants.h"
 #include "report/tables/entries.h"
@@ -98,6 +99,17 @@ Table all_times(const Record& record) {
   return table;
 }
 
+/// Microseconds of a step in each kind of coordinates.
+std::vector<Entry> times_of(const Record& record, const CandidateKey& place, std::string_view id) {
+  std::vector<Entry> times;
+  for (const char* kind : kinds) {
+    const ModelledTime* entry = find(record, place.case_name, place.coordinates, id_in(id, kind));
+    times.push_back(number_entry(
+        entry ? std::optional(1e6 * step_time(entry->seconds_per_step).seconds) : std::nullopt, 3));
+  }
+  return times;
+}
+
 /// The last case at its largest size: a row for each formulation, a column for each kind.
 Table in_short(const Record& record) {
   const CandidateKey& last = record.modelled.rbegin()->first;
@@ -108,26 +120,20 @@ Table in_short(const Record& record) {
     if (key.case_name == last.case_name && key.coordinates == last.coordinates)
       ids.insert(without_setting(key.id, "coordinates"));
   for (const std::string& id : ids) {
-    std::vector<Entry> row{id};
-    for (const char* kind : kinds) {
-      const ModelledTime* entry = find(record, last.case_name, last.coordinates, id_in(id, kind));
-      row.push_back(number_entry(
-          entry ? std::optional(1e6 * step_time(entry->seconds_per_step).seconds) : std::nullopt,
-          3));
-    }
-    table.rows.push_back(std::move(row));
+    table.rows.push_back(times_of(record, last, id));
+    table.rows.back().insert(table.rows.back().begin(), id);
   }
   return table;
 }
 
-/// "0.69, 0.95, 0.8 and 1.1" in the order of kinds.
-std::string in_all_kinds(const std::vector<Entry>& row) {
+/// "0.69, 0.95, 0.80 and 1.12" in the order of kinds.
+std::string in_all_kinds(std::span<const Entry> entries) {
   std::string text;
   for (std::size_t k = 0; k < kinds.size(); ++k)
     text += (k == 0                  ? ""
              : k + 1 == kinds.size() ? " and "
                                      : ", ") +
-            (row[2 + k].has_number() ? row[2 + k].digits.front() : std::string(missing_mark));
+            (entries[k].has_number() ? entries[k].digits.front() : std::string(missing_mark));
   return text;
 }
 
@@ -135,11 +141,17 @@ std::string in_all_kinds(const std::vector<Entry>& row) {
 
 std::vector<Section> modelling_sections(const Record& record) {
   Table found = ratios(record);
-  const auto* const of_last_case = &*(found.rows.end() - pairs.size());
+  const auto ratio = [&](std::size_t pair) {
+    return in_all_kinds(std::span(found.rows[found.rows.size() - pairs.size() + pair]).subspan(2));
+  };
+  const CandidateKey& last = record.modelled.rbegin()->first;
   const TextValues values{
-      {"case", of_last_case->front().shown},        {"cholmod", in_all_kinds(of_last_case[0])},
-      {"umfpack", in_all_kinds(of_last_case[1])},   {"klu", in_all_kinds(of_last_case[2])},
-      {"in_groups", in_all_kinds(of_last_case[6])}, {"equations", in_all_kinds(of_last_case[7])}};
+      {"case", last.case_name},
+      {"cholmod", ratio(0)},
+      {"umfpack", ratio(1)},
+      {"klu", ratio(2)},
+      {"in_groups", ratio(6)},
+      {"generated", in_all_kinds(times_of(record, last, "group_symbolic_explicit"))}};
   Section front = headed_section("modelling_front", values),
           section = headed_section("modelling_section");
   front.tables = {in_short(record), found};
