@@ -37,11 +37,8 @@ std::string kernel_name(const Model& m, const std::string& group,
   return taken ? name + "_" + std::to_string(found.size() - 1) : name;
 }
 
-/// Adds the types of a scene's groups and blocks, sampled over its motion, to those found.
-void collect(const Scene& scene, std::vector<SampledType>& found,
-             Modelling modelling = Modelling::natural) {
-  const Model whole = make_model(scene, modelling);
-  const Model m = make_plan(whole, outputs_of(scene, whole)).model;
+/// Adds the types of a model's groups and blocks, sampled over a motion, to those found.
+void collect(const Model& m, const Scene& scene, std::vector<SampledType>& found) {
   std::vector<double> times;
   for (int i = 0; i < sample_count; ++i)
     times.push_back(scene.grid.time((scene.grid.instants - 1) * i / (sample_count - 1)));
@@ -57,6 +54,12 @@ void collect(const Scene& scene, std::vector<SampledType>& found,
       SampledType& type = add_part(m, part, states, found);
       if (type.name.empty()) type.name = kernel_name(m, m.groups[part.groups.front()].name, found);
     }
+}
+
+/// Adds what a scene asks for.
+void collect(const Scene& scene, std::vector<SampledType>& found) {
+  const Model whole = make_model(scene);
+  collect(make_plan(whole, outputs_of(scene, whole)).model, scene, found);
 }
 
 /// A file of kernels of one kind, which is a member of KernelLibrary.
@@ -139,7 +142,7 @@ int main(int argc, char** argv) {
     std::vector<generate::SampledType> others;
     for (const Case& c : cases())
       for (const Modelling m : {Modelling::reference, Modelling::relative})
-        generate::collect(c.with_units(2), others, m);
+        generate::collect(make_model(c.with_units(2), m), c.with_units(2), others);
     for (generate::SampledType& type : others) type.has_one_order = true;
     const std::span<const generate::SampledType> all = types;
     const std::span files(generate::kernel_files);

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "report/statistics/variants.h"
 #include "report/tables/entries.h"
@@ -154,8 +155,8 @@ std::vector<Section> modelling_sections(const Record& record) {
       {"generated", in_all_kinds(times_of(record, last, "group_symbolic_explicit"))}};
   Section front = headed_section("modelling_front", values),
           section = headed_section("modelling_section");
-  front.tables = {in_short(record), found};
-  section.tables = {all_times(record)};
+  front.tables = {in_short(record)};
+  section.tables = {std::move(found), all_times(record)};
   return {front, section};
 }
 

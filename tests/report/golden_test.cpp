@@ -13,7 +13,7 @@ namespace desmo::report::golden_test {
 namespace {
 
 /// The paper's experiment, and all others.
-constexpr const char *paper = "golden/2.0.0", *others = "golden/2.0.0-others";
+constexpr const char *paper = "golden/2.0.0", *others = "golden/2.1.0-others";
 
 class Golden : public ::testing::TestWithParam<const char*> {};
 
@@ -36,7 +36,8 @@ TEST(GoldenRecords, HaveEverySection) {
   const Record other = read_record(data_file(std::string(others) + ".json"));
   for (const bool is_empty :
        {other.floors.empty(), other.points.empty(), other.growth.empty(), other.break_even.empty(),
-        other.instructions.empty(), other.extreme_rows.empty(), other.extremes.empty()})
+        other.instructions.empty(), other.modelled.empty(), other.extreme_rows.empty(),
+        other.extremes.empty()})
     EXPECT_FALSE(is_empty);
   EXPECT_FALSE(has_paper(other));
 }

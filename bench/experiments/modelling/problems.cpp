@@ -7,7 +7,6 @@
 #include "bench/kit/verification.h"
 #include "formulations/equations/kernel_sets.h"
 #include "formulations/id.h"
-#include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::modelling {
@@ -51,11 +50,8 @@ bench::Problem natural_problem(const Scene& scene, const TimeGrid& grid) {
 
 bench::Problem problem_in(const Scene& scene, const bench::Problem& natural, Modelling kind) {
   if (kind == Modelling::natural) return natural;
-  const Model all = make_model(scene, kind);
-  // Without axes of frames that nothing is derived from.
-  bench::Problem problem{.plan = whole(make_plan(all, outputs_of(scene, all)).model),
-                         .grid = natural.grid,
-                         .reference = natural.reference};
+  bench::Problem problem{
+      .plan = whole(make_model(scene, kind)), .grid = natural.grid, .reference = natural.reference};
   const Model& m = problem.plan.model;
   for (const Entity& e : natural.plan.model.entities) {
     const Entity& same = m.entities[m.find(e.name)];

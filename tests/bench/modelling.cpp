@@ -1,0 +1,73 @@
+// What the experiment modelling measures: problems in other coordinates and their linear systems.
+
+#include "formulations/modelling/modelling.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "bench/experiments/modelling/linear_systems.h"
+#include "bench/experiments/modelling/problems.h"
+#include "bench/kit/verification.h"
+#include "cases/generators/cases.h"
+
+namespace desmo::modelling_experiment_test {
+namespace {
+
+using modelling::LinearSystems;
+
+TEST(LinearSystems, AreThoseThatLibrariesGet) {
+  const auto of = [](Modelling kind, Partition partition) {
+    return modelling::linear_systems(make_model(truck_suspension(2), kind), partition);
+  };
+  for (const Partition p : {Partition::global, Partition::group}) {
+    EXPECT_EQ(of(Modelling::natural, p).unknowns, 2 * 109);
+    EXPECT_EQ(of(Modelling::natural, p).condensation, 0);
+    EXPECT_EQ(of(Modelling::basis, p).unknowns, 2 * 85);
+    EXPECT_EQ(of(Modelling::reference, p).unknowns, 2 * 86);
+    EXPECT_EQ(of(Modelling::relative, p).unknowns, 2 * 21);
+  }
+  const LinearSystems whole = of(Modelling::relative, Partition::global),
+                      parts = of(Modelling::relative, Partition::group);
+  EXPECT_GT(whole.entries, parts.entries);
+  EXPECT_GT(whole.condensation, parts.condensation);
+}
+
+TEST(ModellingProblems, DeliverWhatTheNaturalModelHasInItsOrder) {
+  const Scene scene = truck_suspension(1);
+  const TimeGrid grid{.start = 0, .step = 0.01, .instants = 5};
+  const bench::Problem natural = modelling::natural_problem(scene, grid);
+  for (const Modelling kind : {Modelling::basis, Modelling::reference, Modelling::relative}) {
+    const bench::Problem p = modelling::problem_in(scene, natural, kind);
+    ASSERT_EQ(static_cast<int>(p.delivered.size()), natural.plan.model.coordinates());
+    for (const Entity& e : natural.plan.model.entities)
+      if (!e.fixed) {
+        EXPECT_EQ(p.delivered[e.first], p.plan.model.entities[p.plan.model.find(e.name)].first);
+      }
+    EXPECT_GT(modelling::condition_at_start(p.plan.model, 0), 1);
+  }
+}
+
+// In its own code and against the reference of the natural model: a wrong coordinate is refused.
+TEST(ModellingProblems, AreVerifiedByNamesWithGeneratedCode) {
+  const Scene scene = truck_suspension(1);
+  const TimeGrid grid{.start = 0, .step = 0.01, .instants = 5};
+  const bench::Problem natural = modelling::natural_problem(scene, grid);
+  for (const Modelling kind : {Modelling::reference, Modelling::relative})
+    for (const char* id : {"group_symbolic_inlined", "group_symbolic_explicit"}) {
+      bench::ReferenceCache references;
+      bench::Problem right = modelling::problem_in(scene, natural, kind);
+      bench::ProblemCandidate candidate(right, modelling::id_in(id, kind), Settings{});
+      candidate.verify(references);
+      EXPECT_TRUE(candidate.is_verified()) << candidate.message();
+      std::swap(right.delivered.front(), right.delivered.back());
+      bench::ProblemCandidate mistaken(right, modelling::id_in(id, kind), Settings{});
+      mistaken.verify(references);
+      EXPECT_TRUE(mistaken.is_failed());
+    }
+  EXPECT_EQ(modelling::id_in("group_symbolic_inlined", Modelling::basis), "");
+}
+
+}  // namespace
+}  // namespace desmo::modelling_experiment_test
