@@ -105,7 +105,8 @@ Suffix tolerance() {
 /// In the order in which they stand in an id.
 const std::vector<Suffix>& suffixes() {
   static const std::vector<Suffix> all{
-      choice("coordinates", &Settings::coordinates, {"natural", "basis", "reference", "relative"}),
+      choice("coordinates", &Settings::coordinates,
+             {modelling_names.begin(), modelling_names.end()}),
       choice("guess", &Settings::guess, guess_names()),
       choice("jacobian", &Settings::jacobian, {"newton", "step"}),
       choice("btf", &Settings::btf, {"on", "off"}),

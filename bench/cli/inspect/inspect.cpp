@@ -39,9 +39,7 @@ void add_inspect(CLI::App& program) {
                    "case with its units, such as truck_suspension:5")
       ->required();
   std::map<std::string, Modelling> kinds;
-  for (const Modelling kind :
-       {Modelling::natural, Modelling::basis, Modelling::reference, Modelling::relative})
-    kinds.emplace(modelling_name(kind), kind);
+  for (const Modelling kind : modelling_kinds) kinds.emplace(name_of(kind), kind);
   command
       ->add_option("--coordinates", options->coordinates,
                    "natural (default), basis, reference or relative: the tree, its variables, the "

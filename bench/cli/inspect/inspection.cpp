@@ -76,12 +76,6 @@ int Inspection::constant_parts() const {
   return static_cast<int>(std::ranges::count(model().groups, true, &Group::constant));
 }
 
-std::string_view modelling_name(Modelling modelling) {
-  static constexpr std::array<std::string_view, 4> names{"natural", "basis", "reference",
-                                                         "relative"};
-  return names[static_cast<std::size_t>(modelling)];
-}
-
 Inspection inspect(const Input& input, Modelling modelling) {
   const Mechanism& d = input.scene.mechanism;
   Inspection result{d.title,

@@ -43,9 +43,6 @@ struct Inspection {
 /// Models an input and collects its structure. Throws InputError.
 Inspection inspect(const Input& input, Modelling modelling = Modelling::natural);
 
-/// Returns the name of a kind of coordinates, as ids have it.
-std::string_view modelling_name(Modelling modelling);
-
 /// Return the names of entities, and of the model's drivers.
 std::vector<std::string> entity_names(const Model& model, const std::vector<EntityId>& entities);
 std::vector<std::string> driver_names(const Model& model);

@@ -84,7 +84,7 @@ std::string to_json(const Inspection& inspection) {
                     {"bodies", inspection.bodies},
                     {"joints", inspection.joints},
                     {"coordinates",
-                     {{"kind", modelling_name(m.modelling)},
+                     {{"kind", name_of(m.modelling)},
                       {"all", m.coordinates()},
                       {"dependent", m.coordinates() - m.degrees_of_freedom()},
                       {"independent", driver_names(m)}}},

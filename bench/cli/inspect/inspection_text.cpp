@@ -89,7 +89,7 @@ std::string to_text(const Inspection& inspection) {
           count(inspection.bodies, "moving body", "moving bodies") + ", " +
           count(inspection.joints, "joint") + "\n";
   if (m.modelling != Modelling::natural)
-    text += std::string(modelling_name(m.modelling)) + " coordinates\n";
+    text += std::string(name_of(m.modelling)) + " coordinates\n";
   text += wrap(count(m.coordinates(), "coordinate") + ": " +
                    std::to_string(m.coordinates() - independent) + " dependent, " +
                    std::to_string(independent) + " independent (" + enumerate(driver_names(m), 24) +

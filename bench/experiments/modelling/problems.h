@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,9 +10,6 @@
 #include "formulations/base/modelling.h"
 
 namespace desmo::modelling {
-
-inline constexpr std::array kinds{Modelling::natural, Modelling::basis, Modelling::reference,
-                                  Modelling::relative};
 
 /// Returns the formulations that are compared in each kind of coordinates, by their ids in natural
 /// ones: the paper's partitions with dense and sparse algebra, and generated code.

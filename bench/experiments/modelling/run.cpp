@@ -41,7 +41,7 @@ std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
       if (options.quick && n != c.sizes.front()) continue;
       Comparison one{&c, n, {}};
       for (const std::string_view natural : compared_ids())
-        for (const Modelling kind : kinds) {
+        for (const Modelling kind : modelling_kinds) {
           const std::string id = id_in(natural, kind),
                             name = std::string(c.name) + "/" + std::to_string(n) + "/" + id;
           if (!id.empty() && std::regex_search(name, wanted)) one.ids.emplace_back(kind, id);

@@ -10,6 +10,7 @@
 #include "cases/mechanism/joint_forms.h"
 #include "formulations/modelling/coordinates/placement.h"
 #include "formulations/modelling/frames/axes.h"
+#include "formulations/modelling/frames/declared_variables.h"
 
 namespace desmo {
 
@@ -30,9 +31,9 @@ class FramePlanner {
       : framed_(framed),
         d_(framed.mechanism),
         rigid_(framed.rigid),
-        structure_(structure),
         placement_(place_entities(d_, rigid_, structure, false)),
         axes_(framed),
+        declared_(framed, axes_, structure, placement_),
         is_plane_(d_.dimension == 2),
         orientation_(rigid_.list.size()) {}
 
@@ -98,53 +99,17 @@ class FramePlanner {
 
   void plan_travel(int r, const Mechanism::Joint& j) {
     DerivedFrame& frame = framed_.frames[r];
-    for (int c = 0; c < static_cast<int>(d_.coordinates.size()); ++c) {
-      const Mechanism::Coordinate& travel = d_.coordinates[c];
-      if (travel.type == Mechanism::CoordinateType::along && travel.vector == j.vectors[0] &&
-          std::minmax({travel.of.from, travel.of.to}) == std::minmax({j.points[0], j.points[1]}) &&
-          has_all_here(travel, r))
-        frame.travel = c;
-    }
+    frame.travel = declared_.travel(r, j);
     const Vec& from = d_.points[j.points[0]].position;
     const Vec& to = d_.points[j.points[1]].position;
     using nominal::operator-;
     frame.start_travel = dot(to - from, d_.vectors[j.vectors[0]].direction);
   }
 
-  /// Returns whether a coordinate is found by the group of a body, so that it can be its variable.
-  bool has_all_here(const Mechanism::Coordinate& c, int r) const {
-    return placement_.of(c) == structure_.of_body[r];
-  }
-
-  /// Returns the declared angle between the parent and a body; none: there is none that measures
-  /// what the joint turns. axis: of the joint; none in the plane.
-  int measured_angle(int r, int axis) const {
-    const int parent = framed_.tree.hanging[r].parent;
-    for (int c = 0; c < static_cast<int>(d_.coordinates.size()); ++c) {
-      const Mechanism::Coordinate& a = d_.coordinates[c];
-      if (a.type != Mechanism::CoordinateType::angle || !has_all_here(a, r) ||
-          !carries(rigid_, r, a.of))
-        continue;
-      if (!a.from.is_given()) {
-        if (parent == 0) return c;
-        continue;
-      }
-      if (!carries(rigid_, parent, a.from)) continue;
-      if (is_plane_) return c;
-      if (!carries(rigid_, parent, a.towards) || a.from.is_line() || a.towards.is_line()) continue;
-      const Exact u = axes_.own(parent, axis), f = axes_.own(parent, a.from),
-                  g = axes_.own(parent, a.towards);
-      if (are_normal(u, f) && are_normal(u, g) && are_normal(f, g) &&
-          are_normal(axes_.own(r, axis), unit(axes_.own(r, a.of))))
-        return c;
-    }
-    return Mechanism::none;
-  }
-
   void turn_in_plane(int r) {
     DerivedFrame& frame = framed_.frames[r];
     const int parent = framed_.tree.hanging[r].parent;
-    frame.angle = measured_angle(r, Mechanism::none);
+    frame.angle = declared_.angle(r, Mechanism::none);
     Direction lead = rigid_.list[r].basis.directions.front(), from;
     if (frame.angle >= 0) {
       lead = d_.coordinates[frame.angle].of;
@@ -166,7 +131,7 @@ class FramePlanner {
   void turn_about(int r, int u) {
     DerivedFrame& frame = framed_.frames[r];
     const int parent = framed_.tree.hanging[r].parent;
-    frame.angle = measured_angle(r, u);
+    frame.angle = declared_.angle(r, u);
     const Exact axis = axes_.own(r, u);
     Exact lead;
     if (frame.angle >= 0) {
@@ -259,25 +224,12 @@ class FramePlanner {
   FramedMechanism& framed_;
   Mechanism& d_;
   RigidBodies& rigid_;
-  const Structure& structure_;
   Placement placement_;
   AxisMaker axes_;
+  DeclaredVariables declared_;
   bool is_plane_;
   std::vector<int> orientation_;  // first body with the same axes
 };
-
-/// Returns the first of the carriers in the order of the tree.
-std::vector<int> first_carriers(const std::vector<std::vector<int>>& carriers,
-                                const SpanningTree& tree) {
-  std::vector<int> position(tree.hanging.size(), -1);  // the ground comes first
-  for (std::size_t i = 0; i < tree.order.size(); ++i) position[tree.order[i]] = static_cast<int>(i);
-  std::vector<int> first;
-  for (const std::vector<int>& all : carriers)
-    first.push_back(all.empty() ? no_position : *std::ranges::min_element(all, {}, [&](int r) {
-      return position[r];
-    }));
-  return first;
-}
 
 }  // namespace
 

@@ -137,4 +137,16 @@ SpanningTree make_tree(const Mechanism& d, const RigidBodies& rigid, const Struc
   return TreeMaker(d, rigid, structure).make(modelling == Modelling::relative);
 }
 
+std::vector<int> first_carriers(const std::vector<std::vector<int>>& carriers,
+                                const SpanningTree& tree) {
+  std::vector<int> position(tree.hanging.size(), -1);  // the ground comes first
+  for (std::size_t i = 0; i < tree.order.size(); ++i) position[tree.order[i]] = static_cast<int>(i);
+  std::vector<int> first;
+  for (const std::vector<int>& all : carriers)
+    first.push_back(all.empty() ? no_position : *std::ranges::min_element(all, {}, [&](int r) {
+      return position[r];
+    }));
+  return first;
+}
+
 }  // namespace desmo

@@ -33,4 +33,9 @@ struct SpanningTree {
 SpanningTree make_tree(const Mechanism& mechanism, const RigidBodies& rigid,
                        const Structure& structure, Modelling modelling);
 
+/// Returns of each list of rigid bodies the one that comes first in the tree, the ground before
+/// all; none of an empty list.
+std::vector<int> first_carriers(const std::vector<std::vector<int>>& carriers,
+                                const SpanningTree& tree);
+
 }  // namespace desmo
