@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,6 +15,12 @@ namespace desmo {
 
 inline Scene library_scene(std::string_view name) {
   return parse_scene(find_library(name)->scene, std::string(name) + ".scene.json", "");
+}
+
+/// Returns the instants that tests go through: all of a motion, or with sanitizers its begin.
+inline TimeGrid tested(TimeGrid grid) {
+  if (DESMO_SANITIZED) grid.instants = std::min(grid.instants, 21);
+  return grid;
 }
 
 /// Returns `count` times of a grid, evenly spread, both ends included.

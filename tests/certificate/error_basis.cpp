@@ -76,7 +76,7 @@ ErrorBasis basis_of(const std::vector<std::array<double, n>>& columns, int rank 
 TEST(ErrorBasis, CountsRoundingAlongExactDirections) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(0.1, 0.2);
-  for (int trial = 0; trial < 40; ++trial) {
+  for (int trial = 0; trial < (DESMO_SANITIZED ? 4 : 40); ++trial) {
     std::vector<std::array<double, 4>> g;
     for (int s = 0; s < 4; ++s) {
       const double size = std::ldexp(0.25, -12 * s);
@@ -114,7 +114,7 @@ TEST(ErrorBasis, BoundsWhatItsDirectionsAreOff) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const double off : {0.0, 1e-15, 1e-12, 1e-8})
-    for (int trial = 0; trial < 100; ++trial) {
+    for (int trial = 0; trial < (DESMO_SANITIZED ? 5 : 100); ++trial) {
       const double x = uniform(generator), y = std::sqrt((1 - x) * (1 + x));
       std::array<double, 4> q{x, -y, y, x};
       for (double& component : q) component += off * uniform(generator);
@@ -135,7 +135,7 @@ TEST(ErrorBasis, HoldsNearlyDependentErrors) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const double apart : {0.5, 1e-2, 1e-4, 1e-6, 1e-9, 1e-13})
-    for (int trial = 0; trial < 8; ++trial) {
+    for (int trial = 0; trial < (DESMO_SANITIZED ? 2 : 8); ++trial) {
       // Columns differ little from the first one, in ever smaller ways.
       std::array<std::array<double, columns>, size> g;
       std::array<double, size> own;

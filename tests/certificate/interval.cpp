@@ -46,7 +46,7 @@ template <class Operation>
 double worst_of(double radius, Operation&& operation) {
   Intervals intervals(radius);
   double worst = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < (DESMO_SANITIZED ? 2000 : 20'000); ++i) {
     const Interval a = intervals.next(), b = intervals.next();
     const Exact x = intervals.within(a), y = intervals.within(b);
     const Interval result = operation(a, b);
@@ -81,7 +81,7 @@ TEST(Interval, IsExactWhereNothingIsRounded) {
 
 TEST(Interval, MagnitudeIsAnUpperBound) {
   Intervals intervals(0.5);
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < (DESMO_SANITIZED ? 200 : 10'000); ++i) {
     const Interval a = intervals.next();
     EXPECT_LE(abs(Exact(a.mid)) + Exact(a.radius), Exact(a.magnitude()));
   }
@@ -94,7 +94,7 @@ double worst_of_function(double radius, double largest, Function&& f) {
   std::mt19937 generator(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
   double worst = 0;
-  for (int i = 0; i < 50'000; ++i) {
+  for (int i = 0; i < (DESMO_SANITIZED ? 500 : 50'000); ++i) {
     const Interval a(largest * uniform(generator), radius * std::abs(uniform(generator)));
     const double share = std::clamp(1.5 * uniform(generator), -1.0, 1.0);
     const Interval result = f(a);

@@ -356,7 +356,7 @@ std::vector<double> on_other_branch(const Model& m, std::vector<double> q, const
 
 TEST(Passage, IsToldByTheFall) {
   std::mt19937 generator(44);
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < (DESMO_SANITIZED ? 2 : 8); ++i) {
     const DrawnScene scene(generator);
     SCOPED_TRACE(i);
     const Model m = scene.model(Polynomial{{scene.bars.point, 0.7 * scene.sign}});

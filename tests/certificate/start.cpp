@@ -342,7 +342,7 @@ TEST(Start, TakesARoughDrawingForWhatItIsNearest) {
   EXPECT_NEAR(m.value("phi_bucket", drawn.q), 2.57954545505, 1e-10);
   std::mt19937 generator(1);
   for (const double part : {0.01, 0.03, 0.1})  // of the shortest link
-    for (int i = 0; i < (DESMO_SANITIZED ? 5 : 40); ++i) {
+    for (int i = 0; i < (DESMO_SANITIZED ? 1 : 40); ++i) {
       std::normal_distribution<double> off(0, part * 0.449);
       Model rough = m;
       for (const Entity& e : m.entities)
@@ -370,7 +370,7 @@ TEST(Start, FollowsARoughDrawingToAnyStart) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> boom(1.0, 2.2), arm(0.9, 2.2), bucket(1.0, 1.9);
   int reached = 0, blocked = 0;
-  for (int i = 0; i < (DESMO_SANITIZED ? 10 : 120); ++i) {
+  for (int i = 0; i < (DESMO_SANITIZED ? 4 : 120); ++i) {
     const std::vector<double> to{boom(generator), arm(generator), bucket(generator)};
     const FoundStart found = find_start(held_at(m, to), 0);
     (found.stage == Stage::reached ? reached : blocked)++;
@@ -384,7 +384,7 @@ TEST(Start, FollowsARoughDrawingToAnyStart) {
     }
   }
   std::cout << reached << " reached, " << blocked << " blocked\n";
-  EXPECT_GT(reached, DESMO_SANITIZED ? 2 : 30);
+  EXPECT_GT(reached, DESMO_SANITIZED ? 0 : 30);
 }
 
 /// Along the homotopy Φ, Φ̇ and Φ̈ are (1 − λ) Φ₀, −Φ₀ and 0.

@@ -55,7 +55,7 @@ template <class Operation>
 double worst_of(double rest, Operation&& operation) {
   Models models;
   double worst = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < (DESMO_SANITIZED ? 50 : 1000); ++i) {
     const Model a = models.next(rest), b = models.next(rest);
     const double s = models.argument();
     const Exact x = models.within(a, s), y = models.within(b, s);
@@ -99,7 +99,7 @@ TEST(TaylorModel, BoundsTheRoundingOfProducts) {
   double worst = 0;
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> digits(1, 2);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < (DESMO_SANITIZED ? 200 : 20'000); ++i) {
     Line a, b;
     a.c = {digits(generator), digits(generator)};
     b.c = {digits(generator), 0};  // nothing is cut
@@ -150,7 +150,7 @@ TEST(TaylorModel, BoundsTheRemaindersOfSinesAndCosines) {
 
 TEST(TaylorModel, HoldsSinesOfManyAngles) {
   Models models;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < (DESMO_SANITIZED ? 10 : 200); ++i) {
     Model a = models.next(i % 2 ? 1e-3 : 0);
     expect_held(a, sin(a), sine, 0);
     expect_held(a, cos(a), cosine, 0);

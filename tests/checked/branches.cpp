@@ -176,6 +176,7 @@ TEST_P(LongSteps, IsFollowed) {
       m, times_of(solve_checked(m, steps.grid, steps.ids[0], Level::position).rows, 17));
   for (const char* id : steps.ids)
     for (const Level level : all_levels) {
+      if (DESMO_SANITIZED && level < Level::acceleration) continue;
       SCOPED_TRACE(id);
       const CheckedRows r = solve_checked(m, steps.grid, id, level);
       EXPECT_EQ(r.summary.outcome(), Outcome::converged) << describe(r.summary, m);
@@ -311,7 +312,7 @@ void take_turns(const Model& m, CheckedRow& row, const ReferenceInstant& exact) 
 TEST_P(FarStarts, LieOnTheBranchOfTheDrawing) {
   const Scene scene = library_scene(GetParam());
   const Model m = make_model(scene);
-  const Reference reference = make_reference(m, sampled(scene.grid, 9));
+  const Reference reference = make_reference(m, sampled(scene.grid, DESMO_SANITIZED ? 2 : 9));
   for (const char* id :
        {"global_automatic_klu", "block_automatic_lapack", "group_symbolic_explicit"})
     for (const ReferenceInstant& exact : reference.instants) {

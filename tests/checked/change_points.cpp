@@ -57,6 +57,7 @@ class ChangePointOfEvery : public EveryVariant {};
 
 TEST_P(ChangePointOfEvery, PassesAChangePointSmoothly) {
   expect_scott_russell(GetParam().id, {0, 1. / 16, 81}, Level::acceleration);
+  if (DESMO_SANITIZED) return;
   expect_scott_russell(GetParam().id, {0.01, 1. / 15, 70}, Level::acceleration);
 }
 
@@ -68,8 +69,10 @@ TEST(ChangePoints, ArePassedWhateverIsAskedForAndHoweverStepsAreTaken) {
     for (const char* id :
          {"global_automatic_klu", "global_automatic_klu/jacobian:step",
           "block_symbolic_explicit/guess:hermite5", "group_symbolic_inlined/stride:4"})
-      for (const TimeGrid& grid : {TimeGrid{0, 1. / 16, 81}, {0.01, 1. / 15, 70}, {0, 1, 6}})
+      for (const TimeGrid& grid : {TimeGrid{0, 1. / 16, 81}, {0.01, 1. / 15, 70}, {0, 1, 6}}) {
+        if (DESMO_SANITIZED && grid.instants > 6) continue;
         expect_scott_russell(id, grid, level);
+      }
 }
 
 /// The way from the drawing leads to the point, from which the motion goes on: from 90° at once, or

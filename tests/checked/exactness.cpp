@@ -78,6 +78,7 @@ TEST_P(ExactFormulation, DeliversTheSameNumbersToTheLastDigits) {
       const CheckedRows r = solve_checked(known.m, known.grid, id);
       EXPECT_EQ(r.summary.outcome(), Outcome::converged) << describe(r.summary, known.m);
       expect_exact(known, r.rows);
+      if (DESMO_SANITIZED) break;
     }
 }
 
@@ -115,7 +116,7 @@ void expect_radii(const Known& known, const std::string& id) {
 TEST(Radii, HoldInTheLibrary) {
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
-    const Known known(make_model(scene), scene.grid, 14);
+    const Known known(make_model(scene), tested(scene.grid), DESMO_SANITIZED ? 3 : 14);
     for (const char* id : {"global_automatic_klu/stride:16", "group_symbolic_explicit"})
       expect_radii(known, id);
   }
@@ -133,7 +134,7 @@ TEST(Radii, HoldNextToADeadPoint) {
 /// Where the crank points at the block, pivots of another position give rates no digit.
 TEST(Radii, HoldWherePivotsAreThoseOfAnotherPosition) {
   const Scene scene = scene_file("oscillating_block");
-  const Known known(make_model(scene), scene.grid, 201);
+  const Known known(make_model(scene), scene.grid, DESMO_SANITIZED ? 21 : 201);
   for (const char* id : {"global_automatic_klu", "group_automatic_klu", "block_automatic_klu"})
     expect_radii(known, id);
 }

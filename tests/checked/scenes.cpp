@@ -60,6 +60,7 @@ TEST_P(EveryScene, HasTheRightAnswer) {
   const Model& m = plan.model;
   for (const char* id : asked.ids) {
     SCOPED_TRACE(id);
+    if (DESMO_SANITIZED && id != asked.ids.front()) break;
     const CheckedRows r = solve_checked(m, scene.grid, id, plan.level(), {.levels = plan.levels});
     const CheckedSummary& s = r.summary;
     EXPECT_EQ(s.outcome(), asked.outcome) << describe(s, m);

@@ -37,7 +37,7 @@ struct Attained {
 TEST(Derived, HoldsEachOperation) {
   std::mt19937 generator(1);
   std::map<std::string, Attained> attained;
-  for (int sample = 0; sample < 100000; ++sample) {
+  for (int sample = 0; sample < (DESMO_SANITIZED ? 1000 : 100'000); ++sample) {
     const double p = number(generator), q = number(generator), r = number(generator);
     const Derived a = Derived(p) * q, b = Derived(r) * r + 1;
     // Operands are exact here, so that each operation stands for itself.
@@ -183,7 +183,7 @@ void expect_closed(const RandomFile& file, std::map<std::string, Attained>& atta
 TEST(Dimensions, AreThoseOfTheFile) {
   std::mt19937 generator(1);
   std::map<std::string, Attained> attained;
-  for (int sample = 0; sample < 100; ++sample) {
+  for (int sample = 0; sample < (DESMO_SANITIZED ? 25 : 100); ++sample) {
     expect_closed(random_plane(generator), attained);
     expect_closed(random_space(generator), attained);
   }
