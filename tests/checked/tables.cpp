@@ -182,7 +182,8 @@ TEST(CouplingsByTable, PassChangePointsOnTheirKnots) {
 /// A rise to 20° at a = 60°, and back: a wheel that is driven beyond locks there.
 TEST(CouplingsByTable, LockWhereTheirTableHasAnExtremum) {
   const std::vector<double> at{0, 20, 40, 60, 80, 100, 120}, up{0, 5, 15, 20, 15, 5, 0},
-      steady{0, 5, 10, 15, 20, 25, 30};
+      steady{0, 5, 10, 15, 20, 25, 30},
+      late{0, 5, 10, 15, 19, 21, 21.5};  // would begin to fall after its end
   for (const char* id : {"global_automatic_klu", "group_automatic_lapack"}) {
     // From the drawing at a = 10°.
     Wheel wheel{.couplings = table("rise", at, up), .driver = "w", .speed = 50};
@@ -195,10 +196,12 @@ TEST(CouplingsByTable, LockWhereTheirTableHasAnExtremum) {
       EXPECT_EQ(m.entities[locked.summary.table_lock->argument].name, "a");
       EXPECT_NEAR(locked.summary.table_lock->at, 60 * degree, 1e-3);
     }
-    wheel.couplings = table("rise", at, steady);
-    const CheckedRows ended = solve(wheel, id);
-    EXPECT_FALSE(ended.summary.ok());
-    EXPECT_FALSE(ended.summary.table_lock) << id;
+    for (const auto& values : {steady, late}) {
+      wheel.couplings = table("rise", at, values);
+      const CheckedRows ended = solve(wheel, id);
+      EXPECT_FALSE(ended.summary.ok());
+      EXPECT_FALSE(ended.summary.table_lock) << id;
+    }
   }
 }
 

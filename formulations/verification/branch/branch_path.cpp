@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cases/numbers/interval.h"
+#include "formulations/verification/branch/patience.h"
 
 namespace desmo {
 
@@ -131,32 +132,6 @@ FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time,
 
 FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
 
-namespace {
-
-/// When to try a longer step. Where the motion is evenly hard to follow, doubled steps would fail
-/// every other time: after each failure twice as many steps are proven before the next try.
-class Growth {
- public:
-  /// Notes that a step was proven. Returns the factor from its length to that of the next step.
-  double proven() {
-    if (doubled_) wait_ = 1;
-    doubled_ = left_ == 0;
-    if (left_ > 0) --left_;
-    return doubled_ ? 2 : 1;
-  }
-  void failed() {
-    if (doubled_) left_ = wait_ = std::min(2 * wait_, max_wait);
-    doubled_ = false;
-  }
-
- private:
-  static constexpr int max_wait = 8;  // steps: the price of an easier stretch found late
-  int wait_ = 1, left_ = 0;
-  bool doubled_ = false;  // the present step is twice as long as the one before
-};
-
-}  // namespace
-
 /// to: the instant at that time; null: there is none.
 FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
@@ -167,7 +142,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   }
   double step = time - present_.time;
   const double shortest = std::abs(step) * Interval::unit;
-  Growth growth;
+  Patience patience;
   bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
   while (result.tests < budget_ && std::abs(step) > shortest &&
          present_.time + step != present_.time) {
@@ -203,7 +178,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     }
     // Where both ends may be the same solution, the last sub-step was too long to tell.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
-      growth.failed();
+      patience.failed();
       step = (next - present_.time) / 2;
       if (present_.time + step == next) break;  // there is no time between the two
       continue;
@@ -215,7 +190,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       result.end = to ? PathEnd::other : PathEnd::same;
       return result;
     }
-    step *= growth.proven();
+    if (patience.succeeded()) step *= 2;
   }
   result.time = present_.time;
   result.out_of_tests = result.tests >= budget_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
@@ -19,9 +20,17 @@ namespace {
 
 using Number = Compensated<double>;
 
-/// Places on a step, of s, where misfits are looked for.
-constexpr std::array looks{-0.875, -0.75, -0.625, -0.5, -0.375, -0.25, -0.125, 0.,
-                           0.125,  0.25,  0.375,  0.5,  0.625,  0.75,  0.875};
+constexpr int degree = 5;  // of a step's path
+
+/// Places on a step, of s, where misfits are looked for: zeros of a Chebyshev polynomial. Where
+/// there are three for each degree, no polynomial is anywhere more than 1/cos(π/6) = 1.16 times as
+/// large as in the worst of them (Ehlich and Zeller).
+const auto looks = [] {
+  std::array<double, 3 * degree> s;
+  for (int k = 0; k < std::ssize(s); ++k)
+    s[k] = -std::cos((k + 0.5) * std::numbers::pi / std::ssize(s));
+  return s;
+}();
 
 std::vector<Equation> left_out_of(const Model& m) {
   std::vector<Equation> all;
@@ -132,7 +141,7 @@ bool LeftOutEquations::is_contradiction(const Misfit& misfit) const {
 }
 
 bool LeftOutEquations::look_along(const PathProof& step) {
-  using Path = TaylorModel<double, 5>;
+  using Path = TaylorModel<double, degree>;
   go_to(step, 0);
   for (std::size_t i = 0; i < equations_.size(); ++i) {
     const Path phi = value_of<Path>(varied_, equations_[i], [&](int k) {

@@ -88,11 +88,10 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   LaneMask proven{};
   for (int attempt = 0; attempt < max_trial_boxes && (lanes & !proven).any(); ++attempt) {
     for (int i = 0; i < n; ++i) {
-      // First, X is so large that one evaluation will do, and so small that it costs no digits: X²
-      // is far below a unit. It is never zero: rates are compared with it.
+      // It is never zero: rates are compared with it.
       const LaneNumbers last = attempt < 2 ? LaneNumbers(0) : 2 * contracted_[i];
       const LaneNumbers trial = attempt == 0 && !linear
-                                    ? b.magnitudes[i] * 0x1p-36
+                                    ? b.magnitudes[i] * first_trial
                                     : inflated(e.sum[i] + last, b.magnitudes[i]);
       trial_[i] = select(proven, trial_[i], trial);
       state_.position[b.locals[i]].radius = trial_[i];

@@ -41,8 +41,7 @@ void ErrorBasis::find_directions() {
     for (int i = 0; i < d; ++i)
       for (int k = 0; k < n; ++k) sums_[k] += rest_[i * n + k] * rest_[i * n + k];
     const auto longest = std::max_element(sums_.begin(), sums_.begin() + n);
-    constexpr double negligible = 1e-30;  // of rows of size 1
-    const bool is_rest = n > 0 && *longest > negligible;
+    const bool is_rest = n > 0 && *longest > 0;
     for (int i = 0; i < d; ++i)
       basis_[i * d + s] =
           is_rest ? rest_[i * n + (longest - sums_.begin())] / std::sqrt(*longest) : i == unit;

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/numbers/interval.h"
+#include "formulations/verification/certificate/trial_box.h"
+
 namespace desmo {
 
 namespace {
@@ -200,7 +203,8 @@ void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, Lane
   if (s.unknowns > 1) {
     LaneNumbers worst(0);
     for (int i = 0; i < s.unknowns * s.unknowns; ++i) worst += remainder[i];
-    constexpr double good = 1e-6;
+    // What the remainder leaves of a first X is then less than a unit.
+    constexpr double good = Interval::unit / first_trial;
     const LaneMask poor = lanes & !less(worst, good);
     if (poor.any()) {
       for (int lane = 0; lane < LaneNumbers::count; ++lane)

@@ -7,6 +7,10 @@ namespace desmo {
 /// Trial boxes X of a block, each larger than the one before. A contraction of 0.8 needs ten.
 inline constexpr int max_trial_boxes = 10;
 
+/// Radius of the first X of a certificate relative to the magnitude of its coordinate: so large
+/// that one evaluation will do, and so small that it costs no digits, for X² is far below a unit.
+inline constexpr double first_trial = 0x1p-36;
+
 /// Smallest radius of X relative to the magnitude of its coordinate: a few units in the last place.
 /// Bounds of rates are divided by the radius, so it must not be zero.
 inline constexpr double min_trial = 0x1p-50;

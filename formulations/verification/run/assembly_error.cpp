@@ -59,11 +59,10 @@ void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
 }
 
 /// Whether a group is assembled there, though Newton's method may not have found the position, or
-/// not accept it as it is singular.
+/// not accept it as it is singular. Rounding may leave more than a small tolerance.
 bool holds(const DenseGroup& group, const std::vector<double>& state, const Settings& settings) {
-  constexpr double rounding = 1e-12;  // of residuals over their magnitudes, at most
   return group.weights().cwiseProduct(group.residual(state)).norm() <
-         std::max(settings.tolerance, rounding);
+         std::max(settings.tolerance, default_tolerance);
 }
 
 }  // namespace

@@ -7,8 +7,6 @@ namespace desmo {
 
 namespace {
 
-/// Instants at which drivers are looked at beforehand.
-constexpr int looks = 64;
 /// What unknowns do at least of what drivers do, before they have been seen.
 constexpr double min_scale = 0.01;
 
@@ -24,14 +22,6 @@ struct Largest {
   }
 };
 
-/// Returns times [s], spread evenly over a grid, at which drivers are sampled before the run.
-std::vector<double> looks_ahead(const TimeGrid& grid) {
-  std::vector<double> times;
-  for (int i = 0; i <= looks; ++i)
-    times.push_back(grid.start + i * (grid.step * std::max(0, grid.instants - 1) / looks));
-  return times;
-}
-
 }  // namespace
 
 RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
@@ -42,8 +32,8 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
   const double size = nominal_size(m);
   Largest length, rotation;
   for (const Driver& d : m.drivers)
-    for (const double t : looks_ahead(grid)) {
-      const MotionSample<double> z = sample(d.motion, t);
+    for (int i = 0; i < std::max(1, grid.instants); ++i) {
+      const MotionSample<double> z = sample(d.motion, grid.time(i));
       (is_length(m.entities[d.coordinate].kind) ? length : rotation)
           .take(z.velocity, z.acceleration);
     }

@@ -5,18 +5,12 @@
 namespace desmo {
 
 void StrideControl::halve() {
-  if (std::exchange(is_tried_, false))
-    intervals_to_double_ =
-        good_ < intervals_to_double_ ? std::min(2 * intervals_to_double_, many) : few;
+  patience_.failed();
   now_ = std::max(1, now_ / 2);
-  good_ = 0;
 }
 
 void StrideControl::keep() {
-  if (++good_ < intervals_to_double_ || now_ == longest_) return;
-  now_ = std::min(2 * now_, longest_);
-  good_ = 0;
-  is_tried_ = true;
+  if (patience_.succeeded()) now_ = std::min(2 * now_, longest_);
 }
 
 StridedSteps::StridedSteps(Formulation& f, const TimeGrid& grid, Level level, Observer& rows)

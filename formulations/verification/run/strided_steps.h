@@ -4,13 +4,13 @@
 #include <optional>
 
 #include "formulations/motion/dense_output.h"
+#include "formulations/verification/branch/patience.h"
 
 namespace desmo {
 
 /// The stride, the number of steps from one solved instant to the next, when a run goes on from its
-/// last good instant. It is halved where an interpolated instant is not accurate enough. Eight
-/// intervals without such an instant double it again; after each doubling that failed, twice as
-/// many are needed.
+/// last good instant. It is halved where an interpolated instant is not accurate enough, and
+/// doubled again as Patience has it.
 class StrideControl {
  public:
   explicit StrideControl(int longest) : longest_(longest), now_(longest) {}
@@ -21,12 +21,8 @@ class StrideControl {
   void keep();
 
  private:
-  static constexpr int few = 8, many = 1024;
-
   int longest_, now_;
-  int good_ = 0;                   // intervals since the last change
-  int intervals_to_double_ = few;  // good ones after which the stride is doubled
-  bool is_tried_ = false;          // the last change doubled it
+  Patience patience_;
 };
 
 /// Steps of a formulation with a stride (Settings::stride), after its own run has ended: finds the

@@ -15,7 +15,8 @@ struct TableLock {
 };
 
 /// Returns the lock of a motion that a formulation led outside of a table (Status::not_finite,
-/// Summary::constraint); nothing where it came to an end of the table, or no table is concerned.
+/// Summary::constraint); nothing where an end of the table is nearer than an extremum, or no table
+/// is concerned.
 /// - followed_to: the positions up to which the motion was proven; may be empty
 std::optional<TableLock> find_table_lock(const Model& model, int constraint,
                                          std::span<const double> followed_to);
