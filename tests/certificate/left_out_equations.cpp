@@ -6,13 +6,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "formulations/model/characteristic_lengths.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/mechanisms.h"
@@ -136,6 +140,45 @@ TEST(LeftOutEquations, ExplainHardlyMoreThanTheDigits) {
       EXPECT_EQ(misfit(cranks(explained / of_longer)), 0);
       EXPECT_NEAR(misfit(cranks(12 * explained / of_longer)), 12 * explained, 5 * explained);
     }
+}
+
+/// What a drawing may leave, 1e-4 of the lengths of an equation's points, is no contradiction.
+TEST(LeftOutEquations, AreContradictedByMoreThanDigitsLeave) {
+  const Model m = make_model(parallel_cranks(1.1L, 17, true));
+  const LeftOutEquations left_out(m);
+  const auto c =
+      std::ranges::find_if(m.constraints, [](const Constraint& c) { return c.left_out != 0; });
+  const int constraint = static_cast<int>(c - m.constraints.begin());
+  const double length = CharacteristicLengths(m).of(*c);
+  for (const double share : {1. / 3, 3.}) {
+    EXPECT_EQ(left_out.is_contradiction({constraint, share * 1e-4 * length, true}), share > 1);
+    EXPECT_EQ(left_out.is_contradiction({constraint, share * 1e-4, false}), share > 1);
+  }
+}
+
+/// The enclosure of what holds grows with about the sixth power of the step: a step of 0.72 rad
+/// leaves 1e-4 of lengths, these leave a third and three times as much.
+TEST(LeftOutEquations, AreToldAlongStepsThatAreShortEnough) {
+  const Model m = make_model(parallel_cranks(1.1L, 17, true));
+  LeftOutEquations left_out(m);
+  Refinement refinement(m);
+  BranchPath path(m);
+  bool is_told = false;
+  path.ask_about_steps([&](const PathProof& step) { return is_told = left_out.look_along(step); });
+  for (const double step : {0.6, 0.85}) {
+    const auto ends = double_solution(m, std::vector{0., step});
+    const auto refined = [&](const ReferenceInstant& s) -> CertifiedInstant {
+      const RefinedInstant& r =
+          refinement.refine({.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+      EXPECT_TRUE(r.proven);
+      return {s.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
+    };
+    ASSERT_TRUE(path.start_at(refined(ends[0])));
+    const FollowedStep followed = path.follow(refined(ends[1]));
+    EXPECT_EQ(followed.end, PathEnd::same);
+    EXPECT_EQ(followed.sub_steps == 1, step < 0.7);
+    EXPECT_TRUE(is_told);
+  }
 }
 
 }  // namespace

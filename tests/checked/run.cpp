@@ -221,6 +221,10 @@ TEST(Gaps, ArePassedAndLeadBackToTheBranchOfTheDrawing) {
     EXPECT_TRUE(gap.ends);
     EXPECT_NEAR(gap.from, locked, 2e-9) << id;
     EXPECT_NEAR(gap.to, 0.5 - locked, 2e-9) << id;
+    // A step is halved 24 times, and no more: each time costs a solution.
+    const double halved = std::ldexp(swing.step, -24);
+    EXPECT_NEAR(std::remainder(gap.from - 0.15, halved), 0, halved / 100) << id;
+    EXPECT_GT(std::abs(std::remainder(gap.from - 0.15, 8 * halved)), halved / 100) << id;
     EXPECT_EQ(m.groups[gap.failure.group].name, "dyad1/SG-I");
     auto row = r.rows.begin();
     for (int i = 0; i < swing.instants; ++i) {

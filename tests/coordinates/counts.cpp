@@ -7,6 +7,7 @@
 
 #include "cases/io/files.h"
 #include "cases/library/library.h"
+#include "cases/mechanism/builder.h"
 #include "formulations/formulation.h"
 #include "formulations/model/derivations.h"
 #include "formulations/model/plan.h"
@@ -109,6 +110,30 @@ TEST(Coordinates, KeepWhatSlidesBesideItsLineThere) {
     ASSERT_TRUE(f->assemble(0.5).ok());
     EXPECT_NEAR(f->value("C.x"), 2, 1e-12);
     EXPECT_NEAR(f->value("C.y"), -0.2, 1e-12) << static_cast<int>(kind);
+  }
+}
+
+/// What rounding leaves beside a line is on it; what slides beside it by three times as much as may
+/// be taken for rounding is not moved there.
+TEST(Coordinates, TellWhatSlidesBesideItsLineFromRounding) {
+  for (const double share : {1. / 3, 3.}) {
+    const double off = share * 1e-12 * 5;  // of the size, 3 by 4
+    MechanismBuilder d("beside", 2);
+    const int A = d.point("A", {0, 0, 0}), B = d.point("B", {0, 4, 0}),
+              C = d.point("C", {3, off, 0});
+    const int u = d.vector("u", {1, 0, 0});
+    d.carry(MechanismBuilder::ground, {A, B}, {u});
+    const int slider = d.body("slider", {C}, {u});
+    d.joint(Mechanism::JointType::prismatic, MechanismBuilder::ground, slider, {A, C}, {u});
+    Mechanism::Coordinate& x = d.coordinate("x", Mechanism::CoordinateType::component);
+    x.point = C;
+    x.driven = true;
+    const Scene scene{"beside", d.release(), {Polynomial{{3, 1}}}, {0, 0.1, 11}, {}, {}};
+    const Model m = make_model(scene, Modelling::relative);
+    const auto f = make_formulation(find_variant("group_automatic_lapack"), m,
+                                    {.coordinates = Modelling::relative});
+    ASSERT_TRUE(f->assemble(0.5).ok());
+    EXPECT_NEAR(f->value("C.y"), share > 1 ? off : 0, off / 10) << share;
   }
 }
 

@@ -1,5 +1,7 @@
 // Bodies in frames of their own: what joints of theirs keep constant, and what is refused.
 
+#include "formulations/modelling/frames/frames.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -120,6 +122,28 @@ TEST(Frame, TellsWhetherDirectionsOfAnAngleArePerpendicular) {
   EXPECT_NO_THROW(validate(m));
   own.vectors[1] = {0.6, 0.0, 0.8};
   expect_refused(m, {}, {"'a'", "are not at a right angle"});
+}
+
+/// Two bodies share two vectors: the second one leaves no turn about the first, unless both are the
+/// same but for what is no angle.
+TEST(Frame, IsTurnedBySharedVectorsThatAreApart) {
+  for (const double share : {1. / 3, 3.}) {
+    const double angle = share * 1e-6;
+    Sketch d("shared", 3);
+    d.ground_point("O", {0, 0, 0});
+    const int P = d.point("P", {1, 0, 0});
+    const int u = d.vector("u", {0, 0, 1}),
+              v = d.vector("v", {std::sin(angle), 0, std::cos(angle)});
+    const int Q = d.point("Q", {2, 0, 0}), R = d.point("R", {2, 3, 0}), S = d.point("S", {3, 1, 0}),
+              T = d.point("T", {3, 1, 2});
+    const int a = d.body("a", {P, Q, R}, {u, v}), b = d.body("b", {P, S, T}, {u, v});
+    d.joint(JointType::revolute, a, b, {P}, {u});
+    const Mechanism described = d.release();
+    const Structure together{{{{1, 2}, {}}}, {-1, 0, 0}};
+    const FramedMechanism framed =
+        put_frames(described, find_rigid_bodies(described), together, Modelling::reference);
+    EXPECT_EQ(framed.vectors.size(), share < 1 ? 2u : 3u);
+  }
 }
 
 }  // namespace
