@@ -132,7 +132,8 @@ FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time,
 
 FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
 
-/// to: the instant at that time; null: there is none.
+/// to: the instant at that time; null: there is none. Each turn of the loop costs a test of the
+/// budget or halves the step.
 FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
   if (time == present_.time) {

@@ -42,7 +42,7 @@ class Departure {
 
   /// Returns about the first time at which the drivers are `distance` away from the line's origin,
   /// in the unit of arc; infinity where they never are. Steps are doubled from each knot on, since
-  /// drivers that rest there depart as a power of time.
+  /// drivers that rest there depart as a power of time; so they end at infinity.
   double time_at(double distance) const {
     const auto is_away = [&](double t) {
       return line_.distance(drivers_at(m_, t).position, 0) >= distance;

@@ -94,7 +94,8 @@ class Way {
 
 /// Follows a way from 0 to 1. found: begins at its positions, which are overwritten by the last
 /// proven ones. What is regular by other equations of an overconstrained group is no change point,
-/// so these are tried first.
+/// so these are tried first. Each round goes on from another place, or passes a change point, or is
+/// the last one; and each counts as a test at least.
 FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, FoundStart& found) {
   Way way(m, initial);
   FollowedStep step;
@@ -109,7 +110,7 @@ FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, Foun
   while (true) {
     if (way.begun()) {
       step = way.path().go_to(1);
-      tests += step.tests;
+      tests += std::max(1, step.tests);
       take_positions();
       found.share = way.path().present().time;
       if (step.end == PathEnd::same) break;

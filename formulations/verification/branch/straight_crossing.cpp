@@ -189,6 +189,7 @@ double StraightCrossing::Miss::over(const std::vector<double>& unit) const {
   return largest;
 }
 
+/// Ends where the distance, which is halved each time, is rounded.
 double StraightCrossing::fall(int level, std::span<const double> positions) {
   if (!beyond_.start_at({distance(level), {positions, {}, {}}, {}})) return 0;
   Miss last;

@@ -1,5 +1,6 @@
 #include "formulations/verification/run/checked_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -148,8 +149,9 @@ const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
 bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool may_pass) {
   if (!on_path_) return false;
   BranchPath& path = follower_->path;
-  // A motion that has worn out the budget of a step is not led on by passages.
-  for (int tests = 0; tests < BranchPath::max_tests; tests += step_.tests) {
+  // A motion that has worn out the budget of a step is not led on by passages, of which each counts
+  // as a test at least.
+  for (int tests = 0; tests < BranchPath::max_tests; tests += std::max(1, step_.tests)) {
     if (point_) {
       if (at.time < point_->before) {
         deliver_point(at);

@@ -11,9 +11,10 @@ namespace desmo {
 
 namespace {
 
-/// Returns a bound with two digits, not below it.
+/// Returns a bound with two digits, not below it. A few hundredths more are enough; of the smallest
+/// doubles a hundredth is nothing.
 std::string rounded_up(double bound) {
-  for (double shown = bound;; shown *= 1.01) {
+  for (double shown = bound;; shown = std::nextafter(1.01 * shown, INFINITY)) {
     std::string text = formatted("%.1e", shown);
     if (!(std::strtod(text.c_str(), nullptr) < bound)) return text;
   }
