@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cases/numbers/interval.h"
-#include "formulations/verification/branch/patience.h"
+#include "formulations/verification/branch/growth.h"
 
 namespace desmo {
 
@@ -143,7 +143,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   }
   double step = time - present_.time;
   const double shortest = std::abs(step) * Interval::unit;
-  Patience patience;
+  Growth growth;
   bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
   while (result.tests < budget_ && std::abs(step) > shortest &&
          present_.time + step != present_.time) {
@@ -179,7 +179,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     }
     // Where both ends may be the same solution, the last sub-step was too long to tell.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
-      patience.failed();
+      growth.failed();
       step = (next - present_.time) / 2;
       if (present_.time + step == next) break;  // there is no time between the two
       continue;
@@ -191,7 +191,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       result.end = to ? PathEnd::other : PathEnd::same;
       return result;
     }
-    if (patience.succeeded()) step *= 2;
+    if (growth.succeeded()) step *= 2;
   }
   result.time = present_.time;
   result.out_of_tests = result.tests >= budget_;

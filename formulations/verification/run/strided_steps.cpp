@@ -5,12 +5,12 @@
 namespace desmo {
 
 void StrideControl::halve() {
-  patience_.failed();
+  growth_.failed();
   now_ = std::max(1, now_ / 2);
 }
 
 void StrideControl::keep() {
-  if (patience_.succeeded()) now_ = std::min(2 * now_, longest_);
+  if (growth_.succeeded()) now_ = std::min(2 * now_, longest_);
 }
 
 StridedSteps::StridedSteps(Formulation& f, const TimeGrid& grid, Level level, Observer& rows)

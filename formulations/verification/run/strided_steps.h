@@ -4,13 +4,13 @@
 #include <optional>
 
 #include "formulations/motion/dense_output.h"
-#include "formulations/verification/branch/patience.h"
+#include "formulations/verification/branch/growth.h"
 
 namespace desmo {
 
 /// The stride, the number of steps from one solved instant to the next, when a run goes on from its
 /// last good instant. It is halved where an interpolated instant is not accurate enough, and
-/// doubled again as Patience has it.
+/// doubled again as Growth has it.
 class StrideControl {
  public:
   explicit StrideControl(int longest) : longest_(longest), now_(longest) {}
@@ -22,7 +22,7 @@ class StrideControl {
 
  private:
   int longest_, now_;
-  Patience patience_;
+  Growth growth_;
 };
 
 /// Steps of a formulation with a stride (Settings::stride), after its own run has ended: finds the

@@ -5,7 +5,7 @@ namespace desmo {
 /// When to try a longer step. Where a motion is evenly hard to follow, doubled steps would fail
 /// every other time: after each try that failed, twice as many steps succeed before the next one.
 /// An easier stretch is thus found late by no more steps than there were hard ones.
-class Patience {
+class Growth {
  public:
   /// Notes that a step succeeded. Returns whether the next one is to be twice as long.
   bool succeeded() {
