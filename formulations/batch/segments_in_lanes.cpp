@@ -104,6 +104,7 @@ bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first
       state_.now().q[k * lanes_ + l] = state_.before().q[k * lanes_ + l] = alone_.q[k];
     changes_[l] = driver_changes(model_, first, grid.time(l * length));
     steps = std::max(steps, continuation_steps(model_, changes_[l]));
+    if (steps > max_continuation_steps) return false;
   }
   for (PartInLanes& part : parts_in_lanes_) {
     if (!part.together) continue;

@@ -35,7 +35,8 @@ std::string sentence(const NamedEnd& e, const NamedRange& r) {
     case RangeStop::none:
       break;
   }
-  return r.is_angle ? "does not stop, nor come back to the start in two turns" : "does not stop";
+  return r.is_angle ? "does not stop, nor come back to the start in two turns"
+                    : "does not stop within ten times the mechanism's size";
 }
 
 std::string detail(const std::string& label, const std::string& text) {
