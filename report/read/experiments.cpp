@@ -57,8 +57,8 @@ void read_modelling(Record& record, const RecordValue& experiment) {
     const CandidateKey key = read_key(node);
     add_once(record.modelled, node, key,
              {{read_entry(node, record.settings)},
-              node["entries"].integer(1),
-              node["condensation"].integer(0),
+              node.maybe("entries", [](const RecordValue& n) { return n.integer(1); }),
+              node.maybe("condensation", [](const RecordValue& n) { return n.integer(0); }),
               node["condition"].positive()},
              name_of(key));
   });

@@ -75,9 +75,9 @@ struct TimedSize {
 
 /// A formulation in some coordinates: unknowns are those of its linear systems.
 struct ModelledTime : TimedSize {
-  std::int64_t entries = 0;       ///< of the matrices, after condensation
-  std::int64_t condensation = 0;  ///< operations of one
-  double condition = 0;           ///< of the model, at the first instant
+  /// Of the matrices, after condensation, and operations of one; none where generated code solves.
+  std::optional<std::int64_t> entries = {}, condensation = {};
+  double condition = 0;  ///< of the model, at the first instant
 };
 
 // ---- instructions ----

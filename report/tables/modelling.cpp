@@ -1,8 +1,11 @@
 // The paper's comparison in each kind of coordinates.
+#include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "report/statistics/variants.h"
@@ -79,6 +82,10 @@ Table ratios(const Record& record) {
   return table;
 }
 
+Entry count_of(const std::optional<std::int64_t>& number) {
+  return number ? Entry(*number) : note_entry(missing_mark);
+}
+
 /// Everything measured: a row for each case, size and formulation.
 Table all_times(const Record& record) {
   Table table = headed_table("modelling");
@@ -86,10 +93,11 @@ Table all_times(const Record& record) {
     std::vector<Entry> row{key.case_name, kind_of(key.id), without_setting(key.id, "coordinates"),
                            key.coordinates};
     if (entry.status == Status::ok) {
-      row.insert(row.end(), {step_time_entry(entry.seconds_per_step), entry.unknowns, entry.entries,
-                             entry.condensation, number_entry(entry.condition, 2),
-                             number_entry(entry.iterations_per_step, 3),
-                             error_entry(entry.verification->position), ""});
+      row.insert(row.end(),
+                 {step_time_entry(entry.seconds_per_step), entry.unknowns, count_of(entry.entries),
+                  count_of(entry.condensation), number_entry(entry.condition, 2),
+                  number_entry(entry.iterations_per_step, 3),
+                  error_entry(entry.verification->position), ""});
     } else {
       row.push_back(note_entry(failed_mark));
       row.resize(table.columns.size() - 1, note_entry(missing_mark));
@@ -142,16 +150,19 @@ std::string in_all_kinds(std::span<const Entry> entries) {
 
 std::vector<Section> modelling_sections(const Record& record) {
   Table found = ratios(record);
-  const auto ratio = [&](std::size_t pair) {
-    return in_all_kinds(std::span(found.rows[found.rows.size() - pairs.size() + pair]).subspan(2));
+  const auto ratio = [&](std::string_view question) {
+    const auto of_last_case = std::ranges::find_if(
+        found.rows.end() - pairs.size(), found.rows.end(),
+        [&](const std::vector<Entry>& row) { return row[1].shown == question; });
+    return in_all_kinds(std::span(*of_last_case).subspan(2));
   };
   const CandidateKey& last = record.modelled.rbegin()->first;
   const TextValues values{
       {"case", last.case_name},
-      {"cholmod", ratio(0)},
-      {"umfpack", ratio(1)},
-      {"klu", ratio(2)},
-      {"in_groups", ratio(6)},
+      {"cholmod", ratio("group, dense, over global CHOLMOD")},
+      {"umfpack", ratio("group, dense, over global UMFPACK")},
+      {"klu", ratio("group, dense, over global KLU")},
+      {"in_groups", ratio("in groups, dense over KLU")},
       {"generated", in_all_kinds(times_of(record, last, "group_symbolic_explicit"))}};
   Section front = headed_section("modelling_front", values),
           section = headed_section("modelling_section");

@@ -63,10 +63,11 @@ Json modelling_record() {
                                         {"/coordinates:basis", 2},
                                         {"/coordinates:reference", 3},
                                         {"/coordinates:relative", 4}})
-      for (const auto& [id, microseconds] : {std::pair{"global_automatic_cholmod", 20 * times},
-                                             {"global_automatic_klu", 10},
-                                             {"group_automatic_lapack", 20},
-                                             {"group_automatic_klu", 5}}) {
+      for (const auto& [id, microseconds] :
+           {std::pair{"global_automatic_cholmod", (n == 558 ? 40 : 20) * times},
+            {"global_automatic_klu", 10},
+            {"group_automatic_lapack", 20},
+            {"group_automatic_klu", 5}}) {
         Json entry = timed_size(truck, n, std::string(id) + suffix, 1e-2 * microseconds * n);
         entry["unknowns"] = n / times;
         entry["entries"] = 5 * n;

@@ -17,8 +17,8 @@ Json timed_size(const std::string& case_name, int coordinates, const std::string
 Json sizes_record();
 
 /// Returns a record of the experiment modelling: four formulations in each kind of coordinates. By
-/// kind, global CHOLMOD takes 1, 2, 3 and 4 times as long as group LAPACK, that 4 times as long as
-/// group KLU.
+/// kind, global CHOLMOD takes 1, 2, 3 and 4 times as long as group LAPACK, at the larger of two
+/// sizes twice that, and group LAPACK 4 times as long as group KLU.
 Json modelling_record();
 
 /// Returns a record with `instructions` of both cases.

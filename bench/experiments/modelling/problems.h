@@ -4,9 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/kit/formulation_candidate.h"
 #include "bench/kit/problem.h"
-#include "cases/generators/cases.h"
+#include "cases/mechanism/scene.h"
 #include "formulations/base/modelling.h"
 
 namespace desmo::modelling {

@@ -12,8 +12,10 @@
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/modelling/linear_systems.h"
 #include "bench/experiments/modelling/problems.h"
+#include "bench/kit/formulation_candidate.h"
 #include "bench/kit/process/progress.h"
 #include "bench/kit/record/timed_in_turn.h"
+#include "cases/generators/cases.h"
 
 namespace desmo::modelling {
 
@@ -72,8 +74,10 @@ bool measure(const Comparison& comparison, int repetitions, Json& list) {
     const LinearSystems systems =
         linear_systems(candidate.problem().plan.model, candidate.variant().partition);
     entry["unknowns"] = systems.unknowns;
-    entry["entries"] = systems.entries;
-    entry["condensation"] = systems.condensation;
+    if (!candidate.variant().is_generated()) {  // that solves no matrix
+      entry["entries"] = systems.entries;
+      entry["condensation"] = systems.condensation;
+    }
     entry["condition"] = bench::rounded(conditions.at(candidate.settings().coordinates), 4);
     list.push_back(std::move(entry));
   }

@@ -10,14 +10,13 @@ bool DeclaredVariables::is_found_with(int body, const Mechanism::Coordinate& c) 
 }
 
 int DeclaredVariables::travel(int body, const Mechanism::Joint& j) const {
-  int found = Mechanism::none;
   const std::vector<Mechanism::Coordinate>& all = framed_.mechanism.coordinates;
   for (int c = 0; c < static_cast<int>(all.size()); ++c)
     if (all[c].type == Mechanism::CoordinateType::along && all[c].vector == j.vectors[0] &&
         std::minmax({all[c].of.from, all[c].of.to}) == std::minmax({j.points[0], j.points[1]}) &&
         is_found_with(body, all[c]))
-      found = c;
-  return found;
+      return c;
+  return Mechanism::none;
 }
 
 int DeclaredVariables::angle(int body, int axis) const {

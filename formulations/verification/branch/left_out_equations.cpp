@@ -182,8 +182,8 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
   wanted.q = std::span(state_).first(m_.coordinates());
   const RefinedInstant& point = refinement_->refine(wanted);
   if (!point.proven) return false;
-  for (int k = 0; k < m_.coordinates();
-       ++k)  // next to a singular position, another one may be near
+  // Next to a singular position, another one may be near.
+  for (int k = 0; k < m_.coordinates(); ++k)
     if (!(std::abs(point.instant.q[k] - state_[k]) <= step.radius()[k] + point.radius.position[k]))
       return false;
   for (std::size_t k = 0; k < drivers_.size(); ++k)
