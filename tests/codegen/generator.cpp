@@ -45,7 +45,7 @@ TEST(Generate, WritesTheSameBytesEveryTime) {
   };
   Files a = generate("kernels_a");
   EXPECT_EQ(a, generate("kernels_b"));
-  ASSERT_EQ(a.size(), 6u);
+  ASSERT_EQ(a.size(), 8u);
   EXPECT_NE(a["cases_kernels.cpp"].find("const double q_WL_x = q[in["), std::string::npos)
       << "names are readable";
   EXPECT_NE(a["cases_explicit_kernels.cpp"].find("// C.x, C.y: two circles\n"), std::string::npos);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
@@ -22,15 +21,10 @@ using Number = Compensated<double>;
 
 constexpr int degree = 5;  // of a step's path
 
-/// Places on a step, of s, where misfits are looked for: zeros of a Chebyshev polynomial. Where
-/// there are three for each degree, no polynomial is anywhere more than 1/cos(π/6) = 1.16 times as
-/// large as in the worst of them (Ehlich and Zeller).
-const auto looks = [] {
-  std::array<double, 3 * degree> s;
-  for (int k = 0; k < std::ssize(s); ++k)
-    s[k] = -std::cos((k + 0.5) * std::numbers::pi / std::ssize(s));
-  return s;
-}();
+/// Places on a step, of s, where misfits are looked for. Nearer to its ends, which are instants, a
+/// choice of other equations would be called for where a step only begins or ends.
+constexpr std::array looks{-0.875, -0.75, -0.625, -0.5, -0.375, -0.25, -0.125, 0.,
+                           0.125,  0.25,  0.375,  0.5,  0.625,  0.75,  0.875};
 
 std::vector<Equation> left_out_of(const Model& m) {
   std::vector<Equation> all;
