@@ -7,10 +7,10 @@ namespace desmo {
 /// An easier stretch is thus found late by no more steps than there were hard ones.
 class Growth {
  public:
-  /// Notes that a step succeeded. Returns whether the next one is to be twice as long, if it may.
-  bool succeeded(bool may_grow = true) {
+  /// Notes that a step succeeded. Returns whether the next one is to be twice as long.
+  bool succeeded() {
     if (is_try_) wait_ = 1;
-    is_try_ = may_grow && left_ == 0;
+    is_try_ = left_ == 0;
     if (left_ > 0) --left_;
     return is_try_;
   }

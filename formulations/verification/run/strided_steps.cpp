@@ -10,7 +10,7 @@ void StrideControl::halve() {
 }
 
 void StrideControl::keep() {
-  if (growth_.succeeded(now_ < longest_)) now_ = std::min(2 * now_, longest_);
+  if (growth_.succeeded()) now_ = std::min(2 * now_, longest_);
 }
 
 StridedSteps::StridedSteps(Formulation& f, const TimeGrid& grid, Level level, Observer& rows)
