@@ -83,9 +83,9 @@ TEST(Coordinates, CondenseToTheClosedFormsOfTextbooks) {
         if (!expected) continue;
         const VectorXd actual = now.jacobian.row(static_cast<Eigen::Index>(i)).transpose();
         const double size = std::max(1.0, expected->by.lpNorm<Eigen::Infinity>());
-        EXPECT_LE((actual - expected->by).lpNorm<Eigen::Infinity>(), 1e-9 * size) << c.name;
+        EXPECT_LE((actual - expected->by).lpNorm<Eigen::Infinity>(), 1e-12 * size) << c.name;
         EXPECT_NEAR(now.gamma[static_cast<Eigen::Index>(i)], expected->gamma,
-                    1e-9 * std::max(1.0, std::abs(expected->gamma)))
+                    1e-12 * std::max(1.0, std::abs(expected->gamma)))
             << c.name;
         ++compared[std::string(constraint_kind_name(c.kind)) +
                    (kind == Modelling::relative ? " relative" : " reference")];
