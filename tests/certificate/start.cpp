@@ -93,8 +93,10 @@ bool has_way(Model m, const std::vector<double>& to) {
 TEST(Start, IsOnTheBranchOfTheDrawing) {
   int reached = 0, blocked = 0;
   for (const auto& [m, grid] : every_motion()) {
-    const double later = grid.start + 0.37 * (grid.time(grid.instants - 1) - grid.start);
-    std::vector<std::pair<double, double>> starts{{0.3, later}};
+    // Sanitized code is as slow where a way is long.
+    const double share = DESMO_SANITIZED ? 0.02 : 0.37,
+                 later = grid.start + share * (grid.time(grid.instants - 1) - grid.start);
+    std::vector<std::pair<double, double>> starts{{DESMO_SANITIZED ? 0.02 : 0.3, later}};
     if (!DESMO_SANITIZED)
       starts.insert(starts.end(), {{0, later},
                                    {0, grid.start},
