@@ -75,7 +75,8 @@ struct TimedSize {
 
 /// A formulation in some coordinates: unknowns are those of its linear systems.
 struct ModelledTime : TimedSize {
-  /// Of the matrices, after condensation, and operations of one; none where generated code solves.
+  /// Entries of the matrices after condensation, and its operations; none where generated code
+  /// solves.
   std::optional<std::int64_t> entries = {}, condensation = {};
   double condition = 0;  ///< of the model, at the first instant
 };

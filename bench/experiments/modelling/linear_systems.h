@@ -5,13 +5,14 @@
 
 namespace desmo::modelling {
 
-/// What a step hands to linear solvers, over the parts of a partition that move.
+/// Sizes of the linear systems of a step, summed over the parts of a partition that move.
 struct LinearSystems {
   int unknowns = 0;      ///< without derived ones
   int entries = 0;       ///< of their matrices, after condensation
   int condensation = 0;  ///< multiplications and additions of one factorisation (see Condensed)
 };
 
+/// Returns the sizes of a model's linear systems.
 LinearSystems linear_systems(const Model& model, Partition partition);
 
 /// Returns the condition number of a model at the first instant of its motion (see
