@@ -1,7 +1,7 @@
-// desmo_generate FOLDER: writes the kernels of every type of group and block, as three C++ files
-// for each set of mechanisms (see kernel_sets.h): FOLDER/cases_kernels.cpp,
-// cases_explicit_kernels.cpp, cases_lane_kernels.cpp, and library_… likewise; of the cases in other
-// coordinates the first two, coordinates_….
+// desmo_generate FOLDER natural: writes the kernels of every type of group and block, as three C++
+// files for each set of mechanisms (see kernel_sets.h): FOLDER/cases_kernels.cpp,
+// cases_explicit_kernels.cpp, cases_lane_kernels.cpp, and library_… likewise.
+// desmo_generate FOLDER others: of the cases in other coordinates the first two, coordinates_….
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +10,7 @@
 #include <iostream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/generators/cases.h"
@@ -118,38 +119,47 @@ bool write_set(const std::string& folder, const std::string& set, Types types,
   return true;
 }
 
+/// Writes the kernels of the cases and of the library in natural coordinates.
+bool write_natural(const std::string& folder) {
+  std::vector<SampledType> types;
+  for (const Case& c : cases()) collect(c.with_units(2), types);
+  for (const RequestScene& r : request_scenes())
+    collect(parse_scene(r.scene, std::string(r.name), {}), types);
+  // What is timed against the paper's algorithm is the paper's: one order, and pivoting.
+  for (SampledType& type : types) type.has_one_order = true;
+  const std::size_t of_cases = types.size();
+  for (const LibraryMechanism& l : library())
+    collect(parse_scene(l.scene, std::string(l.name), {}), types);
+  const Types all = types;
+  return write_set(folder, "cases", all.first(of_cases)) &&
+         write_set(folder, "library", all.subspan(of_cases));
+}
+
+/// Writes those of the cases in other coordinates, one value at a time.
+bool write_others(const std::string& folder) {
+  std::vector<SampledType> types;
+  for (const Case& c : cases())
+    for (const Modelling m : {Modelling::reference, Modelling::relative})
+      collect(make_model(c.with_units(2), m), c.with_units(2), types);
+  for (SampledType& type : types) type.has_one_order = true;
+  return write_set(folder, "coordinates", types, std::span(kernel_files).first(2));
+}
+
 }  // namespace
 
 }  // namespace desmo::generate
 
 int main(int argc, char** argv) {
   using namespace desmo;
-  if (argc != 2) {
-    std::cerr << "usage: desmo_generate FOLDER\n";
+  const std::string_view coordinates = argc == 3 ? argv[2] : "";
+  if (coordinates != "natural" && coordinates != "others") {
+    std::cerr << "usage: desmo_generate FOLDER natural|others\n";
     return 64;
   }
-  const std::string folder = argv[1];
   try {
-    std::vector<generate::SampledType> types;
-    for (const Case& c : cases()) generate::collect(c.with_units(2), types);
-    for (const RequestScene& r : request_scenes())
-      generate::collect(parse_scene(r.scene, std::string(r.name), {}), types);
-    // What is timed against the paper's algorithm is the paper's: one order, and pivoting.
-    for (generate::SampledType& type : types) type.has_one_order = true;
-    const std::size_t of_cases = types.size();
-    for (const LibraryMechanism& l : library())
-      generate::collect(parse_scene(l.scene, std::string(l.name), {}), types);
-    std::vector<generate::SampledType> others;
-    for (const Case& c : cases())
-      for (const Modelling m : {Modelling::reference, Modelling::relative})
-        generate::collect(make_model(c.with_units(2), m), c.with_units(2), others);
-    for (generate::SampledType& type : others) type.has_one_order = true;
-    const std::span<const generate::SampledType> all = types;
-    const std::span files(generate::kernel_files);
-    if (!generate::write_set(folder, "cases", all.first(of_cases)) ||
-        !generate::write_set(folder, "library", all.subspan(of_cases)) ||
-        !generate::write_set(folder, "coordinates", others, files.first(2)))
-      return 74;
+    const bool is_written = coordinates == "natural" ? generate::write_natural(argv[1])
+                                                     : generate::write_others(argv[1]);
+    return is_written ? 0 : 74;
   } catch (const std::exception& e) {
     std::cerr << "desmo_generate: " << e.what() << '\n';
     return 1;

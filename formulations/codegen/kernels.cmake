@@ -8,10 +8,12 @@ foreach(set cases library)
 endforeach()
 set(other_coordinates ${CMAKE_CURRENT_BINARY_DIR}/coordinates_kernels.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/coordinates_explicit_kernels.cpp)
-list(APPEND kernel_files ${other_coordinates})
 add_custom_command(OUTPUT ${kernel_files}
-  COMMAND desmo_generate ${CMAKE_CURRENT_BINARY_DIR} DEPENDS desmo_generate
+  COMMAND desmo_generate ${CMAKE_CURRENT_BINARY_DIR} natural DEPENDS desmo_generate
   COMMENT "Generating symbolic equations, eliminations and explicit orders" VERBATIM)
+add_custom_command(OUTPUT ${other_coordinates}
+  COMMAND desmo_generate ${CMAKE_CURRENT_BINARY_DIR} others DEPENDS desmo_generate
+  COMMENT "Generating likewise, in other coordinates" VERBATIM)
 add_custom_target(desmo_generated DEPENDS ${kernel_files})
 
 check_cxx_compiler_flag(-march=x86-64-v4 DESMO_HAS_X86_64_V4)
@@ -56,4 +58,3 @@ desmo_kernel_set(library)
 add_library(desmo_coordinates_kernels STATIC EXCLUDE_FROM_ALL ${other_coordinates})
 set_source_files_properties(${other_coordinates} PROPERTIES COMPILE_OPTIONS "${straight_line}")
 target_link_libraries(desmo_coordinates_kernels PUBLIC desmo_formulations_core)
-add_dependencies(desmo_coordinates_kernels desmo_generated)
