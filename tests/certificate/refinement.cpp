@@ -78,7 +78,7 @@ Errors refine_all(const Model& m, std::span<const double> times, bool in_single 
 }
 
 TEST(Refinement, IsRightToTheLastDigits) {
-  const int count = DESMO_SANITIZED ? 3 : 20;
+  const int count = DESMO_SANITIZED ? 2 : 20;
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
     const Errors errors = refine_all(make_model(scene), sampled(scene.grid, count));
@@ -95,7 +95,7 @@ TEST(Refinement, IsRightToTheLastDigits) {
 
 /// Errors of single precision leave others of their square, which a second pass takes off.
 TEST(Refinement, IsRightToTheLastDigitsFromSinglePrecision) {
-  const int count = DESMO_SANITIZED ? 3 : 20;
+  const int count = DESMO_SANITIZED ? 2 : 20;
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
     const Errors errors = refine_all(make_model(scene), sampled(scene.grid, count), true);
