@@ -115,8 +115,7 @@ Table best_formulations(const Record& record) {
     add_row(table, record, "generated elimination, best settings",
             generated_like(record, like, ""));
     add_row(table, record, "the same, in lanes", generated_like(record, like, "lanes"));
-    add_row(table, record, "the same, in segments instead of batches",
-            generated_like(record, like, "segments"));
+    add_row(table, record, "the same, in segments", generated_like(record, like, "segments"));
   }
   if (!paper) {  // the last column has nothing to divide by
     table.columns.pop_back();

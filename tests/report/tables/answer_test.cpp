@@ -54,7 +54,7 @@ TEST(Answer, IsThreeFixedSentencesWithNumbers) {
       "On one thread, a generated elimination of truck_suspension with 558 coordinates is 8.0 "
       "times as fast as the fastest global "
       "reference with the same guess and tolerance, 16 times with equal parts side by side "
-      "(lanes), 32 times with pieces of a motion known in advance side by side (segments); "
+      "(lanes), 32 times with segments of a known motion side by side; "
       "over the reference with the paper's settings 16, 32 and 64 times.");
 }
 
@@ -85,8 +85,7 @@ TEST(Answer, HasNoClauseForWhatWasNotMeasured) {
         "global_automatic_umfpack", "global_automatic_klu"})
     erase_candidate(json, truck, 558, id);
   EXPECT_TRUE(answer_to(json)[2].ends_with(
-      "with the same guess and tolerance, 32 times with pieces of a motion known in advance side "
-      "by side (segments)."))
+      "with the same guess and tolerance, 32 times with segments of a known motion side by side."))
       << answer_to(json)[2];
   for (const char* family : {"cholmod", "umfpack", "klu"}) erase_family(json, family);
   EXPECT_EQ(answer_to(json),
@@ -116,8 +115,7 @@ TEST(Best, ComparesLikeForLike) {
   expect_row(table, {"global, best settings"},
              {{"like for like", "1.00 reference"}, {"paper's settings", "2.00 …"}});
   expect_row(table, {"the same, in lanes"}, {{"like for like", "16.00 …"}});
-  expect_row(table, {"the same, in segments instead of batches"},
-             {{"paper's settings", "64.00 …"}});
+  expect_row(table, {"the same, in segments"}, {{"paper's settings", "64.00 …"}});
   // Neither over another guess nor over another tolerance.
   expect_row(table, {"generated elimination, best settings"},
              {{"id", "group_symbolic_explicit/guess:adams8/tolerance:1e-10"},
