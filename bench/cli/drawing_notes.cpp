@@ -57,7 +57,8 @@ std::string note_on_table(const Constraint& c, const Model& m, const DisplayUnit
 std::string note_on_drawing(const Mechanism& d, const Model& m, const DisplayUnits& units) {
   std::string notes;
   for (const Mechanism::Joint& j : d.joints) notes += note_on_offset(d, j, m, units);
-  // The drawing is an estimate where bodies have their shape from elsewhere.
+  // No table is compared with a drawing that is an estimate: bodies have frames or lengths of
+  // their own.
   if (std::ranges::any_of(d.bodies, [](const auto& body) { return body.own || body.length; }))
     return notes;
   for (const Constraint& c : m.constraints)

@@ -124,7 +124,7 @@ class Builder {
     phi.towards = {z2_};
   }
 
-  /// Rod and tube of a damper; side is +1 on the left.
+  /// Adds the rod and the tube of a damper; side is +1 on the left, −1 on the right.
   void add_damper(const std::string& rod, const std::string& tube, int side) {
     const Vec a{0.15, side * 0.7, 0.05}, t{0.1, side * 0.6, 0.65};
     const Vec nominal_d = unit(t - a), nominal_u = normal(nominal_d, x_axis);

@@ -166,7 +166,8 @@ class RequestReader {
                        " patterns with *; join some");
   }
 
-  // A name of another kind is more likely meant than a similar one of this kind.
+  // Refuses a name of another kind, and one that no body carries. It is more likely meant than a
+  // similar one of this kind, which a complaint about an unknown name would offer.
   void check_kind(const JsonValue& name, const Selection& selection) const {
     if (selection.has(name.text()) || &selection == &rotations_ || &selection == &joints_) return;
     for (const Selection* other : {&points_, &vectors_, &angles_, &distances_, &bodies_})

@@ -128,7 +128,7 @@ class VectorReader {
         {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
   }
 
-  // Each of them waits for the next, and the last for the first.
+  // Refuses normals in a circle: each is defined by the next, and the last by the first.
   [[noreturn]] void complain_of_cycle(std::vector<Normal*>::iterator first,
                                       std::vector<Normal*>::iterator end) const {
     constexpr int max_shown = 5;

@@ -40,7 +40,7 @@ inline constexpr const char* coinhsl_variable = "DESMO_LIBCOINHSL";
 /// stays loaded until the program ends.
 CoinHsl load_coinhsl(const char* file);
 
-/// Returns the library that the environment names, loaded once.
+/// Returns load_coinhsl() of what the environment names, loaded once.
 const CoinHsl& coinhsl();
 
 }  // namespace desmo

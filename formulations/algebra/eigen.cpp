@@ -1,7 +1,7 @@
 // Dense LU with partial pivoting by Eigen.
 
-// Eigen keeps the packed blocks of its matrix products on the stack up to this size, and on the
-// heap, where the timed loop must not be, beyond it.
+// Eigen keeps the packed blocks of its matrix products on the stack up to this size [bytes]. Larger
+// ones would be on the heap, which a timed loop must not use.
 #define EIGEN_STACK_ALLOCATION_LIMIT (4 * 1024 * 1024)
 #include <Eigen/LU>
 

@@ -17,7 +17,7 @@ LaneValues side_by_side(const std::vector<ExplicitPart*>& lanes, std::size_t cou
   return result;
 }
 
-/// The widest: what rounding leaves is not the same for all.
+/// Returns the widest limits of all lanes: what rounding leaves differs between them.
 ExplicitLimits limits_of(const std::vector<ExplicitPart*>& lanes) {
   const auto limits = [](const ExplicitPart* part) { return part->binding().limits; };
   return limits(*std::ranges::max_element(

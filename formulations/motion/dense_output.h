@@ -30,9 +30,9 @@ class DenseOutput final : public Observer {
   /// The index counts solved instants. Allocates nothing.
   Flow observe(const Instant& solved) noexcept override;
 
-  /// Hand on instants whose index is that in the grid: a solved one from which to interpolate, and
-  /// those up to the next solved one. They may be any number of steps apart. Where an interpolated
-  /// instant stops the run, the solved ones are as they were.
+  /// start_at() hands on a solved instant, from which to interpolate; go_to() those up to the next
+  /// solved one, any number of steps later. Indices are the grid's. Where an interpolated instant
+  /// stops the run, the solved one before it stays the last.
   Flow start_at(const Instant& solved) noexcept;
   Flow go_to(const Instant& solved) noexcept;
 

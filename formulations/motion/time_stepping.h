@@ -70,8 +70,8 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
   Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
   Summary assemble_from_estimate(double t, Level level);
-  /// Leads the drivers from a solved position to time t. Leaves the positions where that is not
-  /// possible.
+  /// Leads the drivers continuously from the present positions to time t [s]. Restores the state
+  /// where that is not possible.
   ContinuationEnd lead_drivers_to(double t);
   void note_failure(int part);
   void find_culprit_of_failure(Summary& summary) const;

@@ -40,8 +40,8 @@ struct CheckOutcome {
   WorkFindings work;
 };
 
-/// Compares head with base. Of a check of head alone the counts are compared with `baseline`, an
-/// earlier check of one tree; without a baseline it is CheckVerdict::incomparable.
+/// Compares head with base or, where a baseline is given, counts alone with it, an earlier check of
+/// one tree. With neither, a right head is CheckVerdict::incomparable.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
 /// A measurement that a final verdict still needs.

@@ -20,8 +20,8 @@ namespace desmo::paper {
 
 namespace {
 
-/// Formulations with which requests are timed: the reference, and others that can leave out more
-/// and more.
+/// Formulations with which requests are timed: the reference, and others, of which each can leave
+/// out more equations than the one before.
 constexpr std::array<std::string_view, 6> requested_ids{
     "global_automatic_klu",   "global_symbolic_klu",     "group_symbolic_inlined",
     "block_symbolic_inlined", "group_symbolic_explicit", "block_symbolic_explicit"};

@@ -47,9 +47,10 @@ class SceneCandidate final : public FormulationCandidate {
 
  private:
   const Problem& problem() const override { return scene_->problem(); }
-  /// Compares differences relative to the mechanism's size, speed and acceleration: its unit of
-  /// length may be any. A formulation is not run where there is no code for it.
+  /// Does not run a formulation that has no code here, or whose settings it cannot have.
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
+  /// Differences are relative to the mechanism's size, speed and acceleration: its unit of length
+  /// may be any.
   std::unique_ptr<ComparingObserver> comparing(
       std::span<const ReferenceInstant> reference) const override;
   Summary run(Formulation& formulation, Observer& observer) const override;

@@ -58,7 +58,8 @@ nlohmann::ordered_json errors_json(const Differences& errors, Level level = Leve
 /// Returns samples of a time [s] with the clock that they are of.
 nlohmann::ordered_json time_json(const std::vector<double>& seconds, Clock clock = Clock::cpu);
 
-/// Returns the same, rounded to five digits: there are many, and what a machine repeats is less.
+/// Returns samples of CPU time [s], rounded to five digits: there are many, and no machine repeats
+/// more.
 nlohmann::ordered_json rounded_time_json(const std::vector<double>& seconds);
 
 /// Returns the timing windows of a time: of every analysis, and the work in each; their least alone

@@ -7,7 +7,7 @@ namespace desmo::bench {
 
 namespace {
 
-/// The least seconds between two readings of a clock: what every window has of it.
+/// Returns the least time [s] between two readings of a clock, which every window includes.
 double reading_seconds(Clock clock) {
   double least = 1;
   for (int i = 0; i < 1000; ++i) {

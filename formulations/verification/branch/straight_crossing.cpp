@@ -83,9 +83,9 @@ StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
   if (line_.exists()) find_nodes(last);
 }
 
-/// Goes back from the point as far as the mechanism moves. The last instant itself is so near to
-/// the point that no path leads back from it. Taylor's polynomial leads to another one; that both
-/// are on the same branch is told by the motion, which leads smoothly from the one to the other.
+/// Finds the first node, up to two units of arc before the point. The last instant is so near to
+/// the point that no path leads back from it; Taylor's polynomial leads to another start. Both are
+/// on the same branch where the nodes, extended to the point, meet the last instant (leads_to()).
 void StraightCrossing::find_nodes(const CertifiedInstant& last) {
   const std::optional<Node> here = node({0, {last.values.position, no_rates_, no_rates_}, {}});
   if (!here) return;
@@ -182,7 +182,7 @@ StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) con
   return result;
 }
 
-/// Returns the largest miss in units of its rounding.
+/// Returns the largest ratio of a miss to its unit, the rounding of this miss or of another one.
 double StraightCrossing::Miss::over(const std::vector<double>& unit) const {
   double largest = 0;
   for (std::size_t i = 0; i < unit.size(); ++i) largest = std::max(largest, amount[i] / unit[i]);
