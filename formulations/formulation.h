@@ -102,7 +102,8 @@ class Formulation {
   double tolerance_;
 };
 
-/// Returns a sentence for people: the status and, on failure, group, constraint and time.
+/// Returns status and residual as a text; on failure also the time and, if known, group and
+/// constraint.
 std::string describe(const Summary& summary, const Model& model);
 
 }  // namespace desmo

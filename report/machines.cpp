@@ -11,7 +11,7 @@
 namespace desmo::report {
 namespace {
 
-/// What may be shown of a key in a record: nothing of a reference, which is 1 everywhere.
+/// Returns the speed-up of a key; nothing for the reference itself, or without one.
 std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& key,
                                    const Timing& timing) {
   const auto reference = group.timings.find(reference_of(key));

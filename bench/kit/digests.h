@@ -8,10 +8,10 @@
 
 namespace desmo::bench {
 
-/// Returns what tells one model from another: SHA-256 of all that its solution depends on. These
-/// are entities (kind, what they belong to, fixed values, initial estimate), constraints (name of
-/// the kind, operands, constants, rows left out), groups and their order, and the drivers' motions.
-/// Names of entities, constraints, groups and bodies, for people only, do not count.
+/// Returns the SHA-256 that tells one model from another. It covers name and unit of length,
+/// entities (kind, what they belong to, fixed values, initial estimate), constraints (name of the
+/// kind, operands, constants, rows left out), groups and their order, and the drivers' motions.
+/// Names of entities, constraints, groups and bodies do not count.
 ///
 /// Values are rounded to 9 decimals of their unit, no coarser than what a formulation may differ
 /// from the reference, so that the last bit of a sine, which is the compiler's and the C library's

@@ -49,14 +49,14 @@ class RealizingSolver : public Solver {
   const sim::MultibodySystem& system() const { return built_.system; }
   const sim::SimbodyMatterSubsystem& matter() const { return built_.matter; }
 
-  /// u, u̇ and what follows from them, at positions that meet the constraints.
+  /// Solves u, u̇ and what follows from them, at positions that meet the constraints.
   virtual void solve_rates() {
     system().prescribeU(state_);
     system().realize(state_, sim::Stage::Velocity);
     system().projectU(state_, no_estimate_, options_, results_);
     system().realize(state_, sim::Stage::Acceleration);
   }
-  /// Values of the generalised coordinates at the last instant.
+  /// Return q̈ and a body's acceleration at the last instant.
   virtual const sim::Vector& second_derivative() const { return state_.getQDotDot(); }
   virtual const sim::SpatialVec& acceleration(int body) const {
     return built_.bodies[body].getBodyAcceleration(state_);

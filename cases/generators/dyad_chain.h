@@ -25,7 +25,7 @@ struct DyadChain {
   std::string prefix = {};  ///< prefix of all names
 };
 
-/// Adds the bodies of a chain to a mechanism. The crank's angle becomes the next driven coordinate.
+/// Adds a chain to a mechanism. The crank's angle becomes the next driven coordinate.
 void add(MechanismBuilder& builder, const DyadChain& chain);
 
 /// Returns the initial position of the crank's pin.

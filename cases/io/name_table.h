@@ -21,8 +21,8 @@ class NameTable {
   void add(std::string_view name);
 
   std::optional<int> position(std::string_view name) const;
-  /// Return the positions of names in the document. Throw InputError, with the nearest names, when
-  /// there is none.
+  /// Return the positions in the table of names in the document. Throw InputError, with the nearest
+  /// names, where one is unknown.
   int find(const JsonValue& value) const { return find(value, value.text()); }
   int find(const JsonValue& place, std::string_view name) const;
   std::vector<int> find_each(const JsonValue& list) const;

@@ -26,7 +26,7 @@ std::string name_beside(const std::string& target) {
       .string();
 }
 
-/// Returns the path that links lead to, whether or not it exists; "" where they lead in a circle.
+/// Returns the path that links lead to, whether or not it exists; "" after too many links.
 std::string followed(fs::path path) {
   constexpr int max_links = 40;  // as many as Linux follows
   std::error_code error;

@@ -84,8 +84,8 @@ std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension
                                             const std::vector<Mechanism::Point>& points,
                                             Names& names);
 
-/// Reads the ground and the bodies. Adds points and vectors that only their frames have, at the
-/// nominal place of the first of these, moved to where its other points are.
+/// Reads the ground and the bodies. Adds points and vectors that only frames give, as the first of
+/// these frames places them, moved by the mean offset of its points that are drawn.
 void read_bodies(const JsonValue& root, Mechanism& mechanism, const DisplayUnits& units,
                  Names& names);
 

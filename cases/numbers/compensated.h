@@ -86,7 +86,7 @@ struct Compensated {
     constexpr double up = 1 + 0x1p-40;
     return BasicInterval<S>(value, radius * S(up)) + BasicInterval<S>(correction, S(0));
   }
-  /// Compares leading digits: the order of points, which splines look up.
+  /// Compares values without their corrections: splines search their knots by it.
   friend bool operator<(const Compensated& a, const Compensated& b) { return a.value < b.value; }
 
  private:

@@ -26,10 +26,10 @@ inline Turn<double> library_turn(double angle) {
           2 * LDBL_EPSILON};
 }
 
-/// Returns sine and cosine of an angle [rad], as double and remainder. The angle is k π/64 + r: a
-/// turn from the table, and Taylor's series about it, whose leading terms are kept whole. It holds
-/// where operations stay as they are written (-ffp-contract=off). Angles above 2^21 are left to
-/// the library.
+/// Returns sine and cosine of an angle [rad], as double, remainder and a bound of the error. The
+/// angle is k π/64 + r: a turn from the table, and Taylor's series about it, whose leading terms
+/// are kept whole. It holds where operations stay as they are written (-ffp-contract=off). Where an
+/// angle of any lane exceeds 2^21 in magnitude, the library computes all.
 template <class S>
 Turn<S> turn(const S& angle) {
   using std::fma;

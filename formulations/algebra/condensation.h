@@ -40,7 +40,7 @@ class Condensed final : public LinearSolver {
 
   /// Returns the pattern of A_r. Its unknowns are those of the part that are not derived.
   const Pattern& reduced_pattern() const { return reduced_; }
-  /// Returns the number of multiplications and additions by which factor() condenses.
+  /// Returns the number of multiply-adds by which factor() condenses.
   int operations() const { return static_cast<int>(operations_.size()); }
 
  private:

@@ -22,7 +22,8 @@ class OutputWriter {
   /// coordinates: their number in the model. Throws as requested_coordinates() does.
   OutputWriter(const Request& request, int coordinates);
 
-  /// places: the place of each coordinate in an output; −1: another writes it. size: of an output.
+  /// places: index of each coordinate in an output; −1: not written here. size: numbers in an
+  /// output.
   OutputWriter(std::span<const int> places, std::size_t size);
 
   /// Copies the requested coordinates of an instant to the instant's output. The instant's spans

@@ -121,7 +121,8 @@ std::vector<int> Batch::drivers() const {
   return all;
 }
 
-/// Subsystems that are solved alone read more than kernels do.
+/// Returns where all numbers stand in the state that are not its own: subsystems that are solved
+/// alone read more than kernels do.
 std::vector<int> Batch::reads() const {
   std::vector<int> all;
   for (const std::vector<int>& of_lane : places_)

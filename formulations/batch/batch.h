@@ -76,13 +76,13 @@ class Batch {
   /// Solves positions, velocities and accelerations of all subsystems. Accepts none where a part
   /// has no branch yet (see assembled_). Results that are not accepted are unspecified.
   const Step& solve(const State& state);
-  /// Copies from the state the solutions of subsystems that were solved alone.
+  /// Copies constants, drivers and unknowns of all subsystems from the state; takes their branches.
   void copy_from(const State& state);
 
   void deliver(const OutputView& output, Level level) const;
 
-  /// Writes the observed coordinates and their rates to the state, up to `level`. Writes all
-  /// positions unless they were predicted().
+  /// Writes the observed unknowns and their rates to the state, up to `level`. Unless they were
+  /// predicted(), writes the positions of all its unknowns and drivers.
   void write_observed(State& state, Level level) const;
   /// Writes the solution of one subsystem to the state: its unknowns and drivers.
   void store(std::size_t subsystem, State& state) const { store(own_, subsystem, state); }

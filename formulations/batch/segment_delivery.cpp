@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// Borrows an output for the instant of each lane that lies within the motion.
+/// Returns the outputs of step i. Borrows them with those of the next steps, where none are left.
 std::span<const OutputView> SegmentsInLanes::borrow(const TimeGrid& grid, int length, int i,
                                                     Observer& observer) {
   const auto count = [&](int step) {

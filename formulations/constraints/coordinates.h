@@ -84,7 +84,7 @@ struct TableCoupling {
     gamma[0] = -c[0] * ((S(6) * c[7] * offset(x, c) + S(2) * c[6]) * (rate * rate));
   }
 
-  /// Returns the constants about the argument of operand s₂ from the numbers of a constraint.
+  /// Returns the constants about the argument k s₂ from a constraint's numbers {u, k, b, table}.
   template <class S>
   static std::array<S, constants> about(const S* c, const S& s2) {
     const S at = c[1] * s2;

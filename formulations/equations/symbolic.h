@@ -37,7 +37,7 @@ class SymbolicEquations final : public Equations {
   const Pattern& pattern() const override { return pattern_; }
   void constant_jacobian(double* values) const override;
   void residual(const double* state, double* phi) const override;
-  /// Writes, too, a group's entries by a known coordinate that is an unknown of the part.
+  /// Also writes all known entries of a group, if one of them is by an unknown of the part.
   void jacobian(const double* state, double* values) const override;
   void known_jacobian(const double* state, double* values) const override;
   void quadratic(const double* state, const double* rate, double* gamma) const override;

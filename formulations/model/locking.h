@@ -7,9 +7,9 @@
 
 namespace desmo {
 
-/// Returns whether a block may have no solution: it determines more than scalars that are measured,
-/// by equations that are not linear. Of a single body, such as a crank that is turned, those count
-/// as linear that are so once what it follows is known.
+/// Returns whether a block may have no solution: a point or vector is among its unknowns, and an
+/// equation is not linear. In a group of one body, such as a crank, equations count as linear that
+/// are so in the block's unknowns.
 /// owner: entity of each coordinate
 bool may_lock(const Model& model, const PartDefinition& block, const std::vector<EntityId>& owner);
 

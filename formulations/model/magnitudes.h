@@ -16,9 +16,9 @@ namespace desmo {
 /// characteristic length of the constraint (characteristic_lengths.h).
 ///
 /// The magnitude of an equation is ‖∂Φ/∂qⱼ · magnitude of qⱼ‖₂ over its operands at the nominal
-/// position, independent of rotations of the frame. Where these derivatives vanish (a distance that
-/// starts at zero), it is a thousandth of the second-order change. It is positive and finite. When
-/// all lengths grow by λ, it grows by λ for equations in lengths, by λ² for products of lengths.
+/// position, independent of rotations of the frame. It is at least a thousandth of the second-order
+/// change, for a distance may start at zero; 1 if both vanish. It is positive and finite. When all
+/// lengths grow by λ, it grows by λ for equations in lengths, by λ² for products of lengths.
 class Magnitudes {
  public:
   explicit Magnitudes(const Model& model);

@@ -105,7 +105,7 @@ class Upstream {
   std::vector<std::pair<int, Level>> waiting_;
 };
 
-/// The part of a mechanism that is needed, and where its entities went (-1: dropped).
+/// Returns what is needed of a model, and the new id of each of its entities (-1: dropped).
 std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstream& up) {
   Model m;
   m.name = whole.name;

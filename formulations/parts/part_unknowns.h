@@ -17,8 +17,8 @@ class PartUnknowns {
     if (ranges_.size() * min_mean > unknowns.size()) ranges_.clear();
   }
 
-  /// Calls with the place of each unknown in the state, and its own. Loops over long ranges fit
-  /// wide registers.
+  /// Calls call(place in the state, k) for each unknown k. Loops over long ranges fit wide
+  /// registers.
   template <class Call>
   [[gnu::always_inline]] void for_each(Call call) const {
     const int n = static_cast<int>(unknowns_.size());

@@ -15,8 +15,8 @@ namespace desmo::report {
 /// Aligned text for people; leaves out tables of detail and says so. UTF-8.
 std::string to_terminal(const Document& document);
 
-/// Writes the front of a document, for the end of a run: at most 60 lines of at most 100 characters
-/// for one experiment.
+/// Writes the sections of a document that are its front, without titles, for the end of a run.
+/// Lines have at most 100 characters where columns allow it.
 std::string front_to_terminal(const Document& document);
 
 /// RFC 4180 with "\n"; the first line is the heading. A column with quantities becomes one field

@@ -59,8 +59,8 @@ const NamedPoint* cheapest(const Points& points, double max_error,
                            const std::function<bool(const Configuration&)>& may);
 const NamedPoint* cheapest(const Points& points, double max_error);
 
-/// The fastest within an error with the paper's guesses_and_updates, wherever it stops; null when
-/// there is none.
+/// Returns the fastest within an error of positions that has the paper's guess and updates of the
+/// Jacobian, at any tolerance; null when there is none.
 const NamedPoint* cheapest_of_paper(const Points& points, double max_error);
 
 }  // namespace desmo::report

@@ -118,8 +118,8 @@ Table guesses(const Record& record) {
 
 namespace {
 
-/// Says what the tightest accuracy that there is costs in the case that stands last, and what the
-/// loosest would save.
+/// Returns a section on what the tightest accuracy costs that both the best and the global
+/// formulation reach in the last case, and what the loosest would save.
 Section accuracy_front(const Record& record) {
   const std::string name = drawn_cases(record).back();
   const Points points = solving_every_instant(points_of(record, *main_series(record, name)));

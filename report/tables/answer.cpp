@@ -34,7 +34,8 @@ bool has_other_iteration(const std::optional<Configuration>& c) {
   return c && c->has_papers_algorithm() && !c->is_papers();
 }
 
-/// The case's largest size at which an iteration has settings, or the largest of all; 0: none.
+/// Returns the largest size of the case with an iteration that is not the paper's, or the largest
+/// of all; 0: none.
 std::int64_t size_compared(const Record& record) {
   const std::string name = case_in_front(record);
   const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
@@ -175,8 +176,8 @@ std::string in_a_row(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Returns the values of the texts "answer" and "answer_numbers": how many times as fast the best
-/// are, with a mark for what is missing, which has no clause.
+/// Returns the values of the texts "answer" and "answer_numbers": speed-ups of the best
+/// formulations. What is missing is a mark, and its clause empty.
 TextValues what_gains(const Record& record) {
   TextValues values = words_of(record);
   std::vector<std::string> over_paper;

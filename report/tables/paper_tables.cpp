@@ -32,8 +32,8 @@ void add_both(Table& table, std::vector<Entry> ours, std::vector<Entry> paper) {
   if (published) table.rows.push_back(std::move(paper));
 }
 
-/// Returns what the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with
-/// the quantities of ours: {seconds, median, repetitions}, {speed_up, low, high, percent}.
+/// Returns the CPU time [s] that the paper prints of a variant in a row of its table 1 ("114" …
+/// "mean"); a note where that is no number.
 Entry published_seconds_entry(const std::string& row, const Variant& variant) {
   const PublishedTable& table = published_cpu_seconds();
   const std::string digits = table.text(row, variant.paper_name);
@@ -42,6 +42,7 @@ Entry published_seconds_entry(const std::string& row, const Variant& variant) {
   return digits_entry(digits);
 }
 
+/// Returns the speed-up of its table 2 likewise, as {speed_up, low, high, percent}.
 Entry published_speed_up_entry(const std::string& row, const Variant& variant,
                                bool with_percent = true) {
   const std::string value = published_speed_up().text(row, variant.paper_name);

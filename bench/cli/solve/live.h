@@ -22,8 +22,8 @@ struct LiveRequest {
 };
 
 /// Answers each row at once, with its outcome. Throws what DriverRows and OutputFile throw, and
-/// Error (not_solved) at the first row that fails or, being strict, is flagged; past failures,
-/// says on standard error what they are.
+/// CommandError (not_solved) at the first row that fails or, if strict, is flagged. With
+/// past_failures, names them on standard error instead, unless quiet.
 void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
                 const SeriesFormat& format, OutputFile& output);
 

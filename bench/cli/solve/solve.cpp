@@ -163,7 +163,7 @@ void require_success(const Task& task, const CheckedSummary& summary, SeriesWrit
   if (!all) fail(failure_text(summary, m, units), summary.instants);
 }
 
-/// Returns what is said of a motion; of a quiet run, what is flagged alone.
+/// Returns the notes on a motion; for a quiet run, those on gaps and flags.
 std::string notes_on(const Task& task, const Formulation& formulation,
                      const CheckedSummary& summary) {
   const Model& m = task.plan.model;

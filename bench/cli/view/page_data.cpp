@@ -19,7 +19,7 @@ constexpr std::size_t max_plotted = 100'000;  // numbers that are plotted and no
 constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
 constexpr const char* flag_names[] = {"degraded", "failed", "crossing", "branch"};
 
-/// Returns the bytes of numbers, the lowest first, as base64.
+/// Returns numbers as base64, the lowest byte of each first.
 std::string base64(const std::vector<float>& numbers) {
   static constexpr char letters[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

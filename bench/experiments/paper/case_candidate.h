@@ -14,7 +14,7 @@
 
 namespace desmo::paper {
 
-/// Returns why a formulation is not run with so many coordinates; empty when it is.
+/// Returns why a formulation is not run at this number of coordinates; empty when it is.
 std::string too_costly(const Variant& variant, int coordinates, const Options& options);
 
 /// A case at one size with one formulation, perhaps in a checked run.

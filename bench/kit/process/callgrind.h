@@ -17,8 +17,8 @@ std::int64_t count_steps(std::vector<std::string> command);
 /// Returns what else the counts depend on: "valgrind-3.19.0, glibc 2.36"; empty without valgrind.
 std::string counting_tool();
 
-/// Calls count(0) … count(n − 1), each of which counts one thing, as many at once as there are
-/// cores, and shows how far it is. Throws what one of them throws.
+/// Calls count(0) … count(n − 1) on as many threads as this process has cores, and shows progress.
+/// Throws what one of them throws.
 void count_on_all_cores(std::size_t n, const std::function<void(std::size_t)>& count);
 
 }  // namespace desmo::bench

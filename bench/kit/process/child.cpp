@@ -27,7 +27,7 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
   return result;
 }
 
-/// A copy of a file that has no name and is gone with its descriptor.
+/// Returns the descriptor of a copy of a file. The copy has no name and is gone with it.
 int copy_of(const char* path) {
   const int from = open(path, O_RDONLY | O_CLOEXEC), copy = memfd_create(path, MFD_CLOEXEC);
   struct stat status {};

@@ -42,8 +42,8 @@ class Child {
   std::FILE *in_ = nullptr, *out_ = nullptr;
 };
 
-/// Returns a program in a fixed environment: one thread, every symbol resolved at the start, no
-/// language. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries are, are passed on.
+/// Returns a program in a fixed environment: PATH, one thread of BLAS, every symbol resolved at the
+/// start, locale C. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries are, are kept.
 Launch fixed_launch(std::vector<std::string> arguments);
 
 /// Runs a program to its end; standard output and error go to `output`. Returns its exit code.

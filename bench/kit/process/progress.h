@@ -7,8 +7,8 @@
 namespace desmo::bench {
 
 /// A progress line on standard error, with the expected remaining time: rewritten on a terminal;
-/// elsewhere a new one after every tenth of the work that took ten seconds. The last says how long
-/// it took. Any thread may report.
+/// elsewhere a new one when both ten seconds and a tenth of the work have passed. The last says how
+/// long all took. Any thread may call done().
 class Progress {
  public:
   /// what: for people, "rounds of 12 candidates". work: all there is to do, in any unit.

@@ -43,7 +43,7 @@ std::string first_line(const char* path) {
   return std::getline(file, line) && !line.empty() ? line : "unknown";
 }
 
-/// Returns what the driver of Intel's frequencies, or that of the others, says.
+/// Returns "on", "off" or "unknown", as the driver of Intel's frequencies or of others' says.
 std::string turbo() {
   const std::string off = first_line("/sys/devices/system/cpu/intel_pstate/no_turbo");
   const std::string on = first_line("/sys/devices/system/cpu/cpufreq/boost");

@@ -10,8 +10,8 @@
 
 namespace desmo::tree {
 
-// Dimensions are read off the nominal position. All throw std::invalid_argument when there is no
-// such name.
+// Dimensions of a mechanism. All throw std::invalid_argument when there is no such name; length()
+// throws std::bad_optional_access for a body without one.
 
 /// Returns the point, vector, body … of that name.
 template <class Named>

@@ -5,7 +5,7 @@ namespace desmo::generate {
 
 namespace {
 
-/// scale (s dᵢ − w) = 0, where s and dᵢ are unknowns.
+/// An equation scale (s dᵢ − w) = 0, where s and dᵢ are unknowns.
 struct Along {
   int row, direction, length;
   Expr w, scale;

@@ -100,9 +100,8 @@ class Elimination {
 
 /// Returns eliminations of one matrix: at each sample point one of them has no poor pivots, unless
 /// the point is near a singular position or the orders are too many.
-/// - most: number of eliminations, at most
-/// - first: number of sample points, the first ones, at which the first is chosen. Each later one
-/// is
+/// - most: largest number of eliminations
+/// - first: the first elimination is chosen at so many points, from the begin. Each later one is
 ///   chosen at all points where those before it are poor.
 std::vector<Elimination> eliminations(const std::vector<std::map<int, Expr>>& matrix,
                                       std::size_t most, std::size_t first);

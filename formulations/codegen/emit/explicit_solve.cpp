@@ -165,7 +165,7 @@ class SolveWriter {
     return lines;
   }
 
-  /// The original equations, each as soon as its unknowns are defined.
+  /// Writes the original equations' part in norm2, each as soon as its unknowns are defined.
   void verify() {
     for (std::size_t r = 0; r < plan_.part.phi.size(); ++r) {
       const Expr phi = plan_.part.phi[r];

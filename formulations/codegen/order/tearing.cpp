@@ -13,9 +13,9 @@ namespace desmo::generate {
 
 namespace {
 
-/// Below this, a closed form would be singular not far from where it was sampled.
+/// Least quality of a closed form: one below is singular not far from where it was sampled.
 constexpr double min_quality = 0.03;
-/// From here on, one is as good as another.
+/// Quality from which on one closed form is as good as another.
 constexpr double good_quality = 0.25;
 
 constexpr std::size_t max_set = 4, max_torn = 3, max_combinations = 3000;

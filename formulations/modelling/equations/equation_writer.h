@@ -69,8 +69,8 @@ class EquationWriter {
     add(origin, std::move(made));
   }
 
-  /// Records the constant scalar product of two directions. Returns whether it needs an equation:
-  /// bodies that share both directions need one, unless their products differ.
+  /// Records the first scalar product of two directions. Returns whether this one needs an
+  /// equation: not where its magnitude is that of the recorded one.
   bool note_product(const Mechanism::Direction& a, const Mechanism::Direction& b, double product);
 
   /// Returns the text of a direction in equation names: "v" or "P-Q".

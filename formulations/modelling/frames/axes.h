@@ -37,8 +37,8 @@ class AxisMaker {
   /// one, with the name or a similar one, where there is none.
   int axis(int body, const Exact& direction, const std::string& name);
 
-  /// Returns two vectors n₁, n₂ of a body, at right angles to each other and to its vector u, with
-  /// n₂ = u × n₁.
+  /// Returns the indices of n₁ and n₂ = u × n₁, at right angles to each other and to u, a `vector`
+  /// of the body. Adds those that the body has not.
   std::pair<int, int> normals(int body, int vector);
 
   /// Adds a point to a body, in the place of another one.

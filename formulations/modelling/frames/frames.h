@@ -26,7 +26,7 @@ struct DerivedFrame {
   std::array<double, 4> orientation{};  ///< Euler parameters in the frame of the parent
 };
 
-/// A vector that is normal to one of another body, as a cut joint keeps it.
+/// Two vectors of different bodies that a cut joint keeps at right angles.
 struct NormalVectors {
   int vector, normal;
 };

@@ -37,7 +37,7 @@ std::string counted(int n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-/// The entity that moves most when all candidates and drivers hold.
+/// Returns the name of the entity that can move most while candidates are met and drivers rest.
 std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& selected) {
   const MatrixXd j = selected.jacobians[1].leftCols(s.unknowns);
   MatrixXd moves = MatrixXd::Identity(s.unknowns, s.unknowns);  // by one unknown each

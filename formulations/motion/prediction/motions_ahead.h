@@ -26,7 +26,7 @@ int whole_lines(std::size_t numbers);
 /// and a step need not wait for them.
 class MotionsAhead {
  public:
-  /// motions: each as often as it is wanted; unchanged, they outlive this.
+  /// motions: in the order of a row, repeats allowed. They outlive this, unchanged.
   explicit MotionsAhead(std::vector<const Motion*> motions);
 
   /// Announces that times are those of this grid, in order from the first. Times between them are

@@ -69,10 +69,11 @@ class DrawnStart {
   static constexpr double settled = 1e-9;      // correction after which nothing is in doubt
   static constexpr double min_step = 0x1p-40;  // of the whole way
 
-  /// Returns how many whole turns an angle is off. Half a turn counts as none: it stays as it came.
+  /// Returns how many whole turns an angle is `off` [rad]. Half a turn counts as none.
   static double whole_turns(double off) { return std::round(off / turn * (1 - 0x1p-40)); }
 
-  /// Goes from 0 to 1. set(s): sets what is to be solved.
+  /// Goes from s = 0 to 1, in steps of at most max_step. set(s): sets what is to be solved. Returns
+  /// whether it arrives.
   template <class Set>
   bool go(Set&& set, double max_step) {
     std::vector<double> last = solver_.q(), slope(last.size(), 0);

@@ -12,7 +12,7 @@
 namespace desmo {
 
 /// A straight line in the space of drivers: z = origin + s rates, in the unit of each driver. s is
-/// its arc: 1 rad of a single angle, or a single length over the size of the mechanism.
+/// its arc, ‖Δz‖ over natural magnitudes: 1 rad of a single angle.
 struct DriverLine {
   /// direction: of the drivers, up to a factor.
   DriverLine(const Model& model, std::span<const double> origin, std::span<const double> direction);

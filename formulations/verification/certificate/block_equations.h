@@ -41,8 +41,8 @@ class BlockEquations {
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
   /// Writes the entries of linear equations in Φ_q, as midpoints and radii, and zeros elsewhere.
   void constant_jacobian(LaneMatrix& to) const;
-  /// Evaluates Φ̇_q and, at the level of accelerations, Φ̈_q. Overwrites the entries of equations
-  /// whose derivatives are not constant.
+  /// Evaluates Φ̇_q and, at the level of accelerations, Φ̈_q: entries that vary. Sets constant ones
+  /// to zero, at `level` alone.
   void jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const;
 
  private:

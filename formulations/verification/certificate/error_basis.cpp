@@ -54,8 +54,8 @@ void ErrorBasis::find_directions() {
       }
       double length = 0;
       for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
-      // A direction that depends on those before is replaced. Of what is left, one unit vector has
-      // a square of at least 1/d; those that were tried have less than half of it in all.
+      // A direction that depends on those before is replaced by the next unit vector. Of one of
+      // them a squared length of 1/d or more is left; of those tried, less than 1/2 in all.
       again = length * (2 * d) < 1 && unit < d;
       length = again ? 1 : 1 / std::sqrt(length);
       for (int i = 0; i < d; ++i)

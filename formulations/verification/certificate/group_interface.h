@@ -18,8 +18,8 @@ struct GroupInterface {
   bool enclosed = false;  ///< by the basis, at this instant; otherwise only by radii
 
   int size() const { return static_cast<int>(coordinates.size()); }
-  /// Encloses the errors of its rows at these levels, if all of them are bounded. No levels: radii
-  /// are what lend() hands on.
+  /// Encloses the errors of its rows at these levels. Without levels, or where an error is not
+  /// bounded, lend() hands on radii.
   void enclose(std::span<const Level> solved, const PerLevel<ErrorTable>& errors);
   /// Writes the errors at a level to lent rows from `row` on, whose symbols begin at this column.
   void lend(Level level, int row, int column, ErrorTable& to) const;

@@ -71,8 +71,8 @@ void set_lane(TaylorModel<S, D>& x, int lane, const Derived& to) {
   set_lane(x.rest, lane, rest_of(to));
 }
 
-/// Completes the constants of a kind that reads a table, about the position of its operands: c has
-/// the dimensions before the table. number(lane, k): number k of the table in a lane.
+/// Sets what follows the dimensions in c: the argument of the table at positions x, and an
+/// enclosure of the cubic about it. number(lane, k): number k of the table in a lane.
 template <class Kind, class S, class Constants, class Number>
 void read_table(Constants& c, const S* const* x, const Number& number) {
   const S argument = c[1] * x[1][0];

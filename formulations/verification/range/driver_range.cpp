@@ -21,7 +21,7 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
     throw std::invalid_argument("find_range: driver " + std::to_string(driver) +
                                 " does not exist; the model has " +
                                 std::to_string(model.degrees_of_freedom()));
-  // Those that modelling keeps may be dependent at the start.
+  // Equations that modelling keeps may be dependent at the start.
   const std::unique_ptr<const Model> chosen =
       has_other_equations(model) ? with_chosen_equations(model, q) : nullptr;
   const Model& m = chosen ? *chosen : model;

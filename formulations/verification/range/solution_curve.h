@@ -64,7 +64,8 @@ class SolutionCurve {
     std::vector<double> of_constraints;  ///< by constraint, divided by the largest
     double rounding;  ///< change of the driver's value that a rounding error in Φ may cause
   };
-  /// Returns the forces at a point. At a dead point they name the constraints that stop the driver.
+  /// Returns the forces at a point: at a dead point, of what stops the driver. Zeros where B is
+  /// singular.
   Forces forces(const Point& point);
 
   double value(const Point& point) const { return point.state[driver_]; }

@@ -51,7 +51,7 @@ class Continuation {
   /// Return the condition number at the present position, and the largest since the last call.
   double condition();
   double max_condition();
-  /// Return how many steps passed a singular position, and the parameter of the last of them.
+  /// Return how many steps have passed a singular position, and where the last of them ended.
   int crossings() const { return crossings_; }
   const Quadruple& crossed_at() const { return crossed_at_; }
 

@@ -36,7 +36,7 @@ class GlobalSolver {
   void drive(std::span<const MotionSample<S>> drivers);
   /// Likewise their positions alone.
   void drive(std::span<const S> drivers);
-  /// Lets correct_positions() solve Φ = share × Φ₀ from now on. Φ₀: Φ at the first call.
+  /// Makes correct_positions() solve Φ = share × Φ₀. Φ₀: Φ at the first set_homotopy().
   void set_homotopy(double share);
   /// Moves the unknowns along their Taylor polynomials of second degree.
   void predict(const S& step);

@@ -120,7 +120,7 @@ const CheckedInstant& CheckedMotion::check(const Instant& solved) {
                .group = step_.group,
                .out_of_tests = step_.out_of_tests};
     point_.reset();
-    // A motion that has worn out a budget does so in the next step, too, and all its rows are lost.
+    // Where tests ran out once they would in each step: the path does not begin again.
     on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(r));
     deliver(r);
     break;

@@ -11,8 +11,8 @@ namespace {
 /// To which the ends of an interval that cannot be assembled are found, s.
 constexpr double bracket = 1e-9;
 
-/// The last time that can be solved on the way from one where the formulation is to one where it
-/// cannot.
+/// Returns the last time [s], to within `bracket`, that can be solved on the way from a good one,
+/// where the formulation is, to a bad one.
 double last_solved(Formulation& formulation, double good, double bad) {
   while (std::abs(bad - good) > bracket) {
     const double middle = good + (bad - good) / 2;

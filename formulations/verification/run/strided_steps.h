@@ -38,9 +38,9 @@ class StridedSteps {
     Instant instant;  ///< the solved instant, or the one that failed
   };
   enum class From { estimate, last };
-  /// Solves an instant: after restart(), and without a stride, the one of index `next`, which is
-  /// the first not handed on; otherwise one that is a stride from the last. Assembles it from the
-  /// model's estimate, or steps to it from the last.
+  /// Solves the instant a stride after the last, or the grid's last one. At first, after restart()
+  /// and without a stride: the one of index `next`, the first not handed on. from: whether it is
+  /// assembled from the model's estimate or stepped to from the last.
   Step solve(int next, From from);
 
   /// Hands on the interpolated instants since the last solved one, and this one. Stops where the
