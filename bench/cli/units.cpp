@@ -6,10 +6,9 @@
 namespace desmo::cli {
 
 void add_units(CLI::App& command, UnitSystem& units) {
-  add_choice(
-      command, "--units", units, {{"file", UnitSystem::file}, {"si", UnitSystem::si}},
-      "DisplayUnits of what is written and read: those of the scene or, where it names none, of "
-      "the mechanism (file, the default); or metres and radians (si)");
+  add_choice(command, "--units", units, {{"file", UnitSystem::file}, {"si", UnitSystem::si}},
+             "Units of what is written and read: those of the scene or, where it names none, of "
+             "the mechanism (file, the default); or metres and radians (si)");
 }
 
 DisplayUnit unit_of(const DisplayUnits& units, EntityKind kind, Level level) {

@@ -32,7 +32,7 @@ struct SceneKind {
   Draft (*draw)(Random&);
 };
 
-/// Returns all kinds. A new one is a function, and a line here.
+/// Returns all kinds. A new one is a function below, and a line in this one's table.
 std::span<const SceneKind> scene_kinds();
 
 // Kinds of scenes, all at random sizes and places.
