@@ -38,23 +38,23 @@ class Formulation {
 
   /// Assembles the mechanism at time t [s] from the model's estimate; forgets what was solved
   /// before. level: the highest that is solved. After a failure all coordinates are unspecified,
-  /// and the next step assembles. Neither this nor step() throws or takes memory from the heap; a
-  /// library inside may take some.
+  /// and the next step assembles. Neither this nor step() throws. A step that succeeds after this
+  /// or a step takes no memory from the heap; a library inside may take some.
   Summary assemble(double t, Level level = Level::acceleration) { return do_assemble(t, level); }
 
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
-  /// Assembles where nothing was solved before. After a failure positions are those before the
-  /// call, and the next step goes on from there; rates are unspecified. Where earlier instants
-  /// were solved to lower levels than Settings::guess needs, a simpler guess replaces it. t may be
-  /// any number: an earlier one goes back, and the one of the last instant solves that again. NaN
-  /// or an infinite t fails, as Status::not_finite.
+  /// Calls assemble() where nothing was solved before. After any other failure positions are those
+  /// before the call, and the next step goes on from there; rates are unspecified. Where earlier
+  /// instants were solved to lower levels than Settings::guess needs, a simpler guess replaces it.
+  /// t may be any number: an earlier one goes back, and the one of the last instant solves that
+  /// again. NaN or an infinite t fails, as Status::not_finite.
   Summary step(double t, Level level = Level::acceleration) { return do_step(t, level); }
 
   /// Runs through the motion that the model's drivers have: assembles at the first instant of the
   /// grid, solves the others as the settings say, and hands each to the observer. Stops at the
-  /// first failure, after it handed on all earlier instants, or where the observer says so. A
-  /// stopped run with segments or threads leaves the formulation at the first instant, any other at
-  /// the last one handed on. Throws std::invalid_argument for a request that names a coordinate
+  /// first failure, after it handed on all that it solved, or where the observer says so. A stopped
+  /// run leaves the formulation at the last instant handed on; with segments, threads or a stride,
+  /// at an unspecified one. Throws std::invalid_argument for a request that names a coordinate
   /// twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
@@ -77,8 +77,7 @@ class Formulation {
   double tolerance() const { return tolerance_; }
 
   /// Return the instant solved last, in coordinate order (Model::coordinates() values). Before the
-  /// first one all are unspecified. During a run whose request names coordinates, so are all
-  /// others.
+  /// first one and during a run all are unspecified: an observer reads its Instant.
   std::span<const double> q() const;
   std::span<const double> qd() const;
   std::span<const double> qdd() const;

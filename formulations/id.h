@@ -17,8 +17,8 @@ struct Configuration {
   Settings settings;
 };
 
-/// Returns the id of a variant with these settings. Settings that are not the paper's follow as
-/// suffixes, in this order:
+/// Returns the id of a variant with these settings. Those that are not the paper's, except
+/// max_iterations, follow as suffixes, in this order:
 ///   <partition>_<equations>_<algebra>
 ///     /coordinates:basis|reference|relative  /guess:linear|quadratic|hermite3|hermite5|adams8
 ///     /jacobian:step  /btf:off  /lanes:4|8  /segments:4|8  /threads:2…  /stride:2…64

@@ -53,7 +53,7 @@ std::string unavailable_reason(std::string_view id);
 std::vector<std::string> faulty_libraries();
 
 /// Makes a formulation: analyses the model, which must outlive it, and allocates everything. Parts
-/// for which desmo was built without generated code are evaluated automatically. Throws
+/// for which desmo was built without generated code are inlined or evaluated automatically. Throws
 /// std::invalid_argument, naming the place, for a model that it cannot solve, and with the reason
 /// for settings that it does not offer (unsupported_reason, unavailable_reason).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,

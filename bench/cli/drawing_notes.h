@@ -9,9 +9,10 @@
 
 namespace desmo::cli {
 
-/// Returns a line for each joint whose point is drawn off the line or plane that it slides on,
-/// since that offset is kept, and for each table that does not lead through the drawing; empty if
-/// there is none. model: that of the whole mechanism
+/// Returns a line for each point drawn off the line of its revolute_on_slider or the plane of its
+/// point_on_plane joint, since that offset is kept. Where all bodies are drawn, also one for each
+/// table that does not lead through the drawing. Empty if there is none. model: of the whole
+/// mechanism
 std::string note_on_drawing(const Mechanism& mechanism, const Model& model,
                             const DisplayUnits& units);
 

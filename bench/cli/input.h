@@ -20,9 +20,9 @@ struct Input {
   Scene scene;         ///< for a mechanism file: drivers at rest, no instants
 };
 
-/// Loads a scene. Throws InputError and Error (unreadable_input), naming the source. The argument
-/// is:
-/// - a scene file, if it contains "/" or "."; "-" is standard input
+/// Loads a scene. Throws InputError and CommandError (unreadable_input; usage_error for a number of
+/// units), naming the source. The argument is:
+/// - a scene file, if it contains "/" or ".", or has none of these names; "-" is standard input
 /// - the name of a library mechanism, for its scene
 /// - a scalable case with its number of units, "truck_suspension:5"
 ///
@@ -32,9 +32,9 @@ Input load_scene(const std::string& argument, UnitSystem units = UnitSystem::fil
 /// Loads like load_scene(), but accepts mechanism files too.
 Input load_mechanism(const std::string& argument);
 
-/// Throws Error (usage_error) where an output would replace a file that is read: the scene, one
-/// that it names, or that of the drivers' rows ("" for none). All are as given on the command line,
-/// standard input included.
+/// Throws CommandError (usage_error) where an output would replace a file that is read: the scene,
+/// one that it names, or that of the drivers' rows ("" for none). All are as given on the command
+/// line, standard input included.
 void protect_input(const std::string& output, const Input& input, const std::string& drivers = "");
 
 /// Makes the model of an input. Throws InputError, naming the source.

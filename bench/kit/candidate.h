@@ -19,7 +19,7 @@ class Candidate;
 
 /// The run that verifies a candidate: what is found and measured.
 struct VerifyingRun {
-  std::string model{};          ///< digest of the model that was solved; empty: there is none
+  std::string model{};          ///< digest of the model, of a request's the whole; may be empty
   std::string results{};        ///< digest of what was compared with the reference, or empty
   Differences errors{};         ///< from the reference
   double setup_seconds = 0;     ///< CPU: analysis, ordering, allocation

@@ -34,7 +34,7 @@ class FormulationCandidate : public Candidate {
   /// long_motion_seconds [s], so that more samples would cost too much.
   bool is_sampled(double long_motion_seconds) const;
 
-  int coordinates() const { return coordinates_; }  ///< of the whole model
+  int coordinates() const { return coordinates_; }  ///< of the model, or those delivered
 
  protected:
   /// case_name, coordinates: of the problem. id: without settings that all candidates share.

@@ -187,7 +187,7 @@ struct TimeGrid {
   }
 };
 
-/// Makes a grid from 0 to `seconds`, both included, with that step [s]. Throws
+/// Makes a grid from 0 to the multiple of that step nearest to `seconds` [s], both included. Throws
 /// std::invalid_argument unless both are positive and finite and the grid has 2 to 10⁹ instants.
 TimeGrid time_grid(double seconds, double step);
 

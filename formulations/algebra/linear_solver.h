@@ -15,8 +15,7 @@ class LinearSolver {
   virtual ~LinearSolver() = default;
 
   /// Factorises A. values: (entries of the pattern), read until the last solve() with these
-  /// factors. Returns false when a pivot is zero; of a nearly singular matrix the factors are
-  /// returned.
+  /// factors. Returns false when A is singular by the library's own limit, which is zero for some.
   virtual bool factor(const double* values) = 0;
 
   /// Overwrites b (n) with A⁻¹ b, using the last factors.

@@ -39,8 +39,8 @@ class Observer {
   /// whether the run goes on.
   virtual Flow observe(const Instant& instant) noexcept = 0;
 
-  /// Returns for how many instants the observer lends memory at a time. 0: it lends none, and
-  /// instants come in memory of the solver.
+  /// Returns the preferred number of instants in a call of lend(), which may ask for more. 0: the
+  /// observer lends none, and instants come in memory of the solver.
   virtual int lent_at_once() const noexcept { return 0; }
   /// Lends memory for instants to come; called if lent_at_once() is not 0. instants: their indices.
   /// outputs: to be filled, one for each. The solver owns this memory until it hands over the
@@ -59,8 +59,8 @@ class Observer {
     static_cast<void>(thread);
     return nullptr;
   }
-  /// Tells that all instants so far are void, since segments did not meet: the run begins again at
-  /// the first instant. Called only if any_order().
+  /// Tells that all instants so far are void, since segments failed or did not meet: the run begins
+  /// again at the first instant. Called only if any_order().
   virtual void restart() noexcept {}
 };
 

@@ -29,8 +29,8 @@ class OutputWriter {
   /// Copies the requested coordinates of an instant to the instant's output. The instant's spans
   /// then view the output. On entry they view all coordinates.
   void write(Instant& instant) const;
-  /// Hands the requested coordinates of an instant to an observer, in its memory where it lends
-  /// any.
+  /// Hands an instant to an observer: the requested coordinates in memory that the observer lends,
+  /// or all in the instant's.
   Flow hand_over(const Instant& instant, Observer& observer) const;
 
  private:

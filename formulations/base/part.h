@@ -57,7 +57,7 @@ struct PartResult {
   double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
 };
 
-/// Counts of what a part met in its steps so far, without assemblies, which start from estimates.
+/// Counts of what a part met so far. InlinedPart leaves out assemblies, which start from estimates.
 struct PartCounts {
   /// Number of times a pivot order that is meant to last had gone bad and was chosen anew:
   /// - linear solvers that reuse pivots: new choices of the order after the first

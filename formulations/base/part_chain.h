@@ -12,7 +12,7 @@ class PartChain {
   struct Result {
     int solved = 0;      ///< members, up to the first that has to be solved by itself
     int iterations = 0;  ///< the most of any of them …
-    long all = 0;        ///< updates of all parts together
+    long all = 0;        ///< iterations of all parts together
     double residual2 = 0;
   };
 

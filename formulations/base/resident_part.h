@@ -35,7 +35,7 @@ class ResidentPart {
   /// Begins a step.
   /// - history: of the instants solved; the part keeps the last one. Where that is unknown, as
   ///   after a failure, the positions in the state are complete: solve() starts from these, and
-  ///   leaves all results there.
+  ///   leaves all positions there.
   /// - row: begins with PartInputs::drivers at the instant to come
   virtual void begin_step(const StepHistory& history, const MotionRow& row) = 0;
   /// Writes the instant solved last to an output, up to `level`, as bound.

@@ -23,7 +23,7 @@ struct BasicSummary {
   double residual = 0;
   int group = -1;  ///< on failure, the position in Model::groups of the one not solved, if known
   int constraint = -1;   ///< on failure, that of the constraint most concerned, if known
-  double time = 0;       ///< time of the last instant tried [s]
+  double time = 0;       ///< time of the last instant tried [s]; stopped in segments: unspecified
   bool stopped = false;  ///< the observer ended the run
 
   /// Adds the summary of the next instant. If that failed, takes over its status, group, constraint

@@ -7,7 +7,7 @@
 // A kind has
 // stable name, part of the fingerprint of a group
 //   operand_sizes   components of each entity it joins, in order
-//   constants       how many dimensions of the mechanism it takes
+//   constants       how many constants its functions take
 //   rows            how many scalar equations it contributes
 //   entries         how many partial derivatives it emits
 //   linear          true when all partial derivatives are constant; jacobian then reads no x
@@ -24,7 +24,7 @@
 // with division and square root:
 //   measure(x, c)              c[constants] = dimensions for which the constraint holds at x,
 //                              overwritten; angles among the operands are not read
-// A kind without it relates an entity to a basis, which its operands do not tell.
+// Kinds without it take no constants, or some that their operands do not tell.
 // A kind that reads a table takes it about the position of its operands: see constants_at().
 // The operands of a constraint are different entities. Lengths are in the unit of the mechanism,
 // angles in radians.

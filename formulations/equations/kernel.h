@@ -38,9 +38,9 @@ struct Kernel {
   void (*quadratic)(const double* state, const double* rate, const int* in, const double* c,
                     double* gamma);
 
-  /// Iterates Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2 or NaN. Each
-  /// equation is multiplied by its weight (1/magnitude). A bad pivot shows in the residual of the
-  /// original equations.
+  /// Iterates Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2 or NaN, up to
+  /// max_iterations times in each pivot order. Each equation is multiplied by its weight
+  /// (1/magnitude). A bad pivot shows in the residual of the original equations.
   InlinedResult (*position)(double* state, const int* in, const double* c, const double* weight,
                             double tolerance2, int max_iterations);
   /// Solves velocities and, when acc is not null, accelerations of the unknowns at a solved

@@ -18,8 +18,8 @@ struct LaneResult {
   int iterations;     ///< largest number of any lane
 };
 
-/// An explicit kernel that solves one part in each lane. All arrays, those of the binding included,
-/// hold one LaneValues per local input. They are passed as doubles, not as registers: the kernel
+/// An explicit kernel that solves one part in each lane. All arrays but ExplicitBinding::in hold
+/// the lanes of each number side by side. They are passed as doubles, not as registers: the kernel
 /// may be compiled for another processor than its caller. Rates are solved up to accelerations.
 struct LaneKernel {
   int lanes;

@@ -17,7 +17,7 @@ struct JacobianEntry {
 
 /// Positions of the partial derivatives of a part's n equations in one array of `size()` values.
 /// First stands Φ_φ (by the n unknowns), compressed by columns; then Φ_h (by known coordinates that
-/// move). The last value collects all derivatives by components that never move, and is not read.
+/// move). The last value, not read, collects all derivatives by what never moves or of other parts.
 struct Pattern {
   int n = 0;                         ///< number of unknowns and equations
   std::vector<int> unknowns;         ///< coordinate of each column (n)

@@ -28,7 +28,7 @@ class CharacteristicLengths {
   /// else 1.
   double of(EntityId entity) const;
 
-  /// Returns the shortest of these distances that is not zero; falls back likewise.
+  /// Returns the smallest length of these constraints that is not 0; falls back likewise.
   double shortest(EntityId entity) const;
 
   /// Returns the length of each coordinate's point or distance; 1 for vectors and angles.

@@ -123,8 +123,8 @@ struct Model {
 
   /// Returns the position in q, q̇ and q̈ of a coordinate by its name (coordinate_name()): "C.x", a
   /// component of a point or vector C, or "theta", an angle or a distance. Look it up once, before
-  /// a loop. Throws std::invalid_argument, with names that exist, when there is none or it is
-  /// fixed.
+  /// a loop. Throws std::invalid_argument when it is fixed, or when there is none (with names that
+  /// exist).
   int coordinate(const std::string& name) const;
 
   /// Returns the value of that name at a level, where `values` are q, q̇ or q̈. A fixed entity has

@@ -38,7 +38,7 @@ struct DefinedPart {
   PartDefinition definition;
   std::unique_ptr<Part> solver;
   /// The solver is of the kind that the formulation's id names. False when generated code was
-  /// missing and automatic equations stand in for it.
+  /// missing and another kind stands in for it.
   bool as_named = true;
   Level level = Level::acceleration;  ///< highest level at which its unknowns are requested
   /// Tolerance on ‖Φ‖₂ of its weighted equations: its share of the whole, or what rounding leaves.
@@ -46,7 +46,8 @@ struct DefinedPart {
 };
 
 /// Returns the parts of a partition in solution order. Constant groups come first, each a part of
-/// its own; groups of drivers only are omitted. Throws std::invalid_argument when a group needs a
+/// its own; groups of drivers only are omitted. In other than natural coordinates, parts that are
+/// no blocks are cut by split_outputs(). Throws std::invalid_argument when a group needs a
 /// coordinate of a later group, or (Partition::block) is structurally singular.
 std::vector<PartDefinition> make_partition(const Model& model, Partition partition);
 

@@ -22,8 +22,8 @@ class LiveSteps {
 
   /// Solves an instant like Formulation::step(), with driver values from a row instead of the
   /// motions. Takes at most max_sub_steps sub-steps, in which drivers move linearly from their last
-  /// positions to the row. Takes nothing from the heap; so a failure names the group at most, and
-  /// no constraint. The row is not checked.
+  /// positions to the row. Takes nothing from the heap unless it assembles; so a failure names the
+  /// group at most, and no constraint. The row is not checked.
   virtual Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) = 0;
 
   /// Returns to positions q that were solved before, at time t [s]; the next row starts there.

@@ -8,9 +8,9 @@
 
 namespace desmo {
 
-/// A group or block solved by generated code throughout: equations, elimination in a pivot order
-/// fixed at generation time, and substitution. When a pivot turns out too small, or the iterations
-/// do not converge, the step is left to `fallback`, which pivots (PartCounts::fallbacks).
+/// A group or block solved by generated code throughout: equations, elimination in up to three
+/// pivot orders fixed at generation time, and substitution. When none has large pivots and
+/// converges, the step is left to `fallback`, which pivots (PartCounts::fallbacks).
 class InlinedPart final : public Part {
  public:
   /// weights: 1/magnitude of each equation (see magnitudes.h).

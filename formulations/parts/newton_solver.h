@@ -21,7 +21,7 @@ class Acceptance {
   Acceptance(const IterationLimits& limits, bool corrects_solved)
       : limits_(limits), is_last_(!corrects_solved) {}
 
-  /// Returns whether the iterations end at this position. Notes that a limit was met.
+  /// Returns whether the position is accepted. Notes that a limit was met.
   bool update(double residual, int iterations) {
     const bool is_over = iterations == limits_.max;
     if (!(residual < (is_over ? limits_.accept : limits_.stop))) return false;

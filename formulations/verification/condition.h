@@ -12,7 +12,7 @@ namespace desmo {
 /// equations at once. S holds the natural magnitudes of the unknowns: one radian, or a length of
 /// the mechanism. R makes the row sums of |A| one, so that ‖A‖∞ = 1. The number bounds the relative
 /// change of position that a relative change of an equation causes, whatever the units and the
-/// partition. The inverse is computed exactly by n solves with a sparse LU factorisation; O(n²).
+/// partition. The inverse is not estimated: n solves with a sparse LU factorisation, O(n²).
 class ConditionNumber {
  public:
   /// Analyses the model, which must outlive this object.

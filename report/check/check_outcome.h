@@ -21,7 +21,7 @@ enum class CheckVerdict {
   regression = 1,    ///< time or work of some candidate raised an alarm, twice for time
   invalid = 2,       ///< answers are wrong, or head lacks a candidate of the base or baseline
   inconclusive = 3,  ///< times are too noisy, or a second pass is missing
-  incomparable = 4,  ///< no time and no work may be compared
+  incomparable = 4,  ///< times or work may not be compared, or nothing was
 };
 
 /// A candidate that is not judged, and why.

@@ -12,7 +12,8 @@ struct CheckCommand {
   bool pending = false;  ///< only list what has still to be measured, "PASS CANDIDATE" a line
 };
 
-/// Prints the verdict on standard output. Returns the exit code: that of the CheckVerdict;
+/// Prints the verdict, or what is pending, on standard output. Returns the exit code: that of the
+/// CheckVerdict, or of CheckVerdict::pass after a list of what is pending;
 /// CheckVerdict::invalid for a file that is no whole results file, CheckVerdict::incomparable for
 /// one that mixes machines or is of an unknown version, 64 when it cannot be read, with a message.
 /// Throws OutputError.

@@ -17,7 +17,7 @@ namespace desmo::report {
 /// exchanged.
 inline constexpr double alarming_change = 1.05;
 inline constexpr double certain_change = 1.02;
-/// Wider intervals than this, highest over lowest, tell nothing.
+/// Wider intervals than this, highest over lowest, do not show that nothing has changed.
 inline constexpr double max_interval = 1.05;
 /// The control's time may not change by more, nor its interval be wider than the above.
 inline constexpr double steady_control = 1.02;

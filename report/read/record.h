@@ -163,7 +163,7 @@ inline constexpr Experiment experiments[] = {
     {"extremes", [](const Record& r) { return !r.extremes.empty(); }}};
 
 /// Checks everything the report relies on: the schema's name and major version, required keys,
-/// types, times above zero, the verification of every "ok" candidate and request, as many samples
+/// types, times above zero, the verification of every "ok" candidate and request, as many windows
 /// as it says, nothing given twice, one machine, one model for each case and size with one set of
 /// results. An "ok" candidate or request that exceeds `record.settings.allowed` becomes a failed
 /// one that says so and has no time. Unknown keys are ignored, so that a record with a newer minor
@@ -173,7 +173,7 @@ Record parse_record(std::string_view text, const std::string& file = "record");
 /// Reads a record that has been parsed already, alone or inside another document.
 Record read_record(const RecordValue& root);
 
-/// Reads at most max_file bytes and parses them. Throws as parse_record.
+/// Reads a file, plain or gzip, and parses it. Throws as parse_record, or UnreadableRecord.
 Record read_record(const std::filesystem::path& file);
 
 }  // namespace desmo::report

@@ -43,7 +43,7 @@ class RecordValue : public JsonValue {
   std::string text() const;    ///< control characters, which a terminal would obey, become spaces
   std::string name() const;    ///< letters, digits, "_" and "-" only: it becomes part of file names
   std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
-  std::string utc() const;     ///< a date that there is, and a time: 2026-11-21T17:48:47Z
+  std::string utc() const;     ///< a date and a time in this form: 2026-11-21T17:48:47Z
   std::int64_t integer(int least) const;  ///< in least ... 1e9
   double not_negative() const;            ///< 0 ... 1e100, so that sums stay finite
   double positive() const;                ///< above 0, at most 1e100

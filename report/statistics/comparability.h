@@ -16,9 +16,9 @@ struct Difference {
 };
 
 /// Says why times of the two records cannot be compared; empty when they can. They must agree in
-/// CPU model, compiler, flags, linking, BLAS core and threads, settings of the analysis, and, for
-/// what both have timed, in the model solved and the results found. What only one records counts as
-/// different.
+/// CPU model, compiler, build type, flags, linking, BLAS core and threads, settings, and, for what
+/// both have timed, in the model and the results. At least one measurement must be in both. What
+/// only one records counts as different, and linking also where neither does.
 std::vector<Difference> why_incomparable(const Record& first, const Record& second);
 
 /// Says why speed-ups of two machines cannot stand side by side; empty when they can. They must

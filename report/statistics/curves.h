@@ -28,7 +28,7 @@ struct Curve {
   bool failed = false;             ///< at some other size
 };
 
-/// Returns the curves of every case and formulation of `growth` or `crossing`.
+/// Returns the curves of every case and formulation of `growth` or `break_even`.
 std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries);
 
 /// Returns the point where a coordinate costs least; null without points.

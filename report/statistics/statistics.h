@@ -78,8 +78,9 @@ struct SpeedUp {
 /// times; otherwise the ratio of medians.
 SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant);
 
-/// Each member the arithmetic mean over the sizes, as in the last row of the paper's table 2; the
-/// percentage too is the mean of the percentages. Of one or more.
+/// Returns the arithmetic mean of each member over the sizes, as in the last row of the paper's
+/// table 2, also of percentages; the fewest repetitions, and a spread if all have one. Of one or
+/// more.
 SpeedUp mean(std::span<const SpeedUp> sizes);
 
 /// t = c n^slope, fitted by least squares in log t over log n.

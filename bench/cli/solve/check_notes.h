@@ -15,8 +15,8 @@ namespace desmo::cli {
 std::string note_on_proofs(const CheckedSummary& summary, Level level, const Model& model,
                            const DisplayUnits& units);
 
-/// Returns a line on the rows that are flagged, and one on the change points that were passed, each
-/// if there are any.
+/// Returns lines on the rows that are flagged, the first change point, the largest contradiction
+/// and the number of change points, each if there are any.
 std::string note_on_flags(const CheckedSummary& summary, const Model& model,
                           const DisplayUnits& units);
 

@@ -20,7 +20,7 @@ namespace desmo::cli {
 /// units may be left out), in any order. Columns that belong to no driver are then ignored.
 class DriverRows {
  public:
-  /// Opens a file, or standard input for "-". Throws Error (unreadable_input).
+  /// Opens a file, or standard input for "-". Throws CommandError (unreadable_input).
   /// - whole: its drivers have the columns, where there is no heading
   /// - model: its drivers are read
   /// - level: highest level that is needed
@@ -29,7 +29,7 @@ class DriverRows {
              const DisplayUnits& units);
 
   /// Reads the next row, which is valid until the one after it. Returns false at the end. Throws
-  /// InputError, naming line and column, and Error (unreadable_input).
+  /// InputError, naming line and column, and CommandError (unreadable_input).
   bool next(LiveRow& row);
 
   /// "drivers.csv: line 3", of the row read last.

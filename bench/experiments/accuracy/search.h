@@ -12,7 +12,7 @@ namespace desmo::accuracy {
 /// A motion for which settings are chosen.
 struct TunedMotion {
   Problem whole;
-  Problem begin;  ///< its first hundred instants, on which everything is tried
+  Problem begin;  ///< its first 101 instants, on which everything is tried
 };
 
 /// Returns the motion of a plan over a grid, and its begin, both with their references. Throws what

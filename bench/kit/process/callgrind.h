@@ -11,7 +11,7 @@ namespace desmo::bench {
 /// Returns the instructions of desmo_counted_steps in a run of desmo_steps, counted by callgrind in
 /// a fixed environment. callgrind shows every program the same processor, so counts do not depend
 /// on the machine's. command: the program's path and its arguments. Throws std::runtime_error with
-/// what either said when they cannot be counted.
+/// the exit code and standard output when they cannot be counted.
 std::int64_t count_steps(std::vector<std::string> command);
 
 /// Returns what else the counts depend on: "valgrind-3.19.0, glibc 2.36"; empty without valgrind.

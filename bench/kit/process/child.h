@@ -20,8 +20,9 @@ struct Launch {
   bool fresh_copy = false;
 };
 
-/// A running program that is asked and answers by lines. Everything throws std::runtime_error,
-/// naming the program, when it cannot be started or ends before it has answered.
+/// A running program that is asked and answers by lines. Constructor, say() and answer() throw
+/// std::runtime_error when it is not started or has ended; one that cannot be executed ends with
+/// 127.
 class Child {
  public:
   explicit Child(const Launch& launch);
@@ -46,7 +47,7 @@ class Child {
 /// start, locale C. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries are, are kept.
 Launch fixed_launch(std::vector<std::string> arguments);
 
-/// Runs a program to its end; standard output and error go to `output`. Returns its exit code.
+/// Runs a program to its end; its standard output goes to `output`. Returns its exit code.
 int run_to_end(const Launch& launch, std::string& output);
 
 /// Returns the cores that this process may use.

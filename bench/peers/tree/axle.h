@@ -45,7 +45,7 @@ class Axle {
   /// heights are out of reach or Newton's method does not close the loops.
   int solve(const MotionSample<double>& left, const MotionSample<double>& right, Angles& angles);
 
-  /// Returns the iterations of the last solution.
+  /// Returns the pose of the axle at the last solution.
   const Pose& pose() const { return pose_; }
   /// Everything of these bodies at the last solution.
   void deliver(AnswerWriter& out) const;

@@ -49,7 +49,7 @@ using SampleNumbers = std::vector<std::size_t>;
 /// Choice of a pivot where none is large enough at every sample point.
 enum class Unsound {
   has_largest_worst,  ///< the one that is largest where it is worst
-  serves_most,  ///< the one that is large enough at most: at a singular position all are small
+  serves_most,        ///< the one large enough at the most points: at a singular one all are small
 };
 
 /// A sparse Gaussian elimination of Φ_φ (Jacobian by the part's unknowns), recorded once with a

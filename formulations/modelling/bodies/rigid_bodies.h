@@ -39,7 +39,8 @@ struct RigidBodies {
   std::vector<std::vector<int>> of_point, of_vector;  ///< rigid bodies that carry it, ascending
 };
 
-/// Returns whether a vector is declared along two points of this body and so follows from them.
+/// Returns whether a vector is declared along two points of this body and so follows from them. No
+/// vector of a body with a frame of its own does.
 bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
 /// Throws std::invalid_argument, naming the body, when the square of a length on a body over- or
@@ -51,7 +52,8 @@ void require_representable(const Mechanism& mechanism);
 /// 6° of the span of earlier ones is taken only as a last resort. Throws std::invalid_argument,
 /// naming the body, when
 /// - a body carries neither point nor vector,
-/// - a declared length is not the nominal one, although a fixed joint adds points to the body.
+/// - a declared length is not the nominal one, although a fixed joint adds points to the body,
+/// - a body with a frame of its own is drawn as in a mirror.
 RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 
 /// Geometry of a mechanism in its nominal position.

@@ -21,7 +21,7 @@ struct Candidates {
 /// - joints: an angle between vectors or an offset from a line; shared points and vectors need no
 ///   equation;
 /// - relative coordinates: their definitions, which also define the joints along which they slide;
-/// - couplings: a linear equation each;
+/// - couplings: an equation each, linear unless by a table;
 /// - ground vectors that are coordinates: linear equations that hold them.
 /// An equation belongs to the last group that solves for one of its coordinates. motions: one per
 /// driven coordinate, in order. What is linear in the basis of a body is a derivation, unless

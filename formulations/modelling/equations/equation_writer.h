@@ -27,7 +27,7 @@ class EquationWriter {
   const FramedMechanism* const framed;
   const double reach;  ///< largest absolute coordinate of a point, nominally
 
-  /// Returns that of a body's shape, which is drawn or has a frame.
+  /// Returns the reach within the body's own frame, or that of all points where it has none.
   double reach_of(const RigidBody& body) const;
 
   EntityId point(int p) const { return coordinates_.points[p]; }
@@ -121,8 +121,9 @@ template <int D>
 void write_body_equations(EquationWriter& writer);
 
 /// Writes the equations of joints between different rigid bodies: offsets of planar sliding joints
-/// whose distance is not declared, and angles of universal joints. Shared points and vectors and
-/// relative coordinates imply all others. With frames, those of the tree imply theirs.
+/// whose distance is not declared, angles of universal joints, distances from planes in space.
+/// Shared points and vectors and relative coordinates imply all others. With frames, joints of the
+/// tree have none, and cut ones their offsets even where the distance is declared.
 void write_joint_equations(EquationWriter& writer);
 
 /// Writes the couplings of coordinates.

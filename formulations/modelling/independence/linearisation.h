@@ -14,7 +14,7 @@ inline constexpr double dependent_below = 1e-6;
 /// The same in a group that closes only to the digits of its file. These may leave a misfit of as
 /// much, over its lengths; what closes less is refused.
 inline constexpr double max_misfit = 1e-4;
-/// The same of a row whose derivatives are uncertain, times that.
+/// A row whose derivatives are uncertain depends on others below this times the uncertainty.
 inline constexpr double uncertainty_margin = 10;
 
 /// The system of a group: its candidate equations are rows; its unknowns, then drivers, are

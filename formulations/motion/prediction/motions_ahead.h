@@ -30,7 +30,7 @@ class MotionsAhead {
   explicit MotionsAhead(std::vector<const Motion*> motions);
 
   /// Announces that times are those of this grid, in order from the first. Times between them are
-  /// sampled singly. If an instant is skipped, so are all later ones.
+  /// sampled singly, and so are all after a skipped instant.
   void expect(const TimeGrid& grid);
 
   /// Returns the row at time t [s], valid until the next call.

@@ -34,8 +34,8 @@ class BranchPath {
     is_accepted_ = std::move(is_accepted);
   }
 
-  /// Begins at an instant, which it copies. Returns whether its positions and rates are proven, as
-  /// follow() needs.
+  /// Begins at a copy of an instant. Trusts one that has all rates, else proves it and finds them.
+  /// Returns whether that succeeds.
   bool start_at(const CertifiedInstant& instant);
 
   /// Goes to the time of an instant, later or earlier. The next step begins there: at the instant

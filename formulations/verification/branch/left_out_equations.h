@@ -66,7 +66,7 @@ class LeftOutEquations {
   /// Returns for each coordinate how far it may be from that of any mechanism that rounds to the
   /// same file; infinite where that is not known. Two choices of equations mean the same motion
   /// where their instants are within these radii. Only where any() is true. Valid until the next
-  /// call of this or check().
+  /// call of this, check() or look_along().
   std::span<const double> radius(const Instant& instant, const LiveRow* drivers = nullptr);
 
  private:

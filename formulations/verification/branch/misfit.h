@@ -15,7 +15,7 @@ struct Misfit {
   bool is_length = false;  ///< amount is in the model's unit of length; else a number or [rad]
 };
 
-/// Returns the misfit of an equation: |Φ| over the steepest slope of Φ by an operand.
+/// Returns the misfit of an equation: |Φ| over its steepest slope by a length, else by any operand.
 /// - constraint, row: the equation
 /// - residual: Φ
 /// - state: where the slopes are taken (state_size)

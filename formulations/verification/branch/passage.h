@@ -49,7 +49,7 @@ std::optional<PassedPoint> pass_change_point(const Model& model, const Certified
 /// Passes the change point on which a motion begins, when something else leads there: the way from
 /// the drawing.
 /// - last: the last proven instant on that way; its time is not read
-/// - direction: of the drivers on the way, up to a factor
+/// - direction: of the drivers on the way, of any length
 /// - start: of the motion [s]: PassedPoint::after. No instant is proven there
 std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
                                              std::span<const double> direction, double start);

@@ -23,8 +23,8 @@ struct FoundStart {
   std::vector<double> passed{};  ///< change points that the drivers passed, as shares of their way
   /// All coordinates: at the start where it is reached, else where the last proof was.
   std::vector<double> q;
-  /// The change point on which the motion begins, where nothing is proven, and its smooth
-  /// continuation; null: it begins on none. The stage is `drivers` then.
+  /// The change point on which the motion begins, unproven, and its smooth continuation; null: none
+  /// is known. Where it is set, the stage is `drivers`.
   std::shared_ptr<const PassedPoint> point{};
 };
 
@@ -41,9 +41,9 @@ struct FoundStart {
 ///
 /// A part that is blocked goes on by other equations of an overconstrained group, if these are
 /// independent there (with_chosen_equations()); else no other way is sought than a change point's.
-/// It is blocked at 0, too, where a driver has no finite value. Angles that are not driven are
-/// those nearest to the drawing, whole turns apart. Positions are rounded: a Refinement at that
-/// time proves them, and finds rates. Allocates; keep it out of timed code.
+/// It is blocked at 0, too, where a driver has no finite value. Angles neither driven
+/// nor coupled are those nearest to the drawing, whole turns apart. Positions are rounded: a
+/// Refinement at that time proves them, and finds rates. Allocates; keep it out of timed code.
 ///
 ///   const FoundStart start = find_start(model, grid.time(0));
 ///   if (start.stage == FoundStart::Stage::reached) use(start.q);

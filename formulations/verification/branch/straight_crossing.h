@@ -14,7 +14,7 @@ namespace desmo {
 /// A straight line in the space of drivers: z = origin + s rates, in the unit of each driver. s is
 /// its arc, ‖Δz‖ over natural magnitudes: 1 rad of a single angle.
 struct DriverLine {
-  /// direction: of the drivers, up to a factor.
+  /// direction: of the drivers, of any length.
   DriverLine(const Model& model, std::span<const double> origin, std::span<const double> direction);
 
   bool exists() const;  ///< false: the direction is none
@@ -50,7 +50,7 @@ class StraightCrossing {
 
   /// Draws the line.
   /// - last: a proven instant, just before the point. s is 0 there
-  /// - direction: rates of the drivers, up to a factor
+  /// - direction: rates of the drivers, of any length
   StraightCrossing(const Model& model, const CertifiedInstant& last,
                    std::span<const double> direction);
   StraightCrossing(const StraightCrossing&) = delete;
@@ -62,7 +62,7 @@ class StraightCrossing {
   /// Returns the least factor by which the miss falls, from one halving to the next until rounding
   /// hides it, or the first one where that is less than min_fall. Rounding of lengths counts as
   /// rounding: branches that meet but for it pass each other by, and the miss grows again towards
-  /// the point. 0: positions beyond are not proven, or nothing is seen of their branch's miss.
+  /// the point. 0: nothing is proven or seen beyond. Overwrites reach(), positions() and width().
   /// - level: number of halvings before the first
   /// - beyond: positions at the distance h that belongs to the level, or near them
   double fall(int level, std::span<const double> beyond);

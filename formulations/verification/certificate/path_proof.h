@@ -23,8 +23,8 @@ struct CertifiedInstant {
 /// What is proven of the motion between two instants.
 struct PathCertificate {
   bool proven = false;
-  /// Where no proof succeeded: the block's structural group and its first unknown; else
-  /// no_position.
+  /// Where the proof of a block failed: its structural group and its first unknown; no_position
+  /// else, and where a knot lies in the step.
   GroupId group = no_position;
   int coordinate = no_position;
 };

@@ -11,7 +11,7 @@ namespace desmo {
 struct RefinedInstant {
   Instant instant{};  ///< as it was where no certificate is proven
   bool proven = false;
-  /// Bound on |instant − exact| of each coordinate, as in Certificate.
+  /// Bounds on |instant − exact| of each coordinate, at the levels of the instant alone.
   PerLevel<std::span<const double>> radius{};
   Certificate last{};  ///< of the last pass; of the last proven one, if any is
   int passes = 0;

@@ -16,7 +16,7 @@ class BlockDeterminants {
   explicit BlockDeterminants(const Model& model);
 
   /// Evaluates all of them at a state (q followed by the fixed components). Returns false where one
-  /// is zero in double precision; all others are then those of before.
+  /// is zero or not finite; all of them then stay as they were.
   bool evaluate(std::span<const double> state);
 
   int blocks() const { return static_cast<int>(blocks_.size()); }

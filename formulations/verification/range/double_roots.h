@@ -16,8 +16,8 @@ struct DoubleRoot {
 };
 
 /// A search for double roots of the determinants of irreducible blocks, point by point along a
-/// curve. There the root of a determinant changes its sign like a line: of three points in a row
-/// the middle one tells whether it may. An evaluation costs a step.
+/// curve. There the square root of a determinant changes its sign like a line: of three points in a
+/// row the middle one tells whether it may. An evaluation costs a step.
 class DoubleRootSearch {
  public:
   /// Both must outlive the search.
@@ -29,9 +29,9 @@ class DoubleRootSearch {
     since_ = 0;
   }
 
-  /// Adds the point that lies a length after the last one; the determinants are evaluated there,
-  /// and elsewhere afterwards. No determinant has changed its sign since the last point. Returns
-  /// the first double root around the last point, to 1e-9 rad or characteristic lengths.
+  /// Adds the point that lies a length after the last one, where the caller has evaluated the
+  /// determinants; they are elsewhere afterwards. No determinant has changed its sign since the
+  /// last point. Returns the first double root around that, to 1e-9 rad or characteristic lengths.
   std::optional<DoubleRoot> add(const SolutionCurve::Point& point, double length);
 
  private:

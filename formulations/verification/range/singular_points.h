@@ -41,7 +41,7 @@ std::optional<RangeEnd> find_joint_lock(const Model& model, SolutionCurve& curve
 /// Returns at x Lagrange's polynomial through points (xs, ys).
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x);
 
-/// Returns the driver's value at a crossing in a step of a length, a little behind an earlier
+/// Returns the driver's value at a crossing in a step of a length, a little after an earlier
 /// point. Positions next to a crossing are not well known; so the value at which det B vanishes is
 /// interpolated from points further away, to which the curve leads from the earlier one. det B
 /// vanishes like the distance to the power of the number of blocks that become singular.

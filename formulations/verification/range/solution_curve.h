@@ -42,10 +42,10 @@ class SolutionCurve {
   bool is_idle() const { return unknowns_.empty(); }
 
   /// Returns the point of the curve at or next to a position that is nearly solved, with the
-  /// driver's value where that determines it. The driver moves upwards along the tangent. Returns
-  /// nothing where no position is found.
+  /// driver's value where that determines it. The driver moves upwards along the tangent. At a
+  /// crossing the position stays as it is. Returns nothing where no position is found.
   std::optional<Point> start(std::vector<double> state);
-  /// Returns whether two curves cross at the point that start() found last.
+  /// Returns whether the last start() was at a crossing of two curves, to rounding.
   bool is_crossing() const { return crosses_; }
 
   /// Returns the point a step further, the largest scaled change of any component being about
@@ -59,7 +59,7 @@ class SolutionCurve {
   /// direction.
   static Point reversed(Point point);
 
-  /// Forces in the constraints (Lagrange multipliers) while a unit force pushes the driver.
+  /// Magnitudes of Lagrange multipliers, of rows over their sums, for a unit force on the driver.
   struct Forces {
     std::vector<double> of_constraints;  ///< by constraint, divided by the largest
     double rounding;  ///< change of the driver's value that a rounding error in Φ may cause

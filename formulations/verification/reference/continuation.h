@@ -87,15 +87,15 @@ class Continuation {
 
 /// True answer at an instant of a grid.
 struct TrueInstant {
-  ReferenceInstant instant;  ///< no q: none exists, or it is singular
+  ReferenceInstant instant;  ///< no q: none is known, or it is singular
   double condition = INFINITY;
   double path_condition = INFINITY;  ///< largest since the instant before, both included
 };
 
 /// Returns the smooth continuation of a model's nominal position: drivers go straight to the start
-/// of the grid, then follow their motions. Singular instants have no answer; the motion goes on
-/// after one if it can. Nothing has an answer where the start is singular. Throws
-/// std::runtime_error when the start cannot be reached without passing a singular position.
+/// of the grid, then follow their motions. Singular instants have no answer; nor has any after two
+/// in a row, or where the start is singular. Throws std::runtime_error without a nominal position,
+/// or when the start cannot be reached without passing a singular position.
 std::vector<TrueInstant> true_motion(const Model& model, const TimeGrid& grid);
 
 }  // namespace desmo

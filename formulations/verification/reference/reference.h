@@ -15,7 +15,7 @@ enum class Precision { standard, quadruple };
 /// Returns positions, velocities and accelerations at ascending times [s], solved group by group.
 /// The code shares with the formulations only the constraint kinds, the motions and the list of
 /// parts. It uses dense matrices, pivoting, Newton's method, and steps of at most 10 ms from an
-/// assembly at times.front(), on the branch of the drawing (DrawnStart). With quadruple precision
+/// assembly at times.front(), on the drawn branch if DrawnStart finds it. With quadruple precision
 /// each instant is solved again in that precision, and has remainders. Iterations end when the
 /// precision is exhausted, whatever the units. Throws std::runtime_error, naming the group and the
 /// instant, when one does not converge.
@@ -32,8 +32,8 @@ struct Reference {
   PerLevel<double> floor;
 };
 
-/// Solves a motion twice in quadruple precision: with reference_solution(), and from the initial
-/// estimate on with all equations at once (GlobalSolver). The second uses a sparse factorisation,
+/// Solves a motion twice in quadruple precision: with reference_solution(), and likewise with all
+/// equations at once (GlobalSolver). The second uses a sparse factorisation,
 /// and finds rates from the residuals alone, by jets. The two share only the constraint kinds'
 /// residuals and the motions. An error in the partition, in a derivative or in an elimination, or a
 /// wrong branch in one of them, shows in `floor`. Throws std::runtime_error, naming the instant,

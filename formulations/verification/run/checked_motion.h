@@ -33,7 +33,7 @@ class CheckedMotion {
   /// there. wanted: its index, time and, by the sizes of their spans, its levels.
   const CheckedInstant* solve(const Instant& wanted);
 
-  /// Returns whether an instant lies in the tube of the last step; false if that took sub-steps.
+  /// Returns whether an instant is in the last step's tube, to tolerance; false after sub-steps.
   bool is_on_step(const Instant& instant) const;
   /// Returns to where the last check() began.
   void return_to_last();

@@ -20,9 +20,9 @@ namespace desmo {
 
 /// Outcome of a checked run.
 enum class Outcome {
-  converged,  ///< every row is proven
+  converged,  ///< no flag, no gap
   degraded,   ///< a row is flagged, or an interval that cannot be assembled was left out
-  failed,     ///< there is no position at the time that the summary names
+  failed,     ///< no position was found, or a strict run met a flag
 };
 
 /// Reason why a row is no proven number of the motion in the file.
@@ -52,10 +52,10 @@ std::string_view word_of(const RowFlag& flag);
 /// A row and what is proven of it.
 struct CheckedInstant {
   Instant instant;  ///< with corrections; valid until the next row
-  /// Bounds on |instant − exact| of each coordinate, as in Certificate; infinite where there are
-  /// none.
+  /// Bounds on |instant − exact| of each coordinate. Infinite: there is no proof. Empty: it was not
+  /// certified.
   PerLevel<std::span<const double>> radius{};
-  /// The largest radius of a length or a rotation over its scale so far; infinite where unproven.
+  /// The largest radius over its scale so far. Infinite: there is no proof. 0: `radius` is empty.
   PerLevel<double> relative_radius{};
   double condition = 0;           ///< of the instant (Certificate::condition)
   std::optional<RowFlag> flag{};  ///< none: proven
@@ -77,7 +77,7 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   long flagged = 0;                                      ///< rows
   long steps = 0;  ///< steps between rows that were followed, proven or not
   std::optional<RowFlag> first_flag{};
-  long crossings = 0;  ///< change points passed
+  long crossings = 0;  ///< rows flagged "crossing"
   std::optional<RowFlag> first_crossing{};
   std::optional<Misfit> misfit{};                 ///< the largest
   PerLevel<double> radius{};                      ///< largest of proven rows, relative to `scales`
@@ -87,7 +87,7 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   std::optional<TableLock> table_lock{};          ///< on failure, where a table is concerned
   std::vector<Gap> gaps{};                        ///< after which the run went on
 
-  bool ok() const { return status == Status::solved; }  ///< there was a position at every instant
+  bool ok() const { return status == Status::solved; }  ///< no failure but those in `gaps`
   Outcome outcome() const {
     return !ok() || refused               ? Outcome::failed
            : flagged > 0 || !gaps.empty() ? Outcome::degraded
@@ -99,8 +99,8 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
 struct CheckOptions {
   CheckMode mode = CheckMode::proof;
   int sample = 16;  ///< CheckMode::sample: N, 1 or more
-  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. The memory must
-  /// last until run_checked() returns.
+  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. It lasts in the
+  /// formulation (solve_only()); the memory, until run_checked() returns.
   std::span<const Level> levels{};
   bool strict = false;         ///< ends at the first row that is flagged
   bool past_failures = false;  ///< continues after an interval that cannot be assembled
@@ -117,9 +117,9 @@ struct CheckOptions {
 /// delivered, and the formulation goes on from there.
 ///
 /// The run ends, as a failure, where there is no position. All instants before it were delivered.
-/// With `past_failures` it continues at the next instant to which a way leads from the drawing.
-/// Throws std::invalid_argument for a request that names coordinates, since the proofs need all,
-/// and where `levels` is not empty and has not one level for each coordinate.
+/// With `past_failures` it continues at the next instant that Formulation::assemble() solves.
+/// Throws std::invalid_argument for a request that names coordinates, for a model whose coordinates
+/// are not natural, and where `levels` is neither empty nor has one level for each coordinate.
 ///
 ///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
 ///   const CheckedSummary s = run_checked(*formulation, grid, {Level::acceleration}, observer);

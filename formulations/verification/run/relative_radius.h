@@ -20,7 +20,7 @@ struct RelativeRadius {
 };
 
 /// Returns the largest radii of points, directions, angles and distances, rounded up, over their
-/// scales. Left out are what has no radius, since it is not solved, and scales of 0: nothing moves.
+/// scales. Infinite radii are left out, unproven or not solved; so are ratios to scales of 0.
 RelativeRadius relative_radius(const Model& model, const PerLevel<std::span<const double>>& radius,
                                const Scales& scales);
 

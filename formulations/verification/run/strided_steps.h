@@ -9,7 +9,7 @@
 namespace desmo {
 
 /// The stride, the number of steps from one solved instant to the next, when a run goes on from its
-/// last good instant. It is halved where an interpolated instant is not accurate enough, and
+/// last good instant. It is halved where the instant a stride ahead is not solved, and
 /// doubled again as Growth has it.
 class StrideControl {
  public:
@@ -17,7 +17,7 @@ class StrideControl {
 
   int now() const { return now_; }
   void halve();
-  /// Tells that all instants of an interval were accurate enough.
+  /// Tells that all instants of an interval were handed on.
   void keep();
 
  private:
