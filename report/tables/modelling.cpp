@@ -108,32 +108,22 @@ Table all_times(const Record& record) {
   return table;
 }
 
-/// Microseconds of a step in each kind of coordinates.
-std::vector<Entry> times_of(const Record& record, const CandidateKey& place, std::string_view id) {
-  std::vector<Entry> times;
-  for (const char* kind : kinds) {
-    const ModelledTime* entry = find(record, place.case_name, place.coordinates, id_in(id, kind));
-    times.push_back(number_entry(
-        entry ? std::optional(1e6 * step_time(entry->seconds_per_step).seconds) : std::nullopt, 3));
-  }
-  return times;
+/// Returns the time [s] of a step in a kind of coordinates; nothing where it was not measured.
+std::optional<double> time_in(const Record& record, const CandidateKey& place, std::string_view id,
+                              std::string_view kind) {
+  const ModelledTime* entry = find(record, place.case_name, place.coordinates, id_in(id, kind));
+  return entry ? std::optional(step_time(entry->seconds_per_step).seconds) : std::nullopt;
 }
 
-/// A formulation's times over that in natural coordinates, in each kind.
-std::vector<Entry> times_over_natural(const Record& record, const CandidateKey& place,
-                                      std::string_view id) {
-  std::vector<Entry> ratios;
-  const auto time = [&](std::string_view kind) {
-    const ModelledTime* entry = find(record, place.case_name, place.coordinates, id_in(id, kind));
-    return entry ? std::optional(step_time(entry->seconds_per_step).seconds) : std::nullopt;
-  };
-  const std::optional<double> natural = time(kinds.front());
+/// Returns the times of a step in each kind of coordinates, over a unit [s] if that is known.
+std::vector<Entry> times_of(const Record& record, const CandidateKey& place, std::string_view id,
+                            const std::optional<double>& unit) {
+  std::vector<Entry> times;
   for (const char* kind : kinds) {
-    const std::optional<double> own = time(kind);
-    ratios.push_back(
-        number_entry(natural && own ? std::optional(*own / *natural) : std::nullopt, 3));
+    const std::optional<double> time = time_in(record, place, id, kind);
+    times.push_back(number_entry(time && unit ? std::optional(*time / *unit) : std::nullopt, 3));
   }
-  return ratios;
+  return times;
 }
 
 /// The last case at its largest size: a row for each formulation, a column for each kind.
@@ -146,7 +136,7 @@ Table in_short(const Record& record) {
     if (key.case_name == last.case_name && key.coordinates == last.coordinates)
       ids.insert(without_setting(key.id, "coordinates"));
   for (const std::string& id : ids) {
-    table.rows.push_back(times_of(record, last, id));
+    table.rows.push_back(times_of(record, last, id, 1e-6));
     table.rows.back().insert(table.rows.back().begin(), id);
   }
   return table;
@@ -174,13 +164,14 @@ std::vector<Section> modelling_sections(const Record& record) {
     return in_all_kinds(std::span(*of_last_case).subspan(2));
   };
   const CandidateKey& last = record.modelled.rbegin()->first;
-  const TextValues values{
-      {"case", last.case_name},
-      {"cholmod", ratio("group, dense, over global CHOLMOD")},
-      {"umfpack", ratio("group, dense, over global UMFPACK")},
-      {"klu", ratio("group, dense, over global KLU")},
-      {"in_groups", ratio("in groups, dense over KLU")},
-      {"generated", in_all_kinds(times_over_natural(record, last, "group_symbolic_explicit"))}};
+  constexpr std::string_view generated = "group_symbolic_explicit";
+  const std::optional<double> natural = time_in(record, last, generated, kinds.front());
+  const TextValues values{{"case", last.case_name},
+                          {"cholmod", ratio("group, dense, over global CHOLMOD")},
+                          {"umfpack", ratio("group, dense, over global UMFPACK")},
+                          {"klu", ratio("group, dense, over global KLU")},
+                          {"in_groups", ratio("in groups, dense over KLU")},
+                          {"generated", in_all_kinds(times_of(record, last, generated, natural))}};
   Section front = headed_section("modelling_front", values),
           section = headed_section("modelling_section");
   front.tables = {in_short(record)};
