@@ -23,8 +23,8 @@ struct CertifiedInstant {
 /// What is proven of the motion between two instants.
 struct PathCertificate {
   bool proven = false;
-  /// Where the proof of a block failed: its structural group and its first unknown; no_position
-  /// else, and where a knot lies in the step.
+  /// Structural group and first unknown of the block whose proof failed; no_position where none
+  /// has, or a knot lies in the step.
   GroupId group = no_position;
   int coordinate = no_position;
 };
