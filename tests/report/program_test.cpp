@@ -32,8 +32,15 @@ TEST_F(Program, PrintsAllTablesOrOne) {
 }
 
 TEST_F(Program, EndsWithACodeAndSaysWhatIsWrong) {
-  const std::string complete = "tables " + data_file("complete.json").string() + " ",
-                    data = "tables " + data_file("").string(), file = write("file", "in the way");
+  const fs::path whole = data_file("complete.json");
+  Json failed = complete_record();
+  fail_candidate(failed, truck, 114, "group_symbolic_klu");
+  const std::string complete = "tables " + whole.string() + " ",
+                    data = "tables " + data_file("").string(), file = write("file", "in the way"),
+                    failing = write("failed.json", failed.dump()),
+                    truncated = write("truncated.json", read_text(whole).substr(0, 28669)),
+                    unknown = write("unknown_version.json",
+                                    changed(complete_record(), "/schema_version", "3.0.0").dump());
   struct Ended {
     std::string arguments;
     int code;
@@ -42,7 +49,7 @@ TEST_F(Program, EndsWithACodeAndSaysWhatIsWrong) {
   for (const auto& [arguments, code, said] : std::vector<Ended>{
            {"--help", 0, "check"},
            {"--version", 0, "desmo_report 0."},
-           {data + "failed.json --all", 0, failed_mark},
+           {"tables " + failing + " --all", 0, failed_mark},
            {"", 64, "subcommand is required"},
            {"tables", 64, "record is required"},
            {"chairs", 64, "subcommand is required"},
@@ -55,8 +62,8 @@ TEST_F(Program, EndsWithACodeAndSaysWhatIsWrong) {
            {complete + "--table pr0venance", 64, "; the nearest: provenance; "},
            {complete + "--beside no_such.json", 65, "no_such.json: there is no such file"},
            {data + "no_such.json", 65, "no_such.json: there is no such file"},
-           {data + "truncated.json", 65, "truncated.json: line 135, column 230: "},
-           {data + "unknown_version.json --out " + (folder_ / "out").string(), 65,
+           {"tables " + truncated, 65, "truncated.json: line 135, column 230: "},
+           {"tables " + unknown + " --out " + (folder_ / "out").string(), 65,
             "unknown_version.json: /schema_version: schema version 3.0.0, and this program reads "
             "2.x"},
            {complete + "--out " + file, 74, file},
