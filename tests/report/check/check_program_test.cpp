@@ -48,6 +48,7 @@ TEST_F(CheckProgram, FilesThatCannotBeJudgedSayWhy) {
   EXPECT_EQ(check(json.dump()), 4);
   EXPECT_CONTAINS(err_, "schema version 3.0.0, and this program reads 2.x");
   json["schema_version"] = json["head"]["schema_version"] = "2.2.0";
+  json["something_new"] = true;
   EXPECT_EQ(check(json.dump()), 0);
   EXPECT_CONTAINS(out_, "schema version 2.2.0, this program knows 2.1.0");
   json = check_sample();

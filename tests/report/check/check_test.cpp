@@ -112,35 +112,12 @@ TEST(Check, WrongNumericsShowNoTimeWhateverElseIsThere) {
   EXPECT_CONTAINS(document.sections[0].paragraphs[0], "group_symbolic_inlined");
 }
 
-// Errors beyond what the record itself allows are wrong answers, whatever it says of them.
-TEST(Check, ACellThatExceedsWhatIsAllowedIsWrong) {
-  Json check = check_sample();
-  check["head"]["paper"]["cells"][0]["verification"]["velocity"] = 1e-3;
-  EXPECT_EQ(judged(check).verdict, CheckVerdict::invalid);
-}
-
-TEST(Check, OtherMachinesCompilersFlagsBlasAndModelsAreIncomparable) {
-  const auto of_all = [](const char* key, const std::string& value) {
-    Json candidates = check_sample()["head"]["paper"]["cells"];
-    for (Json& candidate : candidates) candidate[key] = value;
-    return std::pair<std::string, Json>("/head/paper/cells", candidates);
-  };
-  using Changes = std::vector<std::pair<std::string, Json>>;
-  const std::vector<std::pair<std::string, Changes>> all{
-      {"CPU model", {{"/head/record/machine/cpu", "other"}, of_all("machine", "other")}},
-      {"compiler", {{"/head/record/build/compiler", "other"}}},
-      {"flags", {{"/head/record/build/flags", "-O0"}}},
-      {"BLAS core", {{"/head/record/blas/core", "other"}}},
-      {"model of truck_suspension/114", {of_all("model", std::string(64, 'a'))}}};
-  for (const auto& [what, changes] : all) {
-    Json check = check_sample();
-    for (const auto& [place, value] : changes) check = changed(check, place, value);
-    const CheckOutcome j = judged(check);
-    EXPECT_EQ(j.verdict, CheckVerdict::incomparable) << what;
-    EXPECT_TRUE(j.time.candidates.empty()) << what;
-    ASSERT_FALSE(j.differences.empty()) << what;
-    EXPECT_EQ(j.differences[0].what, what);
-  }
+TEST(Check, SidesOfTwoCompilersAreIncomparable) {
+  const CheckOutcome j = judged(changed(check_sample(), "/head/record/build/compiler", "other"));
+  EXPECT_EQ(j.verdict, CheckVerdict::incomparable);
+  EXPECT_TRUE(j.time.candidates.empty());
+  ASSERT_EQ(j.differences.size(), 1u);
+  EXPECT_EQ(j.differences[0].what, "compiler");
 }
 
 TEST(Check, NewCellsAreSaidAndNotJudged) {
@@ -230,17 +207,6 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
                   "nothing was measured: neither");
   untimed["control"] = check["control"];
   EXPECT_CONTAINS(complaint_of_check(untimed), "has no times");
-}
-
-TEST(CheckReader, KnowsLaterVersionsAndMixedMachinesApart) {
-  Json check = check_sample();
-  check["schema_version"] = "3.0.0";
-  EXPECT_THROW(check_from(check), UnsupportedVersion);
-  check["schema_version"] = "2.0.0";
-  check["something_new"] = true;
-  EXPECT_NO_THROW(check_from(check));
-  check["head"]["paper"]["cells"][0]["machine"] = "other";
-  EXPECT_THROW(check_from(check), MixedRecord);
 }
 
 // Whatever byte is lost or changed, the file is judged or refused, and nothing else happens.
