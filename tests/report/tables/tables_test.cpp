@@ -200,20 +200,6 @@ TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
   EXPECT_CONTAINS(entry_at(table, {"global_automatic_lapack"}, "remark").shown, "O(n^3)");
 }
 
-TEST(EveryFormulation, SaysWhatExceedsTheAllowedError) {
-  Json json = complete_record();
-  candidate_of(json, truck, 558, "group_symbolic_lapack")["verification"]["velocity"] = 2e-6;
-  const Document document = make_report(record_from(json));
-  const Table& table = table_named(document, "formulations_truck_suspension_558");
-  expect_row(table, {"group_symbolic_lapack"},
-             {{"CPU s", failed_mark},
-              {"speed-up", failed_mark},
-              {"remark", "velocity differs by 2e-06, 1e-08 is allowed"}});
-  EXPECT_EQ(document.sections.back().paragraphs,
-            (std::vector<std::string>{"FAILED: truck_suspension/558/group_symbolic_lapack: "
-                                      "velocity differs by 2e-06, 1e-08 is allowed"}));
-}
-
 TEST(TimeSplit, SharesOfTheTotal) {
   Json json = complete_record();
   json["paper"]["profiles"][0]["time_per_step"]["phases"] = {
