@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "cases/io/text_file.h"
 #include "report/formats/formats.h"
 #include "report/tables/record_words.h"
 #include "tests/report/sample.h"

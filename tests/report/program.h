@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "cases/io/text_file.h"
 #include "tests/report/sample.h"
 #include "tests/started.h"
 
@@ -27,7 +28,7 @@ class Program : public InFolder {
     std::map<std::string, std::string> files;
     if (std::filesystem::exists(folder))
       for (const auto& entry : std::filesystem::directory_iterator(folder))
-        files[entry.path().filename()] = read_text(entry.path());
+        if (entry.is_regular_file()) files[entry.path().filename()] = read_text(entry.path());
     return files;
   }
 };

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "cases/io/text_file.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::program_test {

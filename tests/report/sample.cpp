@@ -1,22 +1,14 @@
 #include "tests/report/sample.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
+
+#include "cases/io/text_file.h"
 
 namespace desmo::report {
 
 std::filesystem::path data_file(const std::string& name) {
   return std::filesystem::path(DESMO_REPORT_DATA) / name;
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error("no file " + file.string());
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -29,6 +21,11 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
     text.replace(at, from.size(), to);
   return text;
+}
+
+bool says(const std::vector<std::string>& texts, const std::string& part) {
+  return std::ranges::any_of(
+      texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }

@@ -24,9 +24,10 @@ using Json = nlohmann::ordered_json;
 inline constexpr const char* truck = "truck_suspension";
 
 std::filesystem::path data_file(const std::string& name);
-std::string read_text(const std::filesystem::path& file);
 std::size_t count(const std::string& text, const std::string& part);
 std::string replaced(std::string text, const std::string& from, const std::string& to);
+/// Returns whether one of the texts contains a part.
+bool says(const std::vector<std::string>& texts, const std::string& part);
 
 /// Returns data/complete.json: every family and size, all of status "ok", with made-up numbers.
 Json complete_record();

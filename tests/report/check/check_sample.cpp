@@ -15,7 +15,7 @@ Json times(double middle, int stride) {
 
 /// The environment and three candidates of a recorded run, with made-up times.
 Json side(int stride) {
-  Json record = Json::parse(read_text(data_file("origins.json")));
+  Json record = origins_record();
   for (const char* list : {"profiles", "structure", "requests"}) record["paper"].erase(list);
   Json candidates = Json::array();
   double middle = 0.001;

@@ -1,6 +1,7 @@
 // The page: what stands in it before it has figures, and how it behaves in a browser when it has.
 #include <fstream>
 
+#include "cases/io/text_file.h"
 #include "report/formats/formats.h"
 #include "tests/report/points_sample.h"
 #include "tests/report/program.h"

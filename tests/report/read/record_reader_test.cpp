@@ -1,6 +1,7 @@
 
 #include <cstdlib>
 
+#include "cases/io/text_file.h"
 #include "report/formats/formats.h"
 #include "tests/report/sample.h"
 

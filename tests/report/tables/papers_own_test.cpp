@@ -39,11 +39,6 @@ Json like_the_paper() {
   return with_times(std::move(json), "klu", 0.5, 0.4, 0.3);
 }
 
-bool says(const std::vector<std::string>& texts, const std::string& part) {
-  return std::ranges::any_of(
-      texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
-}
-
 TEST(PapersOwn, StandsFirstAndIsComparedDirectly) {
   const Record record = record_from(like_the_paper());
   const Table times = cpu_times(record, papers_own);

@@ -100,11 +100,6 @@ TEST(PapersTables, MarkWhatHasNoTime) {
                       {"table2_klu", "558", "ours", "TS-TPS_LAP", "reference FAILED"}});
 }
 
-bool has_note(const Table& table, const std::string& part) {
-  return std::ranges::any_of(table.notes,
-                             [&](const auto& note) { return note.find(part) != note.npos; });
-}
-
 // One is the ratio of the other.
 TEST(PapersTables, ShowUndisturbedTimesAndDivideThem) {
   Json json = complete_record();
@@ -119,7 +114,7 @@ TEST(PapersTables, ShowUndisturbedTimesAndDivideThem) {
   EXPECT_CONTAINS(times.notes[0], "undisturbed time (and median)");
   EXPECT_CONTAINS(ratios.notes[0], "S, the time of TS-G_klu over the variant's [interval]");
   for (const Table& table : {times, ratios})
-    EXPECT_TRUE(has_note(table, "Undisturbed time: the sum, over 25 equal timing windows"));
+    EXPECT_TRUE(says(table.notes, "Undisturbed time: the sum, over 25 equal timing windows"));
 }
 
 TEST(PapersTables, TakeUndisturbedTimesFromSamplesOfWindows) {
@@ -132,7 +127,7 @@ TEST(PapersTables, TakeUndisturbedTimesFromSamplesOfWindows) {
                       {"table1_klu", "114", "ours", "TS-TPS_klu", "2.000 (median 2.020)"},
                       {"table2_klu", "114", "ours", "TS-TPS_klu",
                        "2.00 [1.98, 2.50] (50.0 %) inconclusive"}});
-  EXPECT_TRUE(has_note(cpu_times(record_from(json), "klu"), "lower convex envelope"));
+  EXPECT_TRUE(says(cpu_times(record_from(json), "klu").notes, "lower convex envelope"));
 }
 
 TEST(PapersTables, NameTheMotionsThatDiffer) {
