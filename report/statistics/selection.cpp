@@ -66,13 +66,11 @@ StepTime step_time(const NamedPoint& point) { return step_time(point.second.seco
 
 SpeedUp speed_up(const std::vector<double>& reference, const std::vector<double>& variant) {
   const StepTime a = step_time(reference), b = step_time(variant);
-  const std::size_t repetitions = std::min(reference.size(), variant.size());
   return {.value = a.seconds / b.seconds,
           .low = a.seconds / b.again,
           .high = a.again / b.seconds,
           .percent = 100 * (1 - b.seconds / a.seconds),
-          .repetitions = repetitions,
-          .spread = repetitions >= min_for_interval};
+          .spread = std::min(reference.size(), variant.size()) >= min_for_interval};
 }
 
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {

@@ -124,7 +124,6 @@ SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant) {
             .low = reference.least / variant.largest,
             .high = reference.largest / variant.least,
             .percent = 100 * (1 - 1 / ratio),
-            .repetitions = std::min(reference.count, variant.count),
             .spread = reference.has_interval() && variant.has_interval()};
   if (sampled) {
     s.low = reference.value / *variant.without_best;
@@ -139,14 +138,13 @@ SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant) {
 }
 
 SpeedUp mean(std::span<const SpeedUp> sizes) {
-  SpeedUp result{.repetitions = sizes.front().repetitions, .spread = true};
+  SpeedUp result{.spread = true};
   const double n = static_cast<double>(sizes.size());
   for (const SpeedUp& size : sizes) {
     result.value += size.value / n;
     result.low += size.low / n;
     result.high += size.high / n;
     result.percent += size.percent / n;
-    result.repetitions = std::min(result.repetitions, size.repetitions);
     result.spread = result.spread && size.spread;
   }
   return result;

@@ -14,7 +14,6 @@
 
 #include "bench/experiments/paper/case_candidate.h"
 #include "bench/experiments/paper/options.h"
-#include "bench/kit/digests.h"
 #include "bench/kit/record/environment.h"
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <stdexcept>
 #include <string>
 
 #include "bench/experiments/paper/peer_candidate.h"

@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <clocale>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <vector>
 
 #include "report/text/digits.h"
