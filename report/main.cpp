@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <iostream>
 #include <list>
+#include <optional>
 #include <stdexcept>
 
 #include "cases/io/new_files.h"
-#include "report/check/command.h"
+#include "report/check/check_outcome.h"
+#include "report/check/check_record.h"
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
 #include "report/read/record.h"
@@ -21,8 +23,15 @@ namespace {
 using namespace desmo;
 using namespace desmo::report;
 
-// From 64 on, the numbers of sysexits.h.
-enum ExitCode { success = 0, incomparable = 4, usage_error = 64, invalid_data = 65, io_error = 74 };
+// Below 64, the numbers of CheckVerdict; from 64 on, those of sysexits.h.
+enum ExitCode {
+  success = 0,
+  invalid = 2,
+  incomparable = 4,
+  usage_error = 64,
+  invalid_data = 65,
+  io_error = 74
+};
 
 struct TablesCommand {
   std::string record;
@@ -112,6 +121,30 @@ ExitCode site(const SiteCommand& command) {
   return success;
 }
 
+struct CheckCommand {
+  std::string file;      // results file of a check
+  std::string baseline;  // results file to compare with; empty: the check holds both sides
+  std::string format = "terminal";
+  bool pending = false;  // only list what has still to be measured, "PASS CANDIDATE" a line
+};
+
+/// Prints the verdict, or what is pending, on standard output. Returns the exit code: the number of
+/// the verdict, or success after a list of what is pending.
+int verdict(const CheckCommand& command) {
+  const CheckRecord check = read_check(command.file);
+  std::optional<CheckRecord> baseline;
+  if (!command.baseline.empty()) baseline = read_check(command.baseline);
+  const CheckOutcome found = compare_sides(check, baseline ? &*baseline : nullptr);
+  if (command.pending) {
+    std::string lines;
+    for (const Pending& p : pending(found)) lines += p.pass + " " + p.candidate + "\n";
+    write_standard_output(lines);
+    return success;
+  }
+  write_standard_output(printed(verdict_document(check, found), {command.format}));
+  return static_cast<int>(found.verdict);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -156,16 +189,21 @@ int main(int argc, char** argv) {
     std::cerr << "desmo_report: " << error.what() << "\n";
     return code;
   };
+  const bool is_check = check_app->parsed();  // a check that cannot be judged has codes of its own
   try {
-    if (check_app->parsed()) return run(check);
+    if (is_check) return verdict(check);
     if (site_app->parsed()) return site(filed);
     return tables(command);
   } catch (const std::invalid_argument& error) {
     return failed(error, usage_error);
+  } catch (const UnreadableRecord& error) {
+    return failed(error, is_check ? usage_error : invalid_data);
   } catch (const MixedRecord& error) {
     return failed(error, incomparable);
+  } catch (const UnsupportedVersion& error) {
+    return failed(error, is_check ? incomparable : invalid_data);
   } catch (const InputError& error) {
-    return failed(error, invalid_data);
+    return failed(error, is_check ? invalid : invalid_data);
   } catch (const OutputError& error) {
     return failed(error, io_error);
   }
