@@ -4,6 +4,7 @@
 #include <iostream>
 #include <list>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
 
 #include "cases/io/new_files.h"
@@ -14,7 +15,6 @@
 #include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
-#include "report/site.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
 
@@ -116,8 +116,9 @@ struct SiteCommand {
 };
 
 ExitCode site(const SiteCommand& command) {
-  for (const SitePage& page : make_site(command.results))
-    write_files(std::filesystem::path(command.folder) / page.folder, page.files);
+  const auto pages = make_site(command.results);
+  for (const auto& [folder, files] : std::views::reverse(pages))  // the index last: it has links
+    write_files(std::filesystem::path(command.folder) / folder, files);
   return success;
 }
 

@@ -1,8 +1,12 @@
-// The report of a record.
+// The report of a record, and a site of those of all records.
 #pragma once
 
+#include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
+#include "cases/io/new_files.h"
 #include "report/read/record.h"
 #include "report/text/document.h"
 
@@ -17,5 +21,10 @@ Document make_report(const Record& record, const std::vector<const Record*>& bes
 /// machine, each over the usual reference in its own record: of each machine the record that has
 /// most in common. Without tables where there is none.
 Section machines(const Record& record, const std::vector<const Record*>& others);
+
+/// Returns the files of a static site by folder: a page with its figures for every record in
+/// results/records, the others beside it, one for results/history.json where it is, and in the
+/// folder "" an index.html that selects by machine and date. Throws InputError, or MixedRecord.
+std::map<std::string, std::vector<NewFile>> make_site(const std::filesystem::path& results);
 
 }  // namespace desmo::report

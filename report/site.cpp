@@ -1,7 +1,3 @@
-#include "report/site.h"
-
-#include <map>
-
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
 #include "report/read/record_file.h"
@@ -11,7 +7,7 @@
 
 namespace desmo::report {
 
-std::vector<SitePage> make_site(const std::filesystem::path& results) {
+std::map<std::string, std::vector<NewFile>> make_site(const std::filesystem::path& results) {
   const std::filesystem::path folder = results / "records", history_file = results / "history.json";
   if (!is_directory(folder)) throw UnreadableRecord(folder.string() + ": there is no folder");
   std::map<std::string, Record> records;  // by name of the file, without endings
@@ -20,7 +16,7 @@ std::vector<SitePage> make_site(const std::filesystem::path& results) {
     if (const std::size_t end = name.find(".json"); end != name.npos)
       records.emplace(name.substr(0, end), read_record(file.path()));
   }
-  std::vector<SitePage> pages;
+  std::map<std::string, std::vector<NewFile>> pages;  // by folder
   std::vector<IndexRow> rows;
   const auto add = [&](IndexRow row, Document document) {
     document.home = "../index.html";
@@ -29,7 +25,7 @@ std::vector<SitePage> make_site(const std::filesystem::path& results) {
     std::vector<NewFile> files = figures(document);
     files.push_back({"report.html", to_html(document)});
     rows.push_back(row);
-    pages.push_back({row.name, std::move(files)});
+    pages[row.name] = std::move(files);
   };
   std::vector<const Record*> all;
   for (const auto& [name, record] : records) all.push_back(&record);
@@ -43,7 +39,7 @@ std::vector<SitePage> make_site(const std::filesystem::path& results) {
     const std::string date = history.points.empty() ? "" : history.points.back().date;
     add({"history", {}, {}, date.substr(0, 10), {}}, std::move(document));
   }
-  pages.push_back({"", {{"index.html", to_index(rows)}}});
+  pages[""] = {{"index.html", to_index(rows)}};
   return pages;
 }
 
