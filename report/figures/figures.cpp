@@ -1,6 +1,7 @@
 #include "report/figures/figures.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -48,11 +49,10 @@ Json data_of(const Table& table, const std::string& fold) {
   return data;
 }
 
-std::set<std::string> values_of(const Json& data, const Json& field) {
+std::set<std::string> values_of(const Json& data, const std::string& field) {
   std::set<std::string> values;
   for (const Json& datum : data)
-    if (const auto value = datum.find(field.get<std::string>());
-        value != datum.end() && value->is_string())
+    if (const auto value = datum.find(field); value != datum.end() && value->is_string())
       values.insert(value->get<std::string>());
   return values;
 }
@@ -77,19 +77,25 @@ void keep_measured(Json& scale, const std::string& channel, std::set<std::string
 
 /// Does so in all scales below a node of a specification; gives the names of the first. A scale
 /// with a named range takes all names there are; one of what the design computes stays as it is.
-void keep_measured(Json& node, const Json& data, Json& shown) {
+/// domains: those of the design by field, which a field's first scale states for all of them.
+void keep_measured(Json& node, const Json& data, std::map<std::string, Json>& domains,
+                   Json& shown) {
   for (auto& [channel, child] : node.items()) {
     if (child.is_object() && child.contains("field") && child.contains("scale")) {
       Json& scale = child["scale"];
-      const auto measured = values_of(data, child["field"]);
-      const bool is_named = scale.contains("range") && scale["range"].is_string();
-      if (is_named)
+      const std::string field = child["field"];
+      const auto measured = values_of(data, field);
+      const bool has_range = scale.contains("range");
+      if (has_range && scale["range"].is_string()) {
         scale["domain"] = measured;
-      else if (scale.contains("range") && scale.contains("domain") && !measured.empty())
-        keep_measured(scale, channel, measured);
-      if (shown.is_null() && scale.contains("range")) shown = scale["domain"];
+      } else if (has_range) {
+        if (!scale.contains("domain")) scale["domain"] = domains.at(field);
+        domains.emplace(field, scale["domain"]);
+        if (!measured.empty()) keep_measured(scale, channel, measured);
+      }
+      if (shown.is_null() && has_range) shown = scale["domain"];
     }
-    if (child.is_structured()) keep_measured(child, data, shown);
+    if (child.is_structured()) keep_measured(child, data, domains, shown);
   }
 }
 
@@ -106,7 +112,8 @@ NewFile figure(const Table& table) {
       }))
     spec["vconcat"].erase(1);
   Json shown;
-  keep_measured(spec, data, shown);
+  std::map<std::string, Json> domains;
+  keep_measured(spec, data, domains, shown);
   if (!shown.is_null()) spec["params"][0]["value"] = std::move(shown);
   for (Json& datum : data) {
     const Json all = datum;
