@@ -88,8 +88,6 @@ class Cholmod final : public LinearSolver {
     return cholmod_factorize(&a_, l_, &common_) && common_.status == CHOLMOD_OK;
   }
 
-  Pivots pivots() const override { return {.square_condition = true}; }
-
   void solve(double* b) override {
     normal_.right_side(values_, b, static_cast<double*>(right_->x));
     cholmod_solve2(CHOLMOD_A, l_, right_, nullptr, &x_, nullptr, &y_, &e_, &common_);

@@ -44,19 +44,12 @@ class KluFactors final : public LinearSolver {
     forget_pivots();
     ++pivot_choices_;
     numeric_ = klu_factor(start_.data(), row_.data(), ax, symbolic_, &common_);
-    if (!numeric_ || common_.status != KLU_OK) return false;
-    chosen_ = pivot_array().abs();
-    return true;
+    return numeric_ && common_.status == KLU_OK;
   }
 
   void solve(double* b) override { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
 
-  Pivots pivots() const override {
-    Pivots result{.reuse_order = true, .choices = pivot_choices_};
-    if (numeric_ && chosen_.size() == n_)
-      result.shrinkage = (chosen_ / pivot_array().abs()).maxCoeff();
-    return result;
-  }
+  Pivots pivots() const override { return {.reuse_order = true, .choices = pivot_choices_}; }
 
   void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
 
@@ -84,7 +77,6 @@ class KluFactors final : public LinearSolver {
   klu_symbolic* symbolic_ = nullptr;
   klu_numeric* numeric_ = nullptr;
   long pivot_choices_ = 0;
-  Eigen::ArrayXd chosen_;  // sizes of the pivots when their order was chosen
 };
 
 }  // namespace desmo

@@ -129,8 +129,6 @@ class Ma27 final : public LinearSolver {
     return a_.dialogue.succeeded();
   }
 
-  Pivots pivots() const override { return {.square_condition = true}; }
-
   void solve(double* b) override {
     a_.normal.right_side(values_, b, right_.data());
     const int reals = count(reals_), integers = count(integers_);

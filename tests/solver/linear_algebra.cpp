@@ -24,9 +24,7 @@ namespace desmo::linear_algebra_test {
 namespace {
 
 bool solves_normal_equations(const Backend& backend) {
-  const Model m = four_bar_model(1);
-  const AutomaticEquations equations(m, make_partition(m, Partition::group).back());
-  return backend.make_solver(equations.pattern(), {})->pivots().square_condition;
+  return backend.name == "cholmod" || backend.name == "ma27";
 }
 
 PartContext context(const Model& m, const PartDefinition& part, const Settings& settings) {
