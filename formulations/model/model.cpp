@@ -171,17 +171,6 @@ int kept_rows(const Constraint& constraint) {
   return rows(constraint) - std::popcount(constraint.left_out);
 }
 
-std::vector<int> unknowns(const Model& m, GroupId group) {
-  const std::vector<bool> independent = independent_coordinates(m);
-  std::vector<int> result;
-  for (const Entity& e : m.entities) {
-    if (e.fixed || e.group != group) continue;
-    for (int i = e.first; i < e.first + e.size; ++i)
-      if (!independent[i]) result.push_back(i);
-  }
-  return result;
-}
-
 void require_natural(const Model& m) {
   require(m.modelling == Modelling::natural,
           m.name + ": natural coordinates alone can be checked; ask for no checks");

@@ -186,9 +186,6 @@ int rows(const Constraint& constraint);
 /// Returns the number of scalar equations of a constraint without omitted ones.
 int kept_rows(const Constraint& constraint);
 
-/// Returns the coordinates that a group solves for, ascending, without independent ones.
-std::vector<int> unknowns(const Model& model, GroupId group);
-
 /// Throws std::invalid_argument unless coordinates are natural: proofs speak of them alone.
 void require_natural(const Model& model);
 
