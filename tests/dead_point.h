@@ -19,7 +19,10 @@ inline Model locking_four_bar(const Motion& crank = Polynomial{{std::numbers::pi
   Model m = four_bar_model(1);
   m.drivers[0].motion = crank;
   for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler")) c.set_dimension(0, 3 * 3);
+    if (c.name.starts_with("dyad1/coupler")) {
+      c.constants[0] = 3 * 3;
+      c.remainders.clear();
+    }
   const auto place = [&](const char* name, double x, double y) {
     const Entity& e = m.entities[m.find(name)];
     double* at = (e.fixed ? m.fixed_values : m.estimate).data() + e.first;

@@ -54,11 +54,6 @@ struct Constraint {
   Derived dimension(std::size_t k) const {
     return {constants[k], k < remainders.size() ? remainders[k] : Remainder()};
   }
-  /// Sets a dimension to a number that counts as exact.
-  void set_dimension(std::size_t k, double exact) {
-    constants[k] = exact;
-    if (k < remainders.size()) remainders[k] = {};
-  }
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are

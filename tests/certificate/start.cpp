@@ -203,7 +203,7 @@ TEST(Start, SaysThatADrawingIsSingular) {
 TEST(Start, SaysHowFarADrawingThatCannotCloseLeads) {
   Model m = locking_four_bar();
   for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler")) c.set_dimension(0, 1);
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 1;
   const FoundStart found = find_start(m, 0);
   EXPECT_EQ(found.stage, Stage::drawing);
   // With the length l of coupler and rocker in line: l² = 1 + (1 − λ) (9 − 1).
