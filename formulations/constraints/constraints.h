@@ -11,8 +11,6 @@
 //   rows            how many scalar equations it contributes
 //   entries         how many partial derivatives it emits
 //   linear          true when all partial derivatives are constant; jacobian then reads no x
-//   modulo_pi       true, where it is given, when Φ determines its last operand, an angle, modulo π
-//                   only; where the angle is the one meant, the derivative by it is negative
 // and three functions, where x[k] points at the first component of operand k, v[k] at its
 // velocity and c at the constants:
 //   residual(x, c, phi)        phi[rows] = Φ, overwritten
@@ -69,12 +67,6 @@ using ConstraintKinds = std::tuple<
 inline constexpr int max_components = 4;
 
 inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
-
-/// True for kinds that determine their last operand, an angle, modulo π only.
-template <class Kind>
-inline constexpr bool holds_modulo_pi = requires {
-  requires Kind::modulo_pi;
-};
 
 /// True for kinds that read a table; whole turns of their angles count.
 template <class Kind>

@@ -149,7 +149,7 @@ struct FrameAngle {
   static constexpr int angle = 2 + vec::direction_operands<Line>;
   static constexpr auto operand_sizes = vec::sizes_and_scalar<angle>(3);
   static constexpr int constants = 0, rows = 1, entries = 3 * angle + 1;
-  static constexpr bool linear = false, modulo_pi = true;
+  static constexpr bool linear = false;
 
   template <class S>
   static void residual(const S* const* q, const S*, S* phi) {

@@ -82,7 +82,7 @@ struct PlanarBearing {
   static constexpr int theta = vec::direction_operands<Line>;
   static constexpr auto operand_sizes = vec::sizes_and_scalar<theta>(2);
   static constexpr int constants = 0, rows = 1, entries = 2 * theta + 1;
-  static constexpr bool linear = false, modulo_pi = true;
+  static constexpr bool linear = false;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -121,7 +121,7 @@ struct PlanarBearingFrom : vec::AngleOperands<between> {
       "planar_bearing_segment_from_vector", "planar_bearing_segment_from_segment",
       "planar_bearing_at_point"}[static_cast<int>(between)];
   static constexpr int constants = 1, rows = 1, entries = 2 * theta + 1;
-  static constexpr bool linear = false, modulo_pi = true;
+  static constexpr bool linear = false;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
