@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/extremes/rows.h"
+#include "cases/numbers/space.h"
 
 namespace desmo::extremes {
 
@@ -77,12 +78,10 @@ ExtremeCase bennett(std::string name, double start, Polynomial motion, double to
   const double angles[] = {start, other, -start, -other};
   const auto turned = [](const Vec& v, const Vec& axis, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
-    const double along = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
+    const double along = dot(axis, v);
+    const Vec across = cross(axis, v);
     Vec result;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      result[i] = c * v[i] + s * (axis[j] * v[k] - axis[k] * v[j]) + (1 - c) * along * axis[i];
-    }
+    for (int i = 0; i < 3; ++i) result[i] = c * v[i] + s * across[i] + (1 - c) * along * axis[i];
     return result;
   };
   MechanismBuilder d("bennett", 3);

@@ -5,6 +5,7 @@
 #include "cases/io/readers.h"
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/names.h"
+#include "cases/numbers/space.h"
 
 namespace desmo {
 namespace {
@@ -123,9 +124,7 @@ class VectorReader {
       normal.place.complain(
           "the two directions are parallel and have no common normal; choose "
           "another");
-    const auto a = exact(normal.of[0]), b = exact(normal.of[1]);
-    set(normal.vector, *unit,
-        {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+    set(normal.vector, *unit, cross(exact(normal.of[0]), exact(normal.of[1])));
   }
 
   // Refuses normals in a circle: each is defined by the next, and the last by the first.

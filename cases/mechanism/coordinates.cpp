@@ -4,6 +4,7 @@
 #include "cases/mechanism/checks.h"
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/names.h"
+#include "cases/numbers/space.h"
 
 namespace desmo {
 namespace {
@@ -12,10 +13,6 @@ using Part = MechanismError::Part;
 
 /// Directions are at a right angle when the cosine of their angle is at most this.
 constexpr double right_angle = 1e-6;
-
-double dot(const Mechanism::Vec& a, const Mechanism::Vec& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 bool is_same_line(const Mechanism::Direction& a, const Mechanism::Direction& b) {
   if (!a.is_given() || a.is_line() != b.is_line()) return false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/numbers/space.h"
+
 namespace desmo {
 namespace {
 
@@ -26,7 +28,7 @@ std::optional<Vec> unit_vector(const Vec& x) {
   const double scale = largest(x);  // so that no square overflows or vanishes
   if (!(scale > 0)) return std::nullopt;
   const Vec y{x[0] / scale, x[1] / scale, x[2] / scale};
-  const double length = std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
+  const double length = std::sqrt(dot(y, y));
   return Vec{y[0] / length, y[1] / length, y[2] / length};
 }
 
@@ -42,15 +44,14 @@ std::array<Remainder, 3> remainder_of(const Vec& unit, const std::array<Derived,
   for (Derived& x : y)  // exactly, so that no square overflows or vanishes
     x = {std::ldexp(x.value, -exponent),
          {std::ldexp(x.correction, -exponent), std::ldexp(x.radius, -exponent)}};
-  const Derived length = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
+  const Derived length = sqrt(dot(y, y));
   std::array<Remainder, 3> remainder;
   for (int i = 0; i < 3; ++i) remainder[i] = (y[i] / length).about(unit[i]).remainder();
   return remainder;
 }
 
 std::optional<Vec> common_normal(const Vec& a, const Vec& b) {
-  const Vec product{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                    a[0] * b[1] - a[1] * b[0]};
+  const Vec product = cross(a, b);
   if (largest(product) < parallel) return std::nullopt;
   return unit_vector(product);
 }

@@ -5,6 +5,7 @@
 
 #include "cases/mechanism/mechanism.h"
 #include "cases/numbers/derived.h"
+#include "cases/numbers/space.h"
 
 namespace desmo {
 
@@ -49,9 +50,6 @@ struct Drawing {
     const Vec x = c.from.is_given() ? direction(c.from) : Vec{S(1), S(0), S(0)};
     return atan2(x[0] * w[1] - x[1] * w[0], dot(x, w));
   }
-
- private:
-  static S dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 };
 
 }  // namespace desmo

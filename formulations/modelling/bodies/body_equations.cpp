@@ -153,8 +153,7 @@ template <int D>
 void keep_product(EquationWriter& w, const std::string& name, const RigidBody& body,
                   const Direction& a, const Direction& b) {
   const BodyDrawing<double> drawing{w.mechanism};
-  if (!w.note_product(a, b, nominal::dot(drawing.direction(body, a), drawing.direction(body, b))))
-    return;
+  if (!w.note_product(a, b, dot(drawing.direction(body, a), drawing.direction(body, b)))) return;
   if (!a.is_line() && a.vector == b.vector)
     return w.constrain<Unit<D>>(Origin::body, name + w.text(a) + " unit", {w.vector(a.vector)}, {});
   if (a.is_line() && a.to == b.to)

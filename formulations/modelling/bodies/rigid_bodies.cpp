@@ -8,6 +8,7 @@
 
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/disjoint_sets.h"
+#include "cases/numbers/space.h"
 #include "formulations/modelling/bodies/drawing.h"
 
 namespace desmo {
@@ -15,7 +16,6 @@ namespace desmo {
 namespace nominal {
 
 Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
 
 double size(const Mechanism& d) {
@@ -38,7 +38,7 @@ bool extend(std::vector<Vec>& orthonormal, Vec v, double min_sine) {
   if (length == 0) return false;
   for (int pass = 0; pass < 2; ++pass)
     for (const Vec& u : orthonormal) {
-      const double along = nominal::dot(u, v);
+      const double along = dot(u, v);
       for (int i = 0; i < 3; ++i) v[i] -= along * u[i];
     }
   const double remaining = nominal::norm(v);
@@ -125,7 +125,7 @@ void state_length(const Mechanism& d, const Mechanism::Body& part, RigidBody& bo
   const Drawing<Derived> drawing{d};
   const int p = part.points[0], q = part.points[1];
   auto line = drawing.direction({-1, p, q});
-  const Derived drawn = sqrt(line[0] * line[0] + line[1] * line[1] + line[2] * line[2]);
+  const Derived drawn = sqrt(dot(line, line));
   if (body.bodies.front() == 0 || body.points.size() > 2) {
     if (std::abs(drawn.value - *part.length) <= 1e-9 * *part.length) return;
     throw std::invalid_argument(
@@ -162,10 +162,8 @@ void require_same_hand(const Mechanism& d, const RigidBody& body) {
   if (!body.has_shape() || body.basis.directions.size() < 3) return;
   const BodyDrawing<double> drawing{d};
   const auto volume = [&](auto&& direction) {
-    const Vec a = direction(body.basis.directions[0]), b = direction(body.basis.directions[1]),
-              c = direction(body.basis.directions[2]);
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
+    const auto& basis = body.basis.directions;
+    return dot(direction(basis[0]), cross(direction(basis[1]), direction(basis[2])));
   };
   if (volume([&](const auto& x) { return drawing.direction(x); }) *
           volume([&](const auto& x) { return drawing.direction(body, x); }) <=

@@ -146,7 +146,7 @@ void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   if (is_estimated(w, c)) return;
   const Mechanism& d = w.mechanism;
   const Vec s = Drawing<double>{d}.direction(c.of), u = d.vectors[c.vector].direction;
-  const double along = nominal::dot(s, u);
+  const double along = dot(s, u);
   const Vec off = s - Vec{along * u[0], along * u[1], along * u[2]};
   const double distance = nominal::norm(off);
   if (distance <= 1e-6 * nominal::size(d)) return;

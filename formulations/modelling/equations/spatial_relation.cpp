@@ -10,11 +10,6 @@ namespace {
 
 using ExactVec = BodyDrawing<Derived>::Vec;
 
-ExactVec cross(const ExactVec& a, const ExactVec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Derived dot(const ExactVec& a, const ExactVec& b) { return vec::dot<3>(a.data(), b.data()); }
-
 /// Returns the coefficients by Cramer's rule. Derived numbers have digits enough.
 std::vector<Derived> by_determinants(const std::vector<ExactVec>& u, const ExactVec& offset) {
   if (u.size() == 1) return {dot(u[0], offset) / dot(u[0], u[0])};

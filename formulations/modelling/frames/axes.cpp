@@ -7,19 +7,13 @@ namespace desmo {
 
 using Exact = AxisMaker::Exact;
 
-Derived inner(const Exact& a, const Exact& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Exact outer(const Exact& a, const Exact& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Exact unit(const Exact& a) {
-  const Derived length = sqrt(inner(a, a));
+  const Derived length = sqrt(dot(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
 Exact across(const Exact& a, const Exact& of) {
-  const Derived along = inner(a, of);
+  const Derived along = dot(a, of);
   return {a[0] - along * of[0], a[1] - along * of[1], a[2] - along * of[2]};
 }
 
@@ -30,7 +24,7 @@ bool are_same(const Exact& a, const Exact& b) {
 }
 
 bool are_normal(const Exact& a, const Exact& b) {
-  return std::abs(inner(a, b).value) <= same_direction;
+  return std::abs(dot(a, b).value) <= same_direction;
 }
 
 bool carries(const RigidBodies& rigid, int body, const Mechanism::Direction& d) {
@@ -56,9 +50,9 @@ std::array<Exact, 3> AxisMaker::own_axes(int body) const {
   if (body == 0) return {Exact{1, 0, 0}, Exact{0, 1, 0}, Exact{0, 0, 1}};
   const auto& directions = framed_.rigid.list[body].basis.directions;
   const Exact x = unit(own(body, directions.front()));
-  if (framed_.mechanism.dimension == 2) return {x, outer({0, 0, 1}, x), Exact{0, 0, 1}};
+  if (framed_.mechanism.dimension == 2) return {x, cross({0, 0, 1}, x), Exact{0, 0, 1}};
   const Exact y = unit(across(own(body, directions[1]), x));
-  return {x, y, outer(x, y)};
+  return {x, y, cross(x, y)};
 }
 
 int AxisMaker::axis(int body, const Exact& direction, const std::string& name) {
@@ -80,10 +74,10 @@ std::pair<int, int> AxisMaker::normals(int body, int vector) {
     if (const int v = framed_.frames[body].axes[k]; v >= 0) axes[k] = own(body, v);
   Exact n = axes[0];
   for (const Exact& axis : axes)
-    if (std::abs(inner(axis, u).value) < std::abs(inner(n, u).value)) n = axis;
+    if (std::abs(dot(axis, u).value) < std::abs(dot(n, u).value)) n = axis;
   if (!are_normal(n, u)) n = unit(across(n, u));
   const int first = axis(body, n, name + "/normal");
-  return at->second = {first, axis(body, outer(u, n), name + "/normal")};
+  return at->second = {first, axis(body, cross(u, n), name + "/normal")};
 }
 
 int AxisMaker::add_vector(int body, const Exact& own, const std::string& name) {
@@ -129,14 +123,14 @@ Exact AxisMaker::drawn(int body, const Exact& own) const {
   placed[0] = unit(drawing.direction(rigid.basis.directions.front()));
   if (framed_.mechanism.dimension == 2) {
     placed[2] = {0, 0, 1};
-    placed[1] = outer(placed[2], placed[0]);
+    placed[1] = cross(placed[2], placed[0]);
   } else {
     placed[1] = unit(across(drawing.direction(rigid.basis.directions[1]), placed[0]));
-    placed[2] = outer(placed[0], placed[1]);
+    placed[2] = cross(placed[0], placed[1]);
   }
   Exact result{};
   for (int k = 0; k < 3; ++k) {
-    const Derived along = inner(own, of_shape[k]);
+    const Derived along = dot(own, of_shape[k]);
     for (int i = 0; i < 3; ++i) result[i] = result[i] + along * placed[k][i];
   }
   return result;

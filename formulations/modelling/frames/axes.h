@@ -63,9 +63,6 @@ bool carries(const RigidBodies& rigid, int body, const Mechanism::Direction& dir
 void plan_cut_joints(FramedMechanism& framed, AxisMaker& axes, const std::vector<int>& orientation,
                      int own_vectors);
 
-/// Arithmetic of directions.
-Derived inner(const AxisMaker::Exact& a, const AxisMaker::Exact& b);
-AxisMaker::Exact outer(const AxisMaker::Exact& a, const AxisMaker::Exact& b);
 /// Returns a scaled to length 1.
 AxisMaker::Exact unit(const AxisMaker::Exact& a);
 /// Returns the part of a that is at a right angle to a unit vector.

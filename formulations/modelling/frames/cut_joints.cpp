@@ -37,14 +37,14 @@ void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
     const AxisMaker::Exact u = axes.own(r, v);
     const auto before = std::ranges::find(closed, other, &std::pair<int, int>::first);
     if (framed.mechanism.dimension == 2) {
-      framed.vectors.push_back({v, axes.axis(r, outer({0, 0, 1}, u), normal_name(framed, r))});
+      framed.vectors.push_back({v, axes.axis(r, cross({0, 0, 1}, u), normal_name(framed, r))});
     } else if (before == closed.end()) {
       const auto [first, second] = axes.normals(r, v);
       framed.vectors.push_back({v, first});
       framed.vectors.push_back({v, second});
     } else {
-      const AxisMaker::Exact normal = outer(axes.own(r, before->second), u);
-      if (!(sqrt(inner(normal, normal)).value > min_sine)) continue;
+      const AxisMaker::Exact normal = cross(axes.own(r, before->second), u);
+      if (!(sqrt(dot(normal, normal)).value > min_sine)) continue;
       framed.vectors.push_back({v, axes.axis(r, unit(normal), normal_name(framed, r))});
     }
     closed.emplace_back(other, v);

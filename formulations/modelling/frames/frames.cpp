@@ -18,12 +18,7 @@ namespace {
 
 using Direction = Mechanism::Direction;
 using Exact = AxisMaker::Exact;
-using nominal::dot;
 using nominal::Vec;
-
-Vec cross(const Vec& a, const Vec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 class FramePlanner {
  public:
@@ -145,7 +140,7 @@ class FramePlanner {
       std::tie(frame.from, frame.towards) = axes_.normals(parent, u);
     }
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
-    frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, outer(axis, lead), name(r, "y")),
+    frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, cross(axis, lead), name(r, "y")),
                   u};
     const Vec &x = direction(frame.axes[0]), &f = direction(frame.from),
               &g = direction(frame.towards);
@@ -160,7 +155,7 @@ class FramePlanner {
     const Exact axis = axes_.own(r, b);
     Exact lead = nearest_to_normal(r, axis);
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
-    frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, outer(axis, lead), name(r, "y")),
+    frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, cross(axis, lead), name(r, "y")),
                   axes_.axis(r, axis, name(r, "z"))};
     const Vec &of_parent = direction(a), &of_body = direction(frame.axes[2]),
               &x = direction(frame.axes[0]);
@@ -211,7 +206,7 @@ class FramePlanner {
     double least = 2;
     for (const Direction& d : rigid_.list[r].basis.directions) {
       const Exact u = unit(axes_.own(r, d));
-      if (const double along = std::abs(inner(u, axis).value); along < least - 1e-9) {
+      if (const double along = std::abs(dot(u, axis).value); along < least - 1e-9) {
         least = along;
         best = u;
       }

@@ -102,7 +102,7 @@ class TreeMaker {
   bool is_at_right_angle(const Mechanism::Joint& j) const {
     if (d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return true;
     const Drawing<double> drawing{d_};
-    return std::abs(nominal::dot(drawing.vector(j.vectors[0]), drawing.vector(j.vectors[1]))) <=
+    return std::abs(dot(drawing.vector(j.vectors[0]), drawing.vector(j.vectors[1]))) <=
            same_direction;
   }
 

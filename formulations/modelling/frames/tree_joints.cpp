@@ -65,10 +65,8 @@ class FrameWriter {
                                             std::array{frame_.second_angle}, r_);
     derive<Turned<1>>(
         "z", {axis(2), w_.vector(frame_.from), w_.vector(frame_.towards), first_angle()}, {});
-    const nominal::Vec &u = w_.mechanism.vectors[a].direction,
-                       &v = w_.mechanism.vectors[frame_.axes[2]].direction;
-    const std::array product{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                             u[0] * v[1] - u[1] * v[0]};
+    const nominal::Vec product =
+        cross(w_.mechanism.vectors[a].direction, w_.mechanism.vectors[frame_.axes[2]].direction);
     const EntityId between =
         w_.add_variable(EntityKind::vector, joint_->name + "/between", product, r_);
     derive<Cross>("between", {between, w_.vector(a), axis(2)}, {});

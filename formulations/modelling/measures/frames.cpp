@@ -12,15 +12,6 @@ namespace desmo::frames {
 
 namespace {
 
-Vector cross(const Vector& a, const Vector& b) {
-  Vector c;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    c[i] = a[j] * b[k] - a[k] * b[j];
-  }
-  return c;
-}
-
 /// Returns a frame from directions of a body: their lengths and the angle between them are
 /// constant.
 Frame frame_of(const Vector& u, const Vector& v) {
@@ -32,8 +23,6 @@ Frame frame_of(const Vector& u, const Vector& v) {
 Frame frame_of(const Vector& u) { return frame_of(u, {-u[1], u[0], 0.}); }
 
 }  // namespace
-
-Number dot(const Vector& a, const Vector& b) { return vec::dot<3>(a.data(), b.data()); }
 
 Vector unit(const Vector& a) {
   const Number scale = 1 / std::sqrt(dot(a, a).value);

@@ -20,9 +20,6 @@ using Frame = std::array<Vector, 3>;  ///< orthonormal axes
 
 inline const Frame ground{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
 
-/// Returns the scalar product of two vectors.
-Number dot(const Vector& a, const Vector& b);
-
 /// Returns a vector of constant length, scaled to length 1.
 Vector unit(const Vector& a);
 

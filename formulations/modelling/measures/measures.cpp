@@ -12,7 +12,6 @@
 
 #include "cases/mechanism/drawing.h"
 #include "cases/mechanism/joint_forms.h"
-#include "formulations/constraints/vec.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/measures/frames.h"
 
@@ -107,10 +106,10 @@ class Builder {
       const Line along = bodies_.line({joint.vectors[0]}),
                  line_of_both = bodies_.line(between(joint));
       const auto u = drawing.vector(joint.vectors[0]), s0 = drawing.direction(between(joint));
-      const double start = vec::dot<3>(u.data(), s0.data());
+      const double start = dot(u, s0);
       const std::size_t place = add_with_rates(joint.name + ".travel", EntityKind::distance);
       rules.emplace_back(place, [=](const Instant& instant, auto values) {
-        const Number s = frames::dot(line_of_both(instant), along(instant));
+        const Number s = dot(line_of_both(instant), along(instant));
         values[0] = {s.value - start, s.first, s.second};
       });
     }
