@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "formulations/model/model.h"
+#include "formulations/model/part_system.h"
 #include "formulations/model/partition.h"
-#include "formulations/parts/groupwise/part_system.h"
 
 namespace desmo {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
+#include "formulations/model/part_system.h"
 #include "formulations/model/scales.h"
 #include "formulations/parts/groupwise/dense_lu.h"
 #include "formulations/parts/groupwise/groupwise_solver.h"
-#include "formulations/parts/groupwise/part_system.h"
 #include "formulations/parts/groupwise/settling.h"
 
 namespace desmo {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/part_system.h"
 #include "formulations/parts/groupwise/dense_lu.h"
-#include "formulations/parts/groupwise/part_system.h"
 
 namespace desmo {
 

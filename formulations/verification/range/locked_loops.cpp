@@ -6,7 +6,7 @@
 #include <span>
 
 #include "formulations/model/characteristic_lengths.h"
-#include "formulations/parts/groupwise/part_system.h"
+#include "formulations/model/part_system.h"
 
 namespace desmo {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/model/part_system.h"
 #include "formulations/model/scales.h"
-#include "formulations/parts/groupwise/part_system.h"
 
 namespace desmo {
 
