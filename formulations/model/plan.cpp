@@ -157,13 +157,16 @@ std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
   std::vector<bool> is_output(whole.entities.size(), false);
   for (const Output& output : outputs) is_output[output.entity] = true;
   const std::vector<EntityId> owner = entity_of_coordinate(whole);
+  WideState<double> drawn(whole.state_size());
+  std::ranges::copy(whole.estimate, drawn.q.begin());
+  std::ranges::copy(whole.fixed_values, drawn.q.begin() + whole.coordinates());
   for (std::size_t b = 0; b < up.blocks.size(); ++b) {
     Plan::GroupUse& use = uses[up.blocks[b].groups.front()];
     const int n = static_cast<int>(up.blocks[b].unknowns.size());
     use.unknowns += n;
     ++use.blocks;
     if (!up.block_level[b]) {
-      use.may_lock |= may_lock(whole, up.blocks[b], owner);
+      use.may_lock |= may_lock(whole, up.blocks[b], owner, drawn);
       continue;
     }
     use.kept_unknowns += n;
