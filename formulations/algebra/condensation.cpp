@@ -7,39 +7,22 @@
 
 namespace desmo {
 
-/// Lays out the entries of A_r and C_y while closures are eliminated symbolically.
-class Condensed::Layout {
- public:
-  Layout(const Pattern& pattern, std::span<const Derivation> derivations)
-      : rows_(pattern.n), derived_of_column_(pattern.n, -1), is_derivation_(pattern.n, false) {
-    for (int j = 0; j < pattern.n; ++j)
-      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-        rows_[pattern.row[k]].push_back({j, k});
-    for (std::size_t d = 0; d < derivations.size(); ++d) {
-      derived_of_column_[derivations[d].column] = static_cast<int>(d);
-      is_derivation_[derivations[d].row] = true;
-    }
-  }
-
+Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivations,
+                     const MakeSolver& make_solver) {
   struct Entry {
     int column, value;  // of A
   };
-  const std::vector<Entry>& row(int i) const { return rows_[i]; }
-  bool is_derivation(int row) const { return is_derivation_[row]; }
-  int derived_of(int column) const { return derived_of_column_[column]; }  // −1: it is not derived
+  std::vector<std::vector<Entry>> rows(pattern.n);  // of A
+  for (int j = 0; j < pattern.n; ++j)
+    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+      rows[pattern.row[k]].push_back({j, k});
 
- private:
-  std::vector<std::vector<Entry>> rows_;  // of A
-  std::vector<int> derived_of_column_;
-  std::vector<bool> is_derivation_;
-};
-
-Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivations,
-                     const MakeSolver& make_solver) {
-  const Layout layout(pattern, derivations);
+  std::vector<bool> is_derived(pattern.n), is_derivation(pattern.n);  // columns, rows of A
   for (const Derivation& d : derivations) {
+    is_derived[d.column] = true;
+    is_derivation[d.row] = true;
     Derived derived{d.row, d.column, 0, static_cast<int>(terms_.size()), 0};
-    for (const auto& [column, value] : layout.row(d.row))
+    for (const auto& [column, value] : rows[d.row])
       if (column == d.column)
         derived.pivot = value;
       else
@@ -49,13 +32,13 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
   }
   std::vector<int> reduced_column(pattern.n, -1);
   for (int j = 0; j < pattern.n; ++j) {
-    if (layout.derived_of(j) >= 0) continue;
+    if (is_derived[j]) continue;
     reduced_column[j] = static_cast<int>(column_.size());
     column_.push_back(j);
     reduced_.unknowns.push_back(pattern.unknowns[j]);
   }
   for (int i = 0; i < pattern.n; ++i)
-    if (!layout.is_derivation(i)) closure_row_.push_back(i);
+    if (!is_derivation[i]) closure_row_.push_back(i);
   reduced_.n = static_cast<int>(column_.size());
 
   // Closure by closure: its columns of A with what derivations add to them, in the order in which
@@ -66,7 +49,7 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
   int count = 0;
   for (std::size_t c = 0; c < closure_row_.size(); ++c) {
     std::map<int, int>& place = places[c];
-    for (const auto& [column, value] : layout.row(closure_row_[c])) {
+    for (const auto& [column, value] : rows[closure_row_[c]]) {
       copies_.push_back({count, value});
       place[column] = count++;
     }

@@ -60,7 +60,6 @@ class Condensed final : public LinearSolver {
   struct Term {
     int column, from, to;  // column of A, position among its values and in work_
   };
-  class Layout;
 
   Pattern reduced_;
   std::unique_ptr<LinearSolver> solver_;    // of A_r; null: all is derived
