@@ -12,11 +12,6 @@ using Coupling = Mechanism::Coupling;
 
 bool is_angle(const Coordinate& c) { return c.type == Mechanism::CoordinateType::angle; }
 
-/// Returns a unit of a coordinate, exactly. Lengths count as the doubles nearest to them.
-Derived exact_unit(const DisplayUnit& unit, bool of_angle) {
-  return of_angle && unit.in_si != 1 ? Derived::pi() / 180 : Derived(unit.in_si);
-}
-
 /// Converts factors to SI units.
 void convert(Coupling& coupling, const std::vector<Coordinate>& coordinates,
              const DisplayUnits& units) {
@@ -25,7 +20,7 @@ void convert(Coupling& coupling, const std::vector<Coordinate>& coordinates,
   };
   const auto angles = std::ranges::count_if(coupling.terms, turns);
   if (angles == 0 || angles == std::ssize(coupling.terms)) return;
-  const Derived ratio = Derived(units.length.in_si) / exact_unit(units.angle, true);
+  const Derived ratio = Derived(units.length.in_si) / exact_size(units.angle);
   for (Coupling::Term& term : coupling.terms)
     if (turns(term)) term.factor = term.factor * ratio;
 }
@@ -37,11 +32,11 @@ Coupling by_table(const JsonValue& value, const std::vector<Coordinate>& coordin
             leads = names.coordinates.find(value["of"]);
   TableColumn values = column_of("values", coordinates[follows], units),
               arguments = column_of("at", coordinates[leads], units);
-  const Derived unit = exact_unit(values.unit, is_angle(coordinates[follows]));
+  const Derived unit = exact_size(values.unit);
   read_table(value, files, coordinates, arguments, values);
   Coupling coupling;
   for (const auto& [c, column] : {std::pair(follows, &values), std::pair(leads, &arguments)})
-    coupling.terms.push_back({c, Derived(1) / exact_unit(column->unit, is_angle(coordinates[c]))});
+    coupling.terms.push_back({c, Derived(1) / exact_size(column->unit)});
   Coupling::Table& table = coupling.table.emplace();
   table.arguments = std::move(arguments.numbers);
   table.values = std::move(values.numbers);

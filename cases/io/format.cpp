@@ -28,6 +28,13 @@ const DisplayUnit& read_unit(const JsonValue& value, std::span<const DisplayUnit
 std::span<const DisplayUnit> known_length_units() { return length_units; }
 std::span<const DisplayUnit> known_angle_units() { return angle_units; }
 
+Derived exact_size(const DisplayUnit& unit) {
+  if (unit.name.starts_with("deg")) return Derived::pi() / 180;
+  if (unit.name == "rpm") return Derived::pi() / 30;
+  if (unit.name == "Hz") return Derived::pi() * 2;
+  return unit.in_si;
+}
+
 int check_format(const JsonValue& root, std::string_view format, int latest) {
   const JsonValue given = root["format"];
   if (given.text() != format) {

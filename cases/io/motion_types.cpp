@@ -12,25 +12,18 @@ namespace {
 
 constexpr std::size_t max_coefficients = 100;
 
-/// A unit of numbers in a file, and exactly. Lengths count as the doubles nearest to them.
-struct ExactUnit {
-  double rounded;
-  Derived exact;
+double read_number(const JsonValue& value, const DisplayUnit& unit,
+                   std::vector<Remainder>& remainders) {
+  const double number = value.number(), result = unit.to_si(number);
+  const bool is_number = std::isfinite(result);
+  remainders.push_back(is_number ? (exact_size(unit) * number).about(result).remainder()
+                                 : Remainder());
+  return result;
+}
 
-  explicit ExactUnit(double unit) : rounded(unit), exact(unit) {}
-  ExactUnit(double unit, const Derived& exactly) : rounded(unit), exact(exactly) {}
-  static ExactUnit of_angle(double unit) {
-    return {unit, unit == 1 ? Derived(1) : Derived::pi() / 180};
-  }
-
-  double read(const JsonValue& value, std::vector<Remainder>& remainders) const {
-    const double number = value.number(), result = number * rounded;
-    const bool is_number = std::isfinite(result);
-    remainders.push_back(is_number ? (exact * number).about(result).remainder() : Remainder());
-    return result;
-  }
-  Derived read(const JsonValue& value) const { return exact * value.number(); }
-};
+Derived read_exactly(const JsonValue& value, const DisplayUnit& unit) {
+  return exact_size(unit) * value.number();
+}
 
 // What is open is refused where it would be used.
 [[noreturn]] void complain_of_open_unit(const JsonValue& value, const std::string& kind,
@@ -41,14 +34,14 @@ struct ExactUnit {
                  kind + "\": \"" + std::string(name) + "\"}");
 }
 
-double angle_unit(const JsonValue& value, const FileUnits& units) {
+const DisplayUnit& angle_unit(const JsonValue& value, const FileUnits& units) {
   if (units.angle_is_open) complain_of_open_unit(value, "angle", units.angle.name);
-  return units.angle.in_si;
+  return units.angle;
 }
 
-double length_unit(const JsonValue& value, const FileUnits& units) {
+const DisplayUnit& length_unit(const JsonValue& value, const FileUnits& units) {
   if (units.length_is_open) complain_of_open_unit(value, "length", units.length.name);
-  return units.length.in_si;
+  return units.length;
 }
 
 class MotionReader {
@@ -60,8 +53,7 @@ class MotionReader {
         coordinate_(coordinate),
         is_angle_(coordinate.type == Mechanism::CoordinateType::angle),
         units_(units),
-        unit_(is_angle_ ? ExactUnit::of_angle(angle_unit(value, units))
-                        : ExactUnit(length_unit(value, units))),
+        unit_(is_angle_ ? angle_unit(value, units) : length_unit(value, units)),
         files_(files) {}
 
   Motion read() const {
@@ -82,7 +74,7 @@ class MotionReader {
   Derived drawn() const { return Drawing<Derived>{mechanism_}.value(coordinate_); }
 
   Derived read_from(const JsonValue& from) const {
-    if (from.is_number()) return unit_.read(from);
+    if (from.is_number()) return read_exactly(from, unit_);
     constexpr std::array<std::string_view, 1> names{"drawing"};
     from.choose("start", names);
     return drawn();
@@ -91,7 +83,7 @@ class MotionReader {
   Motion constant() const {
     value_.allow({"type", "value", "from"});
     Polynomial constant;
-    constant.coefficients.push_back(unit_.read(value_["value"], constant.remainders));
+    constant.coefficients.push_back(read_number(value_["value"], unit_, constant.remainders));
     return constant;
   }
 
@@ -104,27 +96,27 @@ class MotionReader {
                             std::to_string(max_coefficients));
     Polynomial polynomial;
     for (const JsonValue& c : coefficients.elements())
-      polynomial.coefficients.push_back(unit_.read(c, polynomial.remainders));
+      polynomial.coefficients.push_back(read_number(c, unit_, polynomial.remainders));
     return polynomial;
   }
 
   Motion harmonic() const {
     value_.allow({"type", "mean", "terms", "from"});
-    const ExactUnit hertz{2 * std::numbers::pi, Derived::pi() * 2};
+    const DisplayUnit hertz{"Hz", 2 * std::numbers::pi};
     HarmonicSum sum;
     std::vector<Remainder>& remainders = sum.remainders;
     if (const auto mean = value_.find("mean"))
-      sum.mean = unit_.read(*mean, remainders);
+      sum.mean = read_number(*mean, unit_, remainders);
     else
       remainders.emplace_back();
     const JsonValue terms = value_["terms"];
     for (const JsonValue& term : terms.elements()) {
       term.allow({"amplitude", "frequency", "phase"});
       HarmonicSum::Term& t = sum.terms.emplace_back();
-      t.amplitude = unit_.read(term["amplitude"], remainders);
-      t.angular_frequency = hertz.read(term["frequency"], remainders);
+      t.amplitude = read_number(term["amplitude"], unit_, remainders);
+      t.angular_frequency = read_number(term["frequency"], hertz, remainders);
       if (const auto phase = term.find("phase"))
-        t.phase = ExactUnit::of_angle(angle_unit(*phase, units_)).read(*phase, remainders);
+        t.phase = read_number(*phase, angle_unit(*phase, units_), remainders);
       else
         remainders.emplace_back();
     }
@@ -138,12 +130,10 @@ class MotionReader {
     TableColumn times{"times", "t", second, {&second, 1}},
         values = column_of("values", coordinate_, units_);
     read_table(value_, files_, mechanism_.coordinates, times, values);
-    const ExactUnit unit =
-        is_angle_ ? ExactUnit::of_angle(values.unit.in_si) : ExactUnit(values.unit.in_si);
     try {
       Spline spline = make_spline(std::move(times.numbers), std::move(values.numbers),
                                   read_ends(value_, false));
-      if (unit.rounded != 1) spline.scale(unit.exact);
+      if (values.unit.in_si != 1) spline.scale(exact_size(values.unit));
       return spline;
     } catch (const std::invalid_argument& error) {
       value_.complain(std::string(error.what()) + "; change the table or its ends");
@@ -153,20 +143,15 @@ class MotionReader {
   Motion speed() const {
     value_.allow({"type", "value", "acceleration", "unit", "from"});
     const auto named = value_.find("unit"), acceleration = value_.find("acceleration");
-    const ExactUnit unit = named ? read_rate(*named) : unit_;
+    const DisplayUnit unit =
+        named ? read_rate_unit(*named, is_angle_, units_.base_length()) : unit_;
     Polynomial motion{{0}, {Remainder()}};
-    motion.coefficients.push_back(unit.read(value_["value"], motion.remainders));
+    motion.coefficients.push_back(read_number(value_["value"], unit, motion.remainders));
     if (!acceleration) return motion;
-    const Derived half = (unit.read(*acceleration) / 2).rounded();
+    const Derived half = (read_exactly(*acceleration, unit) / 2).rounded();
     motion.coefficients.push_back(half.value);
     motion.remainders.push_back(half.remainder());
     return motion;
-  }
-
-  ExactUnit read_rate(const JsonValue& name) const {
-    const DisplayUnit unit = read_rate_unit(name, is_angle_, units_.base_length());
-    if (unit.name == "rpm") return {unit.in_si, Derived::pi() / 30};
-    return is_angle_ ? ExactUnit::of_angle(unit.in_si) : ExactUnit(unit.in_si);
   }
 
   Motion trapezoid() const {
@@ -174,14 +159,14 @@ class MotionReader {
     const auto limit = [&](const char* key) {
       const JsonValue value = value_[key];
       if (!(value.number() > 0)) value.complain("is a limit, and not above 0; give one that is");
-      return unit_.read(value);
+      return read_exactly(value, unit_);
     };
     const JsonValue by = value_["by"];
     if (by.number() == 0) by.complain("is 0, no motion; give one of type 'constant'");
     const auto start = value_.find("start");
     try {
-      return make_spline(Trapezoid{unit_.read(by), limit("velocity"), limit("acceleration"),
-                                   start ? start->number() : 0});
+      return make_spline(Trapezoid{read_exactly(by, unit_), limit("velocity"),
+                                   limit("acceleration"), start ? start->number() : 0});
     } catch (const std::invalid_argument& error) {
       value_.complain(std::string(error.what()) + "; change its limits");
     }
@@ -192,7 +177,7 @@ class MotionReader {
   const Mechanism::Coordinate& coordinate_;
   bool is_angle_;
   const FileUnits& units_;
-  ExactUnit unit_;
+  const DisplayUnit& unit_;
   NamedFiles& files_;
 };
 

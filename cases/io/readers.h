@@ -36,6 +36,9 @@ struct FileUnits : DisplayUnits {
 std::span<const DisplayUnit> known_length_units();
 std::span<const DisplayUnit> known_angle_units();
 
+/// Returns the size of a unit in SI units. Lengths count as the doubles nearest to them.
+Derived exact_size(const DisplayUnit& unit);
+
 /// Reads `units` of a file; defaults hold for units that it leaves out.
 FileUnits read_units(const JsonValue& root, FileUnits units);
 
