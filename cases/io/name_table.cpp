@@ -4,8 +4,8 @@
 
 namespace desmo {
 
-void NameTable::add(std::string_view name) {
-  positions_.emplace(name, static_cast<int>(names_.size()));
+void NameTable::add(std::string_view name, std::optional<int> position) {
+  positions_.emplace(name, position.value_or(static_cast<int>(names_.size())));
   names_.push_back(name);
 }
 
@@ -31,7 +31,7 @@ std::array<int, 2> NameTable::find_pair(const JsonValue& list) const {
     list.complain("has " + std::to_string(positions.size()) + " names; give two, each of a " +
                   kind_);
   if (positions[0] == positions[1])
-    list.complain("names the " + kind_ + " " + in_quotes(names_[positions[0]]) +
+    list.complain("names the " + kind_ + " " + in_quotes(list.elements()[0].text()) +
                   " twice; name two different ones");
   return {positions[0], positions[1]};
 }

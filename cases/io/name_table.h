@@ -16,13 +16,13 @@ class NameTable {
  public:
   explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
 
-  /// Adds a name at the next position. It must be new: documents have no key twice, and a valid
-  /// mechanism no name.
-  void add(std::string_view name);
+  /// Adds a name at a position, by default the next. It must be new: documents have no key twice,
+  /// and a valid mechanism no name.
+  void add(std::string_view name, std::optional<int> position = {});
 
   std::optional<int> position(std::string_view name) const;
-  /// Return the positions in the table of names in the document. Throw InputError, with the nearest
-  /// names, where one is unknown.
+  /// Return the positions of names in the document. Throw InputError, with the nearest names, where
+  /// one is unknown.
   int find(const JsonValue& value) const { return find(value, value.text()); }
   int find(const JsonValue& place, std::string_view name) const;
   std::vector<int> find_each(const JsonValue& list) const;

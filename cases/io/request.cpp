@@ -19,38 +19,21 @@ using MeasureKind = RequestedMeasure::Kind;
 
 constexpr int max_patterns = 100;  // each is compared with every name
 
-// One key of a request: what can be asked for under it, by name and position.
-class Selection {
- public:
-  Selection(std::string key, const std::string& kind) : key_(std::move(key)), table_(kind) {}
-
-  void add(std::string_view name, int position) {
-    table_.add(name);
-    positions_.push_back(position);
-  }
-
-  const std::string& key() const { return key_; }
-  bool has(std::string_view name) const { return table_.position(name).has_value(); }
-  const std::vector<int>& positions() const { return positions_; }
-  int find(const JsonValue& value) const { return find(value, value.text()); }
-  int find(const JsonValue& place, std::string_view name) const {
-    return positions_[table_.find(place, name)];
-  }
+// One key of a request: what can be asked for under it, by name and position in the mechanism.
+struct Selection : NameTable {
+  Selection(std::string key, std::string kind) : NameTable(std::move(kind)), key(std::move(key)) {}
 
   std::vector<int> match(const JsonValue& pattern) const {
     std::vector<int> found;
-    for (std::size_t i = 0; i < positions_.size(); ++i)
-      if (matches(pattern.text(), table_.names()[i])) found.push_back(positions_[i]);
+    for (const std::string_view name : names())
+      if (matches(pattern.text(), name)) found.push_back(*position(name));
     if (found.empty())
-      pattern.complain("the pattern " + in_quotes(pattern.text()) + " matches none of the " + key_ +
-                       "; " + suggestion(pattern.text(), table_.names()));
+      pattern.complain("the pattern " + in_quotes(pattern.text()) + " matches none of the " + key +
+                       "; " + suggestion(pattern.text(), names()));
     return found;
   }
 
- private:
-  std::string key_;
-  NameTable table_;
-  std::vector<int> positions_;
+  const std::string key;
 };
 
 class RequestReader {
@@ -131,7 +114,7 @@ class RequestReader {
 
   void read_names(const JsonValue& entry, const Selection& selection,
                   const std::function<void(int)>& want) {
-    const auto list = entry.find(selection.key());
+    const auto list = entry.find(selection.key);
     if (!list) return;
     if (list->is_object() && defines_in_place(selection)) {
       for (const JsonValue& defined : list->members()) want(selection.find(defined, defined.key()));
@@ -141,7 +124,7 @@ class RequestReader {
     if (names.empty()) list->complain("is an empty list; name something or leave it out");
     for (const JsonValue& name : names) {
       if (name.is_object() && defines_in_place(selection))
-        name.complain("defines something in a list of names; give \"" + selection.key() +
+        name.complain("defines something in a list of names; give \"" + selection.key +
                       "\": {\"NAME\": …} in an entry of its own");
       if (name.text().find('*') != std::string_view::npos) {
         check_pattern(name);
@@ -169,11 +152,12 @@ class RequestReader {
   // Refuses a name of another kind, and one that no body carries. It is more likely meant than a
   // similar one of this kind, which a complaint about an unknown name would offer.
   void check_kind(const JsonValue& name, const Selection& selection) const {
-    if (selection.has(name.text()) || &selection == &rotations_ || &selection == &joints_) return;
+    if (selection.position(name.text()) || &selection == &rotations_ || &selection == &joints_)
+      return;
     for (const Selection* other : {&points_, &vectors_, &angles_, &distances_, &bodies_})
-      if (other->has(name.text()))
-        name.complain(in_quotes(name.text()) + " is none of the " + selection.key() +
-                      "; ask for it under \"" + other->key() + "\"");
+      if (other->position(name.text()))
+        name.complain(in_quotes(name.text()) + " is none of the " + selection.key +
+                      "; ask for it under \"" + other->key + "\"");
     const auto is_named = [&](const auto& entry) { return entry.name == name.text(); };
     if (std::ranges::any_of(d_.points, is_named) || std::ranges::any_of(d_.vectors, is_named))
       name.complain(in_quotes(name.text()) +
@@ -213,8 +197,8 @@ class RequestReader {
     const bool is_component = entity.size() + 2 == name.size() &&
                               std::string_view("xyz").substr(0, d_.dimension).find(name.back()) !=
                                   std::string_view::npos &&
-                              (points_.has(entity) || vectors_.has(entity));
-    if (!is_component && !angles_.has(name) && !distances_.has(name)) {
+                              (points_.position(entity) || vectors_.position(entity));
+    if (!is_component && !angles_.position(name) && !distances_.position(name)) {
       std::vector<std::string_view> known;
       for (const Mechanism::Coordinate& c : d_.coordinates) known.push_back(c.name);
       value.complain("unknown coordinate " + in_quotes(name) +
@@ -235,8 +219,10 @@ class RequestReader {
   void want_everything(Level level) {
     if (everything_level_ >= level) return;
     everything_level_ = level;
-    for (const int i : points_.positions()) want(Kind::point, i, level);
-    for (const int i : vectors_.positions()) want(Kind::vector, i, level);
+    for (const std::string_view name : points_.names())
+      want(Kind::point, *points_.position(name), level);
+    for (const std::string_view name : vectors_.names())
+      want(Kind::vector, *vectors_.position(name), level);
     for (int i = 0; i < static_cast<int>(d_.coordinates.size()); ++i)
       want(Kind::coordinate, i, level);
   }
