@@ -89,7 +89,7 @@ Flow OutputWriter::hand_over(const Instant& instant, Observer& observer) const {
 }
 
 void OutputPool::add() {
-  constexpr std::size_t line = LaneAllocator<double>::alignment / sizeof(double);
+  constexpr std::size_t line = lane_alignment / sizeof(double);
   const std::size_t apart = (size_ + line - 1) / line * line;
   double* const q =
       memory_.emplace_back(3 * apart, std::numeric_limits<double>::quiet_NaN()).data();

@@ -6,7 +6,7 @@
 namespace desmo {
 
 int whole_lines(std::size_t numbers) {
-  constexpr std::size_t line = LaneAllocator<double>::alignment / sizeof(double);
+  constexpr std::size_t line = lane_alignment / sizeof(double);
   return static_cast<int>(std::max<std::size_t>(1, (numbers + line - 1) / line) * line);
 }
 
