@@ -22,9 +22,6 @@ struct ListOptions {
   bool json = false;
 };
 
-constexpr const char* partition_names[] = {"global", "group", "block"};
-constexpr const char* evaluation_names[] = {"automatic", "symbolic"};
-
 Json mechanisms() {
   Json list = Json::array();
   for (const std::string_view name : library_names()) {
@@ -55,11 +52,13 @@ Json scalable_cases() {
 
 Json formulations() {
   Json list = Json::array();
-  for (const Variant& v : variants())
+  for (const Variant& v : variants()) {
+    const std::size_t first = v.id.find('_'), last = v.id.rfind('_');
     list.push_back({{"id", v.id},
-                    {"partition", partition_names[static_cast<int>(v.partition)]},
-                    {"equations", evaluation_names[static_cast<int>(v.evaluation)]},
+                    {"partition", v.id.substr(0, first)},
+                    {"equations", v.id.substr(first + 1, last - first - 1)},
                     {"algebra", v.algebra}});
+  }
   return list;
 }
 
