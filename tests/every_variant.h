@@ -26,10 +26,8 @@ inline std::vector<Variant> tested_variants() {
   std::vector<Variant> chosen;
   std::set<std::tuple<Partition, Evaluation, std::string_view>> kinds;
   for (const Variant& v : all) {
-    const std::string_view algebra = v.algebra;
-    const std::string_view kind = v.is_generated()                 ? algebra
-                                  : find_backend(v.algebra)->dense ? "dense"
-                                                                   : "sparse";
+    const Backend* const library = find_backend(v.algebra);
+    const std::string_view kind = !library ? v.algebra : library->dense ? "dense" : "sparse";
     const bool names_a_library = v.id.starts_with("global_automatic_");
     if (kinds.emplace(v.partition, v.evaluation, kind).second || names_a_library)
       chosen.push_back(v);

@@ -41,7 +41,8 @@ TEST(Launch, PassesOnWhereLibrariesAre) {
 
 TEST(Checked, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   for (const Variant& v : variants()) {
-    if (!v.is_generated() && find_backend(v.algebra)->absence) continue;  // on some machines only
+    if (const auto* b = find_backend(v.algebra); b && b->absence)
+      continue;  // on some machines only
     bool partition = false, evaluation = false, algebra = false;
     for (const std::string& name : checked_names()) {
       const std::string id = parse_name(name).id;

@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 11> tuned{
 bool is_in_table_2(const Variant& v) {
   if (v.partition == Partition::block) return false;
   if (v.is_generated()) return !v.is_explicit();
-  if (find_backend(v.algebra)->dense)
+  if (const Backend* const b = find_backend(v.algebra); b && b->dense)
     return v.partition == Partition::group && v.algebra == "lapack";
   return bench::slow_reason(v).empty() &&
          !(v.partition == Partition::global && v.evaluation == Evaluation::symbolic);
