@@ -3,19 +3,10 @@ import {at, dot, minus} from './data.js';
 
 const places = list => new Map(list.map(({name}, k) => [name, k]));
 
-// Returns the structural group of each body, −1 for the ground; bodies fixed to each other have one.
-function groups_of(data, file, names) {
+// Returns the structural group of each body, −1 for the ground and what is fixed to it.
+function groups_of(data, names) {
   const group = new Map(data.groups.flatMap(({bodies}, g) => bodies.map(body => [body, g])));
   group.set('ground', -1);
-  const fixed = file.joints.filter(joint => joint.type === 'fixed').map(joint => joint.bodies);
-  for (let changed = true; changed;) {
-    changed = false;
-    for (const [a, b] of [...fixed, ...fixed.map(pair => pair.toReversed())])
-      if (group.has(a) && !group.has(b)) {
-        group.set(b, group.get(a));
-        changed = true;
-      }
-  }
   return names.map(name => group.get(name) ?? -1);
 }
 
@@ -26,7 +17,7 @@ export function interpret(data) {
   const direction = of => Array.isArray(of) ? {from: point.get(of[0]), to: point.get(of[1])}
       : of ? {vector: vector.get(of.replace(/^-/, ''))} : null;
   const bodies = [['ground', file.ground], ...Object.entries(file.bodies)];
-  const groups = groups_of(data, file, bodies.map(([name]) => name));
+  const groups = groups_of(data, bodies.map(([name]) => name));
   data.bodies = bodies.map(([name, {points = []}], b) => (
       {name, points: points.map(p => point.get(p)), group: groups[b]}));
   const body = places(data.bodies);
