@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bench/kit/digests.h"
 #include "bench/kit/memory.h"
 #include "formulations/variants.h"
 
@@ -59,8 +60,9 @@ Summary FormulationCandidate::run(Formulation& formulation, Observer& observer) 
   return formulation.run(grid(), asked_, observer);
 }
 
-FormulationCandidate::Checked FormulationCandidate::compare_with(
-    const std::function<std::span<const ReferenceInstant>()>& reference, VerifyingRun& found) {
+FormulationCandidate::Checked FormulationCandidate::check(ReferenceCache& references,
+                                                          VerifyingRun& found) {
+  found.model = model_digest(whole());
   if (std::string reason = unavailable_reason(settings()); !reason.empty())
     return not_run(std::move(reason));
   const Model& model = problem().plan.model;
@@ -72,7 +74,8 @@ FormulationCandidate::Checked FormulationCandidate::compare_with(
   if (std::string missing = missing_code(*formulation); !missing.empty())
     return failed(std::move(missing));
 
-  const std::span<const ReferenceInstant> right = reference();
+  const std::span<const ReferenceInstant> own = problem().reference.instants;
+  const auto right = own.empty() ? references.get(whole(), grid(), settings().stride) : own;
   const auto observer = comparing(right);
   const double start = now(clock());
   const Summary summary = run(*formulation, *observer);
@@ -155,14 +158,5 @@ ProblemCandidate::ProblemCandidate(const Problem& problem, std::string_view id,
                                                      : static_cast<int>(problem.delivered.size()),
                            id, c, Clock::cpu, {problem.level(), problem.delivered}),
       problem_(problem) {}
-
-ProblemCandidate::Checked ProblemCandidate::check(ReferenceCache& references, VerifyingRun& found) {
-  const std::span<const ReferenceInstant> own = problem_.reference.instants;
-  return compare_with(
-      [&] {
-        return own.empty() ? references.get(problem_.plan.model, grid(), settings().stride) : own;
-      },
-      found);
-}
 
 }  // namespace desmo::bench

@@ -49,10 +49,12 @@ class FormulationCandidate : public Candidate {
   virtual std::unique_ptr<ComparingObserver> comparing(
       std::span<const ReferenceInstant> reference) const;
 
-  /// Solves the whole motion and compares it with a reference. The allowed difference grows with a
-  /// tolerance above the usual one.
-  Checked compare_with(const std::function<std::span<const ReferenceInstant>()>& reference,
-                       VerifyingRun& found);
+  /// Returns the model whose motion is the reference's; by default, the one that is solved.
+  virtual const Model& whole() const { return problem().plan.model; }
+
+  /// Compares with the problem's own reference, where it has one. The allowed difference grows with
+  /// a tolerance above the usual one.
+  Checked check(ReferenceCache& references, VerifyingRun& found) override;
 
   /// Runs the whole motion, which is what is verified and timed; by default without checks.
   virtual Summary run(Formulation& formulation, Observer& observer) const;
@@ -78,8 +80,7 @@ class FormulationCandidate : public Candidate {
   const Configuration configuration_;
 };
 
-/// A formulation that solves a problem made beforehand, and is compared with the problem's own
-/// reference where it has one.
+/// A formulation that solves a problem made beforehand.
 class ProblemCandidate : public FormulationCandidate {
  public:
   /// The problem must outlive the candidate.
@@ -89,9 +90,6 @@ class ProblemCandidate : public FormulationCandidate {
   ProblemCandidate(const Problem& problem, std::string_view id, const Settings& others);
 
   const Problem& problem() const override { return problem_; }
-
- protected:
-  Checked check(ReferenceCache& references, VerifyingRun& found) override;
 
  private:
   ProblemCandidate(const Problem& problem, std::string_view id, const Configuration& c);

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "bench/kit/digests.h"
 #include "bench/kit/formulation_candidate.h"
 #include "bench/kit/record/environment.h"
 #include "bench/kit/record/record.h"
@@ -32,7 +31,7 @@ Json verified(const std::string& name, int instants, bench::ReferenceCache& refe
     }
     j["status"] = "ok";
     j["machine"] = bench::processor_name();
-    j["model"] = bench::model_digest(problem.plan.model);
+    j["model"] = candidate.verifying_run().model;
     j["results"] = candidate.verifying_run().results;
     j["verification"] = bench::errors_json(candidate.verifying_run().errors);
   } catch (const std::invalid_argument& e) {

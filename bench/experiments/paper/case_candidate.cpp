@@ -6,7 +6,6 @@
 #include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/checked_run.h"
-#include "bench/kit/digests.h"
 #include "bench/kit/record/record.h"
 #include "bench/kit/variant_costs.h"
 #include "formulations/model/partition.h"
@@ -56,12 +55,6 @@ const Problem& CaseCandidate::problem() const {
     problem_->plan.model = make_model(make_scene(definition_, coordinates()));
   }
   return *problem_;
-}
-
-CaseCandidate::Checked CaseCandidate::check(ReferenceCache& references, VerifyingRun& found) {
-  const Model& m = problem().plan.model;
-  found.model = model_digest(m);
-  return compare_with([&] { return references.get(m, grid(), settings().stride); }, found);
 }
 
 void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {

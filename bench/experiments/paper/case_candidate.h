@@ -34,7 +34,6 @@ class CaseCandidate final : public FormulationCandidate {
  private:
   /// Returns the whole case, which is made at the first call: those of all candidates are too many.
   const Problem& problem() const override;
-  Checked check(ReferenceCache& references, VerifyingRun& found) override;
   Summary run(Formulation& formulation, Observer& observer) const override;
 
   const Case& definition_;

@@ -8,7 +8,6 @@
 
 #include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
-#include "bench/kit/digests.h"
 #include "bench/kit/problem.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
@@ -101,12 +100,6 @@ RequestCandidate::RequestCandidate(std::shared_ptr<const PlannedRequest> request
 
 std::string RequestCandidate::name() const {
   return FormulationCandidate::name() + "/request:" + request_->name;
-}
-
-RequestCandidate::Checked RequestCandidate::check(ReferenceCache& references, VerifyingRun& found) {
-  found.model = model_digest(request_->whole);
-  return compare_with([&] { return references.get(request_->whole, grid(), settings().stride); },
-                      found);
 }
 
 void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {

@@ -12,7 +12,6 @@
 #include "bench/experiments/paper/case_candidate.h"
 #include "bench/experiments/paper/entry_json.h"
 #include "bench/kit/checked_run.h"
-#include "bench/kit/digests.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/io/text_file.h"
@@ -96,13 +95,11 @@ SceneCandidate::SceneCandidate(std::shared_ptr<MeasuredScene> scene, const Timed
 }
 
 SceneCandidate::Checked SceneCandidate::check(ReferenceCache& references, VerifyingRun& found) {
-  const Model& m = problem().plan.model;
-  found.model = model_digest(m);
   std::string missing = unavailable_reason(settings());
   if (missing.empty()) missing = scene_->add_code(configuration());
   if (missing.empty()) missing = missing_code(*make_formulation());
   if (!missing.empty()) return not_run(std::move(missing));
-  return compare_with([&] { return references.get(m, grid(), settings().stride); }, found);
+  return FormulationCandidate::check(references, found);
 }
 
 std::unique_ptr<ComparingObserver> SceneCandidate::comparing(
