@@ -76,11 +76,11 @@ FormulationCandidate::Checked FormulationCandidate::check(ReferenceCache& refere
 
   const std::span<const ReferenceInstant> own = problem().reference.instants;
   const auto right = own.empty() ? references.get(whole(), grid(), settings().stride) : own;
-  const auto observer = comparing(right);
+  ComparingObserver observer(delivered(), asked_.level, right, compared(right));
   const double start = now(clock());
-  const Summary summary = run(*formulation, *observer);
+  const Summary summary = run(*formulation, observer);
   found.analysis_seconds = now(clock()) - start;
-  const Comparison comparison = observer->compare();
+  const Comparison comparison = observer.compare();
   found.errors = comparison.errors;
   found.results = comparison.results;
   if (!summary.ok()) return failed(describe(summary, model));
@@ -92,9 +92,8 @@ FormulationCandidate::Checked FormulationCandidate::check(ReferenceCache& refere
   return failed(std::move(wrong));
 }
 
-std::unique_ptr<ComparingObserver> FormulationCandidate::comparing(
-    std::span<const ReferenceInstant> reference) const {
-  return std::make_unique<VerifyingObserver>(reference);
+std::vector<Compared> FormulationCandidate::compared(std::span<const ReferenceInstant>) const {
+  return all_compared(delivered(), asked_.level);
 }
 
 /// Threads and their processors are awake afterwards. From asleep that may take as long as a

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bench/kit/candidate.h"
 #include "bench/kit/problem.h"
@@ -45,9 +46,8 @@ class FormulationCandidate : public Candidate {
 
   /// Returns the problem, which may be made when it is first needed. Throws what making it throws.
   virtual const Problem& problem() const = 0;
-  /// Returns what compares what is delivered with the reference; by default, of all coordinates.
-  virtual std::unique_ptr<ComparingObserver> comparing(
-      std::span<const ReferenceInstant> reference) const;
+  /// Returns what is compared with the reference; by default, all that is delivered.
+  virtual std::vector<Compared> compared(std::span<const ReferenceInstant> reference) const;
 
   /// Returns the model whose motion is the reference's; by default, the one that is solved.
   virtual const Model& whole() const { return problem().plan.model; }
@@ -65,15 +65,17 @@ class FormulationCandidate : public Candidate {
   /// took `duration` [s]. Throws std::runtime_error where the motion cannot be solved.
   double step_seconds(Formulation& formulation, double duration) const;
 
+  /// Returns how many coordinates are delivered.
+  std::size_t delivered() const {
+    return asked_.coordinates.empty() ? coordinates_ : asked_.coordinates.size();
+  }
+
   const Request asked_;
 
  private:
   class FormulationAnalysis;
   std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
-  std::size_t delivered() const {
-    return asked_.coordinates.empty() ? coordinates_ : asked_.coordinates.size();
-  }
 
   const std::string case_name_, id_;
   const int coordinates_;

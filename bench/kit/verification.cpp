@@ -19,15 +19,6 @@ constexpr int instants_compared = 51;
 /// Allowed difference of two quadruple solutions, relative to the mechanism's scales.
 constexpr double highest_floor = 1e-20;
 
-void compare(double& largest, ResultDigest& results, std::span<const double> found,
-             std::span<const double> reference, std::span<const double> scales, double unit) {
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    const double scale = scales.empty() ? 1 : scales[i];
-    widen(largest, found[i] / scale, reference[i] / scale);
-    results.add(found[i], reference[i], unit * scale);
-  }
-}
-
 }  // namespace
 
 void widen(double& largest, double a, double b) {
@@ -36,8 +27,12 @@ void widen(double& largest, double a, double b) {
 }
 
 ComparingObserver::ComparingObserver(std::size_t coordinates, Level level,
-                                     std::span<const ReferenceInstant> reference)
-    : Delivery(coordinates, level), reference_(reference), copies_(reference.size()) {
+                                     std::span<const ReferenceInstant> reference,
+                                     std::vector<Compared> compared)
+    : Delivery(coordinates, level),
+      reference_(reference),
+      copies_(reference.size()),
+      compared_(std::move(compared)) {
   for (auto& [was_delivered, state] : copies_) {
     state.q.resize(coordinates);
     if (level >= Level::velocity) state.qd.resize(coordinates);
@@ -57,22 +52,32 @@ Flow ComparingObserver::observe(const Instant& i) noexcept {
   return Delivery::observe(i);
 }
 
-VerifyingObserver::VerifyingObserver(std::span<const ReferenceInstant> reference,
-                                     PerLevel<std::vector<double>> scales)
-    : ComparingObserver(reference.empty() ? 0 : reference.front().q.size(), Level::acceleration,
-                        reference),
-      scales_(std::move(scales)) {}
-
-Comparison VerifyingObserver::compare() const {
+Comparison ComparingObserver::compare() const {
   Differences errors;
   ResultDigest results;
-  for_each([&](const ReferenceInstant& r, const State& solved) {
+  for (std::size_t r = 0; r < copies_.size(); ++r) {
+    const auto& [was_delivered, state] = copies_[r];
+    if (!was_delivered) continue;
     ++errors.instants;
-    for (const Level level : all_levels)
-      bench::compare(errors[level], results, values_at(solved, level), values_at(r, level),
-                     scales_[level], allowed_difference[level]);
-  });
+    for (const auto& [delivered, reference, level, scale] : compared_) {
+      const double value = values_at(state, level)[delivered];
+      const double right = values_at(reference_[r], level)[reference];
+      widen(errors[level], value / scale, right / scale);
+      results.add(value, right, allowed_difference[level] * scale);
+    }
+  }
   return {errors, results.hex()};
+}
+
+std::vector<Compared> all_compared(std::size_t coordinates, Level highest,
+                                   const PerLevel<std::vector<double>>& scales) {
+  std::vector<Compared> all;
+  for (const Level level : all_levels) {
+    if (level > highest) break;
+    for (int i = 0; i < static_cast<int>(coordinates); ++i)
+      all.push_back({i, i, level, scales[level].empty() ? 1 : scales[level][i]});
+  }
+  return all;
 }
 
 PerLevel<std::vector<double>> coordinate_scales(const Model& m,

@@ -42,23 +42,30 @@ struct Comparison {
   std::string results;  ///< digest of the values compared, each rounded to its allowed difference
 };
 
+/// A value that is compared: its place in what is delivered and in the reference, and the scale by
+/// which a difference is divided.
+struct Compared {
+  int delivered, reference;
+  Level level;
+  double scale = 1;
+};
+
+/// Returns all coordinates, each at the same place in both, one level after the other.
+///
+/// scales: of each coordinate at each level (coordinate_scales); empty: 1.
+std::vector<Compared> all_compared(std::size_t coordinates, Level highest,
+                                   const PerLevel<std::vector<double>>& scales = {});
+
 /// A delivery that also copies the results q, q̇, q̈ at the times of a reference, to compare them.
-class ComparingObserver : public Delivery {
+class ComparingObserver final : public Delivery {
  public:
-  /// coordinates: those of the request. The reference outlives this.
+  /// coordinates, level: of the request. The reference outlives this.
+  /// compared: none above that level.
   ComparingObserver(std::size_t coordinates, Level level,
-                    std::span<const ReferenceInstant> reference);
+                    std::span<const ReferenceInstant> reference, std::vector<Compared> compared);
 
   Flow observe(const Instant& instant) noexcept override;
-  virtual Comparison compare() const = 0;
-
- protected:
-  /// Calls compare(reference, results) for each instant of the reference that was delivered.
-  template <class Compare>
-  void for_each(Compare&& compare) const {
-    for (std::size_t r = 0; r < copies_.size(); ++r)
-      if (copies_[r].was_delivered) compare(reference_[r], copies_[r].state);
-  }
+  Comparison compare() const;
 
  private:
   struct Copy {
@@ -68,18 +75,7 @@ class ComparingObserver : public Delivery {
 
   std::span<const ReferenceInstant> reference_;
   std::vector<Copy> copies_;  // by instant of the reference
-};
-
-/// Compares a whole mechanism with a reference.
-class VerifyingObserver final : public ComparingObserver {
- public:
-  /// scales: of each coordinate at each level, by which differences are divided; empty: by nothing.
-  explicit VerifyingObserver(std::span<const ReferenceInstant> reference,
-                             PerLevel<std::vector<double>> scales = {});
-  Comparison compare() const override;
-
- private:
-  const PerLevel<std::vector<double>> scales_;
+  const std::vector<Compared> compared_;
 };
 
 /// Returns the scales of coordinates in a motion that the reference samples (Scales); 1 where

@@ -128,7 +128,8 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
 
   const std::vector<ReferenceInstant> reference{{0, {1, 2}, {3, 4}, {5, 6}}};
   const auto digest = [&](std::vector<double> q) {
-    VerifyingObserver observer(reference);
+    ComparingObserver observer(2, Level::acceleration, reference,
+                               all_compared(2, Level::acceleration));
     const std::vector<double> qd{3, 4}, qdd{5, 6};
     observer.observe({0, 0, q, qd, qdd});
     return observer.compare().results;

@@ -20,7 +20,8 @@ namespace {
 
 struct Verification : testing::Test {
   std::vector<ReferenceInstant> reference{{0, {1, 2}, {3, 4}, {5, 6}}, {1, {1, 2}, {3, 4}, {5, 6}}};
-  VerifyingObserver observer{reference};
+  ComparingObserver observer{2, Level::acceleration, reference,
+                             all_compared(2, Level::acceleration)};
 
   /// Writes to memory that the observer lends, as a solver does.
   void observe(int index, double time, std::array<double, 2> q) {
@@ -85,7 +86,8 @@ TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
 TEST_F(Verification, ComparesRelativelyToScales) {
   const PerLevel<std::vector<double>> scales{{2000, 1}, {1, 1}, {1, 1}};
   const auto failure = [&](double first, double second) {
-    VerifyingObserver scaled(reference, scales);
+    ComparingObserver scaled(2, Level::acceleration, reference,
+                             all_compared(2, Level::acceleration, scales));
     for (const int i : {0, 1}) {
       Instant instant{i, static_cast<double>(i), {}, {}, {}};
       scaled.lend({&i, 1}, {&instant.output, 1});

@@ -39,37 +39,6 @@ std::vector<OutputComponent> components_of(const Model& whole, const Plan& plan,
   return result;
 }
 
-/// Compares a request with a reference of the whole mechanism.
-class VerifyingRequest final : public ComparingObserver {
- public:
-  VerifyingRequest(std::span<const ReferenceInstant> reference, const PlannedRequest& request)
-      : ComparingObserver(request.coordinates.size(), request.plan.level(), reference),
-        request_(request) {}
-
-  Comparison compare() const override {
-    Differences errors;
-    ResultDigest results;
-    for_each([&](const ReferenceInstant& r, const State& solved) {
-      ++errors.instants;
-      for (const OutputComponent& a : request_.components) {
-        const std::size_t place =
-            std::ranges::lower_bound(request_.coordinates, a.kept) - request_.coordinates.begin();
-        for (const Level level : all_levels) {
-          if (a.level < level) break;
-          const double value = values_at(solved, level)[place];
-          const double right = values_at(r, level)[a.whole];
-          widen(errors[level], value, right);
-          results.add(value, right, allowed_difference[level]);
-        }
-      }
-    });
-    return {errors, results.hex()};
-  }
-
- private:
-  const PlannedRequest& request_;
-};
-
 }  // namespace
 
 PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
@@ -114,9 +83,16 @@ void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
                                                *this, {.level = request_->plan.level()}));
 }
 
-std::unique_ptr<ComparingObserver> RequestCandidate::comparing(
-    std::span<const ReferenceInstant> reference) const {
-  return std::make_unique<VerifyingRequest>(reference, *request_);
+/// Component by component.
+std::vector<Compared> RequestCandidate::compared(std::span<const ReferenceInstant>) const {
+  std::vector<Compared> all;
+  for (const OutputComponent& a : request_->components) {
+    const auto place = std::ranges::lower_bound(request_->coordinates, a.kept);
+    const int delivered = static_cast<int>(place - request_->coordinates.begin());
+    for (const Level level : all_levels)
+      if (level <= a.level) all.push_back({delivered, a.whole, level});
+  }
+  return all;
 }
 
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {

@@ -55,8 +55,7 @@ class RequestCandidate final : public FormulationCandidate {
 
  private:
   const Problem& problem() const override { return *request_; }
-  std::unique_ptr<ComparingObserver> comparing(
-      std::span<const ReferenceInstant> reference) const override;
+  std::vector<Compared> compared(std::span<const ReferenceInstant> reference) const override;
   /// The whole mechanism: a comparison with its motion shows that nothing needed was left out.
   const Model& whole() const override { return request_->whole; }
 

@@ -102,10 +102,9 @@ SceneCandidate::Checked SceneCandidate::check(ReferenceCache& references, Verify
   return FormulationCandidate::check(references, found);
 }
 
-std::unique_ptr<ComparingObserver> SceneCandidate::comparing(
-    std::span<const ReferenceInstant> reference) const {
-  return std::make_unique<VerifyingObserver>(reference,
-                                             coordinate_scales(problem().plan.model, reference));
+std::vector<Compared> SceneCandidate::compared(std::span<const ReferenceInstant> reference) const {
+  return all_compared(delivered(), asked_.level,
+                      coordinate_scales(problem().plan.model, reference));
 }
 
 Summary SceneCandidate::run(Formulation& formulation, Observer& observer) const {

@@ -51,8 +51,7 @@ class SceneCandidate final : public FormulationCandidate {
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
   /// Differences are relative to the mechanism's size, speed and acceleration: its unit of length
   /// may be any.
-  std::unique_ptr<ComparingObserver> comparing(
-      std::span<const ReferenceInstant> reference) const override;
+  std::vector<Compared> compared(std::span<const ReferenceInstant> reference) const override;
   Summary run(Formulation& formulation, Observer& observer) const override;
 
   const std::shared_ptr<MeasuredScene> scene_;
