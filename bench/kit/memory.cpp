@@ -1,10 +1,9 @@
 #include "bench/kit/memory.h"
 
 #include <cstddef>
-#include <exception>
+#include <future>
 #include <memory>
 #include <random>
-#include <thread>
 
 namespace desmo::bench {
 
@@ -12,17 +11,11 @@ void on_fresh_heap(const std::function<void()>& work) {
   static std::minstd_rand random(1);          // the same draws in every run
   constexpr std::size_t places = 256 * 1024;  // of 16 bytes each: a thousand pages
   const std::size_t shift = 16 * (random() % places);
-  std::exception_ptr error;
-  std::thread([&] {
-    try {
-      const auto shifted_by = std::make_unique_for_overwrite<char[]>(shift);
-      asm volatile("" : : "r"(shifted_by.get()) : "memory");  // or it would not be allocated
-      work();
-    } catch (...) {
-      error = std::current_exception();
-    }
-  }).join();
-  if (error) std::rethrow_exception(error);
+  std::async(std::launch::async, [&] {
+    const auto shifted_by = std::make_unique_for_overwrite<char[]>(shift);
+    asm volatile("" : : "r"(shifted_by.get()) : "memory");  // or it would not be allocated
+    work();
+  }).get();
 }
 
 void keep_freed_memory() {
