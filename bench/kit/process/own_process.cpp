@@ -31,14 +31,6 @@ void write(std::FILE* file, const std::string& text) {
     throw system_error("cannot keep what was measured");
 }
 
-std::string read(std::FILE* file) {
-  std::rewind(file);
-  std::string text;
-  char some[1 << 16];
-  while (const std::size_t size = std::fread(some, 1, sizeof some, file)) text.append(some, size);
-  return text;
-}
-
 [[noreturn]] void be_the_process(const std::string& name, const std::function<Json()>& work,
                                  std::FILE* answer) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would wait for it
@@ -73,7 +65,8 @@ Json in_own_process(const std::string& name, const std::function<Json()>& work) 
                              std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) +
                              ")");
   if (WEXITSTATUS(status) != 0) throw std::runtime_error(name + " was not measured");
-  return Json::parse(read(answer.get()));
+  std::rewind(answer.get());
+  return Json::parse(answer.get());
 }
 
 }  // namespace desmo::bench
