@@ -10,6 +10,7 @@
 #include "bench/cli/input.h"
 #include "bench/cli/range/ranges.h"
 #include "bench/cli/solve/check_notes.h"
+#include "bench/kit/delivery.h"
 #include "cases/io/new_files.h"
 #include "cases/mechanism/names.h"
 #include "formulations/variants.h"
@@ -65,15 +66,6 @@ NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
   return named;
 }
 
-/// Keeps the positions of one instant.
-struct Positions final : Observer {
-  Flow observe(const Instant& instant) noexcept override {
-    q.assign(instant.q.begin(), instant.q.end());
-    return Flow::go_on;
-  }
-  std::vector<double> q;
-};
-
 /// The position at the start, on the branch of the drawing, and what is proven of it. At a dead
 /// point nothing can be assembled, but the estimate may be near enough.
 struct Start {
@@ -84,9 +76,9 @@ struct Start {
 Start start_at(const Model& m, double time, double tolerance) {
   const auto formulation =
       make_formulation(find_variant("block_automatic_klu"), m, Settings{.tolerance = tolerance});
-  Positions found;
+  bench::Delivery found(m.coordinates(), Level::position);
   Start start{run_checked(*formulation, {time, 1, 1}, Request{Level::position}, found), m.estimate};
-  if (start.summary.outcome() != Outcome::failed) start.q = found.q;
+  if (start.summary.outcome() != Outcome::failed) std::ranges::copy(found.q(), start.q.begin());
   for (const Driver& driver : m.drivers)
     start.q[m.entities[driver.coordinate].first] = sample(driver.motion, time).position;
   return start;
