@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
@@ -10,18 +11,12 @@ namespace {
 
 /// Sizes of the irreducible blocks: "16 + 6×3 + 5×1".
 std::string block_sizes(const std::vector<PartDefinition>& blocks) {
-  std::vector<std::size_t> sizes;
-  for (const PartDefinition& b : blocks) sizes.push_back(b.unknowns.size());
-  std::ranges::sort(sizes, std::greater{});
+  std::map<std::size_t, int, std::greater<>> times_of_size;
+  for (const PartDefinition& b : blocks) ++times_of_size[b.unknowns.size()];
   std::string text;
-  for (std::size_t i = 0; i < sizes.size();) {
-    const auto end = std::find_if(sizes.begin() + i, sizes.end(),
-                                  [&](std::size_t size) { return size != sizes[i]; });
-    const std::size_t times = end - sizes.begin() - i;
+  for (const auto& [size, times] : times_of_size)
     text += (text.empty() ? "" : " + ") + (times > 1 ? std::to_string(times) + "×" : "") +
-            std::to_string(sizes[i]);
-    i += times;
-  }
+            std::to_string(size);
   return text.empty() ? "none" : text;
 }
 
