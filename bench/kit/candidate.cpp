@@ -16,11 +16,11 @@ double VerifiedCandidate::time_afresh() {
   const Clock clock = candidate_.clock();
   double least = std::numeric_limits<double>::infinity();
   on_fresh_heap([&] {
-    const auto analysis = candidate_.make_analysis(windows_);
+    const Analysis analysis = candidate_.make_analysis(windows_);
     const double begin = now(clock);
     do {
       const double before = now(clock);
-      analysis->run();
+      analysis();
       least = std::min(least, now(clock) - before);
     } while (clock == Clock::wall && now(clock) - begin < min_wall_seconds);
   });

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -40,18 +39,9 @@ struct Refusal {
   std::string reason;
 };
 
-/// A motion that is solved again and again, while its time is taken.
-class Analysis {
- public:
-  virtual ~Analysis() = default;
-  Analysis() = default;
-  Analysis(const Analysis&) = delete;
-  Analysis& operator=(const Analysis&) = delete;
-
-  /// Solves the whole motion, assembly and delivery included. Throws std::exception where that
-  /// fails.
-  virtual void run() = 0;
-};
+/// An analysis: solves the whole motion, assembly and delivery included, again and again while its
+/// time is taken. Throws std::exception where that fails.
+using Analysis = std::function<void()>;
 
 /// A candidate that passed its verification, and its times. Only Candidate makes one, and lends it
 /// to what measures (Candidate::measure).
@@ -147,7 +137,7 @@ class Candidate {
 
   /// Makes the analysis that is timed, and assembles it once. windows: receives its times; outlives
   /// it. Called by VerifiedCandidate only.
-  virtual std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const = 0;
+  virtual Analysis make_analysis(TimingWindows& windows) const = 0;
 
   static Refusal failed(std::string why) { return {Refusal::Kind::failed, std::move(why)}; }
   static Refusal not_run(std::string why) { return {Refusal::Kind::not_run, std::move(why)}; }

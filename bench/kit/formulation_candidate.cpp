@@ -10,27 +10,6 @@
 
 namespace desmo::bench {
 
-class FormulationCandidate::FormulationAnalysis final : public Analysis {
- public:
-  FormulationAnalysis(const FormulationCandidate& candidate, TimingWindows& windows)
-      : candidate_(candidate),
-        formulation_(candidate.make_assembled()),
-        windows_(windows),
-        delivery_(candidate.delivered(), candidate.asked_.level, windows) {}
-
-  void run() override {
-    windows_.begin();
-    const Summary summary = candidate_.run(*formulation_, delivery_);
-    if (!summary.ok()) throw std::runtime_error(describe(summary, formulation_->model()));
-  }
-
- private:
-  const FormulationCandidate& candidate_;
-  const std::unique_ptr<Formulation> formulation_;
-  TimingWindows& windows_;
-  WindowedDelivery delivery_;
-};
-
 FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string_view case_name,
                                            int n, std::string_view id, const Configuration& c,
                                            Clock by, Request asked)
@@ -109,8 +88,14 @@ std::unique_ptr<Formulation> FormulationCandidate::make_assembled() const {
   return formulation;
 }
 
-std::unique_ptr<Analysis> FormulationCandidate::make_analysis(TimingWindows& windows) const {
-  return std::make_unique<FormulationAnalysis>(*this, windows);
+Analysis FormulationCandidate::make_analysis(TimingWindows& windows) const {
+  const std::shared_ptr<Formulation> formulation = make_assembled();
+  const auto delivery = std::make_shared<WindowedDelivery>(delivered(), asked_.level, windows);
+  return [this, formulation, delivery, &windows] {
+    windows.begin();
+    const Summary summary = run(*formulation, *delivery);
+    if (!summary.ok()) throw std::runtime_error(describe(summary, formulation->model()));
+  };
 }
 
 void FormulationCandidate::sample_afresh(double duration) {

@@ -73,8 +73,7 @@ class FormulationCandidate : public Candidate {
   const Request asked_;
 
  private:
-  class FormulationAnalysis;
-  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
+  Analysis make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
 
   const std::string case_name_, id_;

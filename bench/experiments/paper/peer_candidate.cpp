@@ -38,32 +38,6 @@ void compare(Differences& errors, const Peer::Answer& answer, const ReferenceIns
             values_at(reference, level)[answer.coordinates[k]]);
 }
 
-class PeerAnalysis final : public Analysis {
- public:
-  PeerAnalysis(std::unique_ptr<Peer> peer, const TimeGrid& grid, TimingWindows& windows)
-      : peer_(std::move(peer)), grid_(grid), windows_(windows) {
-    for (auto* delivered : {&q_, &qd_, &qdd_})
-      delivered->resize(peer_->answer().coordinates.size());
-  }
-
-  void run() override {
-    windows_.begin();
-    for (int i = 0; i < grid_.instants; ++i) {
-      solve(*peer_, grid_, i);
-      std::ranges::copy(peer_->answer().q, q_.begin());
-      std::ranges::copy(peer_->answer().qd, qd_.begin());
-      std::ranges::copy(peer_->answer().qdd, qdd_.begin());
-      windows_.count_instant();
-    }
-  }
-
- private:
-  const std::unique_ptr<Peer> peer_;
-  const TimeGrid& grid_;
-  TimingWindows& windows_;
-  std::vector<double> q_, qd_, qdd_;  // where answers are delivered
-};
-
 template <class Make>
 void for_every_size(Make&& make) {
   for (const Case& c : cases())
@@ -120,10 +94,21 @@ PeerCandidate::Checked PeerCandidate::check(ReferenceCache& references, Verifyin
   return failed(std::move(wrong));
 }
 
-std::unique_ptr<Analysis> PeerCandidate::make_analysis(TimingWindows& windows) const {
-  auto solver = peer_.make(solved().scene, solved().model);
+Analysis PeerCandidate::make_analysis(TimingWindows& windows) const {
+  const std::shared_ptr<Peer> solver = peer_.make(solved().scene, solved().model);
   solver->assemble(grid().time(0));
-  return std::make_unique<PeerAnalysis>(std::move(solver), grid(), windows);
+  const std::vector<double> zeros(solver->answer().coordinates.size());
+  // Answers are delivered into vectors of its own.
+  return [this, solver, &windows, q = zeros, qd = zeros, qdd = zeros]() mutable {
+    windows.begin();
+    for (int i = 0; i < grid().instants; ++i) {
+      solve(*solver, grid(), i);
+      std::ranges::copy(solver->answer().q, q.begin());
+      std::ranges::copy(solver->answer().qd, qd.begin());
+      std::ranges::copy(solver->answer().qdd, qdd.begin());
+      windows.count_instant();
+    }
+  };
 }
 
 void PeerCandidate::add_to(nlohmann::ordered_json& lists) const {

@@ -34,7 +34,7 @@ class PeerCandidate final : public Candidate {
   /// Compares in the coordinates that the peer finds. Leaves it out when the whole motion would
   /// take longer than the options allow.
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
-  std::unique_ptr<Analysis> make_analysis(TimingWindows& windows) const override;
+  Analysis make_analysis(TimingWindows& windows) const override;
 
   const Case& definition_;
   const int coordinates_;
