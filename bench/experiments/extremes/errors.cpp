@@ -37,25 +37,12 @@ PerLevel<double> measured(const KnownCase& known, const CaseRun& run,
   }
 }
 
-/// Allowed errors of a run's answers: what the case's bound makes of floors and
-/// yardsticks. All must outlive it.
-class Allowed {
- public:
-  Allowed(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks)
-      : case_(known), run_(run), measured_(measured(known, run, yardsticks)) {}
-
-  /// Returns that of answers `part`, of the compared instant `next`.
-  double operator()(Level level, std::size_t part, std::size_t next) const;
-
- private:
-  const KnownCase& case_;
-  const CaseRun& run_;
-  PerLevel<double> measured_;  // the worst error of the yardstick, if the bound has one
-};
-
-double Allowed::operator()(Level level, std::size_t part, std::size_t next) const {
-  const ExtremeCase& c = *case_.definition;
-  const Answers& answers = case_.answers[part];
+/// Returns the allowed error of answers `part` at the compared instant `next`: what the case's
+/// bound makes of floors and of the worst errors of a yardstick, if the bound has one.
+double allowed_error(const KnownCase& known, const CaseRun& run, const PerLevel<double>& yardstick,
+                     Level level, std::size_t part, std::size_t next) {
+  const ExtremeCase& c = *known.definition;
+  const Answers& answers = known.answers[part];
   const double floor = answers.floor[next][level];
   const bool is_position = level == Level::position;
   switch (c.bound) {
@@ -70,12 +57,12 @@ double Allowed::operator()(Level level, std::size_t part, std::size_t next) cons
     case Bound::fixed:
       return is_position ? c.factor : 10 * floor;
     case Bound::estimates:
-      return run_.stated[next] ? run_.stated[next]->radius[level] : 0;
+      return run.stated[next] ? run.stated[next]->radius[level] : 0;
     case Bound::first_part:
-      if (next < case_.compared.size() / 2) return 10 * std::max(c.scene.tolerance, floor);
+      if (next < known.compared.size() / 2) return 10 * std::max(c.scene.tolerance, floor);
       [[fallthrough]];
     default:
-      return std::max(c.factor * measured_[level], floor);
+      return std::max(c.factor * yardstick[level], floor);
   }
 }
 
@@ -93,7 +80,7 @@ std::string at(const KnownCase& p, std::size_t instant) {
 }
 
 WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
-  const Allowed allowed(p, a, yardsticks);
+  const PerLevel<double> yardstick = measured(p, a, yardsticks);
   WorstErrors found;
   for (std::size_t part = 0; part < a.errors.size(); ++part)
     for (std::size_t next = 0; next < a.errors[part].size(); ++next) {
@@ -106,7 +93,7 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const Yardsticks& ya
         // Nothing is claimed of a number without a radius.
         if (flag == Flag::degraded && !std::isfinite(a.stated[next]->radius[level])) continue;
         const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
-                           allowed(level, part, next)};
+                           allowed_error(p, a, yardstick, level, part, next)};
         WorstError& worst = (*found.worst)[level];
         if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
         if (!(e.error > e.allowed)) continue;
