@@ -226,65 +226,6 @@ TEST_F(View, RefusesWhatIsTooLargeBeforeItIsSolved) {
 
 // ---- in a browser ----
 
-/// A Stewart platform of many legs, of which six are driven.
-Json stewart(int legs) {
-  Json points = {{"P", {0, 0, 1.2}}}, vectors, ground_points, ground_vectors, joints, coordinates,
-       drivers, motion, bodies;
-  bodies["platform"]["points"] = {"P"};
-  vectors = {{"px", {1, 0, 0}}, {"py", {0, 1, 0}}, {"pz", {0, 0, 1}}};
-  bodies["platform"]["vectors"] = {"px", "py", "pz"};
-  int driven = 0;
-  for (int k = 0; k < legs; ++k) {
-    const std::string i = std::to_string(k + 1);
-    const double at = 2 * std::numbers::pi * k / legs, off = k % 2 ? 0.4 : -0.4;
-    const double a[2] = {std::cos(at + off), std::sin(at + off)};
-    const double b[2] = {0.6 * std::cos(at), 0.6 * std::sin(at)};
-    points["A" + i] = {a[0], a[1], 0};
-    points["B" + i] = {b[0], b[1], 1.2};
-    vectors["g" + i] = {-a[1], a[0], 0};
-    vectors["d" + i] = {b[0] - a[0], b[1] - a[1], 1.2};
-    vectors["u" + i] = {{"normal", {"g" + i, "d" + i}}};
-    ground_points.push_back("A" + i);
-    ground_vectors.push_back("g" + i);
-    bodies["platform"]["points"].push_back("B" + i);
-    for (const auto& [body, point] : {std::pair{"lower", "A"}, {"upper", "B"}})
-      bodies[body + i] = {{"points", {point + i}}, {"vectors", {"d" + i, "u" + i}}};
-    const auto join = [&](const char* type, std::vector<std::string> two, Json rest) {
-      rest["type"] = type;
-      rest["bodies"] = two;
-      joints.push_back(rest);
-    };
-    join("universal", {"ground", "lower" + i},
-         {{"points", {"A" + i}}, {"vectors", {"g" + i, "u" + i}}});
-    join("prismatic", {"lower" + i, "upper" + i},
-         {{"points", {"A" + i, "B" + i}}, {"vectors", {"d" + i, "u" + i}}});
-    join("spherical", {"upper" + i, "platform"}, {{"points", {"B" + i}}});
-    if (k * 6 / legs < driven || k % 2 != driven % 2) continue;
-    ++driven;
-    coordinates["s" + i] = {{"distance", {"A" + i, "B" + i}}, {"along", "d" + i}};
-    drivers.push_back("s" + i);
-    motion["s" + i] = {{"type", "harmonic"},
-                       {"mean", std::hypot(b[0] - a[0], b[1] - a[1], 1.2)},
-                       {"terms", {{{"amplitude", 0.05 * driven / 6}, {"frequency", 1}}}}};
-  }
-  return {{"format", "desmo-scene"},
-          {"version", 2},
-          {"mechanism",
-           {{"format", "desmo-mechanism"},
-            {"version", 1},
-            {"name", "stewart_" + std::to_string(legs)},
-            {"dimension", 3},
-            {"points", points},
-            {"vectors", vectors},
-            {"ground", {{"points", ground_points}, {"vectors", ground_vectors}}},
-            {"bodies", bodies},
-            {"joints", joints},
-            {"coordinates", coordinates},
-            {"drivers", drivers}}},
-          {"motion", motion},
-          {"time", {{"end", 1}, {"step", 0.01}}}};
-}
-
 class ViewInBrowser : public View {
  protected:
   /// Opens pages in Chromium. Returns what watch.mjs tells of each.
@@ -417,7 +358,6 @@ class ViewInBrowser : public View {
   void expect_all_well(const std::vector<std::string>& scenes) {
     if (!has_browser()) GTEST_SKIP() << out_;
     write("locks.json", locks);
-    write("stewart_36.json", stewart(36).dump());
     const Json seen = opened(scenes);
     ASSERT_EQ(seen.size(), scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -503,8 +443,8 @@ TEST_F(ViewInBrowser, ShowsWhatIsSolved) {
 /// Every mechanism, in minutes: program_test --gtest_also_run_disabled_tests
 /// --gtest_filter='ViewInBrowser.*'
 TEST_F(ViewInBrowser, DISABLED_ShowsWhatIsSolvedOfEveryMechanism) {
-  std::vector<std::string> scenes{"locks.json",  "stewart_36.json",    "four_bar:1",
-                                  "four_bar:40", "truck_suspension:1", "truck_suspension:5"};
+  std::vector<std::string> scenes{"locks.json", "four_bar:1", "four_bar:40", "truck_suspension:1",
+                                  "truck_suspension:5"};
   for (const LibraryMechanism& m : library()) scenes.emplace_back(m.name);
   expect_all_well(scenes);
 }
