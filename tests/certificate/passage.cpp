@@ -14,8 +14,8 @@
 #include "cases/extremes/rows.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/groupwise/double_solution.h"
+#include "tests/checked/rows.h"
 #include "tests/dead_point.h"
-#include "tests/scott_russell.h"
 
 namespace desmo::passage_test {
 namespace {
@@ -240,8 +240,7 @@ TEST(Passage, StopsAtADeadPoint) {
 }
 
 TEST(Passage, LeadsOnBesideOtherBranches) {
-  const Scene scene = scott_russell(0.1);
-  const Model m = make_model(scene);
+  const Model m = make_model(scene_file("scott_russell"));
   BranchPath path(m);
   ASSERT_TRUE(start(m, 0, path));
   ASSERT_EQ(path.go_to(5).end, PathEnd::stuck);

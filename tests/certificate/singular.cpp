@@ -11,8 +11,8 @@
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"
+#include "tests/checked/rows.h"
 #include "tests/dead_point.h"
-#include "tests/scott_russell.h"
 
 namespace desmo::certified_singular_test {
 namespace {
@@ -74,10 +74,9 @@ TEST(CertificateAtADeadPoint, IsGivenUp) {
 }
 
 TEST(CertificateAtAChangePoint, IsGivenUpThereAlone) {
-  const Scene scene = scott_russell(0.02);
-  const Model m = make_model(scene);
+  const Model m = make_model(scene_file("scott_russell"));
   std::vector<double> times;
-  for (int i = 0; i < 100; ++i) times.push_back(scene.grid.time(i));
+  for (int i = 0; i < 100; ++i) times.push_back(0.02 * i);
   const auto exact = reference_solution(m, times, Precision::quadruple);
   Certifier certifier(m);
   Containment c;

@@ -13,10 +13,10 @@
 #include "formulations/id.h"
 #include "formulations/motion/formulation_core.h"
 #include "formulations/verification/run/live_run.h"
+#include "tests/checked/rows.h"
 #include "tests/dead_point.h"
 #include "tests/lanes_here.h"
 #include "tests/overconstrained.h"
-#include "tests/scott_russell.h"
 
 namespace desmo::live_rows_test {
 namespace {
@@ -312,7 +312,7 @@ TEST_F(WithoutChecks, ProvesNothing) {
 
 /// A Scott Russell linkage whose rods meet at a quarter turn, where branches meet.
 TEST(LiveRun, RefusesRowsBeyondAChangePoint) {
-  const Model m = make_model(scott_russell(0.02));
+  const Model m = make_model(scene_file("scott_russell"));
   const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
   LiveRun run(*f);
   const std::vector<double> rate{0.5}, none{0};
