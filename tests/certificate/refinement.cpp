@@ -181,54 +181,6 @@ TEST(Refinement, HoldsUpToADeadPoint) {
   }
 }
 
-/// A four-bar of three stated lengths, drawn roughly. Positions at t = 1 are those of 40 digits.
-std::string stated_four_bar(const char* name, const char* points, const char* lengths,
-                            const char* motion) {
-  std::string text = R"({"format": "desmo-scene", "version": 2, "name": ")" + std::string(name) +
-                     R"(", "mechanism": {"format": "desmo-mechanism", "version": 1,
-    "name": "four_bar", "dimension": 2, "points": {)" +
-                     points + R"(},
-    "ground": {"points": ["A", "D"]}, "bodies": {)" +
-                     lengths + R"(},
-    "joints": [{"type": "revolute", "bodies": ["ground", "C1"], "points": ["A"]},
-               {"type": "revolute", "bodies": ["C1", "L2"], "points": ["B"]},
-               {"type": "revolute", "bodies": ["ground", "L3"], "points": ["D"]},
-               {"type": "revolute", "bodies": ["L2", "L3"], "points": ["C"]}],
-    "coordinates": {"th": {"angle": ["A", "B"]}}, "drivers": ["th"]},
-    "motion": {"th": {"type": "polynomial", "coefficients": [)" +
-                     motion + R"(]}},
-    "time": {"start": 0, "end": 1, "step": 1}})";
-  return text;
-}
-
-TEST(Refinement, IsOfTheStatedLengths) {
-  const Scene scene = parse_scene(
-      stated_four_bar("P2",
-                      R"("A": [0, 0], "D": [2.55, 0], "B": [-0.1181668946184996, 1.475275087912834],
-                         "C": [1.9918802124357762, 1.118482142338118])",
-                      R"("C1": {"points": ["A", "B"], "length": 1.48},
-                         "L2": {"points": ["B", "C"], "length": 2.14},
-                         "L3": {"points": ["D", "C"], "length": 1.25})",
-                      "1.6507238977497682, 0.2999984103208746"),
-      "P2.json", "");
-  const Model m = make_model(scene);
-  const std::vector<double> times{0, 1};
-  const auto solved = double_solution(m, times);
-  Refinement refinement(m);
-  const RefinedInstant& r = refinement.refine(instant_of(solved[1]));
-  ASSERT_TRUE(r.proven);
-  const int c = m.entities[m.find("C")].first;
-  // The right values, each as a double and what it lacks.
-  const double nearest[] = {1.408005679416214, 0.5082804066205755};
-  const long double right[] = {1.408005679416214059625115756580L,
-                               0.508280406620575479142128766490L};
-  for (const int i : {0, 1}) {
-    const auto error = std::abs(static_cast<double>(r.instant.q[c + i] - right[i]));
-    EXPECT_LE(error, r.radius.position[c + i] + 0x1p-63);
-    EXPECT_LE(r.radius.position[c + i], 2 * u * nearest[i] + 1e-15 * i);
-  }
-}
-
 /// Receives the last instant of a run.
 class Last final : public Observer {
  public:

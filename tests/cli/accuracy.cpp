@@ -114,24 +114,9 @@ TEST_F(Cli, NamesTheGroupsThatNobodyLookedAt) {
 /// A four-bar of stated lengths, drawn roughly. In 40 digits C(1) is (1.408005679416214059625…,
 /// 0.508280406620575479142…) for the lengths of the file; for their rounded squares 1.6e-14 off.
 TEST_F(Cli, DeliversTheMotionOfTheFileWhereItIsProven) {
-  write("stated.json", R"({"format": "desmo-scene", "version": 2, "name": "stated",
-    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "four_bar", "dimension": 2,
-      "points": {"A": [0, 0], "D": [2.55, 0], "B": [-0.1181668946184996, 1.475275087912834],
-                 "C": [1.9918802124357762, 1.118482142338118]},
-      "ground": {"points": ["A", "D"]},
-      "bodies": {"C1": {"points": ["A", "B"], "length": 1.48},
-                 "L2": {"points": ["B", "C"], "length": 2.14},
-                 "L3": {"points": ["D", "C"], "length": 1.25}},
-      "joints": [{"type": "revolute", "bodies": ["ground", "C1"], "points": ["A"]},
-                 {"type": "revolute", "bodies": ["C1", "L2"], "points": ["B"]},
-                 {"type": "revolute", "bodies": ["ground", "L3"], "points": ["D"]},
-                 {"type": "revolute", "bodies": ["L2", "L3"], "points": ["C"]}],
-      "coordinates": {"th": {"angle": ["A", "B"]}}, "drivers": ["th"]},
-    "motion": {"th": {"type": "polynomial",
-                      "coefficients": [1.6507238977497682, 0.2999984103208746]}},
-    "time": {"start": 0, "end": 1, "step": 1}, "request": [{"points": ["C"], "level": "position"}]})");
+  const std::string scene = DESMO_SOURCE_DIR "/tests/checked/scenes/proof_stated_lengths.json";
   for (const char* id : {"block_symbolic_inlined", "global_automatic_klu/tolerance:1e-6"}) {
-    ASSERT_EQ(desmo("solve stated.json --formulation " + std::string(id)), 0) << err_;
+    ASSERT_EQ(desmo("solve " + scene + " --formulation " + id), 0) << err_;
     EXPECT_EQ(lines().back(), "1,1.4080056794162141,0.5082804066205755") << id;
     EXPECT_TRUE(says("accuracy: 2 of 2 rows proven; ")) << err_ << id;  // near a dead point
   }
