@@ -42,7 +42,7 @@ class Interrupted : public Cli {
     kill(child, signal);
     int status = 0;
     waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return exit_code(status);
   }
 };
 

@@ -14,10 +14,7 @@ namespace {
 constexpr const char* explicit_order = "solve own.json --formulation group_symbolic_explicit ";
 
 struct OwnCode : Cli {
-  void SetUp() override {
-    Cli::SetUp();
-    write("own.json", swinging_plates(1, one_second));
-  }
+  OwnCode() { write("own.json", swinging_plates(1, one_second)); }
   /// A compiler that knows its version and then does this.
   void write_compiler(const std::string& commands) {
     write("compiler",
@@ -160,7 +157,7 @@ TEST_F(OwnCode, LetsNoCompilerOutliveAnInterruption) {
   ::kill(child, SIGTERM);
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGTERM);
+  EXPECT_EQ(exit_code(status), 128 + SIGTERM);
   const std::string state =
       "/proc/" + std::to_string(std::stoi(text_of(folder_ / "started"))) + "/stat";
   const auto runs = [&] {

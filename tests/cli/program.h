@@ -1,16 +1,13 @@
 // A fixture that runs the program desmo as a user does, and reads its output and files.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/started.h"
 
 namespace desmo {
 
@@ -39,39 +36,21 @@ inline std::string slider_crank(int rod, const std::string& rest) {
 
 /// A slider-crank whose rod is too short for a full turn: it locks at the crank angle asin(30/50).
 inline const std::string locks = slider_crank(30, R"(, "time": {"end": 1, "step": 0.01})");
-/// A fixture that runs the program in a temporary folder.
-class Cli : public testing::Test {
+
+/// A fixture that runs the program in a temporary folder, where its cache is, too.
+class Cli : public InFolder {
  protected:
-  void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "desmo_cli_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
+  Cli() {
     std::filesystem::create_directory(folder_ / "out");
     ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
   }
-  void TearDown() override {
-    ::unsetenv("XDG_CACHE_HOME");
-    std::filesystem::remove_all(folder_);
-  }
+  ~Cli() override { ::unsetenv("XDG_CACHE_HOME"); }
 
-  static std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name) << text;
-  }
   std::filesystem::path out(const std::string& name) const { return folder_ / "out" / name; }
 
   /// Runs a shell command in the folder; its streams end up in out_ and err_.
   int shell(const std::string& command) {
-    const std::string to =
-        " >" + (folder_ / "stdout").string() + " 2>" + (folder_ / "stderr").string();
-    const int status =
-        std::system(("cd " + folder_.string() + " && { " + command + "; }" + to).c_str());
-    out_ = text_of(folder_ / "stdout");
-    err_ = text_of(folder_ / "stderr");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return InFolder::shell("cd '" + folder_.string() + "' && { " + command + "; }");
   }
   int desmo(const std::string& arguments) { return shell(DESMO_CLI " " + arguments); }
 
@@ -89,9 +68,6 @@ class Cli : public testing::Test {
     for (std::string cell; std::getline(in, cell, ',');) result.push_back(std::stod(cell));
     return result;
   }
-
-  std::filesystem::path folder_;
-  std::string out_, err_;
 };
 
 }  // namespace desmo

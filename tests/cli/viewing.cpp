@@ -24,7 +24,6 @@ constexpr std::size_t max_page = 2'000'000;  // bytes
 class View : public Cli {
  protected:
   void SetUp() override {
-    Cli::SetUp();
     if (desmo("view slider_crank") == 69) GTEST_SKIP() << err_;
   }
 

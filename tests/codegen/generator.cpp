@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 
 #include "formulations/model/part_type.h"
 #include "tests/mechanisms.h"
+#include "tests/started.h"
 
 namespace desmo::generate::generator_test {
 namespace {
@@ -27,22 +26,19 @@ TEST(PartTypes, AreEqualForTwinsAndDifferOtherwise) {
   EXPECT_EQ(fingerprint("axle1/SG-II").find("axle"), std::string::npos);  // never by name
 }
 
-std::string read(const std::string& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using Generate = InFolder;
 
 /// What was compiled is what it writes again.
-TEST(Generate, WritesTheSameBytesEveryTime) {
+TEST_F(Generate, WritesTheSameBytesEveryTime) {
   const std::filesystem::path compiled = std::filesystem::path(DESMO_GENERATE).parent_path(),
-                              folder = testing::TempDir() + "kernels";
+                              folder = folder_ / "kernels";
   std::filesystem::create_directory(folder);
-  EXPECT_EQ(std::system((DESMO_GENERATE " " + folder.string() + " natural").c_str()), 0);
+  EXPECT_EQ(shell(DESMO_GENERATE " " + folder.string() + " natural"), 0) << err_;
   std::map<std::string, std::string> files;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     const std::string name = file.path().filename();
-    files[name] = read(file.path());
-    EXPECT_TRUE(files[name] == read(compiled / name)) << name;
+    files[name] = text_of(file.path());
+    EXPECT_TRUE(files[name] == text_of(compiled / name)) << name;
   }
   ASSERT_EQ(files.size(), 6u);
   EXPECT_NE(files["cases_kernels.cpp"].find("const double q_WL_x = q[in["), std::string::npos)
@@ -52,11 +48,9 @@ TEST(Generate, WritesTheSameBytesEveryTime) {
   EXPECT_NE(files["library_lane_kernels.cpp"].find("library_lane_kernels("), std::string::npos);
 }
 
-TEST(Generate, FailsWhereItCannotWrite) {
+TEST_F(Generate, FailsWhereItCannotWrite) {
   for (const char* arguments : {"/nonexistent natural", "/tmp", "/tmp all", ""})
-    EXPECT_NE(std::system((std::string(DESMO_GENERATE " ") + arguments + " 2>/dev/null").c_str()),
-              0)
-        << arguments;
+    EXPECT_NE(shell(std::string(DESMO_GENERATE " ") + arguments), 0) << arguments;
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <tuple>
 
 #include "tests/files/common.h"
+#include "tests/started.h"
 
 namespace desmo::mechanism_complaints_test {
 namespace {
@@ -313,21 +313,19 @@ TEST(MechanismFile, WhatIsWrongInSpaceIsNamedToo) {
             std::string::npos);
 }
 
-TEST(MechanismFile, ThatCannotBeReadSaysWhy) {
-  const fs::path folder = fs::path(testing::TempDir()) / "desmo_files_test";
-  fs::create_directories(folder);
+using FileInFolder = InFolder;
+
+TEST_F(FileInFolder, ThatCannotBeReadSaysWhy) {
   const auto complaint_of = [](const fs::path& file) {
     return refusal<InputError>([&] { read_mechanism(file); });
   };
-  const std::string missing = (folder / "missing.json").string();
+  const std::string missing = file("missing.json");
   EXPECT_EQ(complaint_of(missing), missing + ": there is no such file; check its name and folder");
-  EXPECT_EQ(complaint_of(folder), folder.string() + ": is a directory; give a file in it");
+  EXPECT_EQ(complaint_of(folder_), folder_.string() + ": is a directory; give a file in it");
   EXPECT_NE(complaint_of("/dev/zero").find("is not a regular file; "), std::string::npos);
-  const fs::path large = folder / "large.json";
-  std::ofstream(large).close();
+  const std::string large = write("large.json", "");
   fs::resize_file(large, (std::uintmax_t{64} << 20) + 1);
   EXPECT_NE(complaint_of(large).find("the file is larger than 64 MiB; "), std::string::npos);
-  fs::remove_all(folder);
 }
 
 }  // namespace

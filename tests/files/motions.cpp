@@ -5,14 +5,13 @@
 
 #include <boost/multiprecision/float128.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "cases/mechanism/drawing.h"
 #include "tests/files/common.h"
+#include "tests/started.h"
 
 namespace desmo::motions_test {
 namespace {
@@ -181,21 +180,16 @@ TEST(Trapezoid, IsContinuous) {
   }
 }
 
-class TableFile : public testing::Test {
+class TableFile : public InFolder {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder()); }
-  void TearDown() override { std::filesystem::remove_all(folder()); }
-  static std::filesystem::path folder() {
-    return std::filesystem::path(testing::TempDir()) / "desmo_table_file";
-  }
   /// Reads a table of the angle, or says why not.
   std::string read(const std::string& rows, Motion* motion = nullptr) {
-    std::ofstream(folder() / "t.csv") << rows;
+    write("t.csv", rows);
     return refusal<InputError>([&] {
       const Scene s = parse_scene(
           scene_of(drawn("angle"), R"("motion": {"angle": {"type": "table", "file": "t.csv"}},
                                       "time": {"end": 2, "step": 1})"),
-          "s.json", folder());
+          "s.json", folder_);
       if (motion) *motion = s.motions[0];
     });
   }
@@ -237,8 +231,7 @@ TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
       {"0,0\n1\n", "line 2: has 1 columns, where 2 are expected"},
       {"0,0\n1,1\n1,2\n", "line 3: its 't' is not above the one before"},
   };
-  const std::string start =
-      "s.json: /motion/angle/file: the table file '" + (folder() / "t.csv").string() + "': ";
+  const std::string start = "s.json: /motion/angle/file: the table file '" + file("t.csv") + "': ";
   for (const auto& [rows, message] : faults) expect_start(read(rows), start + message);
   expect_start(read("0,0\n1,1\n"),
                "s.json: /time: the table of 'angle' reaches only from 0 s to 1 s");
@@ -248,14 +241,14 @@ TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
 class CouplingFile : public TableFile {
  protected:
   std::string read(const std::string& rows, Mechanism* mechanism = nullptr) {
-    std::ofstream(folder() / "t.csv") << rows;
+    write("t.csv", rows);
     return refusal<InputError>([&] {
       const Scene s = parse_scene(
           scene_of(replaced(drawn("turn"), "\"drivers\"",
                             R"("couplings": {"c": {"coordinate": "height", "of": "angle",
                                                   "file": "t.csv"}}, "drivers")"),
                    R"("motion": {"turn": {"type": "constant", "value": 0}}, "time": {"at": 0})"),
-          "s.json", folder());
+          "s.json", folder_);
       if (mechanism) *mechanism = s.mechanism;
     });
   }
@@ -294,8 +287,7 @@ TEST_F(CouplingFile, WhatIsWrongIsNamedWithItsLine) {
       {"0,0\n1,1\n1,1\n", "line 3: its 'angle' is not above the one before; give ascending ones"},
       {"0,0\n2,1\n1,1\n", "line 3: its 'angle' is not above the one before; give ascending ones"},
   };
-  const std::string start =
-      "s.json: /mechanism/couplings/c/file: the table file '" + (folder() / "t.csv").string();
+  const std::string start = "s.json: /mechanism/couplings/c/file: the table file '" + file("t.csv");
   for (const auto& [rows, message] : faults) expect_start(read(rows), start + "': " + message);
 }
 

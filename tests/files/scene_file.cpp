@@ -3,18 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 
 #include "cases/generators/cases.h"
 #include "cases/library/library.h"
 #include "tests/files/common.h"
+#include "tests/started.h"
 
 namespace desmo::scene_file_test {
 namespace {
-
-namespace fs = std::filesystem;
 
 TEST(SceneFile, IsReadInSiUnits) {
   const std::string members = R"(
@@ -141,26 +138,23 @@ TEST(SceneFile, StartsFromALibraryMechanismOrAGenerator) {
   }
 }
 
-TEST(SceneFile, FindsItsMechanismBesideIt) {
-  const fs::path folder = fs::path(testing::TempDir()) / "desmo_scene_test";
-  fs::create_directories(folder);
-  std::ofstream(folder / "m.json") << slider_crank;
-  std::ofstream(folder / "bad.json") << replaced(slider_crank, "[50, 0]", "[50]");
-  std::ofstream(folder / "good.scene.json") << scene_of("\"m.json\"", driven);
-  std::ofstream(folder / "bad.scene.json") << scene_of("\"bad.json\"", driven);
-  std::ofstream(folder / "lost.scene.json") << scene_of("\"lost.json\"", driven);
-  const auto complaint_of = [&](const char* file) {
-    return refusal<InputError>([&] { read_scene(folder / file); });
+using SceneInFolder = InFolder;
+
+TEST_F(SceneInFolder, FindsItsMechanismBesideIt) {
+  write("m.json", slider_crank);
+  write("bad.json", replaced(slider_crank, "[50, 0]", "[50]"));
+  const auto complaint_of = [](const std::string& scene) {
+    return refusal<InputError>([&] { read_scene(scene); });
   };
-  EXPECT_EQ(read_scene(folder / "good.scene.json").mechanism.name, "slider_crank");
-  expect_start(complaint_of("bad.scene.json"),
-               (folder / "bad.json").string() + ": /points/B: wrong dimension");
-  expect_start(complaint_of("lost.scene.json"),
-               (folder / "lost.scene.json").string() + ": /mechanism: the mechanism file '" +
-                   (folder / "lost.json").string() + "': there is no such file; ");
+  const std::string good = write("good.scene.json", scene_of("\"m.json\"", driven)),
+                    bad = write("bad.scene.json", scene_of("\"bad.json\"", driven)),
+                    lost = write("lost.scene.json", scene_of("\"lost.json\"", driven));
+  EXPECT_EQ(read_scene(good).mechanism.name, "slider_crank");
+  expect_start(complaint_of(bad), file("bad.json") + ": /points/B: wrong dimension");
+  expect_start(complaint_of(lost), lost + ": /mechanism: the mechanism file '" + file("lost.json") +
+                                       "': there is no such file; ");
   expect_start(scene_complaint(scene_of(R"("a\u0000b")", driven)),
                "s.json: /mechanism: 'a\\u0000b'");
-  fs::remove_all(folder);
 }
 
 /// Names with the level, in the order of the request.

@@ -157,7 +157,7 @@ TEST_F(CacheTest, ServesSeveralProcessesAtOnce) {
   for (const pid_t child : children) {
     int status = -1;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    EXPECT_EQ(exit_code(status), 0);
   }
   EXPECT_EQ(cached("").size(), 2u) << "one source, one library, nothing unfinished";
   EXPECT_FALSE(load().compiled);

@@ -275,7 +275,6 @@ constexpr Coupled all[] = {
 class Couplings : public Loading, public testing::WithParamInterface<Coupled> {
  protected:
   void SetUp() override {
-    Loading::SetUp();
     scene_ = read_scene(fs::path(DESMO_SOURCE_DIR) / "tests/load/scenes" /
                         (std::string(GetParam().scene) + ".scene.json"));
     model_ = make_model(scene_);
@@ -413,7 +412,6 @@ class Rails : public Loading {
   static constexpr int count = 5, longer = 4;
 
   void SetUp() override {
-    Loading::SetUp();
     MechanismBuilder b("rails", 2);
     scene_.motions.clear();
     for (int k = 0; k < count; ++k) {

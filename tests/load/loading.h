@@ -1,14 +1,10 @@
 // The fixture of tests that compile and load code: a cache folder and a compiler that counts calls.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,39 +16,33 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/runtime/own_kernels.h"
 #include "tests/own_mechanism.h"
+#include "tests/started.h"
 
 namespace desmo::load {
 
 namespace fs = std::filesystem;
 
-class Loading : public testing::Test {
+class Loading : public InFolder {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "desmo_load_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
+  Loading() {
     ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
-    use_compiler("echo compiled >>'" + (folder_ / "count").string() +
-                 "'\nexec " DESMO_COMPILER " \"$@\"");
+    use_compiler("echo compiled >>'" + file("count") + "'\nexec " DESMO_COMPILER " \"$@\"");
   }
-  void TearDown() override {
+  ~Loading() override {
     ::unsetenv("CXX");
     ::unsetenv("XDG_CACHE_HOME");
-    fs::remove_all(folder_);
   }
 
   /// Sets CXX to a script that runs these shell commands to compile.
   void use_compiler(const std::string& commands) {
-    const fs::path file = folder_ / "compiler";
-    std::ofstream(file) << "#!/bin/sh\n[ \"$1\" = --version ] && exec " DESMO_COMPILER
-                           " --version\n"
-                        << commands << "\n";
-    fs::permissions(file, fs::perms::owner_all);
-    ::setenv("CXX", file.c_str(), 1);
+    const std::string compiler = write(
+        "compiler", "#!/bin/sh\n[ \"$1\" = --version ] && exec " DESMO_COMPILER " --version\n" +
+                        commands + "\n");
+    fs::permissions(compiler, fs::perms::owner_all);
+    ::setenv("CXX", compiler.c_str(), 1);
   }
   int compilations() const {
-    std::ifstream in(folder_ / "count");
-    return static_cast<int>(std::count(std::istreambuf_iterator<char>(in), {}, '\n'));
+    return static_cast<int>(std::ranges::count(text_of(file("count")), '\n'));
   }
 
   fs::path cache() const { return folder_ / "desmo" / "kernels"; }
@@ -64,10 +54,6 @@ class Loading : public testing::Test {
     std::ranges::sort(result);
     return result;
   }
-  static std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
 
   GenerationOutcome load(KernelTable& table, const std::string& id = "group_symbolic_inlined") {
     const Configuration c = parse_id(id);
@@ -78,7 +64,6 @@ class Loading : public testing::Test {
     return load(table);
   }
 
-  fs::path folder_;
   Scene scene_ = parse_scene(swinging_plates(1, one_second), "plates", {});
   Model model_ = make_model(scene_);
   std::chrono::milliseconds limit_ = std::chrono::minutes(3);  // enough on a busy machine

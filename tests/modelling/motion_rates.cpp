@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -13,6 +11,7 @@
 #include "cases/io/files.h"
 #include "tests/formulated.h"
 #include "tests/modelling/differences.h"
+#include "tests/started.h"
 
 namespace desmo::motion_rates_test {
 namespace {
@@ -25,18 +24,15 @@ struct Described {
 
 void PrintTo(const Described& described, std::ostream* out) { *out << described.name; }
 
-class RatesOfAMotion : public testing::TestWithParam<Described> {};
+class RatesOfAMotion : public InFolder, public testing::WithParamInterface<Described> {};
 
 TEST_P(RatesOfAMotion, AreDifferencesOfPositions) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "desmo_motion_rates";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "crank.csv") << "t,theta\n0,0\n0.3,40\n0.7,-30\n1,90\n";
+  write("crank.csv", "t,theta\n0,0\n0.3,40\n0.7,-30\n1,90\n");
   const Scene scene =
       parse_scene(std::string(R"({"format": "desmo-scene", "version": 2, "mechanism": {"library":
           "slider_crank"}, "motion": {"theta": {)") +
                       GetParam().motion + R"(}}, "time": {)" + GetParam().time + "}}",
-                  "scene.json", folder);
-  std::filesystem::remove_all(folder);
+                  "scene.json", folder_);
   const Model m = make_model(scene);
   const auto f = formulated("group_automatic_lapack", m, {.tolerance = 1e-13});
   for (int i = 0; i < scene.grid.instants; ++i) {

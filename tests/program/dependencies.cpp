@@ -1,29 +1,25 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 
+#include "tests/started.h"
+
 namespace desmo::dependencies_test {
 namespace {
 
-std::string text_of(const std::string& file) {
-  std::ifstream in(DESMO_SOURCE_DIR "/" + file);
-  EXPECT_TRUE(in) << file;
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+const std::filesystem::path source_dir = DESMO_SOURCE_DIR;
 
 /// Returns the Debian packages that bench/setup installs, without the tools that every build has.
 std::set<std::string> debian_packages() {
   const std::set<std::string> tools{"g++",    "cmake", "ninja-build", "git", "ca-certificates",
                                     "nodejs", "npm"};
   std::set<std::string> packages;
-  const std::string setup = text_of("bench/setup");
+  const std::string setup = text_of(source_dir / "bench/setup");
   const std::regex list("(?:^|\n) *[a-z]+=\\(([^)$]*)");
   for (std::sregex_iterator it(setup.begin(), setup.end(), list), end; it != end; ++it) {
     std::istringstream words((*it)[1]);
@@ -37,10 +33,10 @@ TEST(Dependencies, EachPackageHasItsLicenceAndPurpose) {
   std::set<std::string> packages = debian_packages();
   ASSERT_TRUE(packages.contains("libeigen3-dev") && packages.contains("libceres-dev"));
   for (const char* file : {"report/figures/package.json", "bench/cli/view/package.json"}) {
-    const nlohmann::json package = nlohmann::json::parse(text_of(file));
+    const nlohmann::json package = nlohmann::json::parse(text_of(source_dir / file));
     for (const auto& [name, version] : package.at("dependencies").items()) packages.insert(name);
   }
-  std::istringstream page(text_of("bench/dependencies.md"));
+  std::istringstream page(text_of(source_dir / "bench/dependencies.md"));
   std::set<std::string> described;
   const std::regex name("`([^`]+)`");
   for (std::string line; std::getline(page, line);) {

@@ -7,11 +7,12 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/started.h"
 
 namespace desmo::vocabulary_test {
 namespace {
@@ -37,11 +38,6 @@ Words components(const std::string& identifier) {
     before = c;
   }
   return words;
-}
-
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 struct Entry {
@@ -104,7 +100,7 @@ TEST(Vocabulary, NoIdentifierHasAWordOfTheList) {
     for (const auto& file : fs::recursive_directory_iterator(source_dir / top)) {
       const std::string extension = file.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;
-      for (const std::string& identifier : identifiers(read_text(file.path()))) {
+      for (const std::string& identifier : identifiers(text_of(file.path()))) {
         const Words words = components(identifier);
         for (const Entry& entry : list)
           EXPECT_FALSE(entry.holds_of(identifier, words))
