@@ -14,24 +14,6 @@
 namespace desmo::cases_test {
 namespace {
 
-struct Counts {
-  int points = 0, vectors = 0, scalars = 0;
-  bool operator==(const Counts&) const = default;
-};
-
-Counts entity_counts(const Model& m, const Group& g) {
-  Counts c;
-  for (const EntityId e : g.entities) {
-    if (m.entities[e].kind == EntityKind::point)
-      ++c.points;
-    else if (m.entities[e].kind == EntityKind::vector)
-      ++c.vectors;
-    else
-      ++c.scalars;
-  }
-  return c;
-}
-
 TEST(Cases, HaveThePapersSizes) {
   for (const Case& c : cases()) {
     EXPECT_EQ(c.sizes, (std::vector{114, 225, 336, 447, 558})) << c.name;
@@ -68,39 +50,6 @@ TEST(FourBar, StartsFromTheDesignsEstimate) {
   EXPECT_DOUBLE_EQ(at("dyad2/C.y"), 5);
   EXPECT_DOUBLE_EQ(at("dyad2/psi"), 2);
   EXPECT_DOUBLE_EQ(at("dyad2/D.x"), 12);
-}
-
-TEST(TruckSuspension, GroupsUnknownsAndEntitiesAreThePapers) {
-  for (const int axles : {1, 5}) {
-    const Model m = truck_model(axles);
-    EXPECT_EQ(m.degrees_of_freedom(), 2 * axles);
-    EXPECT_EQ(m.structural_groups(), 5 * axles);
-    EXPECT_TRUE(m.groups[0].constant);
-    EXPECT_EQ(unknowns(m, 0).size(), 3u);
-
-    struct Expected {
-      const char* name;
-      std::vector<std::string> bodies;
-      std::size_t unknowns;
-      Counts entities;
-    };
-    const Expected expected[] = {{"SG-I", {"2", "3", "4", "5"}, 39, {8, 9, 2}},
-                                 {"SG-II", {"6", "8"}, 19, {3, 5, 1}},
-                                 {"SG-III", {"7", "9"}, 19, {3, 5, 1}},
-                                 {"SG-IV", {"10", "11"}, 16, {2, 5, 1}},
-                                 {"SG-V", {"12", "13"}, 16, {2, 5, 1}}};
-    for (int a = 0; a < axles; ++a)
-      for (int i = 0; i < 5; ++i) {
-        const int g = 1 + 5 * a + i;
-        const std::string axle = "axle" + std::to_string(a + 1) + "/";
-        std::vector<std::string> bodies = expected[i].bodies;
-        for (std::string& b : bodies) b.insert(0, axle);
-        EXPECT_EQ(m.groups[g].name, axle + expected[i].name);
-        EXPECT_EQ(m.groups[g].bodies, bodies);
-        EXPECT_EQ(unknowns(m, g).size(), expected[i].unknowns);
-        EXPECT_EQ(entity_counts(m, m.groups[g]), expected[i].entities) << expected[i].name;
-      }
-  }
 }
 
 TEST(TruckSuspension, NominalPositionSatisfiesEveryEquation) {
