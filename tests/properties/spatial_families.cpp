@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/extremes/rows.h"
 #include "cases/mechanism/builder.h"
 #include "tests/properties/mechanisms.h"
 
@@ -89,16 +90,8 @@ Drawn bennett(Random& r) {
     at = combined(1, at, lengths[i % 2], x);
     z = turned(z, x, twists[i % 2]);
   }
-  b.carry(ground, {points[3], points[0]}, {axes[3], axes[0]});
-  int last = ground;
-  for (int i = 0; i < 3; ++i) {
-    const int link =
-        b.body("link" + std::to_string(i + 1), {points[i], points[i + 1]}, {axes[i], axes[i + 1]});
-    b.joint(revolute, last, link, {points[i]}, {axes[i]});
-    last = link;
-  }
-  b.joint(revolute, last, ground, {points[3]}, {axes[3]});
-  drive(b, {-1, points[0], points[1]}, {1, 0, 0}, {0, 0, 1});
+  const int u = b.vector("u", {1, 0, 0}), v = b.vector("v", {0, 1, 0});
+  extremes::hinge_loop(b, "link", points, axes, u, v);
   return {b.release(), {1.0}, 1};
 }
 
