@@ -7,7 +7,6 @@
 
 #include <iostream>
 #include <numbers>
-#include <random>
 
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
@@ -140,42 +139,6 @@ TEST(PathProof, RefusesWholeTurns) {
           << l.name << ' ' << e.name;
     }
   }
-}
-
-/// Ends on other branches, where estimates that are far off lead.
-TEST(PathProof, RefusesOtherBranches) {
-  int others = 0;
-  std::mt19937 generator(5);
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
-    const Model m = make_model(scene);
-    const double t = scene.grid.start;
-    const std::vector<ReferenceInstant> solved = double_solution(m, std::vector{t, t + 0.01});
-    double size = 0;
-    for (const double q : m.estimate) size = std::max(size, std::abs(q));
-    std::normal_distribution<double> off(0, size);
-    const Certifier blocks(m);
-    PathProof path(m, blocks);
-    for (int i = 0; i < (DESMO_SANITIZED ? 2 : 20); ++i) {
-      Model far = m;
-      for (double& q : far.estimate) q += off(generator);
-      std::vector<ReferenceInstant> both = solved;
-      try {
-        both[1] = double_solution(far, std::vector{t + 0.01}).front();
-      } catch (const std::runtime_error&) {
-        continue;
-      }
-      double difference = 0;
-      for (int k = 0; k < m.coordinates(); ++k)
-        difference = std::max(difference, std::abs(both[1].q[k] - solved[1].q[k]));
-      if (difference < 1e-6 * size) continue;
-      ++others;
-      const Certified at(m, both);
-      EXPECT_FALSE(path.prove(at(0), at(1)).proven) << l.name << ' ' << difference;
-    }
-  }
-  std::cout << others << " other ends\n";
-  EXPECT_GE(others, DESMO_SANITIZED ? 3 : 30);
 }
 
 /// A step that contains a knot is none of one cubic.
