@@ -311,34 +311,11 @@ TEST(Start, HasNoWayToWhatIsNotFinite) {
   }
 }
 
-/// A bucket on its four-bar, driven by a cylinder, on an arm: an excavator's.
-constexpr const char* excavator = R"({"format": "desmo-scene", "version": 2,
-"mechanism": {"format": "desmo-mechanism", "version": 1, "name": "excavator", "dimension": 2,
-"points": {"C": [0.326, 1.156], "D": [0.8, 0.919], "E": [1.858, 1.842], "F": [2.491, 2.1],
-  "H": [4.171, 1.156], "G": [3.62, 1.303], "I": [4.411, 1.534], "K": [5.693, 1.221],
-  "M": [6.167, 1.156], "L": [6.546, 1.156], "J": [6.053, 1.501], "tip": [6.467, 0.556]},
-"ground": {"points": ["C", "D"]},
-"bodies": {"boom": {"points": ["C", "E", "F", "H"]}, "arm": {"points": ["H", "G", "I", "K", "M"]},
-  "bucket": {"points": ["M", "L", "tip"]}, "hlink": {"points": ["K", "J"], "length": 0.454},
-  "side": {"points": ["J", "L"], "length": 0.449}},
-"joints": [
-  {"type": "revolute", "bodies": ["ground", "boom"], "points": ["C"]},
-  {"type": "revolute", "bodies": ["boom", "arm"], "points": ["H"]},
-  {"type": "revolute", "bodies": ["arm", "bucket"], "points": ["M"]},
-  {"type": "revolute", "bodies": ["arm", "hlink"], "points": ["K"]},
-  {"type": "revolute", "bodies": ["hlink", "side"], "points": ["J"]},
-  {"type": "revolute", "bodies": ["side", "bucket"], "points": ["L"]}],
-"coordinates": {"c1": {"distance": ["D", "E"]}, "c2": {"distance": ["F", "G"]},
-  "c3": {"distance": ["I", "J"]}, "phi_boom": {"angle": ["C", "H"]},
-  "phi_arm": {"angle": ["H", "M"]}, "phi_bucket": {"angle": ["M", "L"]}},
-"drivers": ["c1", "c2", "c3"]},
-"motion": {"c1": {"type": "polynomial", "coefficients": [1.6, 0.25]},
-  "c2": {"type": "polynomial", "coefficients": [1.45, 0.5]},
-  "c3": {"type": "polynomial", "coefficients": [1.2, 0.05]}},
-"time": {"start": 0, "end": 1, "step": 0.01}})";
+/// Returns a bucket on its four-bar, driven by a cylinder, on an arm: an excavator's.
+Model excavator() { return make_model(scene_file("excavator_rough_drawing")); }
 
 TEST(Start, TakesARoughDrawingForWhatItIsNearest) {
-  const Model m = make_model(parse_scene(excavator, "excavator", {}));
+  const Model m = excavator();
   const FoundStart drawn = find_start(m, 0);
   EXPECT_EQ(drawn.stage, Stage::reached);
   EXPECT_NEAR(m.value("L.x", drawn.q), 5.20201505293, 1e-10);
@@ -360,7 +337,7 @@ TEST(Start, TakesARoughDrawingForWhatItIsNearest) {
 
 /// Random starts of the three cylinders: the answer is that of short steps, or a blocked way.
 TEST(Start, FollowsARoughDrawingToAnyStart) {
-  const Model m = make_model(parse_scene(excavator, "excavator", {}));
+  const Model m = excavator();
   const Model drawn = [&] {  // as it closes
     Model closed = m;
     std::vector<double> as_drawn;
@@ -393,7 +370,7 @@ TEST(Start, FollowsARoughDrawingToAnyStart) {
 
 /// Along the homotopy Φ, Φ̇ and Φ̈ are (1 − λ) Φ₀, −Φ₀ and 0.
 TEST(Start, KeepsTheHomotopysEquations) {
-  Model m = make_model(parse_scene(excavator, "excavator", {}));
+  Model m = excavator();
   for (Driver& d : m.drivers) d.motion = Polynomial{{m.estimate[m.entities[d.coordinate].first]}};
   const WholeSystem system(m);
   std::mt19937 generator(3);
