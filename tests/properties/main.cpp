@@ -1,10 +1,7 @@
 // The program of drawn scenes: flags of GoogleTest, and how many scenes are drawn.
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <exception>
-#include <string>
-#include <string_view>
+#include <CLI/CLI.hpp>
 
 #include "formulations/algebra/blas.h"
 #include "tests/properties/options.h"
@@ -18,31 +15,20 @@ Options& options() {
 
 namespace {
 
-constexpr const char* usage =
-    "properties_test: is every number of drawn scenes within its radius, or flagged?\n"
-    "  --scenes N            draw that many (20)\n"
-    "  --seed S              draw others (1)\n"
-    "  --ids N               formulations for each scene (6); 0: all\n"
-    "  --scene N             this scene alone\n"
-    "  --formulation ID      in this formulation alone\n"
-    "  --write-failures DIR  write scenes with findings to files there\n";
-
-void read(const std::string& flag, const std::string& value) {
+void declare_options(CLI::App& parser) {
   Options& o = options();
-  if (flag == "--scenes")
-    o.scenes = std::stoi(value);
-  else if (flag == "--seed")
-    o.seed = std::stoull(value);
-  else if (flag == "--ids")
-    o.ids = std::stoi(value);
-  else if (flag == "--scene")
-    o.scene = std::stoi(value);
-  else if (flag == "--formulation")
-    o.id = value;
-  else if (flag == "--write-failures")
-    o.failures = value;
-  else
-    throw std::invalid_argument("unknown flag");
+  const CLI::Range number(0, 1'000'000'000);
+  parser.add_option("--scenes", o.scenes, "Number of scenes that are drawn")
+      ->check(number)
+      ->capture_default_str();
+  parser.add_option("--seed", o.seed, "What they depend on beside their number")
+      ->capture_default_str();
+  parser.add_option("--ids", o.ids, "Formulations for each scene; 0: all")
+      ->check(number)
+      ->capture_default_str();
+  parser.add_option("--scene", o.scene, "This scene alone")->check(number);
+  parser.add_option("--formulation", o.id, "In this formulation alone");
+  parser.add_option("--write-failures", o.failures, "Folder for files of scenes with findings");
 }
 
 }  // namespace
@@ -51,12 +37,14 @@ void read(const std::string& flag, const std::string& value) {
 int main(int count, char** arguments) {
   testing::InitGoogleTest(&count, arguments);
   desmo::set_blas_threads(1);
-  for (int i = 1; i < count; i += 2) try {
-      if (i + 1 == count) throw std::invalid_argument("no value");
-      desmo::properties::read(arguments[i], arguments[i + 1]);
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s: %s\n%s", arguments[i], error.what(), desmo::properties::usage);
-      return 64;
-    }
+  CLI::App parser(
+      "properties_test: is every number of drawn scenes within its radius, or flagged?");
+  desmo::properties::declare_options(parser);
+  try {
+    parser.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    constexpr int usage_error = 64;
+    return parser.exit(error) == 0 ? 0 : usage_error;
+  }
   return RUN_ALL_TESTS();
 }
