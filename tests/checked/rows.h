@@ -21,9 +21,10 @@ namespace desmo {
 
 /// A row of a checked run. Levels that were not solved are empty.
 struct CheckedRow {
-  double time;
-  PerLevel<std::vector<double>> values, radius;
-  std::optional<RowFlag> flag;
+  int index = 0;  ///< of the instant in its grid
+  double time = 0;
+  PerLevel<std::vector<double>> values{}, radius{};
+  std::optional<RowFlag> flag{};
 };
 
 /// Keeps what an observer receives, or stops after so many rows.
@@ -40,29 +41,36 @@ class RowCount final : public Observer {
   int last_;
 };
 
+/// A checked run, as its user sees it.
 struct CheckedRows {
-  CheckedSummary summary;
-  std::vector<CheckedRow> rows;
+  CheckedSummary summary{};
+  std::vector<CheckedRow> rows{};
 };
 
-inline CheckedRows solve_checked(const Model& m, const TimeGrid& grid, const std::string& id,
-                                 Level level = Level::acceleration, CheckOptions options = {}) {
-  const Configuration c = parse_id(id);
+inline CheckedRows solve_checked(Formulation& formulation, const TimeGrid& grid, Level level,
+                                 CheckOptions options) {
   CheckedRows result;
   options.checked = [&](const CheckedInstant& i) {
     const PerLevel<std::span<const double>> values{i.instant.q, i.instant.qd, i.instant.qdd};
-    CheckedRow& row = result.rows.emplace_back(CheckedRow{i.instant.time, {}, {}, i.flag});
+    CheckedRow& row = result.rows.emplace_back(
+        CheckedRow{.index = i.instant.index, .time = i.instant.time, .flag = i.flag});
     for (const Level l : all_levels) {
       row.values[l].assign(values[l].begin(), values[l].end());
       row.radius[l].assign(i.radius[l].begin(), i.radius[l].end());
     }
   };
   RowCount observer;
-  result.summary =
-      run_checked(*make_formulation(*c.variant, m, c.settings), grid, {level}, observer, options);
+  result.summary = run_checked(formulation, grid, {level}, observer, options);
   EXPECT_EQ(observer.indices.size(), result.rows.size());
   EXPECT_EQ(result.summary.instants, std::ssize(result.rows));
   return result;
+}
+
+inline CheckedRows solve_checked(const Model& m, const TimeGrid& grid, const std::string& id,
+                                 Level level = Level::acceleration,
+                                 const CheckOptions& options = {}) {
+  const Configuration c = parse_id(id);
+  return solve_checked(*make_formulation(*c.variant, m, c.settings), grid, level, options);
 }
 
 /// Returns |found − exact| of a coordinate, rounded once or twice.

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "formulations/id.h"
-#include "tests/discard.h"
 
 namespace desmo::properties {
 
@@ -161,7 +160,7 @@ void judge_row(Comparison& comparison, const DrawnScene& s, const CheckedRow& ro
 
 }  // namespace
 
-Judgement judge(const DrawnScene& s, const CheckedMotionRows& run) {
+Judgement judge(const DrawnScene& s, const CheckedRows& run) {
   Judgement j;
   Comparison comparison(s);
   std::vector<const CheckedRow*> row_of(s.scene.grid.instants);
@@ -189,7 +188,7 @@ Judgement judge(const DrawnScene& s, const CheckedMotionRows& run) {
   return j;
 }
 
-std::optional<CheckedMotionRows> solve_checked(const DrawnScene& s, const std::string& id) {
+std::optional<CheckedRows> solve_checked(const DrawnScene& s, const std::string& id) {
   std::unique_ptr<Formulation> f;
   try {
     const Configuration c = parse_id(id, {.tolerance = s.scene.tolerance});
@@ -197,20 +196,8 @@ std::optional<CheckedMotionRows> solve_checked(const DrawnScene& s, const std::s
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
-  CheckedMotionRows run;
-  CheckOptions options{.mode = s.mode, .levels = s.plan.levels};
-  options.checked = [&](const CheckedInstant& row) {
-    const auto copy = [](std::span<const double> x) { return std::vector(x.begin(), x.end()); };
-    const Instant& i = row.instant;
-    run.rows.push_back(
-        {i.index,
-         {copy(i.q), copy(i.qd), copy(i.qdd)},
-         {copy(row.radius.position), copy(row.radius.velocity), copy(row.radius.acceleration)},
-         row.flag});
-  };
-  Discard observer;
-  run.summary = run_checked(*f, s.scene.grid, {s.plan.level()}, observer, options);
-  return run;
+  return desmo::solve_checked(*f, s.scene.grid, s.plan.level(),
+                              {.mode = s.mode, .levels = s.plan.levels});
 }
 
 }  // namespace desmo::properties

@@ -5,23 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "formulations/verification/run/checked_run.h"
+#include "tests/checked/rows.h"
 #include "tests/properties/drawn_scene.h"
 
 namespace desmo::properties {
-
-/// A row of a checked run.
-struct CheckedRow {
-  int index = 0;
-  PerLevel<std::vector<double>> values{}, radius{};
-  std::optional<RowFlag> flag{};
-};
-
-/// A checked run, as its user sees it.
-struct CheckedMotionRows {
-  CheckedSummary summary{};
-  std::vector<CheckedRow> rows{};
-};
 
 /// A number that breaks the promise.
 struct Finding {
@@ -50,10 +37,10 @@ struct Judgement {
 /// - without a flag no equation that was left out fails by more than what rounding each number of
 ///   the file explains; one that holds to a rounding is not called a misfit
 /// - with any other flag positions are finite numbers.
-Judgement judge(const DrawnScene& scene, const CheckedMotionRows& run);
+Judgement judge(const DrawnScene& scene, const CheckedRows& run);
 
 /// Solves a scene in a formulation as `desmo solve` does. Null: it is not offered with these
 /// settings.
-std::optional<CheckedMotionRows> solve_checked(const DrawnScene& scene, const std::string& id);
+std::optional<CheckedRows> solve_checked(const DrawnScene& scene, const std::string& id);
 
 }  // namespace desmo::properties

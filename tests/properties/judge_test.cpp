@@ -44,8 +44,8 @@ DrawnScene scott_russell_through_its_change_point() {
 }
 
 /// Returns the answers as a run, rounded to double, with radii of two units in the last place.
-CheckedMotionRows answers_as_run(const DrawnScene& s) {
-  CheckedMotionRows run;
+CheckedRows answers_as_run(const DrawnScene& s) {
+  CheckedRows run;
   for (const TrueInstant& t : s.truth.instants) {
     if (!has_answer(t)) continue;
     CheckedRow row{.index = static_cast<int>(&t - s.truth.instants.data()),
@@ -57,7 +57,7 @@ CheckedMotionRows answers_as_run(const DrawnScene& s) {
   return run;
 }
 
-std::string verdict(const DrawnScene& s, const CheckedMotionRows& run) {
+std::string verdict(const DrawnScene& s, const CheckedRows& run) {
   const Judgement j = judge(s, run);
   return j.wrong ? j.wrong->what : "";
 }
@@ -100,7 +100,7 @@ TEST(Judge, AnswersAgreeWithTheReferenceAwayFromSingularPositions) {
     if (condition > 1e4 || std::abs(start - m.estimate[driver]) > 1e-9) continue;
     const std::vector<ReferenceInstant> reference =
         reference_solution(m, times, Precision::quadruple);
-    CheckedMotionRows run;
+    CheckedRows run;
     for (std::size_t i = 0; i < times.size(); ++i) {
       CheckedRow row{.index = static_cast<int>(i),
                      .values = {reference[i].q, reference[i].qd, reference[i].qdd}};
@@ -117,21 +117,21 @@ TEST(Judge, AnswersAgreeWithTheReferenceAwayFromSingularPositions) {
 TEST(Judge, FindsWhatIsPlanted) {
   const DrawnScene s = scott_russell_through_its_change_point();
   const int c = s.plan.model.coordinate("C.y");
-  const CheckedMotionRows right = answers_as_run(s);
+  const CheckedRows right = answers_as_run(s);
   EXPECT_EQ(verdict(s, right), "");
 
   for (const Level level : all_levels) {
-    CheckedMotionRows wrong = right;
+    CheckedRows wrong = right;
     wrong.rows[12].values[level][c] *= 1 + 0x1p-50;
     EXPECT_EQ(verdict(s, wrong), "outside its radius");
     EXPECT_EQ(judge(s, wrong).wrong->coordinate, "C.y");
     EXPECT_EQ(judge(s, wrong).wrong->level, level);
-    CheckedMotionRows unknown = right;
+    CheckedRows unknown = right;
     unknown.rows[12].radius[level][c] = INFINITY;
     EXPECT_EQ(verdict(s, unknown), "without a radius");
   }
 
-  CheckedMotionRows other_branch = right;  // after the change point, where C may rest
+  CheckedRows other_branch = right;  // after the change point, where C may rest
   other_branch.rows[12].values.position[c] = 0;
   EXPECT_EQ(verdict(s, other_branch), "outside its radius");
   other_branch.rows[12].flag = {.kind = RowFlag::Kind::crossing};
@@ -141,7 +141,7 @@ TEST(Judge, FindsWhatIsPlanted) {
   other_branch.rows[12].values.position[c] = NAN;
   EXPECT_EQ(verdict(s, other_branch), "not finite");
 
-  CheckedMotionRows silent = right;  // at the change point itself
+  CheckedRows silent = right;  // at the change point itself
   silent.rows.insert(silent.rows.begin() + 8, right.rows[7]);
   silent.rows[8].index = 8;
   EXPECT_EQ(verdict(s, silent), "no answer");
@@ -151,7 +151,7 @@ TEST(Judge, FindsWhatIsPlanted) {
 
 TEST(Judge, CountsRegularInstantsThatAreFlaggedOrMissing) {
   const DrawnScene s = scott_russell_through_its_change_point();
-  CheckedMotionRows run = answers_as_run(s);
+  CheckedRows run = answers_as_run(s);
   EXPECT_EQ(judge(s, run).rows, 17);
   EXPECT_TRUE(judge(s, run).regular_flags.empty());
   run.rows[2].flag = {.kind = RowFlag::Kind::unproven};
@@ -177,7 +177,7 @@ DrawnScene find_scene(const std::string& kind, const std::string& aim, double le
 
 TEST(Judge, FindsContradictionsWithoutAFlag) {
   const DrawnScene s = find_scene("contradicting", "contradicting", 1e-10);
-  CheckedMotionRows run = answers_as_run(s);
+  CheckedRows run = answers_as_run(s);
   EXPECT_EQ(verdict(s, run), "a contradiction");
   for (CheckedRow& row : run.rows) row.flag = {.kind = RowFlag::Kind::misfit};
   EXPECT_NE(verdict(s, run), "a contradiction");
@@ -188,7 +188,7 @@ TEST(Judge, FindsContradictionsWithoutAFlag) {
 TEST(Judge, TakesAnotherBranchOnlyWhereRoundingsDecide) {
   DrawnScene s = scott_russell_through_its_change_point();
   const Model& m = s.plan.model;
-  CheckedMotionRows run = answers_as_run(s);
+  CheckedRows run = answers_as_run(s);
   for (CheckedRow& row : run.rows) {
     if (row.index <= 8) continue;
     for (const Level level : all_levels)

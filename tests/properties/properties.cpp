@@ -105,7 +105,7 @@ TEST(Properties, EveryNumberIsWithinItsRadiusOrFlagged) {
     Tally& kind = kinds[s.kind];
     ++kind.scenes, ++all.scenes;
     for (const std::string& id : ids_of(number)) {
-      const std::optional<CheckedMotionRows> run = solve_checked(s, id);
+      const std::optional<CheckedRows> run = solve_checked(s, id);
       if (!run) continue;  // not offered
       const Judgement j = judge(s, *run);
       report(s, id, j);
