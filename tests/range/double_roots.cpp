@@ -9,6 +9,7 @@
 #include "cases/generators/dyad_chain.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/range/driver_range.h"
+#include "tests/checked/rows.h"
 #include "tests/range/solved_start.h"
 
 namespace desmo::double_root_test {
@@ -135,20 +136,7 @@ TEST(DoubleRoots, BecomeDeadPointsOrNothingNextToThem) {
 /// With crank and rod of one length the slider goes along 2 r cos θ, or rests at the pivot: both
 /// cross where the crank is upright.
 TEST(DoubleRoots, AreNotTheCrossingsOfEqualCrankAndRod) {
-  MechanismBuilder builder("scott_russell", 2);
-  const double start = 0.7;
-  const Mechanism::Vec pin{std::cos(start), std::sin(start), 0};
-  const int o = builder.point("O", {0, 0, 0}), b = builder.point("B", pin),
-            c = builder.point("C", {2 * pin[0], 0, 0}), x = builder.vector("x", {1, 0, 0});
-  builder.carry(MechanismBuilder::ground, {o}, {x});
-  const int crank = builder.body("crank", {o, b}), rod = builder.link("rod", b, c, 1);
-  builder.joint(JointType::revolute, 0, crank, {o});
-  builder.joint(JointType::revolute, crank, rod, {b});
-  builder.joint(JointType::revolute_on_slider, 0, rod, {o, c}, {x});
-  Mechanism::Coordinate& angle = builder.coordinate("theta", Mechanism::CoordinateType::angle);
-  angle.of = {-1, o, b};
-  angle.driven = true;
-  const DriverRange r = range_of(model_mechanism(builder.release(), {Polynomial{{start}}}).model);
+  const DriverRange r = range_of(make_model(scene_file("scott_russell")));
   ASSERT_EQ(r.change_points.size(), 2u);
   EXPECT_NEAR(r.change_points[0].value, pi / 2, 1e-9);
   EXPECT_NEAR(r.change_points[1].value, 3 * pi / 2, 1e-9);
