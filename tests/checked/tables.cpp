@@ -11,53 +11,15 @@
 #include <vector>
 
 #include "cases/io/files.h"
-#include "cases/mechanism/formatted.h"
 #include "formulations/verification/run/live_run.h"
 #include "tests/checked/rows.h"
+#include "tests/wheel.h"
 
 namespace desmo::tables_test {
 namespace {
 
 using std::numbers::pi;
 constexpr double degree = pi / 180;
-
-/// Crank a and wheel w, of which one is driven from 0 at 40° a second.
-struct Wheel {
-  std::string couplings, driver = "a";
-  double start = 0, speed = 40, end = 1, step = 0.1;
-
-  Scene scene() const {
-    return parse_scene(
-        R"({"format": "desmo-scene", "version": 2, "mechanism": {
-    "format": "desmo-mechanism", "version": 1, "name": "wheel", "dimension": 2,
-    "units": {"angle": "deg"},
-    "points": {"O": [0, 0], "A": [1, 0], "W": [3, 0], "B": [4, 0]},
-    "ground": {"points": ["O", "W"]},
-    "bodies": {"crank": {"points": ["O", "A"]}, "wheel": {"points": ["W", "B"]}},
-    "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["O"]},
-               {"type": "revolute", "bodies": ["ground", "wheel"], "points": ["W"]}],
-    "coordinates": {"a": {"angle": ["O", "A"]}, "w": {"angle": ["W", "B"]}},
-    "couplings": {)" +
-            couplings + R"(}, "drivers": [")" + driver + R"("]},
-  "motion": {")" +
-            driver + R"(": {"type": "polynomial", "coefficients": [)" + std::to_string(start) +
-            ", " + std::to_string(speed) + R"(]}},
-  "time": {"end": )" +
-            std::to_string(end) + R"(, "step": )" + std::to_string(step) + "}}",
-        "wheel", "");
-  }
-};
-
-std::string list(std::span<const double> numbers) {
-  std::string text;
-  for (const double x : numbers) text += (text.empty() ? "" : ", ") + formatted("%.17g", x);
-  return "[" + text + "]";
-}
-std::string table(const std::string& name, std::span<const double> at,
-                  std::span<const double> values, const std::string& ends = "natural") {
-  return "\"" + name + R"(": {"coordinate": "w", "of": "a", "at": )" + list(at) +
-         R"(, "values": )" + list(values) + R"(, "ends": ")" + ends + "\"}";
-}
 
 /// Two tables w = a [°], with the same values each 4°. The second has a bump of that height between
 /// them, at 178°; what it leaves beside it falls 4-fold from knot to knot.
@@ -67,7 +29,7 @@ std::string tables_that_part(double bump) {
     if (a % 4 == 0) at.push_back(a), values.push_back(a);
     more_at.push_back(a), more.push_back(a == 178 ? a + bump : a);
   }
-  return table("first", at, values) + ", " + table("second", more_at, more);
+  return coupling_table("first", at, values) + ", " + coupling_table("second", more_at, more);
 }
 
 CheckedRows solve(const Wheel& wheel, const std::string& id = "group_automatic_lapack",
@@ -122,7 +84,8 @@ TEST(CouplingsByTable, ThatAgreeAreProven) {
     at.push_back(a);
     values.push_back(a + 20 * std::sin(3 * a * degree));
   }
-  const std::string both = table("first", at, values) + ", " + table("second", at, values);
+  const std::string both =
+      coupling_table("first", at, values) + ", " + coupling_table("second", at, values);
   for (const double step : {0.05, 0.3})
     for (const CheckMode mode : {CheckMode::proof, CheckMode::sample}) {
       const CheckedRows r = solve({.couplings = both, .end = 6, .step = step},
@@ -186,7 +149,7 @@ TEST(CouplingsByTable, LockWhereTheirTableHasAnExtremum) {
       late{0, 5, 10, 15, 19, 21, 21.5};  // would begin to fall after its end
   for (const char* id : {"global_automatic_klu", "group_automatic_lapack"}) {
     // From the drawing at a = 10°.
-    Wheel wheel{.couplings = table("rise", at, up), .driver = "w", .speed = 50};
+    Wheel wheel{.couplings = coupling_table("rise", at, up), .driver = "w", .speed = 50};
     Scene scene = wheel.scene();
     const Model m = make_model(scene);
     const CheckedRows locked = solve_checked(m, scene.grid, id);
@@ -197,7 +160,7 @@ TEST(CouplingsByTable, LockWhereTheirTableHasAnExtremum) {
       EXPECT_NEAR(locked.summary.table_lock->at, 60 * degree, 1e-3);
     }
     for (const auto& values : {steady, late}) {
-      wheel.couplings = table("rise", at, values);
+      wheel.couplings = coupling_table("rise", at, values);
       const CheckedRows ended = solve(wheel, id);
       EXPECT_FALSE(ended.summary.ok());
       EXPECT_FALSE(ended.summary.table_lock) << id;
@@ -234,8 +197,8 @@ TEST(CouplingsByTable, LeaveOutTurnsThatLeadBack) {
     for (const double turns : {1e6, -30000001., 1e8})
       for (const CheckMode mode : {CheckMode::none, CheckMode::proof}) {
         SCOPED_TRACE(std::to_string(is_index) + ", " + std::to_string(turns));
-        Wheel wheel{.couplings = is_index ? table("cam", at, index, "indexing")
-                                          : table("cam", at, lift, "periodic"),
+        Wheel wheel{.couplings = is_index ? coupling_table("cam", at, index, "indexing")
+                                          : coupling_table("cam", at, lift, "periodic"),
                     .start = 33,
                     .end = 0.2};
         const std::vector<double> near = wheel_angles(wheel, mode);
@@ -252,7 +215,7 @@ TEST(CouplingsByTable, LeaveOutTurnsThatLeadBack) {
 TEST(CouplingsByTable, LeaveOutNoTurnsThatDoNotLeadBack) {
   const std::vector<double> at{0, 90, 180, 270, 310, 350}, flat{0, 0, 30, 0, 0, 0};
   const Scene scene =
-      Wheel{.couplings = table("cam", at, flat, "periodic"), .start = 360e6 + 33}.scene();
+      Wheel{.couplings = coupling_table("cam", at, flat, "periodic"), .start = 360e6 + 33}.scene();
   const Model m = make_model(scene);
   const auto f = make_formulation(find_variant("group_automatic_lapack"), m);
   RowCount rows;
@@ -267,7 +230,8 @@ TEST(CouplingsByTable, LeaveOutNoTurnsThatDoNotLeadBack) {
   // A tenth of the steps that a continuation has are made, ten times as many are not.
   for (const double turns : {1600., 160000.}) {
     const Scene near =
-        Wheel{.couplings = table("cam", at, flat, "periodic"), .start = 360 * turns + 33}.scene();
+        Wheel{.couplings = coupling_table("cam", at, flat, "periodic"), .start = 360 * turns + 33}
+            .scene();
     const Model at_turns = make_model(near);
     const auto steps = make_formulation(find_variant("group_automatic_lapack"), at_turns);
     EXPECT_EQ(run_checked(*steps, near.grid, {}, rows, {.mode = CheckMode::none}).ok(),
@@ -279,7 +243,7 @@ TEST(CouplingsByTable, LeaveOutNoTurnsThatDoNotLeadBack) {
 TEST(CouplingsByTable, SayWhereTestsEnded) {
   const std::vector<double> at{0, 90, 180, 270, 310, 350}, flat{0, 0, 30, 0, 0, 0};
   const CheckedRows r =
-      solve({.couplings = table("cam", at, flat, "periodic"), .speed = 3e7, .end = 0.3});
+      solve({.couplings = coupling_table("cam", at, flat, "periodic"), .speed = 3e7, .end = 0.3});
   ASSERT_TRUE(r.summary.first_flag);
   EXPECT_EQ(r.summary.first_flag->kind, RowFlag::Kind::branch);
   EXPECT_TRUE(r.summary.first_flag->out_of_tests);
