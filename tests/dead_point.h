@@ -1,9 +1,11 @@
-// A four-bar whose crank cannot make a full turn, and its dead point.
+// A four-bar whose crank cannot make a full turn, its dead point, and the other branch of a dyad.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "tests/mechanisms.h"
 
@@ -43,6 +45,23 @@ inline Model locking_four_bar(const Motion& crank = Polynomial{{std::numbers::pi
   place("dyad1/C", cx, cy);
   place("dyad1/psi", std::atan2(cy, cx - 8), 0);
   return m;
+}
+
+/// Mirrors the joint of a dyad at the line from the pin that it starts from to its pivot: the
+/// position on the other branch. Its angle is the nearest there.
+inline std::vector<double> on_other_branch(const Model& m, std::vector<double> q,
+                                           const std::string& start, const std::string& dyad) {
+  const auto at = [&](const std::string& name) { return m.value(name, q); };
+  const std::string pivot = dyad + "/D", joint = dyad + "/C";
+  const double bx = at(start + ".x"), by = at(start + ".y"), dx = at(pivot + ".x") - bx,
+               dy = at(pivot + ".y") - by, cx = at(joint + ".x") - bx, cy = at(joint + ".y") - by;
+  const double along = (cx * dx + cy * dy) / (dx * dx + dy * dy);
+  const double x = bx + 2 * along * dx - cx, y = by + 2 * along * dy - cy;
+  const double psi = std::atan2(y - at(pivot + ".y"), x - at(pivot + ".x"));
+  q[m.coordinate(joint + ".x")] = x, q[m.coordinate(joint + ".y")] = y;
+  double& angle = q[m.coordinate(dyad + "/psi")];
+  angle += std::remainder(psi - angle, 2 * std::numbers::pi);
+  return q;
 }
 
 }  // namespace desmo

@@ -337,22 +337,6 @@ Model touching_branches(double crank) {
           .scene);
 }
 
-/// Mirrors the joint of the last dyad: the position on the other branch.
-std::vector<double> on_other_branch(const Model& m, std::vector<double> q, const char* from,
-                                    const std::string& dyad) {
-  const auto at = [&](const std::string& name) { return m.value(name, q); };
-  const std::string start(from), pivot = dyad + "/D", joint = dyad + "/C";
-  const double bx = at(start + ".x"), by = at(start + ".y"), dx = at(pivot + ".x") - bx,
-               dy = at(pivot + ".y") - by, cx = at(joint + ".x") - bx, cy = at(joint + ".y") - by;
-  const double along = (cx * dx + cy * dy) / (dx * dx + dy * dy);
-  const double x = bx + 2 * along * dx - cx, y = by + 2 * along * dy - cy;
-  const double psi = std::atan2(y - at(pivot + ".y"), x - at(pivot + ".x"));
-  q[m.coordinate(joint + ".x")] = x, q[m.coordinate(joint + ".y")] = y;
-  double& angle = q[m.coordinate(dyad + "/psi")];
-  angle += std::remainder(psi - angle, 2 * pi);
-  return q;
-}
-
 TEST(Passage, IsToldByTheFall) {
   std::mt19937 generator(44);
   for (int i = 0; i < (DESMO_SANITIZED ? 2 : 8); ++i) {

@@ -28,17 +28,8 @@ using std::numbers::pi;
 /// Returns an instant of the four-bar of dead_point.h at a crank angle that does not move.
 std::vector<double> at_rest(double theta) { return locking_four_bar(Polynomial{{theta}}).estimate; }
 
-/// Mirrors the pin of coupler and rocker at the line from B to D.
 std::vector<double> mirrored(const Model& m, std::vector<double> q) {
-  const auto at = [&](const char* name) { return m.entities[m.find(name)].first; };
-  const double bx = q[at("crank/B")], by = q[at("crank/B") + 1];
-  double &cx = q[at("dyad1/C")], &cy = q[at("dyad1/C") + 1];
-  const double ex = 8 - bx, ey = -by;
-  const double along = ((cx - bx) * ex + (cy - by) * ey) / (ex * ex + ey * ey);
-  cx = 2 * (bx + along * ex) - cx;
-  cy = 2 * (by + along * ey) - cy;
-  q[at("dyad1/psi")] = std::atan2(cy, cx - 8);
-  return q;
+  return on_other_branch(m, std::move(q), "crank/B", "dyad1");
 }
 
 /// Turns the rocker's angle by a whole turn.

@@ -163,12 +163,8 @@ TEST_F(LockingRun, FollowsAJump) { follow_jumps(); }
 /// Wherever the formulation ends, the answer continues the motion, and so does the formulation.
 TEST_F(LockingRun, LeadsTheFormulationBackToTheBranch) {
   ASSERT_EQ(step(0, start).outcome(), Outcome::converged);
-  std::vector<double> mirrored(run.q().begin(), run.q().end());
-  const double *b = &mirrored[at("crank/B")], ex = 8 - b[0], ey = -b[1];
-  double* c = &mirrored[at("dyad1/C")];
-  const double along = ((c[0] - b[0]) * ex + (c[1] - b[1]) * ey) / (ex * ex + ey * ey);
-  for (const int k : {0, 1}) c[k] = 2 * (b[k] + along * (k == 0 ? ex : ey)) - c[k];
-  mirrored[at("dyad1/psi")] = std::atan2(c[1], c[0] - 8);
+  const std::vector<double> mirrored =
+      on_other_branch(m, {run.q().begin(), run.q().end()}, "crank/B", "dyad1");
   core_of(*formulation).live()->return_to(mirrored, 0);
   const LiveSummary led = step(1, start + 0.1);
   EXPECT_EQ(led.outcome(), Outcome::converged);
