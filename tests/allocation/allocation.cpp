@@ -106,20 +106,26 @@ TEST(Counter, CountsADeliberateAllocation) {
   EXPECT_EQ(count([] {}), 0);
 }
 
+constexpr int steps = 50;
+
+/// Assembles at t = 0, and returns the allocations of the steps after it, all of which are solved.
+long allocations_of_steps(Formulation& f) {
+  EXPECT_TRUE(f.assemble(0).ok());
+  bool ok = true;
+  const long n = count([&] {
+    for (int i = 1; i <= steps; ++i) ok = f.step(0.01 * i).ok() && ok;
+  });
+  EXPECT_TRUE(ok);
+  return n;
+}
+
 class EveryStep : public EveryVariant {};
 
 TEST_P(EveryStep, AllocatesNothingInAStep) {
   const Variant& v = GetParam();
   for (const Case& c : cases()) {
     const Model m = make_model(make_scene(c, bench::is_dense_global(v) ? 114 : 558));
-    const auto f = make_formulation(v, m);
-    ASSERT_TRUE(f->assemble(0).ok());
-    constexpr int steps = 50;
-    bool ok = true;
-    const long n = count([&] {
-      for (int i = 1; i <= steps; ++i) ok = f->step(0.01 * i).ok() && ok;
-    });
-    EXPECT_TRUE(ok);
+    const long n = allocations_of_steps(*make_formulation(v, m));
     if (allocates_inside(v))
       std::cout << v.id << ", " << c.name << ": the library allocates "
                 << static_cast<double>(n) / steps << " times a step\n";
@@ -157,14 +163,8 @@ TEST_P(EveryStep, AllocatesNothingInAStepWhateverTheSettings) {
       continue;  // not applicable
     }
     if (allocates_inside(v)) continue;  // counted above
-    const auto f = make_formulation(v, m, c->settings);
-    ASSERT_TRUE(f->assemble(0).ok()) << suffixes;
-    bool ok = true;
-    const long n = count([&] {
-      for (int i = 1; i <= 50; ++i) ok = f->step(0.01 * i).ok() && ok;
-    });
-    EXPECT_TRUE(ok) << suffixes;
-    EXPECT_EQ(n, 0) << suffixes;
+    SCOPED_TRACE(suffixes);
+    EXPECT_EQ(allocations_of_steps(*make_formulation(v, m, c->settings)), 0);
   }
 }
 
@@ -173,14 +173,8 @@ TEST_P(EveryStep, AllocatesNothingInAStepWhateverTheCoordinates) {
   if (v.evaluation == Evaluation::symbolic || allocates_inside(v)) return;
   for (const Modelling kind : {Modelling::basis, Modelling::reference, Modelling::relative}) {
     const Model m = make_model(make_scene(find_case("truck_suspension"), 114), kind);
-    const auto f = make_formulation(v, m, {.coordinates = kind});
-    ASSERT_TRUE(f->assemble(0).ok());
-    bool ok = true;
-    const long n = count([&] {
-      for (int i = 1; i <= 50; ++i) ok = f->step(0.01 * i).ok() && ok;
-    });
-    EXPECT_TRUE(ok);
-    EXPECT_EQ(n, 0) << static_cast<int>(kind);
+    SCOPED_TRACE(static_cast<int>(kind));
+    EXPECT_EQ(allocations_of_steps(*make_formulation(v, m, {.coordinates = kind})), 0);
   }
 }
 

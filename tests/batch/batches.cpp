@@ -81,15 +81,6 @@ TEST(Lanes, TakeWholeAxlesAsCopies) {
   EXPECT_EQ(parts(5, 8), 2u);
 }
 
-TEST(Lanes, AreAsManyAsThereAre) {
-  if (!has_lanes(8)) GTEST_SKIP() << unavailable_reason({.lanes = 8});
-  const Model m = truck_model(5);
-  const auto four = formulated("group_symbolic_explicit/lanes:4", m),
-             eight = formulated("group_symbolic_explicit/lanes:8", m);
-  ASSERT_TRUE(four->assemble(0).ok() && eight->assemble(0).ok());
-  expect_to_step_on_alike(*eight, *four, 0);
-}
-
 TEST(Elementary, LanesAgreeWithScalars) {
   std::mt19937 generator(6);
   std::uniform_real_distribution<double> uniform(-20, 20);

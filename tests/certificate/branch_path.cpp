@@ -12,14 +12,11 @@
 
 #include "formulations/parts/groupwise/double_solution.h"
 #include "tests/accuracy/scenes.h"
+#include "tests/certificate/containment.h"
 #include "tests/dead_point.h"
 
 namespace desmo::branch_path_test {
 namespace {
-
-Instant instant_of(const ReferenceInstant& s) {
-  return {.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd};
-}
 
 /// Follows from one solved instant to another, both refined.
 FollowedStep follow(const Model& m, const ReferenceInstant& from, const ReferenceInstant& to,

@@ -12,13 +12,14 @@
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
+#include "tests/certificate/containment.h"
 #include "tests/dead_point.h"
 
 namespace desmo::certified_condition_test {
 namespace {
 
 Certificate certified(const Model& m, const ReferenceInstant& s) {
-  return Certifier(m).certify({.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+  return Certifier(m).certify(instant_of(s));
 }
 
 void compare(const Model& m, const TimeGrid& grid) {

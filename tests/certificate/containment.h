@@ -11,6 +11,11 @@
 
 namespace desmo {
 
+/// Returns the instant that a formulation would deliver.
+inline Instant instant_of(const ReferenceInstant& s) {
+  return {.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd};
+}
+
 /// What certificates of many instants say, compared with exact solutions.
 struct Containment {
   int instants = 0, proven = 0;
@@ -27,12 +32,7 @@ struct Containment {
   /// Adds a delivered instant, and expects that no radius is below the error.
   Certificate add(Certifier& certifier, const ReferenceInstant& delivered,
                   const ReferenceInstant& exact, ErrorSets sets = ErrorSets::boxes) {
-    const Certificate c = certifier.certify({.index = 0,
-                                             .time = delivered.time,
-                                             .q = delivered.q,
-                                             .qd = delivered.qd,
-                                             .qdd = delivered.qdd},
-                                            sets);
+    const Certificate c = certifier.certify(instant_of(delivered), sets);
     ++instants;
     proven += c.proven;
     compare(Level::position, c, delivered.q, exact.q, exact.remainder.q);

@@ -19,6 +19,7 @@
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/accuracy/scenes.h"
+#include "tests/certificate/containment.h"
 #include "tests/mechanisms.h"
 #include "tests/overconstrained.h"
 
@@ -36,8 +37,7 @@ Found find(const Model& m, const std::vector<double>& times) {
   Refinement refinement(m);
   Found found;
   for (const ReferenceInstant& s : double_solution(m, times)) {
-    const RefinedInstant& r =
-        refinement.refine({.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+    const RefinedInstant& r = refinement.refine(instant_of(s));
     ++found.instants;
     found.proven += r.proven;
     const auto misfit = left_out.check(r);
@@ -168,8 +168,7 @@ TEST(LeftOutEquations, AreToldAlongStepsThatAreShortEnough) {
   for (const double step : {0.6, 0.85}) {
     const auto ends = double_solution(m, std::vector{0., step});
     const auto refined = [&](const ReferenceInstant& s) -> CertifiedInstant {
-      const RefinedInstant& r =
-          refinement.refine({.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+      const RefinedInstant& r = refinement.refine(instant_of(s));
       EXPECT_TRUE(r.proven);
       return {s.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
     };

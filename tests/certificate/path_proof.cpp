@@ -11,6 +11,7 @@
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
+#include "tests/certificate/containment.h"
 
 namespace desmo::path_proof_test {
 namespace {
@@ -21,8 +22,7 @@ class Certified {
   Certified(const Model& m, const std::vector<ReferenceInstant>& solved) : solved_(solved) {
     Certifier certifier(m);
     for (const ReferenceInstant& s : solved_) {
-      const Certificate c =
-          certifier.certify({.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+      const Certificate c = certifier.certify(instant_of(s));
       radius_.emplace_back(c.radius.position.begin(), c.radius.position.end());
     }
   }

@@ -17,6 +17,7 @@
 #include "formulations/verification/condition.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
+#include "tests/certificate/containment.h"
 #include "tests/certificate/turned_chain.h"
 #include "tests/dead_point.h"
 
@@ -24,10 +25,6 @@ namespace desmo::refinement_test {
 namespace {
 
 constexpr double u = 0x1p-53;
-
-Instant instant_of(const ReferenceInstant& s) {
-  return {.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd};
-}
 
 /// Largest errors of refined instants over what is promised, relative to scales; to the number
 /// itself where that is larger, such as an angle after turns.

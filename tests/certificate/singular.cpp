@@ -93,8 +93,7 @@ TEST(CertificateAtAChangePoint, IsGivenUpThereAlone) {
   set("C", {0, 0});
   set("T", {0, 2});
   set("s", {0});
-  const Certificate found =
-      certifier.certify({.index = 0, .time = 2, .q = there.q, .qd = there.qd, .qdd = there.qdd});
+  const Certificate found = certifier.certify(instant_of(there));
   EXPECT_FALSE(found.proven);
 }
 
@@ -152,8 +151,7 @@ TEST(CertificateOfAPlan, EndsAtTheLevelsThatAreSolved) {
   for (int i = 0; i < plan.model.coordinates(); ++i)
     if (!driven[i]) s.qdd[i] = NAN;  // nobody has solved them
   Certifier certifier(plan.model, plan.levels);
-  const Certificate c =
-      certifier.certify({.index = 0, .time = t, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+  const Certificate c = certifier.certify(instant_of(s));
   EXPECT_TRUE(c.proven);
   for (int i = 0; i < plan.model.coordinates(); ++i) {
     EXPECT_LT(c.radius.velocity[i], 1e-9);
@@ -166,7 +164,7 @@ TEST(CertificateOfLiveDrivers, CountsThemAsExact) {
   const Model m = make_model(scene);
   const double t = 0.1;
   const ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
-  const Instant instant{.index = 0, .time = t, .q = s.q, .qd = s.qd, .qdd = s.qdd};
+  const Instant instant = instant_of(s);
   const int driven = m.entities[m.drivers.front().coordinate].first;
   const std::vector<double> z{s.q[driven]}, zd{s.qd[driven]}, zdd{s.qdd[driven]};
   Certifier certifier(m);

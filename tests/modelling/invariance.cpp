@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "tests/accuracy/scenes.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::invariance_test {
@@ -178,19 +179,11 @@ TEST_P(Guise, OrderWithinBodiesAndJointsDoesNotMatter) {
 
 TEST_P(Guise, TheUnitOfLengthDoesNotMatter) {
   for (const double scale : {1e3, 1e-3}) {
-    Mechanism d = sample.mechanism;
-    for (Mechanism::Point& p : d.points) p.position = scale * p.position;
-    std::vector<Motion> motions = sample.motions;
-    std::size_t motion = 0;
-    for (const Mechanism::Coordinate& c : d.coordinates) {
-      if (!c.driven) continue;
-      Motion& z = motions[motion++];
-      if (c.type == CoordinateType::angle) continue;
-      auto& harmonic = std::get<HarmonicSum>(z);
-      harmonic.mean *= scale;
-      for (HarmonicSum::Term& term : harmonic.terms) term.amplitude *= scale;
-    }
-    expect_image(d, motions, scale, std::identity{});
+    Scene scene;
+    scene.mechanism = sample.mechanism;
+    scene.motions = sample.motions;
+    scene = enlarged(std::move(scene), scale);
+    expect_image(scene.mechanism, scene.motions, scale, std::identity{});
   }
 }
 

@@ -11,6 +11,7 @@
 #include "formulations/verification/certificate/certificate.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/arb/ball.h"
+#include "tests/certificate/containment.h"
 
 namespace desmo::arb_test {
 namespace {
@@ -124,8 +125,7 @@ TEST(CertificateAndArb, AgreeOnASample) {
     Certifier certifier(m);
     for (const ReferenceInstant& s :
          double_solution(m, sampled(scene.grid, DESMO_SANITIZED ? 2 : 5))) {
-      const Certificate c =
-          certifier.certify({.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+      const Certificate c = certifier.certify(instant_of(s));
       ASSERT_TRUE(c.proven) << name;
       const State exact = system.solve(s);
       for (int i = 0; i < m.coordinates(); ++i) {
