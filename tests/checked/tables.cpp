@@ -38,10 +38,10 @@ CheckedRows solve(const Wheel& wheel, const std::string& id = "group_automatic_l
   return solve_checked(make_model(scene), scene.grid, id, Level::acceleration, options);
 }
 
-/// All rows are at multiples of 4°, where both tables agree.
+/// Rows are at multiples of 2°, where both tables agree but for 178°, or of 4°, where they agree.
 TEST(CouplingsByTable, AreFlaggedWhereTheyContradictBetweenRows) {
   for (const double bump : {0.5, 0.01})
-    for (const double step : {0.1, 0.2, 1.})
+    for (const double step : {0.05, 0.1, 0.2, 1.})
       for (const char* id : {"global_automatic_klu", "group_automatic_lapack/stride:4"}) {
         SCOPED_TRACE(id + std::to_string(step) + ", " + std::to_string(bump));
         const CheckedRows r =
@@ -54,7 +54,10 @@ TEST(CouplingsByTable, AreFlaggedWhereTheyContradictBetweenRows) {
           const bool is_after = a >= 178 && a - 40 * step < 178;
           if (is_after) {
             ASSERT_TRUE(row.flag && row.flag->kind == RowFlag::Kind::misfit) << a;
-            EXPECT_LT(row.flag->after, row.flag->time);
+            if (a == 178)
+              EXPECT_LE(row.flag->after, row.flag->time);
+            else
+              EXPECT_LT(row.flag->after, row.flag->time);
           }
           if (a < 60 || a > 178 + 120 + 40 * step) EXPECT_FALSE(row.flag) << a;
         }
