@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/formulated.h"
+#include "tests/named_difference.h"
 
 namespace desmo::coordinates_test {
 namespace {
@@ -37,54 +37,6 @@ std::vector<Motion> motions() {
   return all;
 }
 
-/// The largest differences from the reference of another model, whose entities have the same names.
-class NamedDifference final : public Observer {
- public:
-  NamedDifference(const Model& m, const Model& natural, const Reference& reference)
-      : reference_(reference) {
-    for (const Entity& e : natural.entities) {
-      if (e.fixed) continue;
-      const Entity& same = m.entities[m.find(e.name)];
-      EXPECT_EQ(same.size, e.size) << e.name;
-      EXPECT_FALSE(same.internal) << e.name;
-      for (int i = 0; i < e.size; ++i) {
-        from_.push_back(e.first + i);
-        to_.push_back(same.fixed ? -1 : same.first + i);
-        names_.push_back(e.name);
-      }
-    }
-  }
-
-  Flow observe(const Instant& instant) noexcept override {
-    if (seen == reference_.instants.size() ||
-        std::abs(instant.time - reference_.instants[seen].time) > 1e-9)
-      return Flow::go_on;
-    const ReferenceInstant& r = reference_.instants[seen++];
-    widen(of.position, instant.q, r.q);
-    widen(of.velocity, instant.qd, r.qd);
-    widen(of.acceleration, instant.qdd, r.qdd);
-    return Flow::go_on;
-  }
-
-  PerLevel<double> of{};
-  std::size_t seen = 0;
-  std::string worst;
-
- private:
-  void widen(double& largest, std::span<const double> a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < from_.size(); ++i)
-      if (const double off = to_[i] < 0 ? 0 : std::abs(a[to_[i]] - b[from_[i]]);
-          !(off <= largest)) {
-        largest = off;
-        worst = names_[i];
-      }
-  }
-
-  const Reference& reference_;
-  std::vector<int> from_, to_;
-  std::vector<std::string> names_;
-};
-
 TEST(Coordinates, DeliverTheNaturalMotionWhateverTheyAre) {
   for (const auto& [scene, grid] : motions()) {
     const Model natural = make_model(scene);
@@ -103,7 +55,7 @@ TEST(Coordinates, DeliverTheNaturalMotionWhateverTheyAre) {
         for (const char* algebra : {"lapack", "klu"}) {
           const std::string id =
               std::string(partition) + "_automatic_" + algebra + "/coordinates:" + name;
-          NamedDifference difference(m, natural, reference);
+          NamedDifference difference(m, natural, reference.instants);
           const Summary s = formulated(id, m)->run(grid, {}, difference);
           EXPECT_TRUE(s.ok()) << id << ": " << describe(s, m);
           EXPECT_EQ(difference.seen, times.size()) << id;

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
-#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -20,6 +18,7 @@
 #include "tests/every_variant.h"
 #include "tests/everything.h"
 #include "tests/mechanisms.h"
+#include "tests/named_difference.h"
 
 namespace desmo::formulations_test {
 namespace {
@@ -33,10 +32,9 @@ class Motion {
       : model(make_model(make_scene(definition, coordinates))),
         grid(time_grid(seconds, seconds > 6 ? 0.02 : 0.01)) {
     const int pieces = std::min(50, grid.instants - 1);
-    for (int i = 0; i <= pieces; ++i)
-      compared.push_back(static_cast<int>(long{i} * (grid.instants - 1) / pieces));
     std::vector<double> times;
-    for (const int i : compared) times.push_back(grid.time(i));
+    for (int i = 0; i <= pieces; ++i)
+      times.push_back(grid.time(static_cast<int>(long{i} * (grid.instants - 1) / pieces)));
     Reference made = make_reference(model, times);
     for (const Level level : all_levels) EXPECT_LT(made.floor[level], 1e-20) << model.name;
     reference = std::move(made.instants);
@@ -44,7 +42,6 @@ class Motion {
 
   const Model model;
   const TimeGrid grid;
-  std::vector<int> compared;  // instants of the grid
   std::vector<ReferenceInstant> reference;
 };
 
@@ -56,36 +53,12 @@ const Motion& motion_of(const Case& definition, int coordinates, double seconds)
   return *motion;
 }
 
-/// The largest differences from the reference of a motion.
-class LargestDifference final : public Observer {
- public:
-  explicit LargestDifference(const Motion& motion) : motion_(motion) {}
-  Flow observe(const Instant& instant) noexcept override {
-    if (instants == motion_.compared.size() || instant.index != motion_.compared[instants])
-      return Flow::go_on;
-    const ReferenceInstant& r = motion_.reference[instants++];
-    widen(of.position, instant.q, r.q);
-    widen(of.velocity, instant.qd, r.qd);
-    widen(of.acceleration, instant.qdd, r.qdd);
-    return Flow::go_on;
-  }
-  PerLevel<double> of{};
-  std::size_t instants = 0;  // compared so far
-
- private:
-  static void widen(double& largest, std::span<const double> a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (!(std::abs(a[i] - b[i]) <= largest)) largest = std::abs(a[i] - b[i]);
-  }
-  const Motion& motion_;
-};
-
 void expect_agreement(const Variant& v, const Motion& motion) {
   const auto where = [&] { return v.id + " on " + motion.model.name; };
-  LargestDifference difference(motion);
+  NamedDifference difference(motion.model, motion.model, motion.reference);
   const Summary s = make_formulation(v, motion.model)->run(motion.grid, {}, difference);
   EXPECT_TRUE(s.ok()) << where() << ": " << describe(s, motion.model);
-  EXPECT_EQ(difference.instants, motion.compared.size()) << where();
+  EXPECT_EQ(difference.seen, motion.reference.size()) << where();
   EXPECT_LE(difference.of.position, 1e-9) << where();
   EXPECT_LE(difference.of.velocity, 1e-8) << where();
   EXPECT_LE(difference.of.acceleration, 1e-7) << where();
@@ -125,26 +98,6 @@ TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
   for (const Variant& v : variants())
     if (bench::is_dense_global(v)) expect_agreement(v, motion);
 }
-
-class LargestSizes : public testing::TestWithParam<const Case*> {};
-
-/// The paper's reference and the fastest formulation stand for all over a longer motion.
-TEST_P(LargestSizes, TwoFormulationsAgreeOverALongerMotion) {
-  const Case& definition = *GetParam();
-  const double duration = DESMO_SANITIZED ? short_motion : 6;
-  const Motion& motion = motion_of(definition, definition.sizes.back(), duration);
-  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"})
-    expect_agreement(find_variant(id), motion);
-}
-
-std::vector<const Case*> all_cases() {
-  std::vector<const Case*> result;
-  for (const Case& c : cases()) result.push_back(&c);
-  return result;
-}
-
-INSTANTIATE_TEST_SUITE_P(Cases, LargestSizes, testing::ValuesIn(all_cases()),
-                         [](const auto& info) { return std::string(info.param->name); });
 
 class EveryFormulation : public EveryVariant {};
 
