@@ -1,5 +1,5 @@
 // The quadruple reference: two formulations that share nothing but residuals agree to 1e-25, and
-// both are what closed forms say.
+// both are what a closed form says.
 
 #include "formulations/verification/reference/reference.h"
 
@@ -129,7 +129,7 @@ TEST(Reference, KeepsWhatRoundingLeft) {
   EXPECT_TRUE(reference_solution(m, std::vector{0.0}, Precision::standard)[0].remainder.q.empty());
 }
 
-// ——— Closed forms, evaluated in quadruple precision ———
+// ——— A closed form, evaluated in quadruple precision ———
 
 using WideJet = exact::BasicJet<Quadruple>;
 
@@ -179,48 +179,6 @@ TEST(Reference, IsTheClosedFormOfTheSliderCrank) {
     expect_near(found(r, m, "C", 1), WideJet(0), "C y" + at);
     expect_near(found(r, m, "s"), s, "s" + at);
     expect_near(found(r, m, "phi"), atan2(-y, s - x), "phi" + at);
-  }
-}
-
-struct WidePoint {
-  WideJet x, y;
-};
-
-/// Where the circles about p and q meet, to the left of the way from p to q.
-WidePoint meet(const WidePoint& p, WideJet p_radius, const WidePoint& q, WideJet q_radius) {
-  const WideJet dx = q.x - p.x, dy = q.y - p.y, d2 = dx * dx + dy * dy;
-  const WideJet along = (p_radius * p_radius - q_radius * q_radius + d2) / (WideJet(2) * d2);
-  const WideJet across = sqrt(p_radius * p_radius / d2 - along * along);
-  return {p.x + along * dx - across * dy, p.y + along * dy + across * dx};
-}
-
-/// Dyad after dyad, K of them. The model rounds a rocker's length, so that the dyads are parallel
-/// to 1e-15 only.
-TEST(Reference, IsTheClosedFormOfTheChainOfDyads) {
-  constexpr int dyads = 12;
-  const Model m = make_model(four_bar(dyads));
-  const EntityId A = m.find("crank/A"), B = m.find("crank/B");
-  const WideJet crank(constant(m, {A, B, m.find("crank/theta")}));
-  const std::vector<double> times{0, 0.01, 1, 2.5, 30};
-  const Reference reference = make_reference(m, times);
-  for (const ReferenceInstant& r : reference.instants) {
-    const WideJet theta = driven(m, r.time);
-    WidePoint before{crank * cos(theta), crank * sin(theta)};
-    EntityId end = B;
-    for (int k = 1; k <= dyads; ++k) {
-      const std::string dyad = "dyad" + std::to_string(k) + "/";
-      const EntityId D = m.find(dyad + "D"), C = m.find(dyad + "C"), psi = m.find(dyad + "psi");
-      const WideJet coupler = sqrt(WideJet(constant(m, {end, C})));
-      const WideJet rocker(constant(m, {D, C, psi}));
-      const WidePoint pivot{WideJet(6 * k), WideJet(0)};
-      const WidePoint c = meet(before, coupler, pivot, rocker);
-      const std::string at = " of " + dyad + " at " + std::to_string(r.time);
-      expect_near(found(r, m, dyad + "C", 0), c.x, "C x" + at);
-      expect_near(found(r, m, dyad + "C", 1), c.y, "C y" + at);
-      expect_near(found(r, m, dyad + "psi"), atan2(c.y, c.x - pivot.x), "psi" + at);
-      before = c;
-      end = C;
-    }
   }
 }
 

@@ -101,37 +101,6 @@ TEST(PointOnPlane, MovesThePistonOfASwashPlate) {
   }
 }
 
-TEST(Hinge, BetweenTwoMovingBodiesIsTheRevoluteJointOfItsAxis) {
-  const auto linkage = [](bool hinged) {
-    Sketch d("two doors", 3);
-    const int O = d.ground_point("O", {0, 0, 0});
-    const int x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0}),
-              z = d.ground_vector("z", {0, 0, 1});
-    const int A = d.point("A", {1, 0, 0}), B = d.point("B", {1, 0.3, 1}),
-              C = d.point("C", {2, 1, 0});
-    const int axis = d.vector("axis", unit({0, 0.3, 1}));
-    const int first = d.body("first", {O, A, B}, {z, axis}),
-              second = d.body("second", {A, B, C}, {axis});
-    d.joint(JointType::revolute, Sketch::ground, first, {O}, {z});
-    hinged ? d.joint(JointType::hinge, first, second, {A, B})
-           : d.joint(JointType::revolute, first, second, {A}, {axis});
-    d.spatial_angle("theta", line(O, A), x, y).driven = true;
-    d.component("height", C, 2).driven = true;
-    return d.release();
-  };
-  const std::vector<Motion> motions{Polynomial{{0, 1}}, Polynomial{{0, 0.2}}};
-  const std::vector<double> times = instants(1, 0.1);
-  Mechanism hinged = linkage(true), revolute = linkage(false);
-  // One lists the axis as a vector, the other the second point of it.
-  hinged.bodies[1].vectors.pop_back();
-  hinged.bodies[2].vectors.clear();
-  std::erase(revolute.bodies[2].points, 2);
-  std::erase(revolute.bodies[1].points, 2);
-  const Solved a(hinged, motions, times), b(revolute, motions, times);
-  for (int k = 0; k < a.instants(); ++k)
-    expect_near(a.position(k, "C"), b.position(k, "C"), tolerance, "C");
-}
-
 TEST(Hinge, NeedsTwoPlaces) {
   Sketch d("door", 3);
   const int H1 = d.ground_point("H1", {0, 0, 1}), H2 = d.ground_point("H2", {0, 0, 1}),
