@@ -153,7 +153,7 @@ TYPED_TEST(KindInIntervals, HoldsAllThatItsOperandsHold) {
                                     << " radius " << place.radius);
     std::mt19937 generator(1);
     Worst of_jacobian, of_first, of_second;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 400; ++i) {
       const Sample<Kind> s(generator, place);
       of_jacobian.compare(jacobian<Kind, Interval>(s.q, s.c),
                           jacobian<Kind, Wide>(s.exact_q, s.exact_c), "jacobian");
@@ -191,7 +191,7 @@ TYPED_TEST(KindInIntervals, HasResidualsWithoutRounding) {
     std::mt19937 generator(1);
     std::array<std::vector<double>, 3> worst;
     for (std::vector<double>& w : worst) w.resize(Kind::rows);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 120; ++i) {
       const std::array<Sample<Kind>, 4> s{Sample<Kind>(generator, place),
                                           {generator, place},
                                           {generator, place},

@@ -109,8 +109,10 @@ TEST_P(AccuracySettings, NoOldFactorsEndAboveTheTolerance) {
       const auto newton = formulated(GetParam().id, m, settings);
       for (int i = 0; i <= static_cast<int>(end / h); ++i)
         possible.push_back(newton->step(h * i).ok());
-      for (const char* suffixes :
+      for (const std::string suffixes :
            {"/jacobian:step", "/guess:hermite5/jacobian:step", "/guess:linear/jacobian:step"}) {
+        const bool guesses = suffixes.starts_with("/guess:");
+        if (guesses && h < 0.02) continue;  // many steps, of which each begins near its solution
         const std::string id = with(suffixes);
         if (id.empty()) continue;
         const auto f = formulated(id, m, settings);
