@@ -140,10 +140,6 @@ class Builder {
 
 }  // namespace
 
-std::vector<int> ShapedBlock::unknowns() const {
-  return {coordinates.begin(), coordinates.begin() + shape.unknowns};
-}
-
 ShapedBlock shaped_block(const Model& model, const PartDefinition& block, InitialResidual initial) {
   return Builder(model, block).build(initial);
 }

@@ -55,8 +55,6 @@ struct ShapedBlock {
   std::vector<Remainder> remainders;  ///< of each local state; empty: none
   std::vector<double> slack;          ///< radius of each row of a linear Φ (n)
   std::vector<double> initial;        ///< Φ₀ of a homotopy (n); empty: none
-
-  std::vector<int> unknowns() const;
 };
 
 ShapedBlock shaped_block(const Model& model, const PartDefinition& block,

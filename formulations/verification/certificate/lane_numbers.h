@@ -37,7 +37,6 @@ struct LaneNumbers {
     return LaneNumbers(a.v / b.v);
   }
   LaneNumbers& operator+=(const LaneNumbers& a) { return v += a.v, *this; }
-  LaneNumbers& operator-=(const LaneNumbers& a) { return v -= a.v, *this; }
   LaneNumbers& operator*=(const LaneNumbers& a) { return v *= a.v, *this; }
 
   friend LaneNumbers abs(const LaneNumbers& a) {

@@ -307,8 +307,7 @@ PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const Certi
     for (BlockBatch& b : step.batches) {
       const LaneMask proven = prove(b, equations_[batch++]);
       for (int lane = 0; lane < b.blocks(); ++lane)
-        if (!proven[lane])
-          return {.group = b.members[lane].group, .coordinate = b.members[lane].first_unknown};
+        if (!proven[lane]) return {.group = b.members[lane].group};
     }
   return {.proven = true};
 }

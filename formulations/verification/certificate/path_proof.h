@@ -23,10 +23,9 @@ struct CertifiedInstant {
 /// What is proven of the motion between two instants.
 struct PathCertificate {
   bool proven = false;
-  /// Structural group and first unknown of the block whose proof failed; no_position where none
-  /// has, or a knot lies in the step.
+  /// Structural group of the block whose proof failed; no_position where none has, or a knot lies
+  /// in the step.
   GroupId group = no_position;
-  int coordinate = no_position;
 };
 
 /// Proves that two certified instants lie on one smooth motion: between them, Φ(q, t) = 0 has

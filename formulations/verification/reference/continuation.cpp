@@ -14,22 +14,12 @@ namespace {
 
 constexpr double settled_correction = 1e-30;   // relative correction that only rounding leaves
 constexpr double rounding_correction = 1e-32;  // likewise, for a condition number of 1
-constexpr double singular = 1e14;       // condition number above which doubles have no answer
-constexpr double passed = 1e11;         // condition number that only a singular position has
-constexpr double max_prediction = 0.1;  // relative correction of a prediction
+constexpr double passed = 1e11;                // condition number that only a singular position has
+constexpr double max_prediction = 0.1;         // relative correction of a prediction
 
 /// Change of a determinant's logarithm, as expected from the last step, that is a fall; and the
 /// part of it that has to come true. Towards a zero a fall becomes steeper.
 constexpr double fall = -0.7, part_of_fall = 0.8;
-
-DriverPath straight(std::vector<Quadruple> from, std::vector<Quadruple> to) {
-  return [from = std::move(from), to = std::move(to)](const Quadruple& s) {
-    std::vector<MotionSample<Quadruple>> z;
-    for (std::size_t k = 0; k < from.size(); ++k)
-      z.push_back({from[k] + s * (to[k] - from[k]), to[k] - from[k], Quadruple(0)});
-    return z;
-  };
-}
 
 std::vector<double> doubles(const std::vector<Quadruple>& values) {
   std::vector<double> result;
@@ -182,33 +172,5 @@ WideInstant Continuation::instant() const {
 double Continuation::condition() { return condition_number_(doubles(solver_.q())); }
 
 double Continuation::max_condition() { return std::exchange(max_condition_, condition()); }
-
-std::vector<TrueInstant> true_motion(const Model& m, const TimeGrid& grid) {
-  Continuation c(m);
-  const DriverPath motions = motions_of(m);
-  std::vector<Quadruple> nominal, first;
-  for (const Driver& d : m.drivers) nominal.push_back(m.estimate[m.entities[d.coordinate].first]);
-  for (const auto& z : motions(grid.time(0))) first.push_back(z.position);
-  std::vector<TrueInstant> result(grid.instants);
-  for (int i = 0; i < grid.instants; ++i) result[i].instant.time = grid.time(i);
-  if (nominal != first) {
-    c.begin(straight(nominal, first), 0);
-    const bool reached = c.go_to(1);
-    if (!reached && c.parameter() > 1 - 1e-9) return result;
-    if (!reached || c.crossings() > 0)
-      throw std::runtime_error(m.name + ": the start is not on the nominal branch");
-  }
-  c.begin(motions, grid.time(0));
-  int missed = 0;  // instants in a row: two are more than a passage
-  for (int i = 0; i < grid.instants && missed < 2; ++i) {
-    const Quadruple t = grid.time(i);
-    missed = c.go_to(t) || c.go_to(t) ? 0 : missed + 1;  // the second time on from a regular place
-    if (missed > 0) continue;
-    result[i].condition = c.condition();
-    result[i].path_condition = c.max_condition();
-    if (result[i].condition < singular) result[i].instant = rounded(c.instant());
-  }
-  return result;
-}
 
 }  // namespace desmo

@@ -92,10 +92,4 @@ struct TrueInstant {
   double path_condition = INFINITY;  ///< largest since the instant before, both included
 };
 
-/// Returns the smooth continuation of a model's nominal position: drivers go straight to the start
-/// of the grid, then follow their motions. Singular instants have no answer; nor has any after two
-/// in a row, or where the start is singular. Throws std::runtime_error without a nominal position,
-/// or when the start cannot be reached without passing a singular position.
-std::vector<TrueInstant> true_motion(const Model& model, const TimeGrid& grid);
-
 }  // namespace desmo
