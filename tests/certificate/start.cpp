@@ -16,11 +16,11 @@
 #include "cases/generators/dyad_chain.h"
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/branch/branch_path.h"
-#include "formulations/verification/reference/continuation.h"
 #include "formulations/verification/reference/whole_system.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/checked/rows.h"
 #include "tests/dead_point.h"
+#include "tests/properties/continuation.h"
 
 namespace desmo::start_test {
 namespace {

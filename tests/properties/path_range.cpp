@@ -1,6 +1,6 @@
 #include "tests/properties/path_range.h"
 
-#include "formulations/verification/reference/continuation.h"
+#include "tests/properties/continuation.h"
 
 namespace desmo::properties {
 

@@ -1,13 +1,22 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
+#include "formulations/base/reference_instant.h"
 #include "formulations/model/model.h"
 #include "formulations/model/scales.h"
-#include "formulations/verification/reference/continuation.h"
+#include "tests/properties/continuation.h"
 
 namespace desmo::properties {
+
+/// True answer at an instant of a grid.
+struct TrueInstant {
+  ReferenceInstant instant;  ///< no q: none is known, or it is singular
+  double condition = INFINITY;
+  double path_condition = INFINITY;  ///< largest since the instant before, both included
+};
 
 /// Right answers of a scene: those of the numbers in the file, in quadruple precision.
 struct Truth {

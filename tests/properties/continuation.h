@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/base/reference_instant.h"
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
 #include "formulations/parts/groupwise/dense_lu.h"
@@ -83,13 +82,6 @@ class Continuation {
   std::vector<double> slopes_;  // of their logarithms, in the last accepted step
   double condition_ = 1, max_condition_ = 0;
   int crossings_ = 0;
-};
-
-/// True answer at an instant of a grid.
-struct TrueInstant {
-  ReferenceInstant instant;  ///< no q: none is known, or it is singular
-  double condition = INFINITY;
-  double path_condition = INFINITY;  ///< largest since the instant before, both included
 };
 
 }  // namespace desmo

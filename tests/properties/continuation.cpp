@@ -1,4 +1,4 @@
-#include "formulations/verification/reference/continuation.h"
+#include "tests/properties/continuation.h"
 
 #include <algorithm>
 #include <cmath>
