@@ -46,10 +46,7 @@ void collect(const Model& m, const Scene& scene, std::vector<SampledType>& found
   const std::vector<ReferenceInstant> instants = double_solution(m, times);
 
   std::vector<std::vector<double>> states;
-  for (const ReferenceInstant& instant : instants) {
-    states.push_back(instant.q);
-    states.back().insert(states.back().end(), m.fixed_values.begin(), m.fixed_values.end());
-  }
+  for (const ReferenceInstant& instant : instants) states.push_back(m.state_of(instant.q));
   for (const Partition partition : {Partition::group, Partition::block})
     for (const PartDefinition& part : make_partition(m, partition)) {
       SampledType& type = add_part(m, part, states, found);

@@ -17,12 +17,6 @@ namespace {
 /// this fraction of the bodies they join keep their own magnitude.
 constexpr double min_share = 1e-3;
 
-std::vector<double> nominal_state(const Model& m) {
-  std::vector<double> state = m.estimate;
-  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
-  return state;
-}
-
 /// How large the components of an entity become that is moved by about `length`.
 double reach(const Model& m, EntityId e, const double* x, double length) {
   const Entity& entity = m.entities[e];
@@ -74,7 +68,7 @@ RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
 }  // namespace
 
 Magnitudes::Magnitudes(const Model& m) {
-  const std::vector<double> state = nominal_state(m);
+  const std::vector<double> state = m.state_of(m.estimate);
   const CharacteristicLengths lengths(m);
   of_coordinate_ = lengths.of_coordinates();
   for (const Constraint& c : m.constraints) {

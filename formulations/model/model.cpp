@@ -74,6 +74,12 @@ double Model::value(const std::string& component_name, std::span<const double> v
   return level == Level::position ? fixed_values[entity.first + i] : 0;
 }
 
+std::vector<double> Model::state_of(std::span<const double> q) const {
+  std::vector<double> state(q.begin(), q.end());
+  state.insert(state.end(), fixed_values.begin(), fixed_values.end());
+  return state;
+}
+
 GroupId Model::add_group(std::string group_name, std::vector<std::string> bodies) {
   groups.push_back({std::move(group_name), std::move(bodies), {}, {}, false});
   return static_cast<GroupId>(groups.size()) - 1;

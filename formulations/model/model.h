@@ -104,6 +104,9 @@ struct Model {
   /// Returns a component of a fixed entity as the file means it.
   Derived fixed_value(std::size_t i) const { return {fixed_values[i], fixed_remainders[i]}; }
 
+  /// Returns the state at positions q (coordinates()): q, then the fixed values (state_size()).
+  std::vector<double> state_of(std::span<const double> q) const;
+
   /// Returns whether an entity never moves: it is fixed, or its group is constant.
   bool is_at_rest(EntityId e) const {
     return entities[e].fixed || groups[entities[e].group].constant;

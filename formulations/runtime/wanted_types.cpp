@@ -56,8 +56,7 @@ class Sampler final : public Observer {
   Flow observe(const Instant& instant) noexcept override {
     const int samples = static_cast<int>(states.size());
     if (instant.index < (instants_ - 1) * samples / (sample_count - 1)) return Flow::go_on;
-    std::vector<double>& state = states.emplace_back(instant.q.begin(), instant.q.end());
-    state.insert(state.end(), m_.fixed_values.begin(), m_.fixed_values.end());
+    states.push_back(m_.state_of(instant.q));
     return Flow::go_on;
   }
 

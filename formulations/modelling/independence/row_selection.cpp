@@ -255,8 +255,7 @@ JudgedPositions assembled(const Model& m, std::vector<GroupSystem>& systems,
                           Linearisers& linearisers) {
   JudgedPositions positions;
   std::vector<double>& nominal = positions[0];
-  nominal = m.estimate;
-  nominal.insert(nominal.end(), m.fixed_values.begin(), m.fixed_values.end());
+  nominal = m.state_of(m.estimate);
   for (GroupSystem& s : systems) {
     if (!assemble_nearly(nominal, s, linearisers))
       refuse_assembly(m, s, linearisers.of_small.at(nominal, s).relative_phi());

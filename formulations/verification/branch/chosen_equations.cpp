@@ -59,8 +59,7 @@ bool has_others(const Model& m, GroupId g) {
 
 std::unique_ptr<const Model> with_chosen_equations(const Model& model, std::span<const double> q) {
   auto chosen = std::make_unique<Model>(model);
-  std::vector<double> state(q.begin(), q.end());
-  state.insert(state.end(), model.fixed_values.begin(), model.fixed_values.end());
+  const std::vector<double> state = model.state_of(q);
   Lineariser lineariser(model);
   bool is_other = false;
   for (const GroupSystem& s : group_systems(model)) {

@@ -79,8 +79,7 @@ LeftOutEquations::LeftOutEquations(const Model& m) : m_(m), equations_(left_out_
   drivers_.resize(m.drivers.size());
   const CharacteristicLengths lengths(m);
   for (const Equation& e : equations_) length_.push_back(lengths.of(m.constraints[e.constraint]));
-  state_.resize(m.coordinates());
-  state_.insert(state_.end(), m.fixed_values.begin(), m.fixed_values.end());
+  state_ = m.state_of(m.estimate);
 }
 
 /// Returns an interval that holds Φ of an equation for all dimensions of the model and all

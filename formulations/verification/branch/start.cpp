@@ -25,8 +25,7 @@ constexpr double turn = 2 * std::numbers::pi;
 
 /// Returns Φ of the drawing.
 std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
-  std::vector<double> state = m.estimate;
-  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  const std::vector<double> state = m.state_of(m.estimate);
   std::vector<std::vector<double>> all;
   for (const Constraint& c : m.constraints)
     visit_kind(c.kind, [&]<class Kind>(Kind) {

@@ -25,8 +25,7 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
   const std::unique_ptr<const Model> chosen =
       has_other_equations(model) ? with_chosen_equations(model, q) : nullptr;
   const Model& m = chosen ? *chosen : model;
-  std::vector<double> state(q.begin(), q.end());
-  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  std::vector<double> state = m.state_of(q);
   SolutionCurve curve(m, driver);
   DriverRange range;
   range.start = state[m.entities[m.drivers[driver].coordinate].first];

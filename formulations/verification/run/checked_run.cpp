@@ -208,11 +208,8 @@ class CheckedRun final : Observer {
 
   /// Takes the formulation to the last row.
   void return_to_last() {
-    const Model& m = formulation_.model();
-    std::vector<double> state(last_);
-    state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
     steps_.restart();
-    core_of(formulation_).start_at(state, summary_.time);
+    core_of(formulation_).start_at(last_, summary_.time);
   }
 
   /// Finds out more of a failure.

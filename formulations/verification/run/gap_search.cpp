@@ -1,8 +1,7 @@
 #include "formulations/verification/run/gap_search.h"
 
 #include <cmath>
-
-#include "formulations/motion/prediction/driver_source.h"
+#include <utility>
 
 namespace desmo {
 
@@ -26,12 +25,10 @@ double last_solved(Formulation& formulation, double good, double bad) {
 
 std::optional<AssemblyError> assembly_error_at(const Formulation& formulation, double time) {
   const Model& m = formulation.model();
-  State state;
-  state.q.assign(formulation.q().begin(), formulation.q().end());
-  state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
-  state.qd = state.qdd = state.q;
-  write_drivers(m, time, state);
-  return find_assembly_error(m, state.q, {.tolerance = formulation.settings().tolerance});
+  std::vector<double> state = m.state_of(formulation.q());
+  for (const Driver& d : m.drivers)
+    state[m.entities[d.coordinate].first] = sample(d.motion, time).position;
+  return find_assembly_error(m, std::move(state), {.tolerance = formulation.settings().tolerance});
 }
 
 FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,

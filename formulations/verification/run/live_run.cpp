@@ -324,8 +324,7 @@ void LiveRun::restart() {
 
 LiveRun::Obstacle LiveRun::explain() const {
   const Model& m = formulation_.model();
-  std::vector<double> state = has_position_ ? good_.position : m.estimate;
-  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  std::vector<double> state = m.state_of(has_position_ ? good_.position : m.estimate);
   for (std::size_t d = 0; d < tried_.size(); ++d)
     state[m.entities[m.drivers[d].coordinate].first] = tried_[d];
   std::vector<GroupId> groups(m.groups.size());
