@@ -11,8 +11,8 @@
 
 #include "cases/generators/dyad_chain.h"
 #include "formulations/parts/groupwise/groupwise_solver.h"
-#include "formulations/verification/reference/disagreement.h"
 #include "formulations/verification/reference/global_solver.h"
+#include "formulations/verification/reference/wide_instant.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/library/jet.h"
 

@@ -1,13 +1,15 @@
 #include "formulations/verification/reference/reference.h"
 
+#include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/parts/groupwise/drawn_start.h"
 #include "formulations/parts/groupwise/groupwise_solver.h"
-#include "formulations/verification/reference/disagreement.h"
 #include "formulations/verification/reference/global_solver.h"
+#include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo {
 
@@ -42,6 +44,22 @@ std::pair<std::vector<double>, std::vector<double>> split(const std::vector<Quad
   return result;
 }
 
+/// Returns the largest difference of two solutions at an instant, at one level.
+double at_level(const Model& m, const std::vector<Quadruple>& a, const std::vector<Quadruple>& b,
+                const Scales& scales, Level level) {
+  double largest = 0;
+  for (const Entity& e : m.entities) {
+    if (e.fixed) continue;
+    double output = 0;
+    for (int i = e.first; i < e.first + e.size; ++i) {
+      const auto difference = static_cast<double>(a[i] - b[i]);
+      output = std::hypot(output, relative(difference, scales.of(e.kind, level)));
+    }
+    largest = std::max(largest, output);
+  }
+  return largest;
+}
+
 }  // namespace
 
 ReferenceInstant rounded(const WideInstant& wide) {
@@ -50,6 +68,20 @@ ReferenceInstant rounded(const WideInstant& wide) {
   std::tie(r.qd, r.remainder.qd) = split(wide.qd);
   std::tie(r.qdd, r.remainder.qdd) = split(wide.qdd);
   return r;
+}
+
+PerLevel<double> disagreement(const Model& m, std::span<const WideInstant> a,
+                              std::span<const WideInstant> b, const Scales& scales) {
+  PerLevel<double> largest;
+  const auto raise = [&](Level level, const auto& x, const auto& y) {
+    largest[level] = std::max(largest[level], at_level(m, x, y, scales, level));
+  };
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    raise(Level::position, a[k].q, b[k].q);
+    raise(Level::velocity, a[k].qd, b[k].qd);
+    raise(Level::acceleration, a[k].qdd, b[k].qdd);
+  }
+  return largest;
 }
 
 std::vector<ReferenceInstant> reference_solution(const Model& m, std::span<const double> times,

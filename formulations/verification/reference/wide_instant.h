@@ -1,9 +1,12 @@
 #pragma once
 
 #include <boost/multiprecision/float128.hpp>
+#include <span>
 #include <vector>
 
 #include "formulations/base/reference_instant.h"
+#include "formulations/model/model.h"
+#include "formulations/model/scales.h"
 
 namespace desmo {
 
@@ -17,5 +20,10 @@ struct WideInstant {
 
 /// Returns an instant rounded to double, with what that leaves.
 ReferenceInstant rounded(const WideInstant& wide);
+
+/// Returns the largest difference of two solutions at the same instants over all outputs (see
+/// ErrorMeasure), relative to the scales. Differences are taken in quadruple precision.
+PerLevel<double> disagreement(const Model& model, std::span<const WideInstant> a,
+                              std::span<const WideInstant> b, const Scales& scales);
 
 }  // namespace desmo
