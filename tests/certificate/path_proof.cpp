@@ -149,8 +149,8 @@ TEST(PathProof, AsksForAStepThatEndsAtAKnot) {
   const Certified at(m, double_solution(m, times));
   const Certifier blocks(m);
   PathProof path(m, blocks);
-  EXPECT_EQ(path.first_knot(0.98, 1.02), 1);
-  EXPECT_FALSE(path.first_knot(1, 1.02));
+  EXPECT_EQ(first_knot(m, 0.98, 1.02), 1);
+  EXPECT_FALSE(first_knot(m, 1, 1.02));
   EXPECT_FALSE(path.prove(at(0), at(2)).proven);
   for (const std::size_t from : {0, 1, 2, 4})
     EXPECT_TRUE(path.prove(at(from), at(from + 1)).proven);

@@ -116,7 +116,7 @@ PathCertificate BranchPath::prove(const CertifiedInstant& to) {
 /// Returns that time, or the first knot on the way there.
 double BranchPath::up_to_knot(double time) const {
   while (const std::optional<double> knot =
-             path_.first_knot(std::min(time, present_.time), std::max(time, present_.time)))
+             first_knot(m_, std::min(time, present_.time), std::max(time, present_.time)))
     time = *knot;
   return time;
 }

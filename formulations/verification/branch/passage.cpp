@@ -23,17 +23,6 @@ PerLevel<std::vector<double>> drivers_at(const Model& m, double time) {
   return z;
 }
 
-/// Returns the first knot of a driver's spline after a time; infinity: there is none.
-double next_knot(const Model& m, double time) {
-  double first = infinity;
-  for (const Driver& d : m.drivers)
-    if (const Spline* spline = std::get_if<Spline>(&d.motion))
-      if (const auto knot = std::ranges::upper_bound(spline->knots(), time);
-          knot != spline->knots().end())
-        first = std::min(first, *knot);
-  return first;
-}
-
 /// The motion of the drivers as it leaves a point.
 class Departure {
  public:
@@ -49,13 +38,14 @@ class Departure {
     };
     if (is_away(start_)) return start_;
     double begin = start_, inside = start_, step = 0;
-    for (double knot = next_knot(m_, begin);;) {
+    const auto next_knot = [&] { return first_knot(m_, begin, infinity).value_or(infinity); };
+    for (double knot = next_knot();;) {
       step = std::max(2 * step, std::nextafter(begin, infinity) - begin);
       const double next = std::min(begin + step, knot);
       if (next == infinity) return infinity;
       if (is_away(next)) return last_inside(inside, next, is_away);
       inside = next;
-      if (next == knot) begin = knot, step = 0, knot = next_knot(m_, begin);
+      if (next == knot) begin = knot, step = 0, knot = next_knot();
     }
   }
 

@@ -37,13 +37,24 @@ double size_of(const Polynomial5& c) {
 
 }  // namespace
 
+std::optional<double> first_knot(const Model& m, double from, double to) {
+  std::optional<double> first;
+  for (const Driver& d : m.drivers) {
+    const Spline* spline = std::get_if<Spline>(&d.motion);
+    if (!spline) continue;
+    const auto begin = spline->knots().begin() + 1, end = spline->knots().end() - 1;
+    const auto knot = std::upper_bound(begin, end, from);
+    if (knot < end && *knot < to && (!first || *knot < *first)) first = *knot;
+  }
+  return first;
+}
+
 /// The tube of one step after the other.
 class PathProof::Tube {
  public:
   Tube(const Model& model, std::shared_ptr<BlockSchedule> schedule);
 
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
-  std::optional<double> first_knot(double from, double to) const;
 
   std::span<const double> radius() const { return radius_; }
   double centre(int i, double time) const { return value_at(path_[i], span_.s(time)); }
@@ -284,21 +295,8 @@ LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
   return proven;
 }
 
-std::optional<double> PathProof::Tube::first_knot(double from, double to) const {
-  std::optional<double> first;
-  for (const Driver& d : m_.drivers) {
-    const Spline* spline = std::get_if<Spline>(&d.motion);
-    if (!spline) continue;
-    // The outer cubics reach beyond the table.
-    const auto begin = spline->knots().begin() + 1, end = spline->knots().end() - 1;
-    const auto knot = std::upper_bound(begin, end, from);
-    if (knot < end && *knot < to && (!first || *knot < *first)) first = *knot;
-  }
-  return first;
-}
-
 PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
-  if (first_knot(from.time, to.time)) return {};
+  if (first_knot(m_, from.time, to.time)) return {};
   span_ = Span(from.time, to.time);
   find_path(from, to);
   find_drivers();
@@ -318,9 +316,6 @@ PathProof::~PathProof() = default;
 
 PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
   return tube_->prove(from, to);
-}
-std::optional<double> PathProof::first_knot(double from, double to) const {
-  return tube_->first_knot(from, to);
 }
 std::span<const double> PathProof::radius() const { return tube_->radius(); }
 double PathProof::centre(int coordinate, double time) const {

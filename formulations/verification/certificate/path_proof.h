@@ -28,6 +28,10 @@ struct PathCertificate {
   GroupId group = no_position;
 };
 
+/// Returns the first knot of a driver's spline between two times [s], both excluded: where a step
+/// is to be split. The first and the last knot of a table are none: its outer cubics reach beyond.
+std::optional<double> first_knot(const Model& model, double from, double to);
+
 /// Proves that two certified instants lie on one smooth motion: between them, Φ(q, t) = 0 has
 /// exactly one solution for each time in a tube about a path, it is smooth, and both instants are
 /// on it. So the step has not jumped to another branch, nor passed a singular position.
@@ -60,10 +64,6 @@ class PathProof {
   /// contains a knot of a spline has no proof, since its driver is no polynomial. Allocates
   /// nothing.
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
-
-  /// Returns the first knot of a driver's spline between two times, both excluded: where a step is
-  /// to be split.
-  std::optional<double> first_knot(double from, double to) const;
 
   /// Returns the radius of the tube of each coordinate after a proof.
   std::span<const double> radius() const;
