@@ -4,10 +4,9 @@ namespace desmo {
 
 namespace {
 
-std::vector<const ShapedBlock*> lanes_of(std::span<const BlockBatch::Member> members) {
+std::vector<const ShapedBlock*> lanes_of(const BlockBatch& batch) {
   std::vector<const ShapedBlock*> all;
-  for (std::size_t lane = 0; lane < LaneNumbers::count; ++lane)
-    all.push_back(&members[lane < members.size() ? lane : 0].block);
+  for (int lane = 0; lane < LaneNumbers::count; ++lane) all.push_back(&batch.in_lane(lane).block);
   return all;
 }
 
@@ -15,7 +14,7 @@ std::vector<const ShapedBlock*> lanes_of(std::span<const BlockBatch::Member> mem
 
 BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>& all_magnitudes,
                        int columns)
-    : members(blocks.begin(), blocks.end()), equations(lanes_of(blocks)) {
+    : members(blocks.begin(), blocks.end()), equations(lanes_of(*this)) {
   const BlockShape& shape = equations.shape();
   const int n = shape.unknowns, w = shape.width();
   rounding = 32 * (w + columns) * Interval::unit;
@@ -26,8 +25,8 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
     if (shape.columns[i] >= 0) locals[shape.columns[i]] = i;
   magnitudes.resize(w);
   initial.resize(members.front().block.initial.size());
-  for (std::size_t lane = 0; lane < LaneNumbers::count; ++lane) {
-    const Member& m = members[lane < members.size() ? lane : 0];
+  for (int lane = 0; lane < LaneNumbers::count; ++lane) {
+    const Member& m = in_lane(lane);
     const auto place = [&](std::vector<int>& to, const std::vector<int>& from) {
       to.resize(LaneNumbers::count * from.size());
       for (std::size_t k = 0; k < from.size(); ++k) to[LaneNumbers::count * k + lane] = from[k];
@@ -37,10 +36,8 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
     place(states, plain_states);
     place(coordinates, m.block.coordinates);
     place(rows, m.rows);
-    for (int i = 0; i < w; ++i)
-      magnitudes[i].set(static_cast<int>(lane), all_magnitudes[m.block.coordinates[i]]);
-    for (std::size_t r = 0; r < initial.size(); ++r)
-      initial[r].set(static_cast<int>(lane), m.block.initial[r]);
+    for (int i = 0; i < w; ++i) magnitudes[i].set(lane, all_magnitudes[m.block.coordinates[i]]);
+    for (std::size_t r = 0; r < initial.size(); ++r) initial[r].set(lane, m.block.initial[r]);
   }
   jacobian.resize(static_cast<int>(shape.entries.size()));
   equations.constant_jacobian(jacobian);

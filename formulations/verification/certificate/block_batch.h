@@ -27,6 +27,8 @@ struct BlockBatch {
   BlockBatch(std::span<const Member> blocks, const std::vector<double>& magnitudes, int columns);
 
   int blocks() const { return static_cast<int>(members.size()); }
+  /// Returns what stands in a lane (LaneNumbers::count).
+  const Member& in_lane(int lane) const { return members[lane < blocks() ? lane : 0]; }
 
   std::vector<Member> members;
   BlockEquations equations;
@@ -41,6 +43,12 @@ struct BlockBatch {
   Preconditioner constant;           ///< of linear equations
   LaneNumbers condition;             ///< of these (Preconditioner::condition)
   std::vector<LaneNumbers> initial;  ///< Φ₀ of a homotopy (n); empty: none
+};
+
+/// Sizes of the largest of some batches, for which memory is allocated.
+struct BatchSizes {
+  int unknowns = 0, width = 0, states = 0;
+  int columns = 0;  ///< of ErrorTable
 };
 
 }  // namespace desmo

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "formulations/verification/certificate/block_proof.h"
+#include "formulations/verification/certificate/trial_box.h"
 
 namespace desmo {
 
@@ -106,38 +107,38 @@ void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
   }
 }
 
-/// Bounds |(I − Y Φ_φ(X)) X| by the radii of X.
-template <int N>
-void BlockProof::contract() {
-  const BlockShape& s = *shape_;
-  const LaneMatrix& jacobian = batch_->jacobian;
-  const int n = N > 0 ? N : s.unknowns;
-  const LaneNumbers rounding = batch_->rounding;
-  for (int r = 0; r < n; ++r) {
-    LaneNumbers sum(0);
-    for (int e = s.row_begins[r]; e < s.input_begins[r]; ++e)
-      sum = fma(fma(rounding, abs(jacobian.mid[e]), jacobian.radius[e]), trial_[s.entries[e]], sum);
-    uncertainty_[r] = sum;
-  }
-  for (int i = 0; i < n; ++i) {
-    LaneNumbers sum(0);
-    for (int r = 0; r < n; ++r) {
-      sum = fma(y_->remainder[i * n + r], trial_[r], sum);
-      sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);
-    }
-    contracted_[i] = sum;
-  }
-}
-
 void BlockProof::find_image(Level level, PerLevel<ErrorTable>& errors) {
   const int n = shape_->unknowns;
   n == 1 ? find_image<1>(level) : n == 3 ? find_image<3>(level) : find_image<0>(level);
   if (errors[level].columns > 0) find_generators(level, errors);
 }
 
-void BlockProof::contract() {
-  const int n = shape_->unknowns;
-  n == 1 ? contract<1>() : n == 3 ? contract<3>() : contract<0>();
+void contract(const BlockBatch& b, const Preconditioner& y, const LaneNumbers* trial,
+              LaneNumbers* uncertainty, LaneNumbers* contracted) {
+  const BlockShape& s = b.equations.shape();
+  const LaneMatrix& jacobian = b.jacobian;
+  const LaneNumbers rounding = b.rounding;
+  const auto of_size = [&]<int N>() {
+    const int n = N > 0 ? N : s.unknowns;
+    for (int r = 0; r < n; ++r) {
+      LaneNumbers sum(0);
+      for (int e = s.row_begins[r]; e < s.input_begins[r]; ++e)
+        sum =
+            fma(fma(rounding, abs(jacobian.mid[e]), jacobian.radius[e]), trial[s.entries[e]], sum);
+      uncertainty[r] = sum;
+    }
+    for (int i = 0; i < n; ++i) {
+      LaneNumbers sum(0);
+      for (int r = 0; r < n; ++r) {
+        sum = fma(y.remainder[i * n + r], trial[r], sum);
+        sum = fma(abs(y.inverse[i * n + r]), uncertainty[r], sum);
+      }
+      contracted[i] = sum;
+    }
+  };
+  s.unknowns == 1   ? of_size.operator()<1>()
+  : s.unknowns == 3 ? of_size.operator()<3>()
+                    : of_size.operator()<0>();
 }
 
 }  // namespace desmo

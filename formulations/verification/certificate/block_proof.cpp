@@ -15,18 +15,18 @@ LaneNumbers loaded(const ErrorTable::Row& row) {
 
 }  // namespace
 
-BlockProof::BlockProof(const Sizes& sizes) {
-  const int n = sizes.unknowns;
+BlockProof::BlockProof(const BatchSizes& largest) {
+  const int n = largest.unknowns;
   for (const Level level : all_levels) {
-    state_[level].resize(sizes.states);
+    state_[level].resize(largest.states);
     phi_[level].resize(n);
-    rates_[level].resize(n * sizes.width);
+    rates_[level].resize(n * largest.width);
     ErrorColumns& e = errors_[level];
-    for (auto* values : {&e.center, &e.own, &e.sum, &e.weight}) values->resize(sizes.width);
+    for (auto* values : {&e.center, &e.own, &e.sum, &e.weight}) values->resize(largest.width);
   }
-  preconditioner_.resize(n, sizes.width);
+  preconditioner_.resize(n, largest.width);
   for (auto* values : {&center_, &uncertainty_, &trial_, &contracted_}) values->resize(n);
-  generators_.resize(n * sizes.columns);
+  generators_.resize(n * largest.columns);
   lower_.reserve(2);
 }
 
@@ -104,7 +104,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
       }
       find_image(Level::position, all);
     }
-    contract();
+    contract(b, *y_, trial_.data(), uncertainty_.data(), contracted_.data());
     LaneMask inside = lanes;
     for (int i = 0; i < n; ++i) inside = inside & less(fma(2, contracted_[i], e.sum[i]), trial_[i]);
     proven = proven | inside;

@@ -14,11 +14,8 @@ namespace desmo {
 /// within an interval about each delivered value.
 class BlockProof {
  public:
-  /// Sizes of the largest batch, for which memory is allocated.
-  struct Sizes {
-    int unknowns = 0, width = 0, states = 0, columns = 0;
-  };
-  explicit BlockProof(const Sizes& sizes);
+  /// largest: of the batches that are to be proven.
+  explicit BlockProof(const BatchSizes& largest);
 
   /// Proves bounds on the errors of the unknowns, up to a level. errors: those of the inputs are
   /// known. time: of the instant; only a homotopy reads it. Writes those of the unknowns; their sum
@@ -58,9 +55,6 @@ class BlockProof {
   template <int N>
   void find_image(Level level);
   void find_generators(Level level, PerLevel<ErrorTable>& errors);
-  void contract();
-  template <int N>
-  void contract();
 
   BlockBatch* batch_ = nullptr;
   const BlockShape* shape_ = nullptr;

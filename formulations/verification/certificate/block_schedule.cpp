@@ -34,6 +34,14 @@ class Builder {
       std::ranges::move(of_depth.links, std::back_inserter(result_.steps));
       if (!of_depth.members.empty()) result_.steps.push_back(batched(of_depth.members));
     }
+    for (const CertificationStep& step : result_.steps)
+      for (const BlockBatch& batch : step.batches) {
+        const BlockShape& shape = batch.equations.shape();
+        BatchSizes& largest = result_.largest;
+        largest.unknowns = std::max(largest.unknowns, shape.unknowns);
+        largest.width = std::max(largest.width, shape.width());
+        largest.states = std::max(largest.states, shape.states());
+      }
     return std::move(result_);
   }
 
@@ -146,7 +154,7 @@ class Builder {
     }
     depths_[depth].links.push_back(std::move(step));
     result_.lent_rows = std::max(result_.lent_rows, rows);
-    result_.max_columns = std::max(result_.max_columns, columns);
+    result_.largest.columns = std::max(result_.largest.columns, columns);
     result_.max_generators = std::max(result_.max_generators, rows * columns);
     link_of_[group] = static_cast<int>(result_.links.size());
     result_.links.push_back(std::move(link));

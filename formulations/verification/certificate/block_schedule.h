@@ -35,7 +35,8 @@ struct BlockSchedule {
   std::vector<CertificationStep> steps;
   std::vector<ChainLink> links;
   std::vector<GroupInterface> interfaces;
-  int lent_rows = 0, max_generators = 0, max_columns = 0;  ///< of ErrorTable
+  BatchSizes largest;
+  int lent_rows = 0, max_generators = 0;  ///< of ErrorTable
 };
 
 /// Cuts a model into blocks. levels: up to which each coordinate is solved; empty: all. Errors go

@@ -31,26 +31,10 @@ class Certifier::Proof {
   PerLevel<ErrorTable> errors_;
 };
 
-namespace {
-
-BlockProof::Sizes sizes_of(const BlockSchedule& schedule) {
-  BlockProof::Sizes sizes{.columns = schedule.max_columns};
-  for (const CertificationStep& step : schedule.steps)
-    for (const BlockBatch& batch : step.batches) {
-      const BlockShape& shape = batch.equations.shape();
-      sizes.unknowns = std::max(sizes.unknowns, shape.unknowns);
-      sizes.width = std::max(sizes.width, shape.width());
-      sizes.states = std::max(sizes.states, shape.states());
-    }
-  return sizes;
-}
-
-}  // namespace
-
 Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to, InitialResidual initial)
     : m_(m),
       schedule_(std::make_shared<BlockSchedule>(block_schedule(m, up_to, initial))),
-      proof_(sizes_of(*schedule_)) {
+      proof_(schedule_->largest) {
   for (const Level level : all_levels) {
     ErrorTable& e = errors_[level];
     e.rows.resize(m.state_size() + schedule_->lent_rows);

@@ -79,7 +79,7 @@ struct Certificate {
 ///   find_image(), symbols in find_generators()
 /// - errors of lower levels, which rates depend on: BlockProof::bound_rates()
 /// - inflation of X, and the limit of its contraction: BlockProof::prove_positions()
-/// - (I − Y Φ_φ(X)) X: BlockProof::contract(); finish() adds it
+/// - (I − Y Φ_φ(X)) X: contract() (trial_box.h); BlockProof::finish() adds it
 /// - rounding: `rounding`, counted at the top of block_image.cpp
 /// - change of basis: where boxes grow, GroupInterface encloses what later groups of a long chain
 ///   read in an orthonormal basis that turns with the errors (ErrorBasis), and hands it on

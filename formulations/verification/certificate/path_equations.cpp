@@ -50,14 +50,11 @@ struct PathEquations::FunctionsOf {
 };
 
 PathEquations::PathEquations(const BlockBatch& batch) {
-  const auto block = [&](int lane) -> const ShapedBlock& {
-    return batch.members[lane < batch.blocks() ? lane : 0].block;
-  };
-  constants_.resize(block(0).constants.size() + 1);
+  constants_.resize(batch.in_lane(0).block.constants.size() + 1);
   remainders_.resize(constants_.size());
   for (std::size_t k = 0; k + 1 < constants_.size(); ++k)
     for (int lane = 0; lane < LaneNumbers::count; ++lane) {
-      const TaylorModel<double, 1> constant(block(lane).constants[k]);
+      const TaylorModel<double, 1> constant(batch.in_lane(lane).block.constants[k]);
       constants_[k].set(lane, constant.c[0]);
       remainders_[k].set(lane, constant.rest);
     }

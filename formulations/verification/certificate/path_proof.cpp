@@ -99,19 +99,12 @@ PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
   path_.resize(m.coordinates());
   gap_.resize(m.coordinates());
   radius_.resize(m.coordinates());
-  int n = 0, inputs = 0, width = 0, states = 0;
-  for (CertificationStep& step : schedule_->steps)
-    for (BlockBatch& batch : step.batches) {
-      equations_.emplace_back(batch);
-      const BlockShape& shape = batch.equations.shape();
-      n = std::max(n, shape.unknowns);
-      inputs = std::max(inputs, shape.inputs);
-      width = std::max(width, shape.width());
-      states = std::max(states, shape.states());
-    }
+  for (const CertificationStep& step : schedule_->steps)
+    for (const BlockBatch& batch : step.batches) equations_.emplace_back(batch);
+  const auto& [n, width, states, columns] = schedule_->largest;
   states_.resize(states), slopes_.resize(states), curved_.resize(states);
   phi_.resize(n);
-  errors_.resize(inputs);
+  errors_.resize(width);
   for (auto* values : {&gaps_, &image_, &uncertainty_, &trial_, &contracted_}) values->resize(n);
   preconditioner_.resize(n, width);
 }
@@ -167,9 +160,6 @@ void PathProof::Tube::find_drivers() {
 /// Takes the paths and errors that a batch reads.
 void PathProof::Tube::gather(const BlockBatch& b) {
   const BlockShape& shape = b.equations.shape();
-  const auto member = [&](int lane) -> const BlockBatch::Member& {
-    return b.members[lane < b.blocks() ? lane : 0];
-  };
   for (int i = 0; i < shape.states(); ++i) {
     Value& x = states_[i];
     x.rest = 0;
@@ -180,13 +170,13 @@ void PathProof::Tube::gather(const BlockBatch& b) {
     if (shape.columns[i] == BlockShape::fixed) {
       x.c.fill(0);
       for (int lane = 0; lane < LaneNumbers::count; ++lane) {
-        const int at = member(lane).block.states[i] - m_.coordinates();
+        const int at = b.in_lane(lane).block.states[i] - m_.coordinates();
         const TaylorModel<double, 1> number(m_.fixed_value(at));
         x.c[0].set(lane, number.c[0]);
         x.rest.set(lane, number.rest);
       }
     } else {
-      const auto path = [&](int lane) { return path_[member(lane).block.states[i]].data(); };
+      const auto path = [&](int lane) { return path_[b.in_lane(lane).block.states[i]].data(); };
       const double *const p0 = path(0), *const p1 = path(1), *const p2 = path(2),
                           *const p3 = path(3);
       for (int k = 0; k <= degree; ++k)
@@ -200,7 +190,7 @@ void PathProof::Tube::gather(const BlockBatch& b) {
   }
   for (int j = 0; j < shape.width(); ++j)
     for (int lane = 0; lane < LaneNumbers::count; ++lane) {
-      const int at = member(lane).block.coordinates[j];
+      const int at = b.in_lane(lane).block.coordinates[j];
       if (j < shape.unknowns)
         gaps_[j].set(lane, gap_[at]);
       else
@@ -250,21 +240,8 @@ void PathProof::Tube::contract(BlockBatch& b, const PathEquations& equations) {
     for (int i = 0; i < n; ++i) slopes_[b.locals[i]].rest = curved_[b.locals[i]] + trial_[i];
     equations.jacobian(slopes_.data(), b.jacobian);
   }
-  for (int r = 0; r < n; ++r) {
-    LaneNumbers sum(0);
-    for (int e = shape.row_begins[r]; e < shape.input_begins[r]; ++e)
-      sum = fma(fma(b.rounding, abs(b.jacobian.mid[e]), b.jacobian.radius[e]),
-                trial_[shape.entries[e]], sum);
-    uncertainty_[r] = sum;
-  }
-  for (int i = 0; i < n; ++i) {
-    LaneNumbers sum(0);
-    for (int r = 0; r < n; ++r) {
-      sum = fma(y_->remainder[i * n + r], trial_[r], sum);
-      sum = fma(abs(y_->inverse[i * n + r]), uncertainty_[r], sum);
-    }
-    contracted_[i] = sum * (1 + b.rounding);
-  }
+  desmo::contract(b, *y_, trial_.data(), uncertainty_.data(), contracted_.data());
+  for (int i = 0; i < n; ++i) contracted_[i] *= 1 + b.rounding;
 }
 
 /// Returns in which lanes the tube of the batch is proven, and writes its radii there.

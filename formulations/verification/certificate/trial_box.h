@@ -1,6 +1,8 @@
 #pragma once
 
+#include "formulations/verification/certificate/block_batch.h"
 #include "formulations/verification/certificate/lane_numbers.h"
+#include "formulations/verification/certificate/preconditioner.h"
 
 namespace desmo {
 
@@ -21,5 +23,12 @@ inline LaneNumbers inflated(const LaneNumbers& image, const LaneNumbers& magnitu
   constexpr double growth = 1.1;
   return fma(magnitude, min_trial, image * growth);
 }
+
+/// Bounds |(I − Y Φ_φ(X)) X| of a batch, whose `jacobian` is Φ_φ(X). All are (n).
+/// - trial: radii of X
+/// - uncertainty: of the equations; overwritten
+/// - contracted: the bound; overwritten. The top of block_image.cpp says what rounding is in it
+void contract(const BlockBatch& batch, const Preconditioner& y, const LaneNumbers* trial,
+              LaneNumbers* uncertainty, LaneNumbers* contracted);
 
 }  // namespace desmo
