@@ -23,4 +23,13 @@ void visit_incidence(const Model& m, const Constraint& constraint, Visit&& visit
   });
 }
 
+/// Returns an array of pointers to the first component of each operand of a constraint.
+/// state: (Model::state_size()), in any scalar; it must outlive them.
+template <class Kind, class S>
+auto operands_of(const Model& m, const Constraint& constraint, const S* state) {
+  std::array<const S*, Kind::operand_sizes.size()> x;
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = state + m.state_index(constraint.operands[k]);
+  return x;
+}
+
 }  // namespace desmo

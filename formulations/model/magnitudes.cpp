@@ -7,6 +7,7 @@
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/incidence.h"
 #include "formulations/model/scales.h"
 
 namespace desmo {
@@ -41,9 +42,9 @@ RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
   std::array<double, operands> size, change;
   std::array<std::array<double, max_components>, operands>
       move;  // a little of everything, to and fro
-  std::array<const double*, operands> x, v;
+  const auto x = operands_of<Kind>(m, c, state.data());
+  std::array<const double*, operands> v;
   for (std::size_t k = 0; k < operands; ++k) {
-    x[k] = state.data() + m.state_index(c.operands[k]);
     change[k] = unit_roundoff * reach(m, c.operands[k], x[k], length);
     size[k] = is_length(m.entities[c.operands[k]].kind) ? length : 1;
     move[k].fill((k % 2 == 0 ? size[k] : -size[k]) / std::sqrt(Kind::operand_sizes[k]));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/model/incidence.h"
 
 namespace desmo {
 
@@ -56,18 +57,11 @@ class VariedDrawing {
   }
 
  private:
-  template <class Kind>
-  auto operands(const Constraint& c) const {
-    std::array<const Derived*, Kind::operand_sizes.size()> x;
-    for (std::size_t k = 0; k < x.size(); ++k) x[k] = state_.data() + m_.state_index(c.operands[k]);
-    return x;
-  }
-
   /// Lets a direction vary with the ends of a line along which it points.
   void vary_line(const Constraint& c) {
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       if constexpr (Kind::linear && Kind::constants == 1 && is_measured<Kind>) {
-        const std::array<const Derived*, 3> x = operands<Kind>(c);
+        const std::array<const Derived*, 3> x = operands_of<Kind>(m_, c, state_.data());
         if (c.constants[0] == 0) return;
         const int first = m_.state_index(c.operands[2]);
         for (int i = 0; i < Kind::operand_sizes[2]; ++i)
@@ -83,7 +77,7 @@ class VariedDrawing {
   template <class Kind>
   void vary_dimensions(Constraint& c) const {
     std::array<Derived, Kind::constants> drawn;
-    Kind::measure(operands<Kind>(c).data(), drawn.data());
+    Kind::measure(operands_of<Kind>(m_, c, state_.data()).data(), drawn.data());
     bool is_drawn = true;
     for (int k = 0; k < Kind::constants; ++k) {
       const Derived off = drawn[k] - c.dimension(k);
@@ -100,7 +94,7 @@ class VariedDrawing {
   /// multiplied by how far points are from the origin.
   template <class Kind>
   void vary_rows(Constraint& c) const {
-    const auto x = operands<Kind>(c);
+    const auto x = operands_of<Kind>(m_, c, state_.data());
     std::array<Derived, Kind::constants> factors;
     for (int k = 0; k < Kind::constants; ++k) factors[k] = c.dimension(k);
     std::array<Derived, Kind::rows> phi;
@@ -140,7 +134,7 @@ class VariedDrawing {
   /// operands.
   template <class Kind>
   double reach(const Constraint& c) const {
-    const auto x = operands<Kind>(c);
+    const auto x = operands_of<Kind>(m_, c, state_.data());
     double longest = 0;
     for (std::size_t k = 0; k < x.size(); ++k)
       for (std::size_t other = 0; other <= k; ++other) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/model/incidence.h"
 #include "formulations/model/scales.h"
 
 namespace desmo {
@@ -14,8 +15,7 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
   const Constraint& c = m.constraints[constraint];
   Misfit result{constraint, 0, false};
   visit_kind(c.kind, [&]<class Kind>(Kind) {
-    std::array<const double*, Kind::operand_sizes.size()> x;
-    for (std::size_t k = 0; k < x.size(); ++k) x[k] = state.data() + m.state_index(c.operands[k]);
+    const auto x = operands_of<Kind>(m, c, state.data());
     std::array<double, Kind::operand_sizes.size()> slope{};  // of each operand
     Kind::jacobian(x.data(), constants_at<Kind>(c.constants.data(), x.data()).data(),
                    [&](int r, int operand, int, double value) {

@@ -1,7 +1,6 @@
 #include "formulations/verification/branch/start.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -11,6 +10,7 @@
 
 #include "cases/numbers/compensated.h"
 #include "formulations/constraints/constraints.h"
+#include "formulations/model/incidence.h"
 #include "formulations/model/whole_turns.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/chosen_equations.h"
@@ -29,8 +29,7 @@ std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
   std::vector<std::vector<double>> all;
   for (const Constraint& c : m.constraints)
     visit_kind(c.kind, [&]<class Kind>(Kind) {
-      std::array<const double*, Kind::operand_sizes.size()> x;
-      for (std::size_t k = 0; k < x.size(); ++k) x[k] = state.data() + m.state_index(c.operands[k]);
+      const auto x = operands_of<Kind>(m, c, state.data());
       std::vector<double> phi(Kind::rows);
       Kind::residual(x.data(), constants_at<Kind>(c.constants.data(), x.data()).data(), phi.data());
       all.push_back(std::move(phi));

@@ -4,27 +4,11 @@
 #include <set>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/model/incidence.h"
 
 namespace desmo {
 
 namespace {
-
-/// Calls visit(row, local state) for each entry of a constraint's Jacobian, in its order.
-template <class Visit>
-void for_each_entry(const Constraint& c, const std::array<int, BlockShape::max_operands>& operands,
-                    Visit&& visit) {
-  std::vector<double> constants = c.constants;
-  constants.push_back(0);  // never read; data() is not null
-  visit_kind(c.kind, [&]<class Kind>(Kind) {
-    static_assert(Kind::operand_sizes.size() <= BlockShape::max_operands &&
-                  Kind::rows <= BlockShape::max_rows);
-    const std::array<double, max_components> any{};  // the entries are those of all values
-    std::array<const double*, Kind::operand_sizes.size()> x;
-    x.fill(any.data());
-    Kind::jacobian(x.data(), constants_at<Kind>(constants.data(), x.data()).data(),
-                   [&](int row, int operand, int i, double) { visit(row, operands[operand] + i); });
-  });
-}
 
 class Builder {
  public:
@@ -59,7 +43,11 @@ class Builder {
     for (std::size_t row = 0; row < part_.equations.size(); ++row)
       if (part_.equations[row].constraint == position)
         o.rows[part_.equations[row].row] = static_cast<int>(row);
-    visit_kind(c.kind, [&]<class Kind>(Kind) { block_.shape.linear &= Kind::linear; });
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
+      static_assert(Kind::operand_sizes.size() <= BlockShape::max_operands &&
+                    Kind::rows <= BlockShape::max_rows);
+      block_.shape.linear &= Kind::linear;
+    });
     for (std::size_t k = 0; k < c.constants.size(); ++k) block_.constants.push_back(c.dimension(k));
     block_.shape.objects.push_back(std::move(o));
     constraints_.push_back(&c);
@@ -75,11 +63,19 @@ class Builder {
     return at;
   }
 
+  /// Calls visit(row, local state) for each entry of the Jacobian of constraint k, in its order.
+  template <class Visit>
+  void for_each_entry(std::size_t k, Visit&& visit) const {
+    visit_incidence(m_, *constraints_[k], [&](int row, int state) {
+      visit(row, static_cast<int>(std::ranges::find(block_.states, state) - block_.states.begin()));
+    });
+  }
+
   void find_columns() {
     BlockShape& s = block_.shape;
     std::vector<bool> is_read(block_.states.size());
     for (std::size_t k = 0; k < constraints_.size(); ++k)
-      for_each_entry(*constraints_[k], s.objects[k].operands, [&](int row, int state) {
+      for_each_entry(k, [&](int row, int state) {
         if (s.objects[k].rows[row] >= 0) is_read[state] = true;
       });
     for (std::size_t i = 0; i < block_.states.size(); ++i)
@@ -100,7 +96,7 @@ class Builder {
     std::vector<std::set<int>> rows(s.unknowns);
     const auto for_each = [&](auto&& visit) {
       for (std::size_t k = 0; k < constraints_.size(); ++k)
-        for_each_entry(*constraints_[k], s.objects[k].operands, [&](int row, int state) {
+        for_each_entry(k, [&](int row, int state) {
           visit(s.objects[k], s.objects[k].rows[row], s.columns[state]);
         });
     };

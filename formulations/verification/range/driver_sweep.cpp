@@ -9,6 +9,7 @@
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/incidence.h"
 #include "formulations/model/scales.h"
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/branch/misfit.h"
@@ -82,9 +83,7 @@ bool DriverSweep::is_violated(const Point& point) const {
     if (constraint.left_out == 0) continue;
     std::array<double, 3> phi{};
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      std::array<const double*, Kind::operand_sizes.size()> x;
-      for (std::size_t k = 0; k < x.size(); ++k)
-        x[k] = point.state.data() + model().state_index(constraint.operands[k]);
+      const auto x = operands_of<Kind>(model(), constraint, point.state.data());
       Kind::residual(x.data(), constants_at<Kind>(constraint.constants.data(), x.data()).data(),
                      phi.data());
     });

@@ -6,6 +6,7 @@
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/constraints/jet.h"
+#include "formulations/model/incidence.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
@@ -35,7 +36,7 @@ class WholeSystem {
     int row = 0;
     for (const Constraint& constraint : m_.constraints)
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-        const auto x = operands<Kind>(constraint, state);
+        const auto x = operands_of<Kind>(m_, constraint, state.data());
         const auto constants = dimensions<Kind>(constraint, x.data());
         std::array<S, Kind::rows> all;
         Kind::residual(x.data(), constants.data(), all.data());
@@ -51,7 +52,7 @@ class WholeSystem {
     int row = 0;
     for (const Constraint& constraint : m_.constraints)
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-        const auto x = operands<Kind>(constraint, state);
+        const auto x = operands_of<Kind>(m_, constraint, state.data());
         const auto constants = dimensions<Kind>(constraint, x.data());
         std::array<int, Kind::rows> place;
         for (int r = 0; r < Kind::rows; ++r) place[r] = constraint.left_out >> r & 1 ? -1 : row++;
@@ -81,13 +82,6 @@ class WholeSystem {
     std::array<Jet<S>, Kind::constants + 1> all{};
     for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = Jet<S>(still[k]);
     return all;
-  }
-  template <class Kind, class S>
-  auto operands(const Constraint& constraint, std::span<const S> state) const {
-    std::array<const S*, Kind::operand_sizes.size()> x;
-    for (std::size_t k = 0; k < x.size(); ++k)
-      x[k] = state.data() + m_.state_index(constraint.operands[k]);
-    return x;
   }
 
   const Model& m_;
