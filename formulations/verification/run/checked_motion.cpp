@@ -226,7 +226,11 @@ void CheckedMotion::deliver(const RefinedInstant& r) {
   result_.radius = r.radius;
   result_.condition = r.last.condition;
   if (r.proven) {
-    find_misfit(r);
+    const std::optional<RowFlag> flag = misfit_flag(m_, follower_->left_out, r);
+    if (flag && result_.flag)  // it stays, with the misfit
+      result_.flag->misfit = flag->misfit;
+    else if (flag)
+      result_.flag = flag;
     return;
   }
   result_.flag = {.kind = RowFlag::Kind::unproven,
@@ -267,27 +271,6 @@ void CheckedMotion::deliver_unproven(const Instant& solved, const RefinedInstant
   result_.instant = solved;
 }
 
-/// Flags a proven result where an equation that was left out does not hold, or does not on the way
-/// from the last row. A flag that it has stays, with the misfit.
-void CheckedMotion::find_misfit(const RefinedInstant& r) {
-  LeftOutEquations& left_out = follower_->left_out;
-  if (!left_out.any()) return;
-  std::optional<Misfit> misfit = left_out.check(r);
-  double time = r.instant.time;
-  if (const auto between = left_out.take_between();
-      between && (!misfit || between->misfit.amount > misfit->amount)) {
-    misfit = between->misfit;
-    time = between->time;
-  }
-  if (!misfit) return;
-  if (!result_.flag)
-    result_.flag = {.kind = RowFlag::Kind::misfit,
-                    .after = time,
-                    .before = time,
-                    .group = m_.constraints[misfit->constraint].group};
-  result_.flag->misfit = misfit;
-}
-
 /// Flags the result where its branch is unknown.
 void CheckedMotion::complete_flag() {
   if (lost_ && !(result_.flag && result_.flag->kind == RowFlag::Kind::unproven)) {
@@ -298,6 +281,23 @@ void CheckedMotion::complete_flag() {
   if (first_flag_ && !result_.flag) result_.flag = first_flag_;
   first_flag_.reset();
   if (result_.flag) result_.flag->time = result_.instant.time;
+}
+
+std::optional<RowFlag> misfit_flag(const Model& m, LeftOutEquations& left_out,
+                                   const RefinedInstant& r, double offset, const LiveRow* drivers) {
+  std::optional<Misfit> misfit = left_out.check(r, drivers);
+  double time = offset + r.instant.time;
+  if (const auto between = left_out.take_between();
+      between && (!misfit || between->misfit.amount > misfit->amount)) {
+    misfit = between->misfit;
+    time = offset + between->time;
+  }
+  if (!misfit) return {};
+  return RowFlag{.kind = RowFlag::Kind::misfit,
+                 .after = time,
+                 .before = time,
+                 .group = m.constraints[misfit->constraint].group,
+                 .misfit = misfit};
 }
 
 }  // namespace desmo

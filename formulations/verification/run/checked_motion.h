@@ -75,7 +75,6 @@ class CheckedMotion {
   void deliver_unproven(const Instant& solved, const RefinedInstant& refined);
   void complete_flag();
   void keep_last();
-  void find_misfit(const RefinedInstant& refined);
   CertifiedInstant certified(const RefinedInstant& refined) const;
 
   const Model& m_;
@@ -103,5 +102,15 @@ class CheckedMotion {
   CheckedInstant result_;
   bool elsewhere_ = false;
 };
+
+/// Returns the flag, but for its row's time, of a row where an equation that was left out does not
+/// hold, or does not on the way from the last row; nothing where all do. What left_out has noted on
+/// that way it forgets.
+/// - refined: the row's instant
+/// - offset: what is to be added to times of the path, for times of rows [s]
+/// - drivers: as in LeftOutEquations::check()
+std::optional<RowFlag> misfit_flag(const Model& model, LeftOutEquations& left_out,
+                                   const RefinedInstant& refined, double offset = 0,
+                                   const LiveRow* drivers = nullptr);
 
 }  // namespace desmo

@@ -12,6 +12,7 @@
 #include "formulations/verification/branch/left_out_equations.h"
 #include "formulations/verification/branch/start.h"
 #include "formulations/verification/certificate/refinement.h"
+#include "formulations/verification/run/checked_motion.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/row_motions.h"
 #include "formulations/verification/run/running_scales.h"
@@ -191,7 +192,8 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
                       .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
-    else if (const std::optional<RowFlag> flag = misfit_flag(*found, row))
+    else if (const std::optional<RowFlag> flag =
+                 misfit_flag(formulation_.model(), *c.left_out, *found, row.time, &row))
       summary.flag = flag;
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
@@ -200,25 +202,6 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
                     .failure = found->last.failure};
   }
   if (summary.flag) summary.flag->time = row.time;
-}
-
-/// Returns the flag of a row where an equation that was left out does not hold, or does not on the
-/// way from the last row.
-std::optional<RowFlag> LiveRun::misfit_flag(const RefinedInstant& found, const LiveRow& row) {
-  LeftOutEquations& left_out = *checks_->left_out;
-  std::optional<Misfit> misfit = left_out.check(found, &row);
-  double time = row.time;
-  if (const auto between = left_out.take_between();
-      between && (!misfit || between->misfit.amount > misfit->amount)) {
-    misfit = between->misfit;
-    time += between->time;
-  }
-  if (!misfit) return {};
-  return RowFlag{.kind = RowFlag::Kind::misfit,
-                 .after = time,
-                 .before = time,
-                 .group = formulation_.model().constraints[misfit->constraint].group,
-                 .misfit = misfit};
 }
 
 /// Goes from the drawing to the first row. Where no way leads there, the answer is what the
