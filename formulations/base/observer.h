@@ -4,6 +4,7 @@
 
 #include "cases/mechanism/level.h"
 #include "formulations/base/output.h"
+#include "formulations/base/per_level.h"
 
 namespace desmo {
 
@@ -19,6 +20,16 @@ struct Instant {
   bool interpolated = false;           ///< not solved itself (see Settings::stride)
   OutputView output{};                 ///< the lent memory, which the observer may lend again
 };
+
+/// Returns an instant of all coordinates in the memory of `values`, which may end before the level.
+/// Its index is 0. time: [s]
+inline Instant instant_of(double time, const PerLevel<std::span<const double>>& values,
+                          Level level = Level::acceleration) {
+  Instant instant{.index = 0, .time = time, .q = values.position, .qd = {}, .qdd = {}};
+  if (level >= Level::velocity) instant.qd = values.velocity;
+  if (level >= Level::acceleration) instant.qdd = values.acceleration;
+  return instant;
+}
 
 /// Receives the instants of a run. Nothing is thrown through a run: an observer that cannot go on
 /// returns Flow::stop and keeps the reason.

@@ -12,10 +12,6 @@ namespace {
 
 constexpr double above = 1 + 0x1p-50;  // covers the few roundings of a comparison
 
-CertifiedInstant certified(const RefinedInstant& r) {
-  return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
-}
-
 /// Returns whether the certified boxes of two instants are disjoint, so that their solutions
 /// differ.
 bool are_apart(const CertifiedInstant& a, const CertifiedInstant& b) {
@@ -29,27 +25,17 @@ bool are_apart(const CertifiedInstant& a, const CertifiedInstant& b) {
 }  // namespace
 
 BranchPath::BranchPath(const Model& m, int budget, InitialResidual initial)
-    : m_(m), budget_(budget), refinement_(m, {}, initial), path_(m, refinement_.certifier()) {
-  for (Memory* memory : {&memory_, &predicted_}) {
-    for (const Level level : all_levels) memory->values[level].resize(m.coordinates());
-    memory->radius.resize(m.coordinates());
-  }
-}
+    : m_(m),
+      budget_(budget),
+      refinement_(m, {}, initial),
+      path_(m, refinement_.certifier()),
+      memory_(m.coordinates()),
+      predicted_(m.coordinates()) {}
 
 /// Makes a proven instant the present one.
 void BranchPath::keep(const RefinedInstant& r) {
-  std::ranges::copy(r.instant.q, memory_.values.position.begin());
-  std::ranges::copy(r.instant.qd, memory_.values.velocity.begin());
-  std::ranges::copy(r.instant.qdd, memory_.values.acceleration.begin());
-  std::ranges::copy(r.radius.position, memory_.radius.begin());
-  show(r.instant.time);
-}
-
-/// Lets present() show what is in memory.
-void BranchPath::show(double time) {
-  present_ = {time,
-              {memory_.values.position, memory_.values.velocity, memory_.values.acceleration},
-              memory_.radius};
+  memory_.assign(certified(r));
+  present_ = memory_.view();
 }
 
 /// Makes an instant the present one. Rates that it does not have are found first: they are linear,
@@ -68,14 +54,12 @@ bool BranchPath::take(const CertifiedInstant& instant) {
   if (complete) {
     for (const Level level : all_levels) memory_.values[level].swap(predicted_.values[level]);
     std::ranges::copy(instant.radius, memory_.radius.begin());
-    show(instant.time);
+    memory_.time = instant.time;
+    present_ = memory_.view();
     return true;
   }
-  const RefinedInstant& refined = refinement_.refine({.index = 0,
-                                                      .time = instant.time,
-                                                      .q = predicted_.values.position,
-                                                      .qd = predicted_.values.velocity,
-                                                      .qdd = predicted_.values.acceleration});
+  const RefinedInstant& refined =
+      refinement_.refine(instant_of(instant.time, predicted_.view().values));
   if (refined.proven) keep(refined);
   return refined.proven;
 }
@@ -98,11 +82,7 @@ const RefinedInstant& BranchPath::predict(double time) {
     predicted_.values.velocity[i] = z.velocity;
     predicted_.values.acceleration[i] = z.acceleration;
   }
-  return refinement_.refine({.index = 0,
-                             .time = time,
-                             .q = predicted_.values.position,
-                             .qd = predicted_.values.velocity,
-                             .qdd = predicted_.values.acceleration});
+  return refinement_.refine(instant_of(time, predicted_.view().values));
 }
 
 /// Proves the step from the present instant to another one, earlier or later.

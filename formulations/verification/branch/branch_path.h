@@ -12,6 +12,12 @@
 
 namespace desmo {
 
+/// Returns a refined instant that is proven as a certified one in the same memory. levels: up to
+/// which each coordinate is solved (CertifiedInstant).
+inline CertifiedInstant certified(const RefinedInstant& r, std::span<const Level> levels = {}) {
+  return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position, levels};
+}
+
 /// The one follower of paths: goes from a proven instant along the motion, in steps that are all
 /// proven (PathProof), and says whether an instant lies on it. Sub-steps need no formulation: the
 /// corrections of certificates (Refinement) lead from Taylor's polynomial to the solution.
@@ -54,17 +60,11 @@ class BranchPath {
   const CertifiedInstant& present() const { return present_; }
 
  private:
-  struct Memory {
-    PerLevel<std::vector<double>> values;
-    std::vector<double> radius;
-  };
-
   FollowedStep go(double time, const CertifiedInstant* to);
   PathCertificate prove(const CertifiedInstant& to);
   double up_to_knot(double time) const;
   bool take(const CertifiedInstant& instant);
   void keep(const RefinedInstant& refined);
-  void show(double time);
   const RefinedInstant& predict(double time);
 
   const Model& m_;
@@ -72,9 +72,9 @@ class BranchPath {
   Refinement refinement_;
   PathProof path_;  // shares its blocks
   std::function<bool(const PathProof&)> is_accepted_;
-  Memory memory_;
-  CertifiedInstant present_;
-  Memory predicted_;
+  InstantCopy memory_;
+  CertifiedInstant present_;  // what is in memory
+  InstantCopy predicted_;
 };
 
 }  // namespace desmo

@@ -106,27 +106,21 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, double time, doubl
   if (!on_line) return false;
   const double rate = crossing.line().along(z.velocity),
                change = crossing.line().along(z.acceleration);
-  PerLevel<std::vector<double>> x;
-  for (const Level level : all_levels)
-    x[level].assign(on_line->values[level].begin(), on_line->values[level].end());
+  InstantCopy x;
+  x.assign(*on_line);
+  auto& [q, qd, qdd] = x.values;
   for (int i = 0; i < m.coordinates(); ++i) {
-    x.acceleration[i] = x.acceleration[i] * rate * rate + x.velocity[i] * change;
-    x.velocity[i] *= rate;
+    qdd[i] = qdd[i] * rate * rate + qd[i] * change;
+    qd[i] *= rate;
   }
-  if (m.drivers.size() > 1 && !lead(m, crossing.line().at(s), z.position, x.position)) return false;
+  if (m.drivers.size() > 1 && !lead(m, crossing.line().at(s), z.position, q)) return false;
   Refinement refinement(m);
-  const RefinedInstant& r = refinement.refine(
-      {.index = 0, .time = time, .q = x.position, .qd = x.velocity, .qdd = x.acceleration});
+  const RefinedInstant& r = refinement.refine(instant_of(time, x.view().values));
   if (!r.proven) return false;
   BranchPath path(m);
-  if (!path.start_at({time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position}) ||
-      path.go_to(later).end != PathEnd::same)
-    return false;
+  if (!path.start_at(certified(r)) || path.go_to(later).end != PathEnd::same) return false;
   point.before = time;
-  point.values.position.assign(r.instant.q.begin(), r.instant.q.end());
-  point.values.velocity.assign(r.instant.qd.begin(), r.instant.qd.end());
-  point.values.acceleration.assign(r.instant.qdd.begin(), r.instant.qdd.end());
-  point.radius.assign(r.radius.position.begin(), r.radius.position.end());
+  point.first.assign(certified(r));
   return true;
 }
 

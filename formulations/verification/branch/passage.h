@@ -13,18 +13,15 @@ struct PassedPoint {
   double time;           ///< of the point [s], about
   double after, before;  ///< of the proven instants next to it [s]; before: infinite where the
                          ///< motion rests on the point for good
-  /// The first proven instant beyond, up to its accelerations, from which BranchPath goes on. Not
-  /// where `before` is infinite.
-  PerLevel<std::vector<double>> values{};
-  std::vector<double> radius{};  ///< of its positions
+  /// The first proven instant beyond, up to its accelerations. Empty where `before` is infinite.
+  InstantCopy first{};
 
   DriverLine line;
   double width;
   std::vector<Quintic<double>> polynomials;  ///< of each coordinate across the point, of s / width
 
-  CertifiedInstant beyond() const {
-    return {before, {values.position, values.velocity, values.acceleration}, radius};
-  }
+  /// Returns `first`, from which BranchPath goes on.
+  CertifiedInstant beyond() const { return first.view(); }
   /// Returns positions of all coordinates at a time between `after` and `before`, where no instant
   /// is proven and rates have no digits.
   std::vector<double> positions(const Model& model, double time) const;

@@ -139,7 +139,7 @@ void pass_at_start(const Model& m, const Model& going, double time, FoundStart& 
   for (const int i : free_angles(m)) {
     const double turns = turn * std::round((found.q[i] - m.estimate[i]) / turn);
     point->polynomials[i].front() -= turns;
-    if (!point->values.position.empty()) point->values.position[i] -= turns;
+    if (std::vector<double>& q = point->first.values.position; !q.empty()) q[i] -= turns;
   }
   found.point = std::make_shared<const PassedPoint>(std::move(*point));
 }

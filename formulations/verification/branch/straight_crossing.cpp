@@ -128,11 +128,7 @@ double StraightCrossing::distance(int level) const {
 
 /// Returns a copy of an instant with the radii of its rates; nothing where they are not proven.
 std::optional<StraightCrossing::Node> StraightCrossing::node(const CertifiedInstant& instant) {
-  const RefinedInstant& r = refinement_.refine({.index = 0,
-                                                .time = instant.time,
-                                                .q = instant.values.position,
-                                                .qd = instant.values.velocity,
-                                                .qdd = instant.values.acceleration});
+  const RefinedInstant& r = refinement_.refine(instant_of(instant.time, instant.values));
   if (!r.proven) return {};
   Node copy{instant.time, {}, {}};
   const PerLevel<std::span<const double>> values{r.instant.q, r.instant.qd, r.instant.qdd};

@@ -30,10 +30,6 @@ CheckedMotion::CheckedMotion(const Model& m, std::span<const Level> levels, doub
   for (double& t : tolerances_) t *= tolerance;
 }
 
-CertifiedInstant CheckedMotion::certified(const RefinedInstant& r) const {
-  return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position, levels_};
-}
-
 void CheckedMotion::begin(double time) {
   point_.reset();
   lost_.reset();
@@ -51,10 +47,9 @@ void CheckedMotion::begin(double time) {
   if (point_) {
     on_path_ = true;
   } else if (start.stage == FoundStart::Stage::reached) {
-    const Instant at{.index = 0, .time = time, .q = start.q, .qd = {}, .qdd = {}};
     const auto begins = [&] {
-      const RefinedInstant& r = follower_->refinement.refine(at);
-      return r.proven && follower_->path.start_at({time, {r.instant.q}, r.radius.position});
+      const RefinedInstant& r = follower_->refinement.refine(instant_of(time, {start.q}));
+      return r.proven && follower_->path.start_at(certified(r));
     };
     on_path_ = begins() || (choose_other_equations(start.q) && begins());
   }
@@ -67,23 +62,16 @@ void CheckedMotion::begin(double time) {
 }
 
 void CheckedMotion::keep_last() {
-  const CertifiedInstant& present = follower_->path.present();
   last_.on_path = on_path_;
   last_.point = point_;
   last_.lost = lost_;
-  if (!follows()) return;
-  last_.time = present.time;
-  for (const Level level : all_levels)
-    last_.values[level].assign(present.values[level].begin(), present.values[level].end());
-  last_.radius.assign(present.radius.begin(), present.radius.end());
+  if (follows()) last_.instant.assign(follower_->path.present());
 }
 
 void CheckedMotion::return_to_last() {
   lost_ = last_.lost;
   point_ = last_.point;
-  const auto& [q, qd, qdd] = last_.values;
-  on_path_ = last_.on_path &&
-             (point_ || follower_->path.start_at({last_.time, {q, qd, qdd}, last_.radius}));
+  on_path_ = last_.on_path && (point_ || follower_->path.start_at(last_.instant.view()));
 }
 
 bool CheckedMotion::is_on_step(const Instant& instant) const {
@@ -121,7 +109,7 @@ const CheckedInstant& CheckedMotion::check(const Instant& solved) {
                .out_of_tests = step_.out_of_tests};
     point_.reset();
     // Where tests ran out once they would in each step: the path does not begin again.
-    on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(r));
+    on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(r, levels_));
     deliver(r);
     break;
   }
@@ -160,7 +148,7 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
       if (!path.start_at(point_->beyond())) return false;
       point_.reset();
     }
-    step_ = found ? path.follow(certified(*found)) : path.go_to(at.time);
+    step_ = found ? path.follow(certified(*found, levels_)) : path.go_to(at.time);
     if (step_.end == PathEnd::same && found) {
       deliver(*found);
       return true;
@@ -209,12 +197,8 @@ bool CheckedMotion::choose_other_equations(std::span<const double> q) {
   auto other = std::make_unique<Follower>(std::move(chosen), m_, levels_);
   if (follows()) {  // both choices have to agree on the last instant
     const CertifiedInstant& present = follower_->path.present();
-    const RefinedInstant& r = other->refinement.refine({.index = 0,
-                                                        .time = present.time,
-                                                        .q = present.values.position,
-                                                        .qd = present.values.velocity,
-                                                        .qdd = present.values.acceleration});
-    if (!r.proven || !other->path.start_at(certified(r))) return false;
+    const RefinedInstant& r = other->refinement.refine(instant_of(present.time, present.values));
+    if (!r.proven || !other->path.start_at(certified(r, levels_))) return false;
   }
   other->left_out.note(follower_->left_out.take_between());
   follower_ = std::move(other);

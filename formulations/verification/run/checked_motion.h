@@ -75,16 +75,13 @@ class CheckedMotion {
   void deliver_unproven(const Instant& solved, const RefinedInstant& refined);
   void complete_flag();
   void keep_last();
-  CertifiedInstant certified(const RefinedInstant& refined) const;
 
   const Model& m_;
   const std::span<const Level> levels_;
   std::unique_ptr<Follower> follower_;
   /// State in which the last check began.
   struct {
-    double time = 0;
-    PerLevel<std::vector<double>> values;
-    std::vector<double> radius;
+    InstantCopy instant;
     bool on_path = false;
     std::shared_ptr<const PassedPoint> point;
     std::optional<RowFlag> lost;

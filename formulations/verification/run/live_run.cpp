@@ -23,14 +23,6 @@ namespace {
 
 LiveSteps& steps_of(Formulation& f) { return *core_of(f).live(); }
 
-/// Returns an instant of numbers up to a level.
-Instant instant_of(double time, const PerLevel<std::span<const double>>& values, Level level) {
-  Instant instant{.index = 0, .time = time, .q = values.position, .qd = {}, .qdd = {}};
-  if (level >= Level::velocity) instant.qd = values.velocity;
-  if (level >= Level::acceleration) instant.qdd = values.acceleration;
-  return instant;
-}
-
 }  // namespace
 
 /// What proves the rows.
@@ -41,23 +33,9 @@ struct LiveRun::Checks {
   std::optional<Refinement> refinement{};
   std::optional<BranchPath> path{};
   std::optional<LeftOutEquations> left_out{};
-  PerLevel<std::vector<double>> begin{};  // values of the last proven row
-  std::vector<double> begin_radius{}, zeros{};
+  InstantCopy begin{};  // the last proven row
+  std::vector<double> zeros{};
   std::optional<RowFlag> lost{};  // since that row the branch is unknown
-
-  /// Lets the path begin at a row from now on.
-  void begin_at(const LiveRow& row, const Instant& instant, std::span<const double> radius) {
-    motions.begin_at(row);
-    std::ranges::copy(instant.q, begin.position.begin());
-    std::ranges::copy(instant.qd, begin.velocity.begin());
-    std::ranges::copy(instant.qdd, begin.acceleration.begin());
-    std::ranges::copy(radius, begin_radius.begin());
-  }
-  /// Returns the row where the path begins, at a time.
-  CertifiedInstant beginning(double time, Level level) const {
-    const Instant i = instant_of(time, {begin.position, begin.velocity, begin.acceleration}, level);
-    return {time, {i.q, i.qd, i.qdd}, begin_radius, levels};
-  }
 };
 
 std::string unsupported_live_reason(const Formulation& f) {
@@ -90,10 +68,9 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
   options_.levels = {};  // the caller's memory may be gone from here on
   for (const Level level : all_levels) {
     radius_[level].resize(n, INFINITY);
-    checks_->begin[level].resize(n);
     if (level <= options.level) good_[level].resize(n);
   }
-  checks_->begin_radius.resize(n);
+  checks_->begin = InstantCopy(n);
   checks_->zeros.resize(n);
   if (options.check == CheckMode::proof) {
     checks_->refinement.emplace(checks_->motions.model(), checks_->levels);
@@ -182,7 +159,8 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   for (const Level level : all_levels)
     std::ranges::copy(found->radius[level], radius_[level].begin());
   if (found->proven) {
-    c.begin_at(row, found->instant, found->radius.position);
+    c.motions.begin_at(row);
+    c.begin.assign(certified(*found));
     const RelativeRadius radius =
         relative_radius(formulation_.model(), found->radius, c.scales->current());
     summary.radius = radius.largest;
@@ -245,13 +223,10 @@ const RefinedInstant* LiveRun::follow(const LiveRow& row, double begin, LiveSumm
   Checks& c = *checks_;
   const bool is_solved = summary.status == Status::solved;
   const RefinedInstant* found = is_solved ? &c.refinement->refine(solved(0)) : nullptr;
-  if (c.path->start_at(c.beginning(begin, options_.level)))
-    summary.path = found && found->proven
-                       ? c.path->follow({0,
-                                         {found->instant.q, found->instant.qd, found->instant.qdd},
-                                         found->radius.position,
-                                         c.levels})
-                       : c.path->go_to(0);
+  c.begin.time = begin;
+  if (c.path->start_at(c.begin.view(c.levels)))
+    summary.path =
+        found && found->proven ? c.path->follow(certified(*found, c.levels)) : c.path->go_to(0);
   summary.path.time += row.time;
   if (summary.path.end == PathEnd::stuck) {
     if (summary.group < 0) summary.group = summary.path.group;
