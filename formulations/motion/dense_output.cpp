@@ -30,19 +30,10 @@ DenseOutput::DenseOutput(const TimeGrid& grid, int stride, const Request& reques
 Flow DenseOutput::observe(const Instant& solved) noexcept {
   Instant in_grid = solved;
   in_grid.index = std::min(solved.index * stride_, grid_.instants - 1);
-  return solved.index == 0 ? start_at(in_grid) : go_to(in_grid);
-}
-
-Flow DenseOutput::start_at(const Instant& solved) noexcept {
-  const Flow flow = hand_on(solved);
-  keep(solved);
-  last_index_ = solved.index;
+  if (solved.index > 0 && interpolate_to(in_grid) == Flow::stop) return Flow::stop;
+  const Flow flow = hand_on(in_grid);
+  keep(in_grid);
   return flow;
-}
-
-Flow DenseOutput::go_to(const Instant& solved) noexcept {
-  if (interpolate_to(solved, solved.index) == Flow::stop) return Flow::stop;
-  return start_at(solved);
 }
 
 // Hermite's basis on [0, 1] at s, factored about its zeros at both ends so that nothing cancels
@@ -80,8 +71,8 @@ DenseOutput::Weights DenseOutput::of_acceleration(double s, double h) {
 }
 
 /// Every coordinate has the same weights: they are worked out once an instant.
-Flow DenseOutput::interpolate_to(const Instant& next, int index) {
-  const int steps = index - last_index_;
+Flow DenseOutput::interpolate_to(const Instant& next) {
+  const int steps = next.index - last_index_;
   const double h = steps * grid_.interval();
   for (int k = 1; k < steps; ++k) {
     const double s = static_cast<double>(k) / steps;
@@ -123,6 +114,7 @@ void DenseOutput::keep(const Instant& solved) {
     for (const auto& [from, to] :
          {std::pair{solved.q, &last_.q}, {solved.qd, &last_.qd}, {solved.qdd, &last_.qdd}})
       std::copy(from.begin() + range.first, from.begin() + range.end, to->begin() + range.first);
+  last_index_ = solved.index;
 }
 
 Interpolated::Interpolated(std::unique_ptr<SegmentSolver> inner, int stride)

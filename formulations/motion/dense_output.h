@@ -27,14 +27,9 @@ class DenseOutput final : public Observer {
   DenseOutput(const TimeGrid& grid, int stride, const Request& request, int coordinates,
               Observer& observer);
 
-  /// The index counts solved instants. Allocates nothing.
+  /// The index counts solved instants. Where an interpolated instant stops the run, the solved one
+  /// before it stays the last. Allocates nothing.
   Flow observe(const Instant& solved) noexcept override;
-
-  /// start_at() hands on a solved instant, from which to interpolate; go_to() those up to the next
-  /// solved one, any number of steps later. Indices are the grid's. Where an interpolated instant
-  /// stops the run, the solved one before it stays the last.
-  Flow start_at(const Instant& solved) noexcept;
-  Flow go_to(const Instant& solved) noexcept;
 
   /// Returns how many instants the observer was given.
   int delivered() const { return delivered_; }
@@ -49,7 +44,7 @@ class DenseOutput final : public Observer {
   static Weights of_velocity(double s, double h);
   static Weights of_acceleration(double s, double h);
 
-  Flow interpolate_to(const Instant& next, int index);
+  Flow interpolate_to(const Instant& next);
   void combine(Weights w, const Instant& next, std::vector<double>& result) const;
   Flow hand_on(const Instant& instant);
   void keep(const Instant& solved);

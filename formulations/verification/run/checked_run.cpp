@@ -12,7 +12,6 @@
 #include "formulations/verification/run/kept_instants.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/running_scales.h"
-#include "formulations/verification/run/strided_steps.h"
 
 namespace desmo {
 
@@ -24,7 +23,7 @@ constexpr double above = 1 + 0x1p-48;
 /// One run, in spans between the intervals that cannot be assembled. As an observer of the
 /// formulation it hands on what is checked, and stops the run where the formulation is elsewhere.
 class CheckedRun final : Observer {
-  using From = StridedSteps::From;
+  enum class From { estimate, last };
 
  public:
   CheckedRun(Formulation& formulation, const TimeGrid& grid, const Request& request,
@@ -35,7 +34,6 @@ class CheckedRun final : Observer {
         options_(options),
         motion_(formulation.model(), options.levels, formulation.tolerance()),
         scales_(formulation.model(), grid),
-        steps_(formulation, grid, request.level, *this),
         output_(request, formulation.model().coordinates()),
         next_(observer),
         waiting_(options.mode == CheckMode::sample ? options.sample - 1 : 0,
@@ -186,30 +184,28 @@ class CheckedRun final : Observer {
     return true;
   }
 
+  /// Solves the rows that are left, each by a step from the one before, with a stride, too: none is
+  /// interpolated where the motion was hard to follow. from: whether the first one is assembled.
   void go_on(From from) {
-    steps_.restart();
     while (tried_ + waiting_.size() < grid_.instants && summary_.ok() && !summary_.refused &&
            !summary_.stopped) {
-      if (std::exchange(elsewhere_, false)) return_to_last();
+      if (std::exchange(elsewhere_, false))
+        core_of(formulation_).start_at(last_, summary_.time);  // where the last row is
       const int index = tried_ + waiting_.size();
-      const auto [s, instant] = steps_.solve(index, std::exchange(from, From::last));
+      const double t = grid_.time(index);
+      const bool is_step = std::exchange(from, From::last) == From::last;
+      Formulation& f = formulation_;
+      const Summary s = is_step ? f.step(t, request_.level) : f.assemble(t, request_.level);
       summary_.iterations += s.iterations;
       if (s.ok()) {
-        steps_.hand_on(instant);
-      } else if (instant.index > index) {
-        steps_.halve();
-        steps_.restart();
+        Instant solved = instant_of(t, {f.q(), f.qd(), f.qdd()}, request_.level);
+        solved.index = index, solved.updates = s.updates, solved.residual = s.residual;
+        observe(solved);
       } else if (check_waiting(); !elsewhere_) {
         take_failure(s);
         if (!solves(index)) return;
       }
     }
-  }
-
-  /// Takes the formulation to the last row.
-  void return_to_last() {
-    steps_.restart();
-    core_of(formulation_).start_at(last_, summary_.time);
   }
 
   /// Finds out more of a failure.
@@ -240,7 +236,6 @@ class CheckedRun final : Observer {
   const CheckOptions options_;
   CheckedMotion motion_;
   RunningScales scales_;
-  StridedSteps steps_;
   const OutputWriter output_;
   Observer& next_;
   KeptInstants waiting_;  // CheckMode::sample: rows since the last one that was checked
