@@ -20,6 +20,16 @@ using Json = nlohmann::json;
 
 constexpr std::size_t max_page = 2'000'000;  // bytes
 
+/// A bar that turns about the ground. Its points are given in its own frame.
+constexpr const char* framed = R"({"format": "desmo-scene", "version": 2,
+  "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "bar", "dimension": 2,
+    "points": {"O": [0, 0]}, "ground": {"points": ["O"]},
+    "bodies": {"bar": {"at": [0, 0, 0.5], "points": {"O": [0, 0], "T": [1, 0]}}},
+    "joints": [{"type": "revolute", "bodies": ["ground", "bar"], "points": ["O"]}],
+    "coordinates": {"theta": {"angle": ["O", "T"]}}, "drivers": ["theta"]},
+  "motion": {"theta": {"type": "polynomial", "coefficients": [0.5, 1]}},
+  "time": {"end": 1, "step": 0.1}})";
+
 /// A fixture whose tests are skipped where the program was built without its page.
 class View : public Cli {
  protected:
@@ -68,6 +78,22 @@ TEST_F(View, SaysWhatThereIs) {
   std::vector<std::string> groups;
   for (const Json& group : data["groups"]) groups.push_back(group["name"]);
   EXPECT_EQ(groups, (std::vector<std::string>{"SG-I", "dyad1/SG-I", "dyad2/SG-I"}));
+}
+
+TEST_F(View, ReadsBodiesWithFramesOfTheirOwn) {
+  write("framed.json", framed);
+  ASSERT_EQ(desmo("view framed.json"), 0) << err_;
+  write("data.json", data_of(out_, "data"));
+  write("bodies.mjs",
+        "import {readFileSync} from 'node:fs';\n"
+        "import {interpret} from '" DESMO_SOURCE_DIR
+        "/bench/cli/view/mechanism.js';\n"
+        "const data = JSON.parse(readFileSync('data.json', 'utf8'));\n"
+        "interpret(data);\n"
+        "const names = body => body.points.map(p => data.points[p].name).join(' ');\n"
+        "console.log(data.bodies.map(names).join('; '));\n");
+  ASSERT_EQ(shell("node bodies.mjs"), 0) << err_;
+  EXPECT_EQ(out_, "O; O T\n");
 }
 
 TEST_F(View, PlotsWhatTheSceneRequests) {
@@ -357,6 +383,7 @@ class ViewInBrowser : public View {
   void expect_all_well(const std::vector<std::string>& scenes) {
     if (!has_browser()) GTEST_SKIP() << out_;
     write("locks.json", locks);
+    write("framed.json", framed);
     const Json seen = opened(scenes);
     ASSERT_EQ(seen.size(), scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -436,7 +463,7 @@ TEST_F(ViewInBrowser, TransmissionAnglesAreThoseOfTheLawOfCosines) {
 }
 
 TEST_F(ViewInBrowser, ShowsWhatIsSolved) {
-  expect_all_well({"slider_crank", "locks.json", "truck_suspension:1"});
+  expect_all_well({"slider_crank", "locks.json", "framed.json", "truck_suspension:1"});
 }
 
 /// Every mechanism, in minutes: program_test --gtest_also_run_disabled_tests
