@@ -7,7 +7,6 @@
 
 #include "formulations/algebra/backend.h"
 #include "formulations/batch/batch_part.h"
-#include "formulations/batch/segmented.h"
 #include "formulations/batch/segments_in_lanes.h"
 #include "formulations/batch/segments_on_threads.h"
 #include "formulations/id.h"
@@ -117,16 +116,16 @@ Settings share_of(Settings whole, std::size_t parts) {
   return whole;
 }
 
-std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
-                                           const Settings& settings, Profile* profile,
-                                           const KernelTable& table);
+std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
+                                          const Settings& settings, Profile* profile,
+                                          const KernelTable& table);
 
 /// Makes a solver for each thread, which takes one segment after the other.
 std::unique_ptr<SegmentExecutor> make_segments_on_threads(const Common& common,
                                                           const Settings& settings) {
   Settings of_worker = settings;
   of_worker.threads = of_worker.stride = 1;
-  std::vector<std::unique_ptr<SegmentSolver>> workers(settings.threads);
+  std::vector<std::unique_ptr<TimeStepping>> workers(settings.threads);
   for (auto& worker : workers)
     worker = make_solver(common.variant, common.model, of_worker, nullptr, common.table);
   return std::make_unique<SegmentsOnThreads>(std::move(workers), min_segment * settings.segments);
@@ -151,9 +150,9 @@ std::unique_ptr<SegmentExecutor> make_segments(const Common& common,
 }
 
 /// Makes all of a formulation but its stride.
-std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
-                                           const Settings& settings, Profile* profile,
-                                           const KernelTable& table) {
+std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
+                                          const Settings& settings, Profile* profile,
+                                          const KernelTable& table) {
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   std::vector<int> type_ends{static_cast<int>(definitions.size())};
   if (v.is_generated()) type_ends = gather_types(m, definitions);
@@ -166,9 +165,7 @@ std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
   std::unique_ptr<SegmentExecutor> segments = make_segments(common, definitions, settings);
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
   if (settings.lanes > 1) parts = make_batches(m, std::move(parts), type_ends, settings, table);
-  auto steps = std::make_unique<TimeStepping>(m, std::move(parts), settings);
-  if (!segments) return steps;
-  return std::make_unique<SegmentedFormulation>(std::move(steps), std::move(segments));
+  return std::make_unique<TimeStepping>(m, std::move(parts), settings, std::move(segments));
 }
 
 /// Makes a formulation. profile: null: no phases are measured.
@@ -182,7 +179,7 @@ std::unique_ptr<Formulation> make(const Variant& v, const Model& m, const Settin
     throw std::invalid_argument(id_with(v, settings) + ": '" + m.name +
                                 "' is modelled in other coordinates; give make_model() those of "
                                 "the settings");
-  std::unique_ptr<SegmentSolver> solver = make_solver(v, m, settings, profile, table);
+  std::unique_ptr<TimeStepping> solver = make_solver(v, m, settings, profile, table);
   if (settings.stride == 1) return solver;
   return std::make_unique<Interpolated>(std::move(solver), settings.stride);
 }

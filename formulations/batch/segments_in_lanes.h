@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "formulations/batch/kernel_batch.h"
-#include "formulations/batch/segmented.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/equations/lane_kernel.h"
 #include "formulations/motion/prediction/motion_sampler.h"
+#include "formulations/motion/segments.h"
 #include "formulations/parts/explicit_part.h"
 
 namespace desmo {

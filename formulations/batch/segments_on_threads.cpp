@@ -132,7 +132,7 @@ class SegmentsOnThreads::SegmentObserver final : public Observer {
   std::vector<int> instants_;  // for which memory is borrowed
 };
 
-SegmentsOnThreads::SegmentsOnThreads(std::vector<std::unique_ptr<SegmentSolver>> workers,
+SegmentsOnThreads::SegmentsOnThreads(std::vector<std::unique_ptr<TimeStepping>> workers,
                                      int min_instants)
     : workers_(std::move(workers)),
       segments_(workers_.size()),
@@ -193,7 +193,7 @@ void SegmentsOnThreads::solve(int k, const TimeGrid& grid, const Request& reques
   s.total.reset();
   s.error = nullptr;
   s.ended = false;
-  SegmentSolver& worker = *workers_[k];
+  TimeStepping& worker = *workers_[k];
   if (!worker.start_at(first.q, grid.time(s.begin))) return;
   s.entered.assign(worker.q().begin(), worker.q().end());
   s.total = worker.run_on(cut(grid, s.begin, s.end), request, observer);

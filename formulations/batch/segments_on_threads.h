@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/batch/segmented.h"
+#include "formulations/motion/time_stepping.h"
 
 namespace desmo {
 
@@ -16,7 +16,7 @@ class SegmentsOnThreads final : public SegmentExecutor {
  public:
   /// workers: one for each thread, alike, of the model whose motion is solved; they share only what
   /// is const. min_instants: shortest segment that is worth entering.
-  SegmentsOnThreads(std::vector<std::unique_ptr<SegmentSolver>> workers, int min_instants);
+  SegmentsOnThreads(std::vector<std::unique_ptr<TimeStepping>> workers, int min_instants);
 
   std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
                              Observer& observer) override;
@@ -43,7 +43,7 @@ class SegmentsOnThreads final : public SegmentExecutor {
              Observer& observer);
   bool meet(int k) const;
 
-  std::vector<std::unique_ptr<SegmentSolver>> workers_;
+  std::vector<std::unique_ptr<TimeStepping>> workers_;
   std::vector<Segment> segments_;
   const int min_instants_;
   const long moving_unknowns_;

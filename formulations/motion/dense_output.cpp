@@ -117,7 +117,7 @@ void DenseOutput::keep(const Instant& solved) {
   last_index_ = solved.index;
 }
 
-Interpolated::Interpolated(std::unique_ptr<SegmentSolver> inner, int stride)
+Interpolated::Interpolated(std::unique_ptr<TimeStepping> inner, int stride)
     : FormulationCore(inner->model(), inner->settings(), inner->tolerance()),
       inner_(std::move(inner)),
       stride_(stride) {}

@@ -9,7 +9,7 @@
 #include "formulations/base/observer.h"
 #include "formulations/base/output_writer.h"
 #include "formulations/base/state.h"
-#include "formulations/motion/segment_solver.h"
+#include "formulations/motion/time_stepping.h"
 
 namespace desmo {
 
@@ -66,7 +66,7 @@ class DenseOutput final : public Observer {
 class Interpolated final : public FormulationCore {
  public:
   /// stride: 2 … max_stride.
-  Interpolated(std::unique_ptr<SegmentSolver> inner, int stride);
+  Interpolated(std::unique_ptr<TimeStepping> inner, int stride);
 
   Summary do_assemble(double t, Level level) override { return inner_->assemble(t, level); }
   Summary do_step(double t, Level level) override { return inner_->step(t, level); }
@@ -78,7 +78,7 @@ class Interpolated final : public FormulationCore {
   const State& state() const override { return inner_->state(); }
 
  private:
-  std::unique_ptr<SegmentSolver> inner_;
+  std::unique_ptr<TimeStepping> inner_;
   int stride_;
 };
 

@@ -119,11 +119,4 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   return assembled_;
 }
 
-void TimeStepping::continue_from(const State& solved, double t, Level level) {
-  now_.state = solved;
-  forget();
-  now_.time = t;
-  now_.level = level;
-}
-
 }  // namespace desmo

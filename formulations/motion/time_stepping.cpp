@@ -20,10 +20,12 @@ double norm_of_tolerances(const std::vector<DefinedPart>& parts) {
 
 }  // namespace
 
-TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const Settings& settings)
-    : SegmentSolver(m, settings, std::max(settings.tolerance, norm_of_tolerances(parts))),
+TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const Settings& settings,
+                           std::unique_ptr<SegmentExecutor> executor)
+    : FormulationCore(m, settings, std::max(settings.tolerance, norm_of_tolerances(parts))),
       sequence_(m, std::move(parts)),
-      drivers_(m) {
+      drivers_(m),
+      executor_(std::move(executor)) {
   for (State* s : {&now_.state, &before_.state})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd}) values->resize(m.state_size());
   start_.resize(m.state_size());
@@ -37,6 +39,7 @@ void TimeStepping::prepare() {
 }
 
 void TimeStepping::do_solve_only(std::span<const Level> needed) {
+  if (executor_) executor_->solve_only(needed);
   sequence_.solve_only(needed);
   prepare();
 }
@@ -49,12 +52,19 @@ void TimeStepping::forget() {
 // ---- A motion, the paper's Fig. 2a ----
 
 Summary TimeStepping::run(const TimeGrid& grid, const Request& request, Observer& observer) {
+  if (executor_) {
+    if (grid.instants > 0 && do_assemble(grid.time(0), request.level).ok())
+      if (const std::optional<Summary> total = solve_segments(grid, request, observer))
+        return *total;
+    ++runs_without_segments_;
+  }
   assembled_ = false;
   return take_steps(grid, request, observer);
 }
 
 std::optional<Summary> TimeStepping::run_on(const TimeGrid& grid, const Request& request,
                                             Observer& observer) {
+  if (executor_) return solve_segments(grid, request, observer);
   const Summary total = take_steps(grid, request, observer);
   return total.ok() ? std::optional(total) : std::nullopt;
 }

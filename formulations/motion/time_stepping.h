@@ -1,40 +1,45 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "formulations/base/output_writer.h"
 #include "formulations/motion/driver_continuation.h"
+#include "formulations/motion/formulation_core.h"
 #include "formulations/motion/part_sequence.h"
 #include "formulations/motion/prediction/driver_source.h"
 #include "formulations/motion/prediction/state_predictor.h"
-#include "formulations/motion/segment_solver.h"
+#include "formulations/motion/segments.h"
 
 namespace desmo {
 
 /// A formulation that steps through time, the paper's Fig. 2a: at each instant the drivers, a
-/// prediction, and the parts in order. Motions are in time_stepping.cpp; the first instant, single
-/// steps and live rows in single_instants.cpp.
-class TimeStepping final : public SegmentSolver, private LiveSteps {
+/// prediction, and the parts in order. Motions are in time_stepping.cpp, those in segments in
+/// segments.cpp; the first instant, single steps and live rows are in single_instants.cpp.
+class TimeStepping final : public FormulationCore, private LiveSteps {
  public:
-  /// settings: the same that the parts were made with. The model outlives this object.
-  TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
+  /// settings: the same that the parts were made with. executor: solves the segments of a motion at
+  /// once; where they do not meet, or without it, steps solve the motion. The model outlives this
+  /// object.
+  TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings,
+               std::unique_ptr<SegmentExecutor> executor = nullptr);
 
   Summary do_assemble(double t, Level level) override;
   Summary do_step(double t, Level level) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override;
-  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
-                                Observer& observer) override;
+  /// Runs like run(), but starts at the position that start_at() reached. Returns nothing where an
+  /// instant could not be solved or segments do not meet; all that the observer was given is then
+  /// void.
+  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request, Observer& observer);
   void do_solve_only(std::span<const Level> needed) override;
+  long runs_without_segments() const override { return runs_without_segments_; }
   LiveSteps* live() override { return this; }
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
   const State& state() const override { return now_.state; }
-
-  /// Continues from an instant at time t [s] that something else solved, up to `level`.
-  void continue_from(const State& solved, double t, Level level);
 
  private:
   static constexpr int unlimited = std::numeric_limits<int>::max();
@@ -65,6 +70,8 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   void prepare();
   void forget();
   void set_read_outside(const Request& request, bool lent = false);
+  std::optional<Summary> solve_segments(const TimeGrid& grid, const Request& request,
+                                        Observer& observer);
   Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
   Summary solve_at(double t, Level level);
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
@@ -86,6 +93,9 @@ class TimeStepping final : public SegmentSolver, private LiveSteps {
   std::vector<double> start_;  // positions from which a step is tried again
   Failure failure_;
   bool assembled_ = false;  // now_ has positions at its time, whatever is known of rates
+  std::unique_ptr<SegmentExecutor> executor_;
+  State ended_;  // the instant where the executor ended
+  long runs_without_segments_ = 0;
 };
 
 }  // namespace desmo

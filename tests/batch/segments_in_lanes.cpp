@@ -11,8 +11,8 @@
 
 #include "cases/generators/cases.h"
 #include "formulations/base/output_writer.h"
-#include "formulations/batch/segmented.h"
 #include "formulations/motion/formulation_core.h"
+#include "formulations/motion/time_stepping.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/dead_point.h"
@@ -163,8 +163,7 @@ TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   std::vector<DefinedPart> borrowed;
   for (const auto& p : parts_of(*g))
     borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
-  SegmentedFormulation f(std::make_unique<TimeStepping>(m, std::move(borrowed), Settings{}),
-                         std::make_unique<Reluctant>());
+  TimeStepping f(m, std::move(borrowed), Settings{}, std::make_unique<Reluctant>());
   const TimeGrid grid = time_grid(1, 0.01);
   Everything actual(grid.instants), expected(grid.instants);
   ASSERT_TRUE(f.run(grid, {}, actual).ok() && g->run(grid, {}, expected).ok());

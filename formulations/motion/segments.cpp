@@ -1,12 +1,13 @@
-#include "formulations/batch/segmented.h"
+#include "formulations/motion/segments.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <vector>
 
 #include "formulations/base/output_writer.h"
 #include "formulations/model/scales.h"
+#include "formulations/motion/time_stepping.h"
 
 namespace desmo {
 
@@ -74,39 +75,23 @@ bool segments_meet(const Model& m, std::span<const double> ended, std::span<cons
   });
 }
 
-SegmentedFormulation::SegmentedFormulation(std::unique_ptr<TimeStepping> steps,
-                                           std::unique_ptr<SegmentExecutor> executor)
-    : SegmentSolver(steps->model(), steps->settings(), steps->tolerance()),
-      steps_(std::move(steps)),
-      executor_(std::move(executor)) {}
-
-void SegmentedFormulation::do_solve_only(std::span<const Level> needed) {
-  executor_->solve_only(needed);
-  steps_->solve_only(needed);
-}
-
-Summary SegmentedFormulation::run(const TimeGrid& grid, const Request& request,
-                                  Observer& observer) {
-  if (grid.instants > 0 && steps_->assemble(grid.time(0), request.level).ok())
-    if (const std::optional<Summary> total = run_on(grid, request, observer)) return *total;
-  ++runs_without_segments_;
-  return steps_->run(grid, request, observer);
-}
-
 /// Starts from the instant that was solved last: the first of the grid, or another from which it
 /// can be reached by continuation.
-std::optional<Summary> SegmentedFormulation::run_on(const TimeGrid& grid, const Request& request,
+std::optional<Summary> TimeStepping::solve_segments(const TimeGrid& grid, const Request& request,
                                                     Observer& observer) {
   const OutputWriter output(request, model().coordinates());
   const bool at_once = observer.any_order() && observer.lent_at_once() > 0;
   std::optional<MotionBuffer> buffer;
   if (!at_once) buffer.emplace(grid.instants, model().coordinates(), request.level);
-  last_ = steps_->state();
-  std::optional<Summary> total = at_once ? executor_->run(grid, request, last_, observer)
-                                         : executor_->run(grid, {request.level}, last_, *buffer);
+  ended_ = now_.state;
+  std::optional<Summary> total = at_once ? executor_->run(grid, request, ended_, observer)
+                                         : executor_->run(grid, {request.level}, ended_, *buffer);
   if (!total && at_once) observer.restart();
   if (!total || total->stopped) return total;
-  steps_->continue_from(last_, grid.time(grid.instants - 1), request.level);
+  now_.state = ended_;  // steps go on from here
+  forget();
+  now_.time = grid.time(grid.instants - 1);
+  now_.level = request.level;
   if (buffer) buffer->hand_over(output, observer, *total);
   return total;
 }
