@@ -12,7 +12,6 @@
 #include "formulations/id.h"
 #include "formulations/model/magnitudes.h"
 #include "formulations/model/part_type.h"
-#include "formulations/motion/dense_output.h"
 #include "formulations/motion/time_stepping.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/parts/inlined_part.h"
@@ -149,7 +148,7 @@ std::unique_ptr<SegmentExecutor> make_segments(const Common& common,
   return nullptr;
 }
 
-/// Makes all of a formulation but its stride.
+/// Makes a formulation of settings that it supports.
 std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
                                           const Settings& settings, Profile* profile,
                                           const KernelTable& table) {
@@ -168,7 +167,7 @@ std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
   return std::make_unique<TimeStepping>(m, std::move(parts), settings, std::move(segments));
 }
 
-/// Makes a formulation. profile: null: no phases are measured.
+/// Makes a formulation, or throws. profile: null: no phases are measured.
 std::unique_ptr<Formulation> make(const Variant& v, const Model& m, const Settings& settings,
                                   Profile* profile, const KernelTable& table) {
   if (const std::string reason = unsupported_reason(v, settings); !reason.empty())
@@ -179,9 +178,7 @@ std::unique_ptr<Formulation> make(const Variant& v, const Model& m, const Settin
     throw std::invalid_argument(id_with(v, settings) + ": '" + m.name +
                                 "' is modelled in other coordinates; give make_model() those of "
                                 "the settings");
-  std::unique_ptr<TimeStepping> solver = make_solver(v, m, settings, profile, table);
-  if (settings.stride == 1) return solver;
-  return std::make_unique<Interpolated>(std::move(solver), settings.stride);
+  return make_solver(v, m, settings, profile, table);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "formulations/motion/time_stepping.h"
+
 namespace desmo {
 
 namespace {
@@ -117,19 +119,16 @@ void DenseOutput::keep(const Instant& solved) {
   last_index_ = solved.index;
 }
 
-Interpolated::Interpolated(std::unique_ptr<TimeStepping> inner, int stride)
-    : FormulationCore(inner->model(), inner->settings(), inner->tolerance()),
-      inner_(std::move(inner)),
-      stride_(stride) {}
-
-Summary Interpolated::run(const TimeGrid& grid, const Request& request, Observer& observer) {
-  const TimeGrid solved = grid.every(stride_);
-  DenseOutput all(grid, stride_, request, model().coordinates(), observer);
-  Summary total = inner_->run(solved, {Level::acceleration, request.coordinates}, all);
+/// Solves every stride-th instant and the last one, and interpolates the others.
+Summary TimeStepping::run_with_stride(const TimeGrid& grid, const Request& request,
+                                      Observer& observer) {
+  const TimeGrid solved = grid.every(settings().stride);
+  DenseOutput all(grid, settings().stride, request, model().coordinates(), observer);
+  Summary total = solve_all(solved, {Level::acceleration, request.coordinates}, all);
   if (total.ok() && !total.stopped &&
       all.delivered() < grid.instants) {  // the rest, shorter than the stride
     const double t = grid.time(grid.instants - 1);
-    const Summary last = inner_->step(t, Level::acceleration);
+    const Summary last = do_step(t, Level::acceleration);
     total.add(last);
     if (last.ok())
       total.stopped = all.observe({.index = solved.instants,

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
 #include <vector>
 
 #include "cases/mechanism/motion.h"
@@ -9,7 +7,7 @@
 #include "formulations/base/observer.h"
 #include "formulations/base/output_writer.h"
 #include "formulations/base/state.h"
-#include "formulations/motion/time_stepping.h"
+#include "formulations/formulation.h"
 
 namespace desmo {
 
@@ -59,27 +57,6 @@ class DenseOutput final : public Observer {
   int last_index_ = -1;  // its index in the grid
   State between_;
   int delivered_ = 0;
-};
-
-/// A formulation that, in a motion, solves every stride-th instant and the last one, and
-/// interpolates the others (see DenseOutput). Single instants are solved by the formulation inside.
-class Interpolated final : public FormulationCore {
- public:
-  /// stride: 2 … max_stride.
-  Interpolated(std::unique_ptr<TimeStepping> inner, int stride);
-
-  Summary do_assemble(double t, Level level) override { return inner_->assemble(t, level); }
-  Summary do_step(double t, Level level) override { return inner_->step(t, level); }
-  Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
-  bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
-  void do_solve_only(std::span<const Level>) override {}
-  long runs_without_segments() const override { return inner_->runs_without_segments(); }
-  const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }
-  const State& state() const override { return inner_->state(); }
-
- private:
-  std::unique_ptr<TimeStepping> inner_;
-  int stride_;
 };
 
 }  // namespace desmo

@@ -39,6 +39,7 @@ void TimeStepping::prepare() {
 }
 
 void TimeStepping::do_solve_only(std::span<const Level> needed) {
+  if (settings().stride > 1) return;  // interpolation takes all levels
   if (executor_) executor_->solve_only(needed);
   sequence_.solve_only(needed);
   prepare();
@@ -52,6 +53,12 @@ void TimeStepping::forget() {
 // ---- A motion, the paper's Fig. 2a ----
 
 Summary TimeStepping::run(const TimeGrid& grid, const Request& request, Observer& observer) {
+  return settings().stride > 1 ? run_with_stride(grid, request, observer)
+                               : solve_all(grid, request, observer);
+}
+
+/// Solves every instant of a grid: in segments where there are any that meet, else step by step.
+Summary TimeStepping::solve_all(const TimeGrid& grid, const Request& request, Observer& observer) {
   if (executor_) {
     if (grid.instants > 0 && do_assemble(grid.time(0), request.level).ok())
       if (const std::optional<Summary> total = solve_segments(grid, request, observer))

@@ -17,8 +17,9 @@
 namespace desmo {
 
 /// A formulation that steps through time, the paper's Fig. 2a: at each instant the drivers, a
-/// prediction, and the parts in order. Motions are in time_stepping.cpp, those in segments in
-/// segments.cpp; the first instant, single steps and live rows are in single_instants.cpp.
+/// prediction, and the parts in order. Motions are in time_stepping.cpp, what segments and a stride
+/// add to them in segments.cpp and dense_output.cpp; the first instant, single steps and live rows
+/// in single_instants.cpp.
 class TimeStepping final : public FormulationCore, private LiveSteps {
  public:
   /// settings: the same that the parts were made with. executor: solves the segments of a motion at
@@ -70,6 +71,8 @@ class TimeStepping final : public FormulationCore, private LiveSteps {
   void prepare();
   void forget();
   void set_read_outside(const Request& request, bool lent = false);
+  Summary run_with_stride(const TimeGrid& grid, const Request& request, Observer& observer);
+  Summary solve_all(const TimeGrid& grid, const Request& request, Observer& observer);
   std::optional<Summary> solve_segments(const TimeGrid& grid, const Request& request,
                                         Observer& observer);
   Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
