@@ -87,8 +87,9 @@ class Formulation {
   double value(const std::string& name, Level level = Level::position) const;
 
  private:
-  // The rest of the library sees more of a formulation; its header is not installed.
-  friend class FormulationCore;
+  // What every formulation is. The rest of the library sees more of it; its header is not
+  // installed.
+  friend class TimeStepping;
   Formulation(const Model& model, const Settings& settings, double tolerance)
       : model_(model), settings_(settings), tolerance_(tolerance) {}
 

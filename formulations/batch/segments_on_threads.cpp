@@ -20,9 +20,9 @@ namespace {
 /// takes to begin.
 constexpr long min_work = 100'000;
 
-long moving_unknowns(const Formulation& f) {
+long moving_unknowns(const TimeStepping& f) {
   long sum = 0;
-  for (const DefinedPart& part : parts_of(f))
+  for (const DefinedPart& part : f.parts())
     if (!part.definition.constant) sum += static_cast<long>(part.definition.unknowns.size());
   return sum;
 }

@@ -22,7 +22,7 @@ double norm_of_tolerances(const std::vector<DefinedPart>& parts) {
 
 TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const Settings& settings,
                            std::unique_ptr<SegmentExecutor> executor)
-    : FormulationCore(m, settings, std::max(settings.tolerance, norm_of_tolerances(parts))),
+    : Formulation(m, settings, std::max(settings.tolerance, norm_of_tolerances(parts))),
       sequence_(m, std::move(parts)),
       drivers_(m),
       executor_(std::move(executor)) {

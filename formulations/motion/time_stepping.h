@@ -6,9 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/live_row.h"
 #include "formulations/base/output_writer.h"
+#include "formulations/base/part.h"
+#include "formulations/formulation.h"
+#include "formulations/model/partition.h"
 #include "formulations/motion/driver_continuation.h"
-#include "formulations/motion/formulation_core.h"
 #include "formulations/motion/part_sequence.h"
 #include "formulations/motion/prediction/driver_source.h"
 #include "formulations/motion/prediction/state_predictor.h"
@@ -20,7 +23,7 @@ namespace desmo {
 /// prediction, and the parts in order. Motions are in time_stepping.cpp, what segments and a stride
 /// add to them in segments.cpp and dense_output.cpp; the first instant, single steps and live rows
 /// in single_instants.cpp.
-class TimeStepping final : public FormulationCore, private LiveSteps {
+class TimeStepping final : public Formulation {
  public:
   /// settings: the same that the parts were made with. executor: solves the segments of a motion at
   /// once; where they do not meet, or without it, steps solve the motion. The model outlives this
@@ -28,19 +31,36 @@ class TimeStepping final : public FormulationCore, private LiveSteps {
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings,
                std::unique_ptr<SegmentExecutor> executor = nullptr);
 
-  Summary do_assemble(double t, Level level) override;
-  Summary do_step(double t, Level level) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
-  bool start_at(std::span<const double> q, double t) override;
+
+  /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
+  /// move linearly from the positions q to where they are at t. q: Model::coordinates() values or
+  /// more, solved at another instant. A step goes on from there, in sub-steps where it has to.
+  /// Returns false where the position cannot be reached; the next step then assembles.
+  bool start_at(std::span<const double> q, double t);
+
   /// Runs like run(), but starts at the position that start_at() reached. Returns nothing where an
   /// instant could not be solved or segments do not meet; all that the observer was given is then
   /// void.
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request, Observer& observer);
-  void do_solve_only(std::span<const Level> needed) override;
-  long runs_without_segments() const override { return runs_without_segments_; }
-  LiveSteps* live() override { return this; }
-  const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
-  const State& state() const override { return now_.state; }
+
+  /// Solves an instant like step(), with driver values from a row instead of the motions. Takes at
+  /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
+  /// row. Takes nothing from the heap unless it assembles; so a failure names the group at most,
+  /// and no constraint. The row is not checked. LiveRun checks it and proves the result.
+  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps);
+
+  /// Returns to positions q that were solved before, at time t [s]; the next row starts there.
+  /// Rates become unknown. q: Model::coordinates() values or more; empty: the next row is
+  /// assembled.
+  void return_to(std::span<const double> q, double t);
+
+  /// Returns the instant solved last, the fixed entities included.
+  const State& state() const { return now_.state; }
+  /// Returns the parts in the order of solution.
+  const std::vector<DefinedPart>& parts() const { return sequence_.parts(); }
+  /// Returns how often a motion that was to be solved in segments was solved step by step instead.
+  long runs_without_segments() const { return runs_without_segments_; }
 
  private:
   static constexpr int unlimited = std::numeric_limits<int>::max();
@@ -65,8 +85,9 @@ class TimeStepping final : public FormulationCore, private LiveSteps {
     bool lent;  // they are read in memory that the observer lends; false: in the state
   };
 
-  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
-  void return_to(std::span<const double> q, double t) override;
+  Summary do_assemble(double t, Level level) override;
+  Summary do_step(double t, Level level) override;
+  void do_solve_only(std::span<const Level> needed) override;
 
   void prepare();
   void forget();

@@ -12,7 +12,6 @@
 #include "cases/generators/cases.h"
 #include "formulations/base/output_writer.h"
 #include "formulations/motion/formulation_core.h"
-#include "formulations/motion/time_stepping.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/dead_point.h"
@@ -172,7 +171,7 @@ TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
   ASSERT_TRUE(f.run(grid, {.coordinates = std::vector{7}}, lender).ok());
   EXPECT_EQ(lender.restarts, 1);
   EXPECT_EQ(lender.instants, grid.instants + 1);
-  EXPECT_EQ(core_of(f).runs_without_segments(), 2);
+  EXPECT_EQ(f.runs_without_segments(), 2);
 }
 
 }  // namespace

@@ -146,8 +146,7 @@ TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
     for (double& constant : c.constants) constant *= 1 + 1e-5;
   std::vector<std::unique_ptr<TimeStepping>> workers;
   for (const Model* model : std::initializer_list<const Model*>{&m, &other})
-    workers.emplace_back(
-        &dynamic_cast<TimeStepping&>(*formulated("group_automatic_eigen", *model).release()));
+    workers.emplace_back(&core_of(*formulated("group_automatic_eigen", *model).release()));
   SegmentsOnThreads motion(std::move(workers), 16);
   const auto f = formulated("group_automatic_eigen", m);
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 const fs::path source_dir = DESMO_SOURCE_DIR;
 
 /// A folder may include itself and those before it; report none but itself and the readers and
-/// writers of cases/io. `formulation.h` is the interface that `motion` and batches implement; the
-/// other files at the door stand after codegen.
+/// writers of cases/io. `formulation.h` is the interface that `motion` implements; the other files
+/// at the door stand after codegen.
 TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
   const std::vector<std::string> order = {"cases/numbers",
                                           "cases/mechanism",

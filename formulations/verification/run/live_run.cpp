@@ -19,12 +19,6 @@
 
 namespace desmo {
 
-namespace {
-
-LiveSteps& steps_of(Formulation& f) { return *core_of(f).live(); }
-
-}  // namespace
-
 /// What proves the rows.
 struct LiveRun::Checks {
   RowMotions motions;
@@ -39,7 +33,8 @@ struct LiveRun::Checks {
 };
 
 std::string unsupported_live_reason(const Formulation& f) {
-  if (!core_of(f).needs_known_motion()) return {};
+  const Settings& s = f.settings();
+  if (s.segments == 1 && s.threads == 1 && s.stride == 1) return {};
   return "segments, threads and a stride need a motion known in advance; live drivers are known "
          "one step at a time";
 }
@@ -128,7 +123,7 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   }
   std::ranges::copy(row.z, tried_.begin());
   static_cast<BasicSummary&>(summary) =
-      steps_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
+      core_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
   const bool is_solved = summary.status == Status::solved;
   if (options_.check == CheckMode::proof)
     check(row, summary);
@@ -242,7 +237,7 @@ const RefinedInstant* LiveRun::follow(const LiveRow& row, double begin, LiveSumm
 /// Makes a refined instant the row's result. The formulation continues from its positions.
 const RefinedInstant* LiveRun::return_to(double time, const RefinedInstant& found,
                                          LiveSummary& summary) {
-  steps_of(formulation_).return_to(found.instant.q, time);
+  core_of(formulation_).return_to(found.instant.q, time);
   summary.status = Status::solved;
   summary.group = summary.constraint = no_position;
   summary.instants = 1;
@@ -260,7 +255,7 @@ void LiveRun::keep(double time, const Instant& instant) {
 
 void LiveRun::go_back() {
   const std::span<const double> none;
-  steps_of(formulation_).return_to(has_position_ ? good_.position : none, time_);
+  core_of(formulation_).return_to(has_position_ ? good_.position : none, time_);
 }
 
 void LiveRun::set_time(double t) {
