@@ -7,7 +7,6 @@
 #include "formulations/base/observer.h"
 #include "formulations/base/output_writer.h"
 #include "formulations/base/state.h"
-#include "formulations/formulation.h"
 
 namespace desmo {
 
