@@ -23,7 +23,7 @@ inline Model locking_four_bar(const Motion& crank = Polynomial{{std::numbers::pi
   for (Constraint& c : m.constraints)
     if (c.name.starts_with("dyad1/coupler")) {
       c.constants[0] = 3 * 3;
-      c.remainders.clear();
+      if (!c.remainders.empty()) c.remainders[0] = {};
     }
   const auto place = [&](const char* name, double x, double y) {
     const Entity& e = m.entities[m.find(name)];

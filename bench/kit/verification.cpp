@@ -72,6 +72,7 @@ Comparison ComparingObserver::compare() const {
 std::vector<Compared> all_compared(std::size_t coordinates, Level highest,
                                    const PerLevel<std::vector<double>>& scales) {
   std::vector<Compared> all;
+  all.reserve(3 * coordinates);
   for (const Level level : all_levels) {
     if (level > highest) break;
     for (int i = 0; i < static_cast<int>(coordinates); ++i)

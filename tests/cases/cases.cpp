@@ -14,6 +14,27 @@
 namespace desmo::cases_test {
 namespace {
 
+struct Counts {
+  int points = 0, vectors = 0, scalars = 0;
+  bool operator==(const Counts&) const = default;
+};
+
+Counts entity_counts(const Model& m, const Group& g) {
+  Counts c;
+  for (const EntityId e : g.entities) {
+    const EntityKind kind = m.entities[e].kind;
+    ++(kind == EntityKind::point ? c.points : kind == EntityKind::vector ? c.vectors : c.scalars);
+  }
+  return c;
+}
+
+TEST(TruckSuspension, HasThePapersEntitiesInEachGroup) {
+  const Model m = truck_model(2);
+  const Counts of_axle[] = {{8, 9, 2}, {3, 5, 1}, {3, 5, 1}, {2, 5, 1}, {2, 5, 1}};
+  for (int g = 0; g < 10; ++g)
+    EXPECT_EQ(entity_counts(m, m.groups[1 + g]), of_axle[g % 5]) << m.groups[1 + g].name;
+}
+
 TEST(Cases, HaveThePapersSizes) {
   for (const Case& c : cases()) {
     EXPECT_EQ(c.sizes, (std::vector{114, 225, 336, 447, 558})) << c.name;

@@ -7,7 +7,7 @@
 namespace desmo::growth_test {
 namespace {
 
-/// Expects that so many steps succeed before the next one is to be longer.
+/// Expects that `steps` steps succeed before the next one is to be longer.
 void expect_wait(Growth& growth, int steps) {
   for (int i = 0; i < steps; ++i) EXPECT_FALSE(growth.succeeded()) << i << " of " << steps;
   EXPECT_TRUE(growth.succeeded()) << steps;

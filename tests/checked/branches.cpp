@@ -239,7 +239,8 @@ TEST(CarriedParts, StayOnTheirBranch) {
       const Model m = make_model(scene);
       const int b = m.coordinate("B.x"), c = m.coordinate("C.x"), d = m.coordinate("D.x");
       for (const char* id :
-           {"global_automatic_klu", "group_symbolic_explicit", "block_automatic_eigen"}) {
+           {"global_automatic_klu", "group_automatic_eigen", "group_symbolic_explicit",
+            "block_automatic_eigen", "block_symbolic_inlined"}) {
         const CheckedRows r = solve_checked(m, scene.grid, id);
         EXPECT_EQ(r.summary.outcome(), Outcome::converged) << id << ", " << arm << " m, " << rate;
         for (const CheckedRow& row : r.rows) {

@@ -92,7 +92,9 @@ TEST_F(View, ReadsBodiesWithFramesOfTheirOwn) {
         "interpret(data);\n"
         "const names = body => body.points.map(p => data.points[p].name).join(' ');\n"
         "console.log(data.bodies.map(names).join('; '));\n");
-  ASSERT_EQ(shell("node bodies.mjs"), 0) << err_;
+  const int code = shell("node bodies.mjs");
+  if (code == 127) GTEST_SKIP() << err_;  // there is no node
+  ASSERT_EQ(code, 0) << err_;
   EXPECT_EQ(out_, "O; O T\n");
 }
 

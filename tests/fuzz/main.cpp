@@ -34,7 +34,7 @@ int run_command(CLI::App& parser, int argc, char** argv) {
   parser.add_option("FILE", files, "Tries files with every formulation")->check(CLI::ExistingFile);
   parser.add_option("--inputs", options.inputs, "Number of inputs")->check(number);
   parser.add_option("--first", options.first, "The first of them")->check(number);
-  parser.add_option("--seed", options.seed, "What they depend on beside their number");
+  parser.add_option("--seed", options.seed, "Seed of their random numbers");
   parser.add_option("--show", shown, "Writes that input to standard output")->check(number);
   parser.add_option("--save", options.save, "Folder for inputs that cause findings");
   parser.parse(argc, argv);

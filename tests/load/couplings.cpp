@@ -462,7 +462,7 @@ TEST_F(Rails, AreSolvedAtOnceAsOneByOne) {
   for (const int lanes : lanes_here()) {
     Everything found(scene_.grid.instants);
     run(id + "/lanes:" + std::to_string(lanes), 2, found);
-    expect_same(found, expected, id);
+    expect_same(found, expected, id + "/lanes:" + std::to_string(lanes));
   }
 }
 

@@ -21,8 +21,7 @@ void declare_options(CLI::App& parser) {
   parser.add_option("--scenes", o.scenes, "Number of scenes that are drawn")
       ->check(number)
       ->capture_default_str();
-  parser.add_option("--seed", o.seed, "What they depend on beside their number")
-      ->capture_default_str();
+  parser.add_option("--seed", o.seed, "Seed of their random numbers")->capture_default_str();
   parser.add_option("--ids", o.ids, "Formulations for each scene; 0: all")
       ->check(number)
       ->capture_default_str();

@@ -99,6 +99,21 @@ TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
     if (bench::is_dense_global(v)) expect_agreement(v, motion);
 }
 
+class LargestSizes : public testing::TestWithParam<const Case*> {};
+
+/// The paper's reference and the fastest formulation stand for all over a longer motion.
+TEST_P(LargestSizes, TwoFormulationsAgreeOverALongerMotion) {
+  const Case& definition = *GetParam();
+  const double duration = DESMO_SANITIZED ? short_motion : 6;
+  const Motion& motion = motion_of(definition, definition.sizes.back(), duration);
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"})
+    expect_agreement(find_variant(id), motion);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, LargestSizes,
+                         testing::Values(&find_case("four_bar"), &find_case("truck_suspension")),
+                         [](const auto& info) { return std::string(info.param->name); });
+
 class EveryFormulation : public EveryVariant {};
 
 TEST_P(EveryFormulation, RepeatsARunToTheLastBit) {

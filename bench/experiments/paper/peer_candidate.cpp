@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "bench/experiments/paper/entry_json.h"
 #include "bench/kit/digests.h"

@@ -83,7 +83,7 @@ void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
                                                *this, {.level = request_->plan.level()}));
 }
 
-/// Component by component.
+/// Lists one component after the other.
 std::vector<Compared> RequestCandidate::compared(std::span<const ReferenceInstant>) const {
   std::vector<Compared> all;
   for (const OutputComponent& a : request_->components) {
