@@ -68,7 +68,7 @@ struct Settings {
   int threads = 1;
   /// Distance of the instants of a run that are solved, 1 … max_stride: every stride-th and the
   /// last; the others are on the quintic through q, q̇ and q̈ of the two solved about them. 1: all
-  /// are solved. step() and assemble() always solve.
+  /// are solved. step(), assemble() and checked runs after a jump or a gap always solve.
   int stride = 1;
   Modelling coordinates = Modelling::natural;  ///< of the model
 };

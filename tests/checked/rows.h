@@ -23,6 +23,7 @@ namespace desmo {
 struct CheckedRow {
   int index = 0;  ///< of the instant in its grid
   double time = 0;
+  bool interpolated = false;
   PerLevel<std::vector<double>> values{}, radius{};
   std::optional<RowFlag> flag{};
 };
@@ -52,8 +53,10 @@ inline CheckedRows solve_checked(Formulation& formulation, const TimeGrid& grid,
   CheckedRows result;
   options.checked = [&](const CheckedInstant& i) {
     const PerLevel<std::span<const double>> values{i.instant.q, i.instant.qd, i.instant.qdd};
-    CheckedRow& row = result.rows.emplace_back(
-        CheckedRow{.index = i.instant.index, .time = i.instant.time, .flag = i.flag});
+    CheckedRow& row = result.rows.emplace_back(CheckedRow{.index = i.instant.index,
+                                                          .time = i.instant.time,
+                                                          .interpolated = i.instant.interpolated,
+                                                          .flag = i.flag});
     for (const Level l : all_levels) {
       row.values[l].assign(values[l].begin(), values[l].end());
       row.radius[l].assign(i.radius[l].begin(), i.radius[l].end());

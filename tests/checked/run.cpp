@@ -210,7 +210,7 @@ TEST(Gaps, EndARunThatSaysByHowMuchItLacks) {
 
 TEST(Gaps, ArePassedAndLeadBackToTheBranchOfTheDrawing) {
   const Model& m = overswinging;
-  for (const char* id :
+  for (const std::string id :
        {"global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit",
         "global_automatic_klu/stride:2", "group_symbolic_explicit/stride:16"}) {
     const CheckedRows r = solve_checked(m, swing, id, Level::acceleration, {.past_failures = true});
@@ -227,6 +227,7 @@ TEST(Gaps, ArePassedAndLeadBackToTheBranchOfTheDrawing) {
     EXPECT_GT(std::abs(std::remainder(gap.from - 0.15, 8 * halved)), halved / 100) << id;
     EXPECT_EQ(m.groups[gap.failure.group].name, "dyad1/SG-I");
     auto row = r.rows.begin();
+    int interpolated = 0;
     for (int i = 0; i < swing.instants; ++i) {
       const double t = swing.time(i);
       if (t > locked && t < 0.5 - locked) continue;
@@ -236,8 +237,11 @@ TEST(Gaps, ArePassedAndLeadBackToTheBranchOfTheDrawing) {
           locking_four_bar(Polynomial{{sample(m.drivers[0].motion, t).position}}).estimate;
       for (int k = 0; k < m.coordinates(); ++k)
         EXPECT_NEAR(row->values.position[k], exact[k], 1e-9) << id << ", " << t;
+      interpolated += row->interpolated;
+      EXPECT_TRUE(t < locked || !row->interpolated) << id << ", " << t;
       ++row;
     }
+    EXPECT_EQ(interpolated > 0, id.ends_with("stride:2"));  // the longer one fails at its first end
     EXPECT_EQ(row, r.rows.end()) << id;
   }
 }

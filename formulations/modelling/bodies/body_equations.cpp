@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cases/numbers/space.h"
 #include "formulations/modelling/equations/equation_writer.h"
 #include "formulations/modelling/equations/spatial_relation.h"
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cases/mechanism/joint_forms.h"
+#include "cases/numbers/space.h"
 #include "formulations/modelling/contradiction_error.h"
 #include "formulations/modelling/equations/equation_writer.h"
 

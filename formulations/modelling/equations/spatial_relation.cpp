@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 
+#include "cases/numbers/space.h"
 #include "formulations/modelling/equations/equation_writer.h"
 
 namespace desmo {

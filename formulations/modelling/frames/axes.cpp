@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/numbers/space.h"
+
 namespace desmo {
 
 using Exact = AxisMaker::Exact;

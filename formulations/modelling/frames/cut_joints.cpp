@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/mechanism/joint_forms.h"
+#include "cases/numbers/space.h"
 #include "formulations/modelling/equations/equation_writer.h"
 #include "formulations/modelling/frames/axes.h"
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/mechanism/joint_forms.h"
+#include "cases/numbers/space.h"
 #include "formulations/modelling/coordinates/placement.h"
 #include "formulations/modelling/frames/axes.h"
 #include "formulations/modelling/frames/declared_variables.h"

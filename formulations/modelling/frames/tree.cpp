@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "cases/mechanism/drawing.h"
+#include "cases/numbers/space.h"
 #include "formulations/modelling/frames/axes.h"
 
 namespace desmo {

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "cases/mechanism/joint_forms.h"
+#include "cases/numbers/space.h"
 #include "formulations/modelling/equations/equation_writer.h"
 #include "formulations/modelling/frames/frames.h"
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cases/numbers/space.h"
 #include "formulations/constraints/vec.h"
 #include "formulations/modelling/bodies/drawing.h"
 

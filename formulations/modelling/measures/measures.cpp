@@ -12,6 +12,7 @@
 
 #include "cases/mechanism/drawing.h"
 #include "cases/mechanism/joint_forms.h"
+#include "cases/numbers/space.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/measures/frames.h"
 
