@@ -164,7 +164,8 @@ function writeWords(data) {
   get('title').textContent = data.title ? `${data.mechanism}: ${data.title}` : data.mechanism;
   const drivers = data.drivers.map(({name}) => name);
   get('subtitle').textContent = [
-    data.scene, `${data.coordinates} coordinates`, drivers.length === 1 ? `driver ${drivers[0]}`
+    data.scene, `${data.coordinates} coordinates`,
+    drivers.length === 0 ? '' : drivers.length === 1 ? `driver ${drivers[0]}`
         : `drivers ${drivers.slice(0, 6).join(', ')}${drivers.length > 6 ? ', …' : ''}`,
     `${time.solved} of ${time.instants} instants solved`,
     ...(data.shown < time.solved ? [`1 in ${time.stride} of them is on this page`] : []),

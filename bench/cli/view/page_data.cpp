@@ -193,6 +193,7 @@ class Writer {
       for (const EntityId point : points_)
         if (!m_.is_at_rest(point)) outputs.push_back({point, Level::acceleration});
     }
+    json_["driven"] = Json::array();
     for (const Driver& driver : m_.drivers)
       json_["driven"].push_back(
           pack(columns_of(m_, {driver.coordinate, Level::position}, motion_.units)[0]));
