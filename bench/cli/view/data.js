@@ -32,7 +32,8 @@ export function read() {
   return data;
 }
 
-// Finds the box of all positions and its diagonal, the size of the mechanism; and the longest rates.
+// Finds the box of all positions, at the origin where there are none, and its diagonal, the size of the
+// mechanism; and the longest rates.
 function measure(data) {
   data.low = [Infinity, Infinity, Infinity];
   data.high = [-Infinity, -Infinity, -Infinity];
@@ -45,6 +46,7 @@ function measure(data) {
       });
       for (const kind in data.longest) data.longest[kind] = Math.max(data.longest[kind], length(at(data, point, i, kind)));
     }
+  if (data.points.length === 0) data.low = data.high = [0, 0, 0];
   data.size = length(minus(data.high, data.low)) || 1;
   for (const kind in data.longest) data.longest[kind] ||= 1;
 }

@@ -162,6 +162,7 @@ class Writer {
   /// Writes all points, and the vectors that are drawn.
   void write_geometry() {
     const Mechanism& m = scene_.mechanism;
+    json_["points"] = Json::array();
     for (const EntityId point : points_) json_["points"].push_back(geometry(point));
     const std::vector<bool> drawn = drawn_vectors(m);
     json_["vectors"] = Json::array();
