@@ -27,7 +27,8 @@ CheckedSummary MotionRecorder::run(Formulation& formulation) {
   passed_.clear();
   if (instants_.empty()) {
     const std::vector<double> at_rest(model_.estimate.size());
-    instants_.push_back({0, state_of({0, grid_.start, model_.estimate, at_rest, at_rest}), 0, {}});
+    instants_.push_back(
+        {0, state_of({0, grid_.start, model_.estimate, at_rest, at_rest}), NAN, no_radius});
   }
   flag_failures(summary);
   std::ranges::stable_sort(flags_, {}, &Flag::from);
@@ -52,7 +53,7 @@ void MotionRecorder::record(const CheckedInstant& checked) {
   condition_ = std::max(condition_, checked.condition);
   for (const Level level : all_levels)
     if (std::isfinite(checked.relative_radius[level]))  // else a flag says so
-      radius_[level] = std::max(radius_[level], checked.relative_radius[level]);
+      radius_[level] = std::fmax(radius_[level], checked.relative_radius[level]);
   keep({instant.index, state_of(instant), condition_, radius_});
 }
 
@@ -77,7 +78,7 @@ void MotionRecorder::keep(RecordedInstant instant) {
   }
   instants_.push_back(std::move(instant));
   condition_ = 0;
-  radius_ = {};
+  radius_ = no_radius;
   if (instants_.size() > max_kept_) drop_every_second();
 }
 
@@ -91,10 +92,10 @@ void MotionRecorder::drop_every_second() {
         i + 1 < instants_.size() && instants_[i + 1].index > instant.index + stride_;
     condition_ = std::max(condition_, instant.condition);
     for (const Level level : all_levels)
-      radius_[level] = std::max(radius_[level], instant.radius[level]);
+      radius_[level] = std::fmax(radius_[level], instant.radius[level]);
     if (instant.index % stride_ != 0 && !before_gap) continue;
     instant.condition = std::exchange(condition_, 0);
-    instant.radius = std::exchange(radius_, {});
+    instant.radius = std::exchange(radius_, no_radius);
     kept.push_back(std::move(instant));
   }
   instants_ = std::move(kept);

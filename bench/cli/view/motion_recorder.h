@@ -2,6 +2,7 @@
 // flagged.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct RecordedInstant {
   int index;                  ///< in the grid
   std::vector<double> state;  ///< q, q̇, q̈, each of all coordinates, then of the measures
   double condition;           ///< largest since the instant kept before
-  PerLevel<double> radius;    ///< largest over its scale (CheckedInstant)
+  PerLevel<double> radius;    ///< largest over its scale (CheckedInstant); NaN: none is proven
 };
 
 /// An interval that is flagged, and why.
@@ -50,6 +51,8 @@ class MotionRecorder final : public Observer {
   bool overflowed() const { return overflowed_; }            ///< a number is not finite
 
  private:
+  static constexpr PerLevel<double> no_radius{NAN, NAN, NAN};
+
   void record(const CheckedInstant& instant);
   std::vector<double> state_of(const Instant& instant);
   void keep(RecordedInstant instant);
@@ -68,7 +71,7 @@ class MotionRecorder final : public Observer {
   int stride_ = 1, last_flagged_ = -2;
   long solved_ = 0;
   double condition_ = 0;
-  PerLevel<double> radius_{};
+  PerLevel<double> radius_ = no_radius;
   bool overflowed_ = false;
 };
 

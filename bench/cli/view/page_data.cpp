@@ -87,14 +87,15 @@ class Writer {
 
  private:
   /// Packs a column and returns its number. Numbers are stored relative to the one nearest to 0, so
-  /// that small motions far from the origin keep their digits; NaN is none. value: of an instant.
+  /// that small motions far from the origin keep their digits; NaN is none, and an infinite one
+  /// stays. value: of an instant.
   template <class Value>
   int pack(Json column, const Value& value) {
     std::vector<double> values;
     for (const RecordedInstant* i : shown_) values.push_back(value(*i));
     double low = INFINITY, high = -INFINITY;
     for (const double x : values)
-      if (!std::isnan(x)) low = std::min(low, x), high = std::max(high, x);
+      if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
     const double origin = low > high ? 0 : std::clamp(0., low, high);
     column["origin"] = origin;
     for (const double x : values) numbers_.push_back(static_cast<float>(x - origin));

@@ -79,8 +79,9 @@ function specification(data, columns, {x, x_title, y_title, log, over_time, widt
       }))},
     ],
     scales: [x_scale, {
-      name: 'y', type: log ? 'log' : 'linear', domain: {fields: values}, range: 'height', nice: true, zero: !!zero,
-      ...(log ? {domainMin: lowest < Infinity ? lowest : 1e-16} : {}),
+      name: 'y', type: log ? 'log' : 'linear', range: 'height', nice: true, zero: !!zero,
+      ...(lowest === Infinity ? {domain: [1e-16, 1]}  // there is no line
+          : {domain: {fields: values}, ...(log ? {domainMin: lowest} : {})}),
     }],
     axes: [axis('bottom', 'x', x_title), axis('left', 'y', y_title, log)],
     marks: [...(over_time ? [shade] : []), {type: 'group', clip: true, encode: {update: {
