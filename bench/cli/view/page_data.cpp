@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "bench/cli/solve/columns.h"
 #include "cases/io/files.h"
@@ -103,12 +105,23 @@ class Writer {
     return static_cast<int>(columns_.size()) - 1;
   }
 
+  using Key = std::tuple<int, Level, std::string>;
+
+  /// Returns what a column is found by: its place in the state, as a component of a point may have
+  /// the name of a coordinate; or the name of a constant.
+  static Key key_of(const Column& column) {
+    return {column.coordinate, column.level, column.coordinate < 0 ? column.name : ""};
+  }
+
   /// Packs a column of the state, unless it is packed already. Returns its number.
   int pack(const Column& column) {
     const int coordinate = column.coordinate;
-    const auto [found, is_new] = packed_.try_emplace(column.name, columns_.size());
+    const auto [found, is_new] = packed_.try_emplace(key_of(column), columns_.size());
     if (is_new)
-      pack({{"name", column.name}, {"unit", column.unit.name}, {"level", column.order}},
+      pack({{"name", column.name},
+            {"unit", column.unit.name},
+            {"level", column.order},
+            {"quantity", coordinate}},
            [&](const RecordedInstant& i) {
              const std::size_t level = i.state.size() / 3 * static_cast<std::size_t>(column.level);
              return column.unit.from_si(
@@ -204,7 +217,7 @@ class Writer {
     json_["plotted"] = Json::array();
     const auto plot = [&](const std::vector<Column>& columns) {
       wanted += columns.size();
-      const bool is_drawn = packed_.contains(columns[0].name);
+      const bool is_drawn = packed_.contains(key_of(columns[0]));
       if (!is_drawn && (columns_.size() - drawn + columns.size()) * shown_.size() > max_plotted)
         return;
       for (const Column& column : columns) json_["plotted"].push_back(pack(column));
@@ -227,7 +240,7 @@ class Writer {
   std::vector<const RecordedInstant*> shown_;
   std::vector<EntityId> points_;
   int stride_;
-  std::map<std::string, std::size_t> packed_;  // by name
+  std::map<Key, std::size_t> packed_;  // numbers of columns
   Json json_, columns_ = Json::array();
   std::vector<float> numbers_;
 };

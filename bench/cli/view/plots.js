@@ -82,8 +82,8 @@ export class Plots {
   // The same quantity at a level, or nothing.
   #atLevel(c, level) {
     const {columns, plotted} = this.data;
-    const prefix = ['', 'd/dt ', 'd2/dt2 '][level];
-    return plotted.find(o => columns[o].name === prefix + columns[c].name);
+    const {name, quantity} = columns[c], prefix = ['', 'd/dt ', 'd2/dt2 '][level];
+    return plotted.find(o => columns[o].name === prefix + name && columns[o].quantity === quantity);
   }
 
   #described() {
