@@ -13,6 +13,7 @@ export function read() {
   });
   data.times = data.index.map(i => data.time.start + i * data.time.interval);
   data.begin = data.times[0];
+  data.seconds = seconds(data.time);
   const gap = 1.5 * data.time.stride;
   data.holes = new Set(data.index.flatMap((i, k) => k > 0 && i - data.index[k - 1] > gap ? [k] : []));
   data.estimate = data.time.solved === 0;
@@ -30,6 +31,13 @@ export function read() {
     body: b => b === 0 ? 'var(--soft)' : `var(--g${(b - 1) % 8})`,
   };
   return data;
+}
+
+// Returns how to write a time [s]: with seven digits, or with as many as tell instants apart.
+function seconds({start, interval, instants}) {
+  const latest = Math.max(Math.abs(start), Math.abs(start + (instants - 1) * interval));
+  const digits = Math.min(17, Math.max(7, Math.ceil(Math.log10(latest / interval)) + 2));
+  return time => `${Number(time.toPrecision(digits))} s`;
 }
 
 // Finds the box of all positions, at the origin where there are none, and its diagonal, the size of the

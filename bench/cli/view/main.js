@@ -136,10 +136,9 @@ function writeLegend(data) {
       }));
 }
 
-const number = x => Number(x.toPrecision(7));
-
-function when({from, to}) {
-  return number(from) === number(to) ? `t = ${number(from)} s` : `t = ${number(from)} … ${number(to)} s`;
+function when(data, flag) {
+  const [from, to] = [flag.from, flag.to].map(data.seconds);
+  return from === to ? `t = ${from}` : `t = ${from} … ${to}`;
 }
 
 // Lists what is flagged, and when. Why stands in the notice of that time.
@@ -148,7 +147,7 @@ function writeFlags(data, player) {
   for (const flag of data.flags) {
     const item = document.createElement('li'), button = document.createElement('button');
     button.type = 'button';
-    button.textContent = `${flag.kind}, ${when(flag)}`;
+    button.textContent = `${flag.kind}, ${when(data, flag)}`;
     button.addEventListener('click', () => {
       player.toggle(false);
       player.go(flag.kind === 'failed' ? flag.from : (flag.from + flag.to) / 2);
@@ -196,7 +195,7 @@ function watch(data, picture, player) {
     shown = said;
     notice.hidden = said === '';
     const before = !stuck ? '' : data.estimate ? 'Nothing could be assembled; the picture shows the initial estimate. '
-        : `The picture shows the last position reached, at t = ${number(data.times[instant])} s. `;
+        : `The picture shows the last position reached, at t = ${data.seconds(data.times[instant])}. `;
     notice.textContent = before + [...new Set(flags.map(f => f.text))].join('; ');
   });
 }

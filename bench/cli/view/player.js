@@ -66,7 +66,7 @@ export class Player {
   draw() {
     const begin = performance.now();
     get('slider').value = this.time;
-    get('now').textContent = `t = ${Number(this.time.toPrecision(6))} s`;
+    get('now').textContent = `t = ${this.#data.seconds(this.time)}`;
     for (const show of this.#shown) show(this.instant, this.time);
     this.#script.push(performance.now() - begin);
     if (this.#script.length > 300) this.#script.shift();

@@ -13,8 +13,8 @@ const cell = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : t
 // Returns all instants of the page: the time, and every column, as the page has them.
 function csv(data) {
   const columns = data.columns.filter(({name}) => name);
-  const rows = data.times.map((t, i) => [t, ...columns.map(c => c.values[i])]
-      .map(x => Number.isFinite(x) ? String(Number(x.toPrecision(8))) : '').join());
+  const digits = (x, count) => Number.isFinite(x) ? String(Number(x.toPrecision(count))) : '';
+  const rows = data.times.map((t, i) => [digits(t, 15), ...columns.map(c => digits(c.values[i], 8))].join());
   return [['t [s]', ...columns.map(c => c.heading)].map(cell).join(), ...rows].join('\n') + '\n';
 }
 
