@@ -75,7 +75,7 @@ function four_bar_loops(data) {
       for (const {body: follower, p: c} of hinges[coupler])
         for (const {body: last, p: d} of hinges[follower])
           if (last === 0 && new Set([0, input, coupler, follower]).size === 4 && is_input(input, coupler, follower))
-            loops.push({input, follower, b, c, d});
+            loops.push({bodies: [input, coupler, follower], b, c, d});
   return loops;
 }
 
@@ -83,13 +83,13 @@ function four_bar_loops(data) {
 // other loop: between coupler and follower, 0 to half a turn. A quarter transmits best.
 export function add_transmission(data) {
   const {name: unit, radian} = data.angle_unit;
-  data.transmission = four_bar_loops(data).map(({input, follower, b, c, d}) => {
+  data.transmission = four_bar_loops(data).map(({bodies, b, c, d}) => {
     const values = Float64Array.from(data.times, (_, i) => {
       const [from, pin, to] = [b, c, d].map(p => at(data, data.points[p], i));
       const u = minus(from, pin), v = minus(to, pin);
       return Math.atan2(Math.abs(u[0] * v[1] - u[1] * v[0]), dot(u, v)) * radian;
     });
-    const name = `${data.bodies[input].name} → ${data.bodies[follower].name}`;
+    const name = bodies.map(body => data.bodies[body].name).join(' → ');
     return data.columns.push({name, unit, level: 0, values}) - 1;
   });
 }
