@@ -61,24 +61,26 @@ function reach(data, origin, axis, slider) {
 }
 
 // A rail along the axis and a block that slides on it, with sleepers on the ground; or, where neither
-// body need have another point, a rod in a sleeve.
+// body need have another point, a rod in a sleeve. A joint whose axis is of the first body alone has its
+// rail there.
 function slider_marks(data, joint, grounded) {
   const [origin, last] = joint.points, [axis] = joint.vectors, [first_body, last_body] = joint.bodies;
   const [low, high] = reach(data, origin, axis, last);
-  if (!grounded && joint.type !== 'revolute_on_slider') {
+  const of_first = ['revolute_on_slider', 'point_on_line'].includes(joint.type);
+  if (!grounded && !of_first) {
     const far = 0.55 * (high > -low ? high : low);
     return [link(last_body, origin, last, 4), {layer: layers.links, body: first_body, at: [origin, last], svg: view => {
       const from = view.point(origin), path = line(view, from, plus(from, far, view.vector(axis)));
       return `<path d="${path}" stroke="${view.colour(first_body)}" stroke-width="${view.wide(12)}" stroke-opacity=".55"/>`;
     }}];
   }
-  const [still, slider] = last_body === 0 ? [last, origin] : [origin, last];
+  const rail = of_first ? first_body : 0, [still, slider] = rail === first_body ? [origin, last] : [last, origin];
   const margin = 0.06 * data.size;
-  const ends = [low - margin, high + margin].map(far => last_body === 0 ? -far : far);
-  return [{layer: layers.rails, body: grounded ? 0 : first_body, at: [still], svg: view => {
+  const ends = [low - margin, high + margin].map(far => rail === first_body ? far : -far);
+  return [{layer: layers.rails, body: rail, at: [still], svg: view => {
     const path = line(view, ...ends.map(far => plus(view.point(still), far, view.vector(axis))));
-    const stroke = `<path d="${path}" stroke="${view.colour(grounded ? 0 : first_body)}"`;
-    return grounded ? `${stroke} stroke-width="1.5"/>${stroke} stroke-width="${view.wide(10)}" stroke-dasharray="1.5 7" stroke-linecap="butt"/>`
+    const stroke = `<path d="${path}" stroke="${view.colour(rail)}"`;
+    return rail === 0 ? `${stroke} stroke-width="1.5"/>${stroke} stroke-width="${view.wide(10)}" stroke-dasharray="1.5 7" stroke-linecap="butt"/>`
         : `${stroke} stroke-width="${view.wide(3)}"/>`;
   }}, {layer: layers.joints, body: 0, at: [slider], svg: view => {
     const along = view.vector(axis);
