@@ -41,10 +41,12 @@ function body_marks(data) {
 }
 
 function joint_marks(data, joint) {
-  const grounded = joint.bodies.includes(0), [p] = joint.points;
-  if (joint.vectors.length > 0 && joint.points.length === 2) return slider_marks(data, joint, grounded);
+  const grounded = joint.bodies.includes(0), in_plane = ['planar', 'point_on_plane'].includes(joint.type);
+  if (joint.vectors.length > 0 && joint.points.length === 2 && !in_plane) return slider_marks(data, joint, grounded);
+  const p = joint.points[in_plane ? 1 : 0];  // the one that moves in the plane, or the first
   if (p === undefined) return [];
-  const marks = grounded ? [{layer: layers.rails, body: 0, at: [p], svg: view => glyph(view, p, pivot)}] : [];
+  const marks = [];
+  if (grounded && !in_plane) marks.push({layer: layers.rails, body: 0, at: [p], svg: view => glyph(view, p, pivot)});
   const half = {revolute: 11, universal: 8}[joint.type];
   const turns = data.dimension === 3 && half;
   marks.push({layer: layers.joints, body: 0, at: [p], svg: view =>
