@@ -104,7 +104,8 @@ function turned(from, to, fraction) {
 // Returns the point at which the angle of a direction is drawn; none where nothing carries it.
 function vertex(data, {from, vector}) {
   if (from !== undefined) return from;
-  return data.joints.find(j => j.vectors.includes(vector) && j.points.length > 0)?.points[0];
+  const has = ({vectors, points}) => vectors.includes(vector) && points.length > 0;
+  return (data.joints.find(has) ?? data.bodies.find(has))?.points[0];
 }
 
 // An arc from where the angle is 0, or an arrow along what is driven.

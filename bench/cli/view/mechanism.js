@@ -3,8 +3,9 @@ import {at, dot, minus} from './data.js';
 
 const places = list => new Map(list.map(({name}, k) => [name, k]));
 
-// Returns the names of points that a body lists, with their places where it has a frame of its own.
-const listed = points => Array.isArray(points) ? points : Object.keys(points);
+// Returns the names of points or vectors that a body lists, with their places where it has a frame of
+// its own.
+const listed = names => Array.isArray(names) ? names : Object.keys(names);
 
 // Returns the structural group of each body, −1 for the ground and what is fixed to it.
 function groups_of(data, names) {
@@ -21,8 +22,10 @@ export function interpret(data) {
       : of ? {vector: vector.get(of.replace(/^-/, ''))} : null;
   const bodies = [['ground', file.ground], ...Object.entries(file.bodies)];
   const groups = groups_of(data, bodies.map(([name]) => name));
-  data.bodies = bodies.map(([name, {points = []}], b) => (
-      {name, points: listed(points).map(p => point.get(p)), group: groups[b]}));
+  data.bodies = bodies.map(([name, {points = [], vectors = []}], b) => ({
+    name, group: groups[b],
+    points: listed(points).map(p => point.get(p)), vectors: listed(vectors).map(v => vector.get(v)),
+  }));
   const body = places(data.bodies);
   data.points.forEach((one, p) => {
     one.bodies = data.bodies.flatMap(({points}, b) => points.includes(p) ? [b] : []);
