@@ -10,7 +10,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "tests/cli/program.h"
+#include "tests/cli/view.h"
 
 namespace desmo::viewing_test {
 namespace {
@@ -29,20 +29,6 @@ constexpr const char* framed = R"({"format": "desmo-scene", "version": 2,
     "coordinates": {"theta": {"angle": ["O", "T"]}}, "drivers": ["theta"]},
   "motion": {"theta": {"type": "polynomial", "coefficients": [0.5, 1]}},
   "time": {"end": 1, "step": 0.1}})";
-
-/// A fixture whose tests are skipped where the program was built without its page.
-class View : public Cli {
- protected:
-  void SetUp() override {
-    if (desmo("view slider_crank") == 69) GTEST_SKIP() << err_;
-  }
-
-  /// Data that a page carries, by the id of their place.
-  static std::string data_of(const std::string& page, const std::string& id) {
-    const std::size_t at = page.find('>', page.find("id=\"" + id + "\"")) + 1;
-    return page.substr(at, page.find("</script>", at) - at);
-  }
-};
 
 TEST_F(View, ReplacesNoSceneThatIsRead) {
   ASSERT_EQ(desmo("show slider_crank --scene >scene.json"), 0);
@@ -82,20 +68,12 @@ TEST_F(View, SaysWhatThereIs) {
 
 TEST_F(View, ReadsBodiesWithFramesOfTheirOwn) {
   write("framed.json", framed);
-  ASSERT_EQ(desmo("view framed.json"), 0) << err_;
-  write("data.json", data_of(out_, "data"));
-  write("bodies.mjs",
-        "import {readFileSync} from 'node:fs';\n"
-        "import {interpret} from '" DESMO_SOURCE_DIR
-        "/bench/cli/view/mechanism.js';\n"
-        "const data = JSON.parse(readFileSync('data.json', 'utf8'));\n"
-        "interpret(data);\n"
-        "const names = body => body.points.map(p => data.points[p].name).join(' ');\n"
-        "console.log(data.bodies.map(names).join('; '));\n");
-  const int code = shell("node bodies.mjs");
+  const int code =
+      run_on_page_of("framed.json",
+                     "const names = body => body.points.map(p => data.points[p].name);\n"
+                     "console.log(data.bodies.map(b => names(b).join(' ')).join('; '));\n");
   if (code == 127) GTEST_SKIP() << err_;  // there is no node
-  ASSERT_EQ(code, 0) << err_;
-  EXPECT_EQ(out_, "O; O T\n");
+  EXPECT_EQ(out_, "O; O T\n") << err_;
 }
 
 TEST_F(View, PlotsWhatTheSceneRequests) {
@@ -455,7 +433,8 @@ TEST_F(ViewInBrowser, TransmissionAnglesAreThoseOfTheLawOfCosines) {
       const double theta = 1 + 2 * std::numbers::pi * 0.01 * instant["index"].get<double>(),
                    diagonal_squared = 29 - 20 * std::cos(theta),
                    right = std::acos((16 + 3.5 * 3.5 - diagonal_squared) / (2 * 4 * 3.5));
-      EXPECT_NEAR(instant["values"].at("crank → coupler → rocker").get<double>(), right, 2e-7) << theta;
+      EXPECT_NEAR(instant["values"].at("crank → coupler → rocker").get<double>(), right, 2e-7)
+          << theta;
       (right < std::numbers::pi / 2 ? acute : obtuse) = true;
     }
     EXPECT_TRUE(acute && obtuse);

@@ -1,0 +1,104 @@
+// desmo view: what the scripts of the page read from its data.
+
+#include "tests/cli/view.h"
+
+namespace desmo::viewing_data_test {
+namespace {
+
+/// Returns a scene of a second in the plane. mechanism: members of the mechanism; driven: the
+/// coordinate that is driven from 0.5 at 1/s, if any.
+std::string scene(const std::string& mechanism, const std::string& driven) {
+  const std::string motion =
+      driven.empty() ? "" : '"' + driven + R"(": {"type": "polynomial", "coefficients": [0.5, 1]})";
+  return R"({"format": "desmo-scene", "version": 2, "mechanism": {"format": "desmo-mechanism",
+    "version": 1, "name": "m", "dimension": 2, )" +
+         mechanism + "}, \"motion\": {" + motion + R"(}, "time": {"end": 1, "step": 0.1}})";
+}
+
+TEST_F(View, ReadsAMechanismWithoutDrivers) {
+  write("triangle.json", scene(R"(
+    "points": {"A": [0, 0], "B": [1, 0], "C": [0.5, 1]}, "ground": {"points": ["A", "B"]},
+    "bodies": {"a": {"points": ["A", "C"]}, "b": {"points": ["B", "C"]}},
+    "joints": [{"type": "revolute", "bodies": ["ground", "a"], "points": ["A"]},
+               {"type": "revolute", "bodies": ["ground", "b"], "points": ["B"]},
+               {"type": "revolute", "bodies": ["a", "b"], "points": ["C"]}])",
+                               ""));
+  const int code = run_on_page_of(
+      "triangle.json", "console.log(JSON.stringify([data.drivers, data.driven, data.high]));\n");
+  if (code == 127) GTEST_SKIP() << err_;  // there is no node
+  EXPECT_EQ(out_, "[[],[],[1,1,0]]\n") << err_;
+}
+
+TEST_F(View, ReadsAMechanismWithoutPoints) {
+  write("turning.json", scene(R"(
+    "points": {}, "vectors": {"u": [0.8, 0.6]}, "ground": {}, "bodies": {"b": {"vectors": ["u"]}},
+    "joints": [], "coordinates": {"a": {"angle": "u"}}, "drivers": ["a"])",
+                              "a"));
+  const int code = run_on_page_of(
+      "turning.json",
+      "console.log(JSON.stringify([data.points, data.low, data.high, data.size, draw(data)]));\n");
+  if (code == 127) GTEST_SKIP() << err_;
+  EXPECT_EQ(out_, "[[],[0,0,0],[0,0,0],1,[]]\n") << err_;
+}
+
+/// A bar that turns about the ground. One of its coordinates has the name of a component of its
+/// tip.
+TEST_F(View, TellsColumnsOfTheSameNameApart) {
+  write("bar.json", scene(R"(
+    "points": {"O": [0, 0], "T": [0.8, 0.6]}, "ground": {"points": ["O"]},
+    "bodies": {"bar": {"points": ["O", "T"]}},
+    "joints": [{"type": "revolute", "bodies": ["ground", "bar"], "points": ["O"]}],
+    "coordinates": {"theta": {"angle": ["O", "T"]}, "T.x": {"component": "T", "axis": "y"}},
+    "drivers": ["theta"])",
+                          "theta"));
+  const int code = run_on_page_of(
+      "bar.json",
+      "const plotted = data.plotted.map(c => data.columns[c]);\n"
+      "const rate = of => plotted.find(c => c.level === 1 && c.quantity === of.quantity);\n"
+      "for (const c of plotted.filter(({level}) => level === 0))\n"
+      "  console.log(c.name, ...[c, rate(c)].map(({values}) => values[0].toFixed(3)));\n");
+  if (code == 127) GTEST_SKIP() << err_;
+  EXPECT_EQ(out_, "theta 0.500 1.000\nT.x 0.479 0.878\nT.x 0.878 -0.479\nT.y 0.479 0.878\n")
+      << err_;
+}
+
+TEST_F(View, DrawsTheDrivenAngleOfAVectorThatNoJointHas) {
+  const std::string bar = R"("points": {"O": [0, 0]}, "ground": {"points": ["O"]},
+    "joints": [{"type": "revolute", "bodies": ["ground", "bar"], "points": ["O"]}],
+    "coordinates": {"a": {"angle": "u"}}, "drivers": ["a"], )";
+  write("drawn.json", scene(bar + R"("vectors": {"u": [0.8, 0.6]},
+    "bodies": {"bar": {"points": ["O"], "vectors": ["u"]}})",
+                            "a"));
+  write("framed.json", scene(bar + R"(
+    "bodies": {"bar": {"at": [0, 0, 0.5], "points": {"O": [0, 0]}, "vectors": {"u": [1, 0]}}})",
+                             "a"));
+  for (const char* file : {"drawn.json", "framed.json"}) {
+    const int code = run_on_page_of(
+        file,
+        "const drawn = draw(data).filter(({layer}) => layer === layers.drivers);\n"
+        "console.log(drawn.map(({at}) => at.map(p => data.points[p].name).join()).join('; '));\n");
+    if (code == 127) GTEST_SKIP() << err_;
+    EXPECT_EQ(out_, "O\n") << file << err_;
+  }
+}
+
+TEST_F(View, NamesTheCouplerOfATransmissionAngle) {
+  const int code = run_on_page_of(
+      DESMO_SOURCE_DIR "/tests/range/scenes/quartered_rods.json",
+      "console.log(data.transmission.map(c => data.columns[c].name).sort().join('; '));\n");
+  if (code == 127) GTEST_SKIP() << err_;
+  EXPECT_EQ(out_, "p1 → belt → p2; p1 → belt2 → p2\n") << err_;
+}
+
+/// Its group QA, QB is drawn singular: no instant is proven.
+TEST_F(View, HasNoRadiusWhereNoneIsProven) {
+  const int code = run_on_page_of(DESMO_SOURCE_DIR "/tests/checked/scenes/peaucellier.json",
+                                  "const all = [data.condition, ...data.radii].map(c => [...new "
+                                  "Set(data.columns[c].values)]);\n"
+                                  "console.log(data.time.solved > 0, all.join(' '));\n");
+  if (code == 127) GTEST_SKIP() << err_;
+  EXPECT_EQ(out_, "true Infinity NaN NaN NaN\n") << err_;
+}
+
+}  // namespace
+}  // namespace desmo::viewing_data_test
