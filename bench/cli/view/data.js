@@ -33,10 +33,11 @@ export function read() {
   return data;
 }
 
-// Returns how to write a time [s]: with seven digits, or with as many as tell instants apart.
+// Returns how to write a time [s]: with seven digits, or with as many as tell instants apart, of which there
+// may be one.
 function seconds({start, interval, instants}) {
   const latest = Math.max(Math.abs(start), Math.abs(start + (instants - 1) * interval));
-  const digits = Math.min(17, Math.max(7, Math.ceil(Math.log10(latest / interval)) + 2));
+  const digits = Math.min(17, Math.max(7, Math.ceil(Math.log10(latest / interval)) + 2 || 7));
   return time => `${Number(time.toPrecision(digits))} s`;
 }
 
