@@ -10,14 +10,19 @@
 
 namespace desmo::bench {
 
-FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string_view case_name,
-                                           int n, std::string_view id, const Configuration& c,
-                                           Clock by, Request asked)
-    : Candidate(instants, c.settings.threads, by),
-      asked_(std::move(asked)),
-      case_name_(case_name),
+FormulationCandidate::FormulationCandidate(const Problem& problem, const Configuration& c)
+    : FormulationCandidate(problem, id_with(*c.variant, c.settings), c) {}
+
+FormulationCandidate::FormulationCandidate(const Problem& problem, std::string_view id,
+                                           const Settings& others)
+    : FormulationCandidate(problem, id, parse_id(id, others)) {}
+
+FormulationCandidate::FormulationCandidate(const Problem& problem, std::string_view id,
+                                           const Configuration& c, Clock by)
+    : Candidate(problem.grid, c.settings.threads, by),
+      asked_{problem.level(), problem.delivered},
+      problem_(problem),
       id_(id),
-      coordinates_(n),
       configuration_(c) {}
 
 std::string FormulationCandidate::id() const {
@@ -25,13 +30,25 @@ std::string FormulationCandidate::id() const {
 }
 
 std::string FormulationCandidate::name() const {
-  return case_name_ + "/" + std::to_string(coordinates_) + "/" + id();
+  return case_name() + "/" + std::to_string(coordinates()) + "/" + id();
+}
+
+const std::string& FormulationCandidate::case_name() const {
+  return problem_.case_name.empty() ? problem_.plan.model.name : problem_.case_name;
+}
+
+int FormulationCandidate::coordinates() const {
+  return problem_.whole ? problem_.whole->coordinates() : static_cast<int>(delivered());
+}
+
+std::size_t FormulationCandidate::delivered() const {
+  return asked_.coordinates.empty() ? problem_.plan.model.coordinates() : asked_.coordinates.size();
 }
 
 std::unique_ptr<Formulation> FormulationCandidate::make_formulation() const {
-  auto formulation =
-      desmo::make_formulation(variant(), problem().plan.model, settings(), problem().kernels);
-  if (!problem().plan.levels.empty()) formulation->solve_only(problem().plan.levels);
+  const Plan& plan = problem_.plan;
+  auto formulation = desmo::make_formulation(variant(), plan.model, settings(), problem_.kernels);
+  if (!plan.levels.empty()) formulation->solve_only(plan.levels);
   return formulation;
 }
 
@@ -41,10 +58,11 @@ Summary FormulationCandidate::run(Formulation& formulation, Observer& observer) 
 
 FormulationCandidate::Checked FormulationCandidate::check(ReferenceCache& references,
                                                           VerifyingRun& found) {
-  found.model = model_digest(whole());
+  const Model& model = problem_.plan.model;
+  const Model& whole = problem_.whole ? *problem_.whole : model;
+  found.model = model_digest(whole);
   if (std::string reason = unavailable_reason(settings()); !reason.empty())
     return not_run(std::move(reason));
-  const Model& model = problem().plan.model;
   const std::size_t bytes_before = heap_in_use();
   const double before_setup = cpu_now();
   const auto formulation = make_formulation();
@@ -53,8 +71,8 @@ FormulationCandidate::Checked FormulationCandidate::check(ReferenceCache& refere
   if (std::string missing = missing_code(*formulation); !missing.empty())
     return failed(std::move(missing));
 
-  const std::span<const ReferenceInstant> own = problem().reference.instants;
-  const auto right = own.empty() ? references.get(whole(), grid(), settings().stride) : own;
+  const std::span<const ReferenceInstant> own = problem_.reference.instants;
+  const auto right = own.empty() ? references.get(whole, grid(), settings().stride) : own;
   ComparingObserver observer(delivered(), asked_.level, right, compared(right));
   const double start = now(clock());
   const Summary summary = run(*formulation, observer);
@@ -66,13 +84,17 @@ FormulationCandidate::Checked FormulationCandidate::check(ReferenceCache& refere
   found.iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
   found.residual = summary.residual;
   std::string wrong = verification_failure(
-      found.errors, right.size(), std::max(1.0, problem().tolerance / Settings{}.tolerance));
+      found.errors, right.size(), std::max(1.0, problem_.tolerance / Settings{}.tolerance));
   if (wrong.empty()) return {};
   return failed(std::move(wrong));
 }
 
-std::vector<Compared> FormulationCandidate::compared(std::span<const ReferenceInstant>) const {
-  return all_compared(delivered(), asked_.level);
+std::vector<Compared> FormulationCandidate::compared(
+    std::span<const ReferenceInstant> reference) const {
+  if (!problem_.compared.empty()) return problem_.compared;
+  PerLevel<std::vector<double>> scales;
+  if (problem_.is_relative) scales = coordinate_scales(problem_.plan.model, reference);
+  return all_compared(delivered(), asked_.level, scales);
 }
 
 /// Threads and their processors are awake afterwards. From asleep that may take as long as a
@@ -127,20 +149,5 @@ bool FormulationCandidate::is_sampled(double long_motion_seconds) const {
   return is_verified() && verified()->seconds().size() >= 2 &&
          min_seconds() * grid().instants > long_motion_seconds;
 }
-
-ProblemCandidate::ProblemCandidate(const Problem& problem, const Configuration& c)
-    : ProblemCandidate(problem, id_with(*c.variant, c.settings), c) {}
-
-ProblemCandidate::ProblemCandidate(const Problem& problem, std::string_view id,
-                                   const Settings& others)
-    : ProblemCandidate(problem, id, parse_id(id, others)) {}
-
-ProblemCandidate::ProblemCandidate(const Problem& problem, std::string_view id,
-                                   const Configuration& c)
-    : FormulationCandidate(problem.grid, problem.plan.model.name,
-                           problem.delivered.empty() ? problem.plan.model.coordinates()
-                                                     : static_cast<int>(problem.delivered.size()),
-                           id, c, Clock::cpu, {problem.level(), problem.delivered}),
-      problem_(problem) {}
 
 }  // namespace desmo::bench

@@ -17,6 +17,13 @@ namespace desmo::bench {
 /// A formulation that solves a problem.
 class FormulationCandidate : public Candidate {
  public:
+  /// The problem must outlive the candidate.
+  FormulationCandidate(const Problem& problem, const Configuration& configuration);
+  /// id: as parse_id takes it, which throws for an unusable one. It stays the candidate's id;
+  /// `others` are the settings that it does not name.
+  FormulationCandidate(const Problem& problem, std::string_view id, const Settings& others);
+
+  const Problem& problem() const { return problem_; }
   const Variant& variant() const { return *configuration_.variant; }
   const Settings& settings() const { return configuration_.settings; }
   const Configuration& configuration() const { return configuration_; }
@@ -25,6 +32,9 @@ class FormulationCandidate : public Candidate {
   /// measures one thread, for comparison with several.
   std::string id() const;
   std::string name() const override;
+  const std::string& case_name() const;  ///< of the problem
+  /// Returns the number of coordinates of the whole model, or of those delivered of it.
+  int coordinates() const;
 
   /// Takes a sample of a step's time by a formulation made anew on a fresh heap (see step_seconds).
   /// duration: least time of the sample [s]. Does nothing unless it is verified.
@@ -35,22 +45,10 @@ class FormulationCandidate : public Candidate {
   /// long_motion_seconds [s], so that more samples would cost too much.
   bool is_sampled(double long_motion_seconds) const;
 
-  int coordinates() const { return coordinates_; }  ///< of the model, or those delivered
-
  protected:
-  /// case_name, coordinates: of the problem. id: without settings that all candidates share.
-  /// asked: is delivered.
-  FormulationCandidate(const TimeGrid& instants, std::string_view case_name, int coordinates,
-                       std::string_view id, const Configuration& configuration, Clock by,
-                       Request asked);
-
-  /// Returns the problem, which may be made when it is first needed. Throws what making it throws.
-  virtual const Problem& problem() const = 0;
-  /// Returns what is compared with the reference; by default, all that is delivered.
-  virtual std::vector<Compared> compared(std::span<const ReferenceInstant> reference) const;
-
-  /// Returns the model whose motion is the reference's; by default, the one that is solved.
-  virtual const Model& whole() const { return problem().plan.model; }
+  /// id: without settings that all candidates share.
+  FormulationCandidate(const Problem& problem, std::string_view id,
+                       const Configuration& configuration, Clock by = Clock::cpu);
 
   /// Compares with the problem's own reference, where it has one. The allowed difference grows with
   /// a tolerance above the usual one.
@@ -65,37 +63,17 @@ class FormulationCandidate : public Candidate {
   /// took `duration` [s]. Throws std::runtime_error where the motion cannot be solved.
   double step_seconds(Formulation& formulation, double duration) const;
 
-  /// Returns how many coordinates are delivered.
-  std::size_t delivered() const {
-    return asked_.coordinates.empty() ? coordinates_ : asked_.coordinates.size();
-  }
-
   const Request asked_;
 
  private:
   Analysis make_analysis(TimingWindows& windows) const override;
   std::unique_ptr<Formulation> make_assembled() const;
-
-  const std::string case_name_, id_;
-  const int coordinates_;
-  const Configuration configuration_;
-};
-
-/// A formulation that solves a problem made beforehand.
-class ProblemCandidate : public FormulationCandidate {
- public:
-  /// The problem must outlive the candidate.
-  ProblemCandidate(const Problem& problem, const Configuration& configuration);
-  /// id: as parse_id takes it, which throws for an unusable one. It stays the candidate's id;
-  /// `others` are the settings that it does not name.
-  ProblemCandidate(const Problem& problem, std::string_view id, const Settings& others);
-
-  const Problem& problem() const override { return problem_; }
-
- private:
-  ProblemCandidate(const Problem& problem, std::string_view id, const Configuration& c);
+  std::vector<Compared> compared(std::span<const ReferenceInstant> reference) const;
+  std::size_t delivered() const;  ///< number of coordinates
 
   const Problem& problem_;
+  const std::string id_;
+  const Configuration configuration_;
 };
 
 }  // namespace desmo::bench

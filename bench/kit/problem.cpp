@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "bench/kit/verification.h"
 #include "formulations/model/partition.h"
 
 namespace desmo::bench {

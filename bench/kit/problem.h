@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "bench/kit/verification.h"
 #include "cases/mechanism/motion.h"
 #include "formulations/base/per_level.h"
 #include "formulations/base/settings.h"
@@ -27,6 +30,13 @@ struct Problem {
   KernelTable kernels{};  ///< generated code, apart from what desmo was built with
   /// The coordinates that are delivered and compared, in the order of the reference; empty: all.
   std::vector<int> delivered{};
+  /// The values that are compared; empty: all that is delivered.
+  std::vector<Compared> compared{};
+  /// Whether differences are relative to the mechanism's size, speed and acceleration: its unit of
+  /// length may be any.
+  bool is_relative = false;
+  std::optional<Model> whole{};  ///< the model whose motion is the reference's, unless the plan's
+  std::string case_name{};       ///< <case> in names of benchmarks; empty: the mechanism's name
 
   Level level() const { return plan.outputs.empty() ? Level::acceleration : plan.level(); }
 };

@@ -22,7 +22,7 @@ Json verified(const std::string& name, int instants, bench::ReferenceCache& refe
   Json j = {{"case", parsed.case_name}, {"coordinates", parsed.coordinates}, {"id", parsed.id}};
   try {
     const bench::Problem problem = problem_of(parsed, instants);
-    bench::ProblemCandidate candidate(problem, parsed.id, Settings{});
+    bench::FormulationCandidate candidate(problem, parsed.id, Settings{});
     candidate.verify(references);
     if (!candidate.is_verified()) {
       j["status"] = candidate.is_failed() ? "failed" : "not_run";

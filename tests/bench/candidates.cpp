@@ -19,6 +19,7 @@
 #include "bench/kit/time/timing_windows.h"
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
+#include "formulations/id.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/motion/time_stepping.h"
 #include "formulations/variants.h"
@@ -70,8 +71,8 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
   Options o;
   o.duration = 2;
   ReferenceCache references;
-  CaseCandidate candidate(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"),
-                          o);
+  CaseCandidate candidate(measured_case(find_case("truck_suspension"), 114, o),
+                          {parse_id("group_symbolic_klu")}, o);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/group_symbolic_klu");
   candidate.verify(references);
   const auto sum = [](const std::vector<double>& values) {
@@ -104,7 +105,8 @@ static_assert(!std::is_default_constructible_v<VerifiedCandidate::Key>);
 static_assert(!std::is_copy_constructible_v<VerifiedCandidate>);
 
 TEST(Candidates, HaveNoSamplesBeforeTheyAreVerified) {
-  CaseCandidate candidate(find_case("four_bar"), 24, find_variant("group_automatic_klu"), {});
+  CaseCandidate candidate(measured_case(find_case("four_bar"), 24, {}),
+                          {parse_id("group_automatic_klu")}, {});
   candidate.measure([](VerifiedCandidate& verified) { verified.add_sample(1); });
   EXPECT_FALSE(candidate.is_verified());
   EXPECT_FALSE(candidate.is_timed());
@@ -112,8 +114,8 @@ TEST(Candidates, HaveNoSamplesBeforeTheyAreVerified) {
 
 TEST(Candidates, SayWhyDenseGlobalSolvesAreNotRun) {
   Options o;
-  const CaseCandidate candidate(find_case("four_bar"), 558, find_variant("global_automatic_lapack"),
-                                o);
+  const CaseCandidate candidate(measured_case(find_case("four_bar"), 558, o),
+                                {parse_id("global_automatic_lapack")}, o);
   EXPECT_TRUE(candidate.is_not_run());
   EXPECT_NE(candidate.message().find("O(n^3)"), std::string::npos);
 }

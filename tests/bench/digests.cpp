@@ -17,9 +17,9 @@
 #include "bench/kit/record/environment.h"
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
+#include "formulations/id.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/runtime/digest.h"
-#include "formulations/variants.h"
 
 namespace desmo::paper::digests_test {
 namespace {
@@ -117,7 +117,8 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
   std::set<std::string> models, results;
   for (const char* id : {"global_automatic_klu", "global_automatic_cholmod",
                          "group_symbolic_lapack", "group_symbolic_inlined"}) {
-    CaseCandidate candidate(find_case("truck_suspension"), 114, find_variant(id), o);
+    CaseCandidate candidate(measured_case(find_case("truck_suspension"), 114, o), {parse_id(id)},
+                            o);
     candidate.verify(references);
     ASSERT_TRUE(candidate.is_verified()) << candidate.message();
     models.insert(candidate.verifying_run().model);

@@ -29,11 +29,11 @@ TEST(ParallelSegments, OfSeveralThreadsCountNoWork) {
 }
 
 TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
-  const Configuration c = parse_id("group_symbolic_explicit/segments:4/threads:2");
   Options options;
   options.duration = 10;
   ReferenceCache references;
-  CaseCandidate candidate(find_case("truck_suspension"), 225, *c.variant, options, c.settings);
+  CaseCandidate candidate(measured_case(find_case("truck_suspension"), 225, options),
+                          {parse_id("group_symbolic_explicit/segments:4/threads:2")}, options);
   candidate.verify(references);
   ASSERT_TRUE(candidate.is_verified()) << candidate.message();
   EXPECT_EQ(candidate.clock(), Clock::wall);

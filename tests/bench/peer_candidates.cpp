@@ -77,7 +77,8 @@ struct PeerCells : testing::Test {
 
 TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
   const PeerDefinition half = definition<HalfOfOurs>();
-  PeerCandidate candidate(find_case("truck_suspension"), 114, half, options);
+  PeerCandidate candidate(measured_case(find_case("truck_suspension"), 114, options), half,
+                          options);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/peer:half");
   candidate.verify(references);
   ASSERT_TRUE(candidate.is_verified()) << candidate.message();
@@ -91,7 +92,8 @@ TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
 
 TEST_F(PeerCells, FailWithAWrongAnswer) {
   const PeerDefinition wrong = definition<WrongInAcceleration>();
-  PeerCandidate candidate(find_case("truck_suspension"), 114, wrong, options);
+  PeerCandidate candidate(measured_case(find_case("truck_suspension"), 114, options), wrong,
+                          options);
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_NE(candidate.message().find("acceleration"), std::string::npos) << candidate.message();
@@ -99,7 +101,7 @@ TEST_F(PeerCells, FailWithAWrongAnswer) {
 
 TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
   const PeerDefinition lost = definition<FailsAfterAWhile>();
-  PeerCandidate candidate(find_case("four_bar"), 114, lost, options);
+  PeerCandidate candidate(measured_case(find_case("four_bar"), 114, options), lost, options);
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_EQ(candidate.message(), "lost its way");
@@ -108,7 +110,7 @@ TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
 TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
   options.peer_limit = 1e-9;
   const PeerDefinition half = definition<HalfOfOurs>();
-  PeerCandidate candidate(find_case("four_bar"), 114, half, options);
+  PeerCandidate candidate(measured_case(find_case("four_bar"), 114, options), half, options);
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_not_run());
   EXPECT_NE(candidate.message().find("the whole motion would take"), std::string::npos)

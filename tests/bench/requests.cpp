@@ -13,6 +13,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
+#include "formulations/id.h"
 #include "formulations/variants.h"
 
 namespace desmo::paper::requests_test {
@@ -58,15 +59,16 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
 
 TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
   const auto request = planned("damper");
-  ASSERT_EQ(request->components.size(), 1u);
-  Delivery delivery(request->coordinates.size(), request->plan.level());
+  ASSERT_EQ(request->delivered.size(), 1u);
+  EXPECT_EQ(request->compared.size(), 2u);  // its position and its velocity
+  Delivery delivery(request->delivered.size(), request->plan.level());
   const auto f = make_formulation(find_variant("block_symbolic_inlined"), request->plan.model);
   f->solve_only(request->plan.levels);
-  ASSERT_TRUE(f->run(request->grid, {request->plan.level(), request->coordinates}, delivery).ok());
+  ASSERT_TRUE(f->run(request->grid, {request->plan.level(), request->delivered}, delivery).ok());
   ASSERT_EQ(delivery.q().size(), 1u);
   ASSERT_EQ(delivery.qd().size(), 1u);
   EXPECT_TRUE(delivery.qdd().empty());
-  const int s10 = request->components[0].kept;
+  const int s10 = request->delivered[0];
   EXPECT_EQ(delivery.q()[0], f->q()[s10]);
   EXPECT_EQ(delivery.qd()[0], f->qd()[s10]);
 }
@@ -74,8 +76,8 @@ TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
 TEST_F(Requests, FailWhereSomethingNeededIsLeftOut) {
   auto request = std::make_shared<PlannedRequest>(*planned("damper"));
   for (int i = 0; i < std::ssize(request->plan.levels); ++i)  // not what its velocity needs
-    if (i != request->components[0].kept) request->plan.levels[i] = Level::position;
-  RequestCandidate candidate(request, find_variant("group_symbolic_inlined"));
+    if (i != request->delivered[0]) request->plan.levels[i] = Level::position;
+  RequestCandidate candidate(request, parse_id("group_symbolic_inlined"));
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_TRUE(candidate.message().starts_with("differs from the reference")) << candidate.message();
@@ -87,7 +89,7 @@ TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
   scene.request = {{RequestedEntity::Kind::point, 0, Level::position}};
   scene.motions.front() = HarmonicSum{5, {}};  // out of the axle's reach
   RequestCandidate candidate(std::make_shared<const PlannedRequest>("far", scene, options),
-                             find_variant("global_automatic_klu"));
+                             parse_id("global_automatic_klu"));
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_NE(candidate.message(), "");

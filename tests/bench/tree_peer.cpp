@@ -32,7 +32,7 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
     // A size more is not a whole motion more.
     options.duration = n == c.sizes.front() ? DESMO_TEST_SECONDS : 0.5;
     for (const char* name : names) {
-      paper::PeerCandidate candidate(c, n, find_peer(name), options);
+      paper::PeerCandidate candidate(paper::measured_case(c, n, options), find_peer(name), options);
       candidate.verify(references);
       EXPECT_TRUE(candidate.is_verified()) << candidate.name() << ": " << candidate.message();
       const Scene scene = make_scene(c, n);

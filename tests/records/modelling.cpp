@@ -62,11 +62,11 @@ TEST(ModellingProblems, AreVerifiedByNamesWithGeneratedCode) {
     for (const char* id : {"group_symbolic_inlined", "group_symbolic_explicit"}) {
       bench::ReferenceCache references;
       bench::Problem right = modelling::problem_in(scene, natural, kind);
-      bench::ProblemCandidate candidate(right, modelling::id_in(id, kind), Settings{});
+      bench::FormulationCandidate candidate(right, modelling::id_in(id, kind), Settings{});
       candidate.verify(references);
       EXPECT_TRUE(candidate.is_verified()) << candidate.message();
       std::swap(right.delivered.front(), right.delivered.back());
-      bench::ProblemCandidate mistaken(right, modelling::id_in(id, kind), Settings{});
+      bench::FormulationCandidate mistaken(right, modelling::id_in(id, kind), Settings{});
       mistaken.verify(references);
       EXPECT_TRUE(mistaken.is_failed());
     }

@@ -18,10 +18,10 @@
 namespace desmo::size::size_test {
 namespace {
 
+using bench::FormulationCandidate;
 using bench::make_problem;
 using bench::moving_unknowns;
 using bench::Problem;
-using bench::ProblemCandidate;
 
 bench::ReferenceCache references;  // stays empty: the problems bring their own
 
@@ -35,8 +35,8 @@ TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
   const Problem problem = problem_of("truck_suspension", 114);
   EXPECT_STREQ(problem.checked_against, "quadruple");
   EXPECT_EQ(problem.reference.instants.size(), 3u);
-  ProblemCandidate right(problem, "group_symbolic_explicit/lanes:4",
-                         {.tolerance = problem.tolerance});
+  FormulationCandidate right(problem, "group_symbolic_explicit/lanes:4",
+                             {.tolerance = problem.tolerance});
   right.sample_afresh(0);
   EXPECT_FALSE(right.is_timed());
   right.verify(references);
@@ -52,8 +52,8 @@ TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
 TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   const Problem problem = problem_of("truck_suspension", 114);
   // One iteration is not enough; the tolerance is not asked of a fixed number of them.
-  ProblemCandidate inexact(problem, "group_symbolic_inlined/iterations:1",
-                           {.tolerance = problem.tolerance});
+  FormulationCandidate inexact(problem, "group_symbolic_inlined/iterations:1",
+                               {.tolerance = problem.tolerance});
   inexact.verify(references);
   inexact.sample_afresh(0);
   EXPECT_FALSE(inexact.is_verified());
@@ -61,10 +61,11 @@ TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   EXPECT_FALSE(inexact.is_timed());
   Problem undefined = problem;
   undefined.plan.model.drivers.front().motion = Polynomial{{NAN}};
-  ProblemCandidate failing(undefined, "global_automatic_klu", {.tolerance = undefined.tolerance});
+  FormulationCandidate failing(undefined, "global_automatic_klu",
+                               {.tolerance = undefined.tolerance});
   failing.verify(references);
   EXPECT_CONTAINS(failing.message(), "not finite");
-  EXPECT_THROW(ProblemCandidate(problem, "global_automatic_abacus", Settings{}),
+  EXPECT_THROW(FormulationCandidate(problem, "global_automatic_abacus", Settings{}),
                std::invalid_argument);
 }
 
@@ -72,7 +73,8 @@ TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
   const Problem problem =
       make_problem(make_model(make_scene(find_case("four_bar"), 12'003)), instants(3), 1e-10);
   EXPECT_STREQ(problem.checked_against, "double");
-  ProblemCandidate candidate(problem, "group_symbolic_inlined", {.tolerance = problem.tolerance});
+  FormulationCandidate candidate(problem, "group_symbolic_inlined",
+                                 {.tolerance = problem.tolerance});
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_verified()) << candidate.message();
 }
@@ -91,7 +93,7 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
       last = found;
       const Problem problem = make_problem(cut, instants(3), 1e-12);
       for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
-        ProblemCandidate candidate(problem, id, {.tolerance = problem.tolerance});
+        FormulationCandidate candidate(problem, id, {.tolerance = problem.tolerance});
         candidate.verify(references);
         EXPECT_TRUE(candidate.is_verified())
             << c.name << ' ' << least << ' ' << candidate.message();

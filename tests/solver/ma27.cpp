@@ -43,7 +43,7 @@ TEST_F(Ma27, FormulationsAgreeWithTheQuadrupleReference) {
   bench::ReferenceCache references;
   for (const Case& c : cases())
     for (const char* id : ids) {
-      paper::CaseCandidate cell(c, 114, find_variant(id), options);
+      paper::CaseCandidate cell(paper::measured_case(c, 114, options), {parse_id(id)}, options);
       cell.verify(references);
       EXPECT_TRUE(cell.is_verified()) << cell.name() << ": " << cell.message();
       EXPECT_EQ(cell.verifying_run().errors.instants, 51) << cell.name();

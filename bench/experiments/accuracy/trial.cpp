@@ -17,7 +17,7 @@ double max_condition(const Problem& problem) {
 }
 
 Trial::Trial(const Problem& problem, const Configuration& configuration)
-    : ProblemCandidate(problem, configuration) {
+    : FormulationCandidate(problem, configuration) {
   if (std::string why = unsupported_reason(variant(), settings()); !why.empty())
     refuse(not_run(std::move(why)));
 }

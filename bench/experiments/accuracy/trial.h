@@ -10,7 +10,7 @@ using bench::Problem;
 
 /// A configuration tried on a problem that has a reference: how wrong it is, and what a step costs.
 /// It is verified once its error is known, whatever that is.
-class Trial final : public bench::ProblemCandidate {
+class Trial final : public bench::FormulationCandidate {
  public:
   /// The problem must outlive the trial, which is not run where its formulation does not offer the
   /// settings.

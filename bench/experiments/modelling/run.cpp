@@ -21,7 +21,7 @@ namespace desmo::modelling {
 
 namespace {
 
-using bench::ProblemCandidate;
+using bench::FormulationCandidate;
 using Json = nlohmann::ordered_json;
 
 constexpr int usual_repetitions = 5, quick_repetitions = 3;
@@ -60,7 +60,7 @@ bool measure(const Comparison& comparison, int repetitions, Json& list) {
   grid.instants = instants;
   const bench::Problem natural = natural_problem(scene, grid);
   std::map<Modelling, bench::Problem> problems;
-  std::list<ProblemCandidate> candidates;
+  std::list<FormulationCandidate> candidates;
   for (const auto& [kind, id] : comparison.ids) {
     if (!problems.contains(kind)) problems.emplace(kind, problem_in(scene, natural, kind));
     candidates.emplace_back(problems.at(kind), id, Settings{});
@@ -69,8 +69,8 @@ bool measure(const Comparison& comparison, int repetitions, Json& list) {
   std::map<Modelling, double> conditions;
   for (const auto& [kind, problem] : problems)
     conditions[kind] = condition_at_start(problem.plan.model, grid.time(0));
-  for (const ProblemCandidate& candidate : candidates) {
-    Json entry = bench::timed_entry(candidate, comparison.definition->name);
+  for (const FormulationCandidate& candidate : candidates) {
+    Json entry = bench::timed_entry(candidate);
     const LinearSystems systems =
         linear_systems(candidate.problem().plan.model, candidate.variant().partition);
     entry["unknowns"] = systems.unknowns;

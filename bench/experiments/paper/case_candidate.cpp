@@ -1,21 +1,24 @@
 #include "bench/experiments/paper/case_candidate.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "bench/experiments/paper/entry_json.h"
-#include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/checked_run.h"
 #include "bench/kit/record/record.h"
 #include "bench/kit/variant_costs.h"
-#include "formulations/model/partition.h"
-#include "formulations/modelling/modelling.h"
+#include "cases/mechanism/names.h"
+#include "formulations/variants.h"
 
 namespace desmo::paper {
 
 namespace {
 
-constexpr int profiled_coordinates = 558;  // the largest of the paper's tables
 constexpr int profiled_instants = 51;
 
 /// Tells whether it is a counterpart of FBL-G or FBL-TP, or the latter in blocks: no others are run
@@ -26,8 +29,7 @@ bool runs_at_extra_sizes(const Variant& v) {
          !is_dense_global(v);
 }
 
-}  // namespace
-
+/// Returns why a formulation is not run at this number of coordinates; empty when it is.
 std::string too_costly(const Variant& v, int n, const Options& options) {
   const auto up_to = [](int limit) {
     return ": run up to " + std::to_string(limit) + " coordinates only";
@@ -39,27 +41,32 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
   return {};
 }
 
-CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Options& options,
-                             const Settings& s, Clock by, CheckMode mode)
-    : FormulationCandidate(chosen_grid(d.with_units(1).grid, options), d.name, n,
-                           id_with(v, s).append(suffix_of(mode)), {&v, s}, by, {}),
-      definition_(d),
-      check_(mode) {
-  if (std::string reason = too_costly(v, n, options); !reason.empty())
+}  // namespace
+
+CaseCandidate::CaseCandidate(std::shared_ptr<MeasuredCase> measured, const TimedConfiguration& c,
+                             const Options& options)
+    : FormulationCandidate(*measured, id_with(*c.variant, c.settings).append(suffix_of(c.check)), c,
+                           c.clock),
+      measured_(std::move(measured)),
+      check_(c.check) {
+  if (std::string reason = too_costly(variant(), coordinates(), options); !reason.empty())
     refuse(not_run(std::move(reason)));
 }
 
-const Problem& CaseCandidate::problem() const {
-  if (!problem_) {
-    problem_.emplace();
-    problem_->plan.model = make_model(make_scene(definition_, coordinates()));
-  }
-  return *problem_;
+CaseCandidate::Checked CaseCandidate::check(ReferenceCache& references, VerifyingRun& found) {
+  std::string missing = unavailable_reason(settings());
+  if (missing.empty()) missing = measured_->missing(configuration());
+  if (!missing.empty()) return not_run(std::move(missing));
+  return FormulationCandidate::check(references, found);
+}
+
+Summary CaseCandidate::run(Formulation& formulation, Observer& observer) const {
+  return run_under_check(formulation, grid(), asked_, observer, check_);
 }
 
 void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {
   const nlohmann::ordered_json key = {
-      {"case", definition_.name}, {"coordinates", coordinates()}, {"id", id()}};
+      {"case", case_name()}, {"coordinates", coordinates()}, {"id", id()}};
   lists["cells"].push_back(with_measurement(key, *this));
   if (!phases_ || !is_verified()) return;
   nlohmann::ordered_json seconds, profile = key;
@@ -70,7 +77,7 @@ void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {
 }
 
 void CaseCandidate::profile() {
-  if (!is_verified() || coordinates() != profiled_coordinates) return;
+  if (!is_verified() || !measured_->is_profiled) return;
   // A generated elimination has no phases.
   if (variant().is_generated()) return;
   // The settings are those of the paper, which does not know KLU.
@@ -82,16 +89,14 @@ void CaseCandidate::profile() {
   phases_ = measure_phases(variant(), settings(), problem().plan.model, first);
 }
 
-Summary CaseCandidate::run(Formulation& formulation, Observer& observer) const {
-  return run_under_check(formulation, grid(), asked_, observer, check_);
-}
-
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {
   std::vector<std::unique_ptr<CaseCandidate>> candidates;
   for (const Case& c : cases()) {
+    std::map<int, std::shared_ptr<MeasuredCase>> sizes;
     const auto make = [&](int n, const TimedConfiguration& t) {
-      candidates.push_back(
-          std::make_unique<CaseCandidate>(c, n, *t.variant, options, t.settings, t.clock, t.check));
+      std::shared_ptr<MeasuredCase>& measured = sizes[n];
+      if (!measured) measured = measured_case(c, n, options);
+      candidates.push_back(std::make_unique<CaseCandidate>(measured, t, options));
     };
     for (const int n : c.sizes)
       for (const Variant& v : variants()) make(n, {{&v, {}}});
@@ -102,6 +107,28 @@ std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& 
     for (const std::string& id : options.formulations)
       for (const int n : c.sizes)
         for (const TimedConfiguration& t : with_counterpart(id)) make(n, t);
+  }
+  return candidates;
+}
+
+std::vector<std::unique_ptr<CaseCandidate>> make_scene_candidates(const Options& options) {
+  std::vector<TimedConfiguration> configurations;
+  for (const Variant& v : variants()) configurations.push_back({{&v, {}}});
+  const auto add = [&](const std::vector<TimedConfiguration>& more) {
+    configurations.insert(configurations.end(), more.begin(), more.end());
+  };
+  add(beyond_the_table());
+  for (const std::string& id : options.formulations) add(with_counterpart(id));
+
+  std::vector<std::unique_ptr<CaseCandidate>> candidates;
+  std::set<std::string> names;
+  for (const std::string& file : options.scenes) {
+    const auto scene = measured_scene(file, options);
+    if (!names.insert(scene->case_name).second)
+      throw std::invalid_argument("--scene: two files have the name " +
+                                  in_quotes(scene->case_name));
+    for (const TimedConfiguration& c : configurations)
+      candidates.push_back(std::make_unique<CaseCandidate>(scene, c, options));
   }
   return candidates;
 }

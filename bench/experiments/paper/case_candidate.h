@@ -4,26 +4,20 @@
 #include <optional>
 #include <vector>
 
+#include "bench/experiments/paper/extended_ids.h"
+#include "bench/experiments/paper/measured_case.h"
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/phases.h"
 #include "bench/kit/formulation_candidate.h"
-#include "cases/generators/cases.h"
-#include "formulations/id.h"
-#include "formulations/variants.h"
-#include "formulations/verification/run/check_options.h"
 
 namespace desmo::paper {
 
-/// Returns why a formulation is not run at this number of coordinates; empty when it is.
-std::string too_costly(const Variant& variant, int coordinates, const Options& options);
-
-/// A case at one size with one formulation, perhaps in a checked run.
+/// A case at one size, or a user's scene, with one formulation, perhaps in a checked run.
 class CaseCandidate final : public FormulationCandidate {
  public:
   /// Refuses the candidate (Refusal::Kind::not_run), with the reason, where it would be too costly.
-  CaseCandidate(const Case& definition, int coordinates, const Variant& variant,
-                const Options& options, const Settings& settings = {}, Clock clock = Clock::cpu,
-                CheckMode check = CheckMode::none);
+  CaseCandidate(std::shared_ptr<MeasuredCase> measured, const TimedConfiguration& configuration,
+                const Options& options);
 
   void profile() override;
   void add_to(nlohmann::ordered_json& lists) const override;
@@ -32,18 +26,22 @@ class CaseCandidate final : public FormulationCandidate {
   const std::optional<PhaseTimes>& phases() const { return phases_; }
 
  private:
-  /// Returns the whole case, which is made at the first call: those of all candidates are too many.
-  const Problem& problem() const override;
+  /// Does not run a formulation that has no code here, or whose settings it cannot have.
+  Checked check(ReferenceCache& references, VerifyingRun& found) override;
   Summary run(Formulation& formulation, Observer& observer) const override;
 
-  const Case& definition_;
+  const std::shared_ptr<MeasuredCase> measured_;
   const CheckMode check_;
   std::optional<PhaseTimes> phases_;
-  mutable std::optional<Problem> problem_;
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.
 /// Dense global solves above the limit are there too, as Refusal::Kind::not_run, with the reason.
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options);
+
+/// Returns every scene of the options with every formulation, with settings beyond the paper's, and
+/// with those that were asked for. Throws what measured_scene throws, and std::invalid_argument
+/// where two scenes have one name.
+std::vector<std::unique_ptr<CaseCandidate>> make_scene_candidates(const Options& options);
 
 }  // namespace desmo::paper

@@ -9,8 +9,9 @@ namespace desmo::paper {
 std::vector<TimedConfiguration> with_counterpart(std::string_view id) {
   const Configuration c = parse_id(id);
   std::vector<TimedConfiguration> all{{c}};
-  if (c.settings.threads > 1)
-    all.push_back({{c.variant, on_one_thread(c.settings)}, bench::Clock::wall});
+  if (c.settings.threads == 1) return all;
+  all.push_back({c, bench::Clock::wall});
+  all.back().settings.threads = 1;
   return all;
 }
 

@@ -31,18 +31,11 @@ inline constexpr std::array<std::string_view, 9> extended_ids{
     "group_symbolic_explicit/guess:adams8/segments:4/threads:2/tolerance:1e-10",
     "group_symbolic_explicit/guess:adams8/segments:8/threads:2/tolerance:1e-10"};
 
-/// Returns the settings that several threads are compared with, by the same clock: the same ones
-/// on one thread.
-inline Settings on_one_thread(Settings settings) {
-  settings.threads = 1;
-  return settings;
-}
-
 /// KLU without the irreducible blocks that it finds itself: the difference is what they gain.
 inline constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
 
-/// Returns the configuration of an id; where it has several threads, also what it is compared with.
-/// Throws what parse_id throws.
+/// Returns the configuration of an id; where it has several threads, also what it is compared with:
+/// the same on one thread, by the same clock. Throws what parse_id throws.
 std::vector<TimedConfiguration> with_counterpart(std::string_view id);
 
 /// Returns what is measured of one size beyond the table of variants: the extended ids, KLU as one

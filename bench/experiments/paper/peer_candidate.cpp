@@ -12,7 +12,6 @@
 #include "bench/experiments/paper/entry_json.h"
 #include "bench/kit/digests.h"
 #include "cases/mechanism/formatted.h"
-#include "formulations/modelling/modelling.h"
 #include "formulations/motion/prediction/guess.h"
 
 namespace desmo::paper {
@@ -41,42 +40,33 @@ void compare(Differences& errors, const Peer::Answer& answer, const ReferenceIns
 }
 
 template <class Make>
-void for_every_size(Make&& make) {
+void for_every_size(const Options& options, Make&& make) {
   for (const Case& c : cases())
     for (const std::vector<int>* sizes : {&c.sizes, &c.extra_sizes})
-      for (const int n : *sizes) make(c, n);
+      for (const int n : *sizes) make(measured_case(c, n, options));
 }
 
 }  // namespace
 
-PeerCandidate::PeerCandidate(const Case& d, int n, const PeerDefinition& p, const Options& options)
-    : Candidate(chosen_grid(d.with_units(1).grid, options)),
-      definition_(d),
-      coordinates_(n),
+PeerCandidate::PeerCandidate(std::shared_ptr<const MeasuredCase> measured, const PeerDefinition& p,
+                             const Options& options)
+    : Candidate(measured->grid),
+      measured_(std::move(measured)),
       peer_(p),
       limit_(options.peer_limit) {}
 
 std::string PeerCandidate::name() const {
-  return std::string(definition_.name) + "/" + std::to_string(coordinates_) +
+  return model().name + "/" + std::to_string(model().coordinates()) +
          "/peer:" + std::string(peer_.name);
 }
 
-PeerCandidate::Solved::Solved(Scene described)
-    : scene(std::move(described)), model(make_model(scene)) {}
-
-const PeerCandidate::Solved& PeerCandidate::solved() const {
-  if (!solved_) solved_ = std::make_unique<const Solved>(make_scene(definition_, coordinates_));
-  return *solved_;
-}
-
 PeerCandidate::Checked PeerCandidate::check(ReferenceCache& references, VerifyingRun& found) {
-  const auto& [scene, model] = solved();
-  found.model = model_digest(model);
+  found.model = model_digest(model());
   const double before_setup = cpu_now();
-  const auto solver = peer_.make(scene, model);
+  const auto solver = peer_.make(measured_->scene, model());
   found.setup_seconds = cpu_now() - before_setup;
 
-  const auto reference = references.get(model, grid());
+  const auto reference = references.get(model(), grid());
   const double start = cpu_now();
   for (int i = 0; i < grid().instants; ++i) {
     solve(*solver, grid(), i);
@@ -97,7 +87,7 @@ PeerCandidate::Checked PeerCandidate::check(ReferenceCache& references, Verifyin
 }
 
 Analysis PeerCandidate::make_analysis(TimingWindows& windows) const {
-  const std::shared_ptr<Peer> solver = peer_.make(solved().scene, solved().model);
+  const std::shared_ptr<Peer> solver = peer_.make(measured_->scene, model());
   solver->assemble(grid().time(0));
   const std::vector<double> zeros(solver->answer().coordinates.size());
   // Answers are delivered into vectors of its own.
@@ -114,8 +104,8 @@ Analysis PeerCandidate::make_analysis(TimingWindows& windows) const {
 }
 
 void PeerCandidate::add_to(nlohmann::ordered_json& lists) const {
-  lists["peers"].push_back(with_measurement({{"case", definition_.name},
-                                             {"coordinates", coordinates_},
+  lists["peers"].push_back(with_measurement({{"case", model().name},
+                                             {"coordinates", model().coordinates()},
                                              {"peer", peer_.name},
                                              {"library", peer_.library},
                                              {"library_version", peer_.version()},
@@ -126,9 +116,9 @@ void PeerCandidate::add_to(nlohmann::ordered_json& lists) const {
 
 std::vector<std::unique_ptr<PeerCandidate>> make_peer_candidates(const Options& options) {
   std::vector<std::unique_ptr<PeerCandidate>> candidates;
-  for_every_size([&](const Case& c, int n) {
+  for_every_size(options, [&](const std::shared_ptr<MeasuredCase>& measured) {
     for (const PeerDefinition& peer : peers())
-      candidates.push_back(std::make_unique<PeerCandidate>(c, n, peer, options));
+      candidates.push_back(std::make_unique<PeerCandidate>(measured, peer, options));
   });
   return candidates;
 }
@@ -137,11 +127,11 @@ std::vector<std::unique_ptr<CaseCandidate>> make_candidates_for_peers(const Opti
   std::set<Guess> guesses;
   for (const PeerDefinition& peer : peers()) guesses.insert(peer.guess);
   std::vector<std::unique_ptr<CaseCandidate>> candidates;
-  for_every_size([&](const Case& c, int n) {
+  for_every_size(options, [&](const std::shared_ptr<MeasuredCase>& measured) {
     for (const Guess guess : guesses)
       for (const std::string_view id : formulations)
-        candidates.push_back(std::make_unique<CaseCandidate>(c, n, find_variant(id), options,
-                                                             Settings{.guess = guess}));
+        candidates.push_back(std::make_unique<CaseCandidate>(
+            measured, TimedConfiguration{{&find_variant(id), {.guess = guess}}}, options));
   });
   return candidates;
 }

@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "bench/experiments/paper/case_candidate.h"
+#include "bench/experiments/paper/measured_case.h"
 #include "bench/experiments/paper/options.h"
 #include "bench/kit/candidate.h"
 #include "bench/peers/peer.h"
-#include "cases/generators/cases.h"
 
 namespace desmo::paper {
 
 /// A case at one size solved by a peer.
 class PeerCandidate final : public Candidate {
  public:
-  PeerCandidate(const Case& definition, int coordinates, const PeerDefinition& peer,
+  PeerCandidate(std::shared_ptr<const MeasuredCase> measured, const PeerDefinition& peer,
                 const Options& options);
 
   /// <case>/<coordinates>/peer:<name>
@@ -23,24 +23,16 @@ class PeerCandidate final : public Candidate {
   void add_to(nlohmann::ordered_json& lists) const override;
 
  private:
-  /// Problem that peers refer to.
-  struct Solved {
-    explicit Solved(Scene described);
-    Scene scene;
-    Model model;
-  };
-
-  const Solved& solved() const;
   /// Compares in the coordinates that the peer finds. Leaves it out when the whole motion would
   /// take longer than the options allow.
   Checked check(ReferenceCache& references, VerifyingRun& found) override;
   Analysis make_analysis(TimingWindows& windows) const override;
 
-  const Case& definition_;
-  const int coordinates_;
+  const Model& model() const { return measured_->plan.model; }
+
+  const std::shared_ptr<const MeasuredCase> measured_;  // which the peer refers to
   const PeerDefinition& peer_;
-  const double limit_;                            // CPU seconds of the whole motion
-  mutable std::unique_ptr<const Solved> solved_;  // made at the first call of solved()
+  const double limit_;  // CPU seconds of the whole motion
 };
 
 /// Returns every peer of this build at every size of every case.

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "bench/experiments/paper/entry_json.h"
 #include "bench/experiments/paper/extended_ids.h"
-#include "bench/kit/problem.h"
+#include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "formulations/model/partition.h"
+#include "formulations/model/plan.h"
 #include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"
 
@@ -25,16 +26,17 @@ constexpr std::array<std::string_view, 6> requested_ids{
     "global_automatic_klu",   "global_symbolic_klu",     "group_symbolic_inlined",
     "block_symbolic_inlined", "group_symbolic_explicit", "block_symbolic_explicit"};
 
-/// Returns the outputs, component by component; what never moves needs no solving and no
-/// delivery.
-std::vector<OutputComponent> components_of(const Model& whole, const Plan& plan,
-                                           std::span<const Output> outputs) {
-  std::vector<OutputComponent> result;
+/// Returns the outputs that move, component by component, level by level: what never moves needs
+/// no solving and no delivery. Their places are, for now, in the model that is solved.
+std::vector<Compared> components_of(const Model& whole, const Plan& plan,
+                                    std::span<const Output> outputs) {
+  std::vector<Compared> result;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const Entity& from = whole.entities[outputs[i].entity];
     const Entity& to = plan.model.entities[plan.outputs[i].entity];
     for (int k = 0; !from.fixed && k < from.size; ++k)
-      result.push_back({from.first + k, to.first + k, outputs[i].level});
+      for (const Level level : all_levels)
+        if (level <= outputs[i].level) result.push_back({to.first + k, from.first + k, level});
   }
   return result;
 }
@@ -43,36 +45,35 @@ std::vector<OutputComponent> components_of(const Model& whole, const Plan& plan,
 
 PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
                                const Options& options)
-    : name(short_name),
-      title(scene.name),
-      whole(make_model(scene)),
-      definition(find_case(scene.mechanism.name)) {
+    : name(short_name), title(scene.name) {
+  find_case(scene.mechanism.name);  // throws where there is none
+  whole = make_model(scene);
   grid = chosen_grid(scene.grid, options);
-  const std::vector<Output> outputs = outputs_of(scene, whole);
-  plan = make_plan(whole, outputs);
-  components = components_of(whole, plan, outputs);
-  if (components.empty())
+  const std::vector<Output> outputs = outputs_of(scene, *whole);
+  plan = make_plan(*whole, outputs);
+  compared = components_of(*whole, plan, outputs);
+  if (compared.empty())
     throw std::invalid_argument("request " + name + ": asks for nothing that moves");
-  for (const OutputComponent& a : components) coordinates.push_back(a.kept);
-  std::ranges::sort(coordinates);
-  coordinates.erase(std::ranges::unique(coordinates).begin(), coordinates.end());
+  for (const Compared& c : compared) delivered.push_back(c.delivered);
+  std::ranges::sort(delivered);
+  delivered.erase(std::ranges::unique(delivered).begin(), delivered.end());
+  for (Compared& c : compared)
+    c.delivered =
+        static_cast<int>(std::ranges::lower_bound(delivered, c.delivered) - delivered.begin());
   unknowns = moving_unknowns(plan.model);
-  all_unknowns = moving_unknowns(whole);
+  all_unknowns = moving_unknowns(*whole);
 }
 
-RequestCandidate::RequestCandidate(std::shared_ptr<const PlannedRequest> request, const Variant& v,
-                                   const Settings& s)
-    : FormulationCandidate(request->grid, request->definition.name, request->whole.coordinates(),
-                           id_with(v, s), {&v, s}, Clock::cpu,
-                           {request->plan.level(), request->coordinates}),
-      request_(std::move(request)) {}
+RequestCandidate::RequestCandidate(std::shared_ptr<const PlannedRequest> request,
+                                   const Configuration& c)
+    : FormulationCandidate(*request, c), request_(std::move(request)) {}
 
 std::string RequestCandidate::name() const {
   return FormulationCandidate::name() + "/request:" + request_->name;
 }
 
 void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
-  lists["requests"].push_back(with_measurement({{"case", request_->definition.name},
+  lists["requests"].push_back(with_measurement({{"case", case_name()},
                                                 {"coordinates", coordinates()},
                                                 {"id", id()},
                                                 {"request", request_->name},
@@ -83,27 +84,15 @@ void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
                                                *this, {.level = request_->plan.level()}));
 }
 
-/// Lists one component after the other.
-std::vector<Compared> RequestCandidate::compared(std::span<const ReferenceInstant>) const {
-  std::vector<Compared> all;
-  for (const OutputComponent& a : request_->components) {
-    const auto place = std::ranges::lower_bound(request_->coordinates, a.kept);
-    const int delivered = static_cast<int>(place - request_->coordinates.begin());
-    for (const Level level : all_levels)
-      if (level <= a.level) all.push_back({delivered, a.whole, level});
-  }
-  return all;
-}
-
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {
   std::vector<std::unique_ptr<RequestCandidate>> candidates;
   for (const RequestScene& source : request_scenes()) {
     const Scene scene = parse_scene(source.scene, std::string(source.name), {});
     const auto request = std::make_shared<const PlannedRequest>(source.name, scene, options);
     const auto add = [&](std::string_view id) {
-      const auto [variant, settings] = parse_id(id);
-      if (settings.threads == 1)
-        candidates.push_back(std::make_unique<RequestCandidate>(request, *variant, settings));
+      const Configuration c = parse_id(id);
+      if (c.settings.threads == 1)
+        candidates.push_back(std::make_unique<RequestCandidate>(request, c));
     };
     std::ranges::for_each(requested_ids, add);
     if (source.name == extended_request) std::ranges::for_each(extended_ids, add);

@@ -22,7 +22,6 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/peer_candidate.h"
 #include "bench/experiments/paper/request.h"
-#include "bench/experiments/paper/scene_candidate.h"
 #include "bench/kit/options.h"
 #include "bench/kit/process/own_process.h"
 #include "formulations/variants.h"

@@ -19,7 +19,7 @@ namespace desmo::size {
 
 namespace {
 
-using bench::ProblemCandidate;
+using bench::FormulationCandidate;
 using Json = nlohmann::ordered_json;
 
 constexpr int usual_repetitions = 5;
@@ -31,12 +31,12 @@ double work_of(const SizeSeries& series) {
 /// Verifies and times a series, and adds its entries. Returns whether nothing is wrong.
 bool measure(const SizeSeries& series, int repetitions, Json& list) {
   const bench::Problem problem = series.problem();
-  std::list<ProblemCandidate> candidates;
+  std::list<FormulationCandidate> candidates;
   for (const std::string_view id : series.ids)
     candidates.emplace_back(problem, id, Settings{.tolerance = problem.tolerance});
   const bool right = bench::time_in_turn(candidates, repetitions, name_of(series.question));
-  for (const ProblemCandidate& candidate : candidates) {
-    Json entry = bench::timed_entry(candidate, series.definition->name);
+  for (const FormulationCandidate& candidate : candidates) {
+    Json entry = bench::timed_entry(candidate);
     entry["unknowns"] = bench::moving_unknowns(problem.plan.model);
     list.push_back(std::move(entry));
   }

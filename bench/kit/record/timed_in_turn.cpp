@@ -15,14 +15,15 @@ constexpr double long_motion_seconds = 1;  // a motion that takes longer has two
 
 }  // namespace
 
-bool time_in_turn(std::list<ProblemCandidate>& candidates, int repetitions, std::string_view list) {
+bool time_in_turn(std::list<FormulationCandidate>& candidates, int repetitions,
+                  std::string_view list) {
   ReferenceCache references;
-  for (ProblemCandidate& candidate : candidates) candidate.verify(references);
+  for (FormulationCandidate& candidate : candidates) candidate.verify(references);
   for (int round = 0; round < repetitions; ++round)
-    for (ProblemCandidate& candidate : candidates)
+    for (FormulationCandidate& candidate : candidates)
       if (!candidate.is_sampled(long_motion_seconds)) candidate.sample_afresh(min_seconds);
   bool right = true;
-  for (const ProblemCandidate& candidate : candidates) {
+  for (const FormulationCandidate& candidate : candidates) {
     if (candidate.is_timed()) continue;
     right = false;
     std::cerr << list << '/' << candidate.name() << ": " << candidate.message() << '\n';
@@ -30,10 +31,10 @@ bool time_in_turn(std::list<ProblemCandidate>& candidates, int repetitions, std:
   return right;
 }
 
-nlohmann::ordered_json timed_entry(const ProblemCandidate& candidate, std::string_view case_name) {
+nlohmann::ordered_json timed_entry(const FormulationCandidate& candidate) {
   const Problem& problem = candidate.problem();
   const VerifyingRun& found = candidate.verifying_run();
-  nlohmann::ordered_json j = {{"case", case_name},
+  nlohmann::ordered_json j = {{"case", candidate.case_name()},
                               {"coordinates", candidate.coordinates()},
                               {"id", candidate.id()},
                               {"step_seconds", problem.grid.step},

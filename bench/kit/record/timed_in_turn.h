@@ -14,10 +14,11 @@ namespace desmo::bench {
 /// - repetitions: samples of each, of a new formulation on a fresh heap; two of a motion that takes
 ///   longer than a second
 /// - list: begins the names of what is wrong: "growth"
-bool time_in_turn(std::list<ProblemCandidate>& candidates, int repetitions, std::string_view list);
+bool time_in_turn(std::list<FormulationCandidate>& candidates, int repetitions,
+                  std::string_view list);
 
 /// Returns what entries of a record have in common that were timed in turn (`timed_size` of
 /// results/record.schema.json), but for `unknowns`.
-nlohmann::ordered_json timed_entry(const ProblemCandidate& candidate, std::string_view case_name);
+nlohmann::ordered_json timed_entry(const FormulationCandidate& candidate);
 
 }  // namespace desmo::bench

@@ -28,7 +28,8 @@ TEST_P(Peers, AgreeWithTheQuadrupleReference) {
   options.peer_limit = 1e9;
   for (const auto& [name, coordinates] :
        {std::pair{"four_bar", 114}, {"truck_suspension", 114}, {"truck_suspension", 336}}) {
-    paper::PeerCandidate candidate(find_case(name), coordinates, peer, options);
+    paper::PeerCandidate candidate(paper::measured_case(find_case(name), coordinates, options),
+                                   peer, options);
     candidate.verify(references);
     EXPECT_TRUE(candidate.is_verified()) << candidate.name() << ": " << candidate.message();
     EXPECT_GE(candidate.verifying_run().errors.instants, 51) << candidate.name();

@@ -1,0 +1,104 @@
+#include "bench/experiments/paper/measured_case.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "bench/kit/verification.h"
+#include "cases/io/files.h"
+#include "cases/io/text_file.h"
+#include "cases/mechanism/names.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/runtime/own_kernels.h"
+#include "formulations/variants.h"
+
+namespace desmo::paper {
+
+namespace {
+
+/// Time that a compiler may take for the code of one formulation.
+constexpr std::chrono::seconds compile_limit{60};
+
+constexpr int profiled_coordinates = 558;  // the largest of the paper's tables
+
+std::string name_of(const std::string& file) {
+  std::string name = std::filesystem::path(file).filename().string();
+  for (const std::string_view ending : {".json", ".scene"})
+    if (name.ends_with(ending)) name.erase(name.size() - ending.size());
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return !std::isalnum(c) && c != '-'; }, '_');
+  return name;
+}
+
+Scene read(const std::string& file) {
+  const std::string shown = printable(file, 300);
+  std::string text;
+  try {
+    text = read_text(file);
+  } catch (const UnreadableFile& error) {
+    throw UnreadableFile(shown + ": " + error.what());
+  }
+  return parse_scene(text, shown, std::filesystem::path(file).parent_path());
+}
+
+Model model_of(const Scene& scene, const std::string& file) {
+  try {
+    return make_model(scene);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(printable(file, 300) + ": " + error.what());
+  }
+}
+
+std::string reason_of(const GenerationOutcome& outcome) {
+  if (outcome.parts_too_large == 0) return outcome.problem;
+  return "parts too large to generate code for: " + std::to_string(outcome.parts_too_large);
+}
+
+class MeasuredScene final : public MeasuredCase {
+ public:
+  MeasuredScene(const std::string& file, const Options& options) : MeasuredCase(read(file)) {
+    case_name = name_of(file);
+    if (case_name.empty() || std::ranges::find(cases(), case_name, &Case::name) != cases().end())
+      throw std::invalid_argument("--scene " + in_quotes(file) +
+                                  ": a case of the suite has the name " + in_quotes(case_name) +
+                                  "; give the file another");
+    plan.model = model_of(scene, file);
+    grid = chosen_grid(scene.grid, options);
+    is_relative = true;
+  }
+
+  std::string missing(const Configuration& c) override {
+    if (c.variant->evaluation == Evaluation::symbolic) {
+      const auto [reason, is_new] = code_.try_emplace(
+          id_with(*c.variant, {.lanes = c.settings.lanes, .segments = c.settings.segments}));
+      if (is_new)
+        reason->second = reason_of(load::add_generated_code(kernels, *c.variant, c.settings,
+                                                            plan.model, grid, compile_limit));
+      if (!reason->second.empty()) return reason->second;
+    }
+    return missing_code(*make_formulation(*c.variant, plan.model, c.settings, kernels));
+  }
+
+ private:
+  std::map<std::string, std::string> code_;  // why there is none, by what it is generated for
+};
+
+}  // namespace
+
+std::shared_ptr<MeasuredCase> measured_case(const Case& definition, int coordinates,
+                                            const Options& options) {
+  auto measured = std::make_shared<MeasuredCase>(make_scene(definition, coordinates));
+  measured->plan.model = make_model(measured->scene);
+  measured->grid = chosen_grid(measured->scene.grid, options);
+  measured->is_profiled = coordinates == profiled_coordinates;
+  return measured;
+}
+
+std::shared_ptr<MeasuredCase> measured_scene(const std::string& file, const Options& options) {
+  return std::make_shared<MeasuredScene>(file, options);
+}
+
+}  // namespace desmo::paper

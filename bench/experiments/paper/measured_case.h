@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "bench/experiments/paper/options.h"
+#include "bench/kit/problem.h"
+#include "cases/generators/cases.h"
+#include "cases/mechanism/scene.h"
+#include "formulations/id.h"
+
+namespace desmo::paper {
+
+/// The motion of a whole mechanism: of a case at one size, or of a user's scene. Shared by its
+/// candidates.
+struct MeasuredCase : Problem {
+  explicit MeasuredCase(Scene described) : scene(std::move(described)) {}
+  virtual ~MeasuredCase() = default;
+
+  /// Returns why a formulation is not to be run; empty: it is.
+  virtual std::string missing(const Configuration&) { return {}; }
+
+  const Scene scene;         ///< the whole mechanism, which peers are made of
+  bool is_profiled = false;  ///< whether a record shows where the time goes
+};
+
+/// Makes a case at one size.
+std::shared_ptr<MeasuredCase> measured_case(const Case& definition, int coordinates,
+                                            const Options& options);
+
+/// Reads a user's scene, whose formulation, tolerance and request do not count. Its <case> is the
+/// file's name without its endings: characters that it must not have are "_". Differences are
+/// relative. Code that a formulation needs and the program lacks is generated when it is first
+/// asked for; a formulation without code is not to be run.
+///
+/// Throws UnreadableFile and InputError, naming the file, for one that cannot be read or says
+/// something wrong, and std::invalid_argument where its name is that of a case of the suite.
+std::shared_ptr<MeasuredCase> measured_scene(const std::string& file, const Options& options);
+
+}  // namespace desmo::paper
