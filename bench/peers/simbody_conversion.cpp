@@ -3,252 +3,177 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/peers/tree/nominal.h"
+
 namespace desmo::simbody {
 
 namespace {
 
-using enum Mechanism::JointType;
+using tree::named;
+
+constexpr int ground = -1;
 
 Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double norm(const Vec& a) { return std::hypot(a[0], a[1], a[2]); }
 
-int other(const Mechanism::Joint& joint, int body) {
-  return joint.bodies[joint.bodies[0] == body ? 1 : 0];
-}
-
-/// A conversion under way: run() makes the tree, once.
-class Conversion {
+/// A tree under construction. Bodies, points and vectors have the mechanism's names; the tree's
+/// bodies are numbered as they come.
+class Builder {
  public:
-  Conversion(const Scene& scene, const Model& model) : d_(scene.mechanism), model_(model) {
-    placed_[0].in_tree = ground;
-    for (const Mechanism::Joint& joint : d_.joints)
-      for (const int body : joint.bodies) placed_[body].joints.push_back(&joint);
+  Builder(const Scene& scene, const Model& model) : d_(scene.mechanism), model_(model) {}
+
+  Vec position(const std::string& point) const { return named(d_.points, point).position; }
+  Vec direction(const std::string& vector) const { return named(d_.vectors, vector).direction; }
+
+  /// Hangs a body on another by a joint at a point of both. Asks for its points and vectors.
+  int hang(const std::string& name, int parent, Joint joint, const std::string& at,
+           const Vec& axis = {0, 0, 1}, const Vec& second_axis = {}) {
+    const Mechanism::Body& body = named(d_.bodies, name);
+    const int number = static_cast<int>(tree.bodies.size());
+    tree.bodies.push_back({parent, joint, in_frame(parent, at), axis, second_axis});
+    frames_.push_back({position(at), body.length});
+    for (const int p : body.points) {
+      const std::string& point = d_.points[p].name;
+      follow(point, number, true, in_frame(number, point));
+    }
+    follow_vectors(name, number);
+    return number;
   }
 
-  Tree run(const std::vector<Motion>& motions) {
-    if (!d_.couplings.empty())
-      throw std::invalid_argument("simbody: '" + d_.name + "' has couplings");
-    for (const Mechanism::Body& body : d_.bodies)
-      if (body.own)
-        throw std::invalid_argument("simbody: '" + body.name + "' has a frame, and is not drawn");
-    find_links();
-    do close_links();
-    while (place_next());
-    auto motion = motions.begin();
-    for (const Mechanism::Coordinate& c : d_.coordinates)
-      if (c.driven) drive(c, *motion++);
-    if (used_ >= d_.joints.size()) return std::move(tree_);
-    throw std::invalid_argument("simbody: '" + d_.name + "' has loops that no rod or strut closes");
+  /// Asks for the vectors of a body that turns as that of the tree.
+  void follow_vectors(const std::string& name, int body) {
+    for (const int v : named(d_.bodies, name).vectors)
+      follow(d_.vectors[v].name, body, false, d_.vectors[v].direction);
   }
 
- private:
-  static constexpr int ground = -1, unplaced = -2;
+  /// Joins two bodies by a rod of the mechanism, whose own vectors are not found.
+  void join(const std::string& rod, int first, const std::string& begin, int last,
+            const std::string& end) {
+    const double length =
+        named(d_.bodies, rod).length.value_or(norm(position(end) - position(begin)));
+    tree.constraints.push_back({Constraint::Kind::rod,
+                                {first, last},
+                                {in_frame(first, begin), in_frame(last, end)},
+                                {},
+                                length});
+  }
 
-  enum class Role { body, possible_rod, in_link };
-
-  struct Placed {
-    std::vector<const Mechanism::Joint*> joints;
-    Role role = Role::body;
-    int in_tree = unplaced;  // position
-    int origin = -1;         // point
-  };
-
-  /// A rod or a strut: one or two bodies. The ends join the first and the last of them to others.
-  struct Link {
-    std::vector<int> bodies;
-    std::array<const Mechanism::Joint*, 2> ends;
-    int neighbour(int k) const { return other(*ends[k], k == 0 ? bodies.front() : bodies.back()); }
-    int point(int k) const { return ends[k]->points[0]; }
-  };
-
-  bool is_planar() const { return d_.dimension == 2; }
-  const Vec& position(int point) const { return d_.points[point].position; }
-
-  int mobilities(const Mechanism::Joint& joint) const {
-    if (joint.type == revolute) return 1;
-    if (!is_planar() && joint.type == universal) return 2;
-    if (!is_planar() && joint.type == spherical) return 3;
-    throw std::invalid_argument("simbody: no counterpart of joint '" + joint.name + "'");
+  /// Adds a driver, which counts from the nominal position. Returns its number.
+  int drive(const Motion& motion, double zero = 0) {
+    tree.drivers.push_back([&motion, zero](double t) -> Vec {
+      const MotionSample<double> z = sample(motion, t);
+      return {z.position - zero, z.velocity, z.acceleration};
+    });
+    return static_cast<int>(tree.drivers.size()) - 1;
   }
 
   /// Returns a point in the frame of a body, which nominally is parallel to the ground's.
-  Vec offset(int body, int point) const {
-    if (body == 0) return position(point);
-    Vec v = position(point) - position(placed_[body].origin);
-    if (const auto& length = d_.bodies[body].length; length && norm(v) > 0) {
+  Vec in_frame(int body, const std::string& point) const {
+    if (body == ground) return position(point);
+    const auto& [origin, length] = frames_[body];
+    Vec v = position(point) - origin;
+    if (length && norm(v) > 0) {
       const double scale = *length / norm(v);  // nominal positions are but estimates
       for (double& x : v) x *= scale;
     }
     return v;
   }
 
-  void add_link(std::vector<int> bodies, const Mechanism::Joint* a, const Mechanism::Joint* b) {
-    for (const Mechanism::Joint* end : {a, b})
-      if (end->type != (is_planar() ? revolute : universal) && end->type != spherical) return;
-    // In space one end lets the link spin, and only one.
-    if (a->points == b->points || mobilities(*a) + mobilities(*b) != (is_planar() ? 2 : 5)) return;
-    if (mobilities(*a) > mobilities(*b)) {
-      std::swap(a, b);
-      std::ranges::reverse(bodies);
-    }
-    for (const int body : bodies)
-      placed_[body].role = bodies.size() == 1 ? Role::possible_rod : Role::in_link;
-    links_.push_back({std::move(bodies), {a, b}});
-  }
+  Tree tree;
 
-  void find_links() {
-    const auto joints = [&](int body) -> auto& { return placed_[body].joints; };
-    for (int body = 1; body < static_cast<int>(d_.bodies.size()); ++body)
-      if (joints(body).size() == 2 && d_.bodies[body].points.size() == 2)
-        add_link({body}, joints(body)[0], joints(body)[1]);
-    for (const Mechanism::Joint& slide : d_.joints) {
-      const auto [a, b] = slide.bodies;
-      if (is_planar() || slide.type != prismatic || a == 0 || b == 0) continue;
-      if (joints(a).size() != 2 || joints(b).size() != 2) continue;
-      add_link({a, b}, joints(a)[joints(a)[0] == &slide], joints(b)[joints(b)[0] == &slide]);
-    }
-  }
-
-  /// Hangs a body on the other body of a joint.
-  void place(const Mechanism::Joint& joint, int body) {
-    const int parent = other(joint, body), point = joint.points[0];
-    Body b{placed_[parent].in_tree, Joint::pin, offset(parent, point), {0, 0, 1}};
-    const int side = joint.bodies[0] == parent ? 0 : 1;
-    const auto axis = [&](int k) { return d_.vectors[joint.vectors[k]].direction; };
-    if (joint.type == spherical) b.joint = Joint::gimbal;
-    if (joint.type == revolute && !is_planar()) b.axis = axis(0);
-    if (joint.type == universal) {
-      b.joint = Joint::universal;
-      b.axis = axis(side);
-      b.second_axis = axis(1 - side);
-    }
-    placed_[body].in_tree = static_cast<int>(tree_.bodies.size());
-    placed_[body].origin = point;
-    tree_.bodies.push_back(b);
-    order_.push_back(body);
-    ++used_;
-    for (const int p : d_.bodies[body].points)
-      follow(d_.points[p].name, body, true, offset(body, p));
-    follow_vectors(body, body);
-  }
-
-  /// Places the body that needs the fewest mobilities, nearest to the ground; possible rods last.
-  /// Returns false when none is left.
-  bool place_next() {
-    const Mechanism::Joint* best = nullptr;
-    int best_body = 0;
-    std::pair<bool, int> least{};
-    for (const int from : order_)
-      for (const Mechanism::Joint* joint : placed_[from].joints) {
-        const int body = other(*joint, from);
-        const auto& [joints, role, in_tree, origin] = placed_[body];
-        if (in_tree != unplaced || role == Role::in_link) continue;
-        const std::pair cost{role == Role::possible_rod, mobilities(*joint)};
-        if (best && cost >= least) continue;
-        best = joint, best_body = body, least = cost;
-      }
-    if (best) place(*best, best_body);
-    return best;
-  }
-
-  /// Closes the links between bodies of the tree, which a possible rod may have become itself.
-  void close_links() {
-    std::erase_if(links_, [&](const Link& link) {
-      if (placed_[link.bodies[0]].in_tree != unplaced) return true;
-      for (const int k : {0, 1})
-        if (placed_[link.neighbour(k)].in_tree == unplaced) return false;
-      close(link);
-      return true;
-    });
-  }
-
-  void close(const Link& link) {
-    const Vec line = position(link.point(1)) - position(link.point(0));
-    const int first = link.neighbour(0), last = placed_[link.neighbour(1)].in_tree;
-    const Vec end = offset(link.neighbour(1), link.point(1));
-    used_ += 2;
-    if (link.bodies.size() == 1) {
-      placed_[link.bodies[0]].role = Role::in_link;
-      const double length = d_.bodies[link.bodies[0]].length.value_or(norm(line));
-      const Vec begin = offset(first, link.point(0));
-      tree_.constraints.push_back(
-          {Constraint::Kind::rod, {placed_[first].in_tree, last}, {begin, end}, {}, length});
-    } else {
-      place(*link.ends[0], link.bodies[0]);  // stands for both, which turn as one
-      follow_vectors(link.bodies[1], link.bodies[0]);
-      const int slider = placed_[link.bodies[0]].in_tree;
-      tree_.constraints.push_back(
-          {Constraint::Kind::point_on_line, {slider, last}, {Vec{}, end}, line});
-    }
-  }
-
-  /// Prescribes the angle of a pin on the ground, which counts from its nominal position, or a
-  /// slider: a point then stays in a plane that moves with it.
-  void drive(const Mechanism::Coordinate& c, const Motion& motion) {
-    const bool is_component = c.type == Mechanism::CoordinateType::component;
-    const auto body = std::ranges::find_if(order_, [&](int b) {
-      if (b == 0) return false;
-      if (is_component) return std::ranges::count(d_.bodies[b].points, c.point) > 0;
-      return placed_[b].origin == c.of.from && tree_.bodies[placed_[b].in_tree].parent == ground;
-    });
-    const bool is_pin = is_planar() && c.type == Mechanism::CoordinateType::angle &&
-                        c.of.is_line() && !c.from.is_given() && !c.opposite;
-    if (body == order_.end() || !(is_component || is_pin))
-      throw std::invalid_argument("simbody: '" + c.name + "' cannot be driven");
-    const int driver = static_cast<int>(tree_.drivers.size()), in_tree = placed_[*body].in_tree;
-    double zero = 0;
-    if (is_pin) {
-      const Vec line = position(c.of.to) - position(c.of.from);
-      zero = std::atan2(line[1], line[0]);
-      tree_.bodies[in_tree].driver = driver;
-    } else {
-      Vec axis{};
-      axis[c.axis] = 1;
-      const int slider = static_cast<int>(tree_.bodies.size());
-      tree_.bodies.push_back({ground, Joint::slider, {}, axis, {}, driver});
-      const Vec point = offset(*body, c.point);
-      tree_.constraints.push_back(
-          {Constraint::Kind::point_in_plane, {slider, in_tree}, {Vec{}, point}, axis});
-    }
-    tree_.drivers.push_back([&motion, zero](double t) -> Vec {
-      const MotionSample<double> z = sample(motion, t);
-      return {z.position - zero, z.velocity, z.acceleration};
-    });
-  }
+ private:
+  struct Frame {
+    Vec origin;
+    std::optional<double> length;  // of a link from there
+  };
 
   /// Asks for an entity that is fixed to a body, unless it rests or is asked for already.
   void follow(const std::string& name, int body, bool is_point, const Vec& in_body) {
     const EntityId id = model_.find(name);
     const Entity& entity = model_.entities[id];
     if (model_.is_at_rest(id) ||
-        std::ranges::count(tree_.followed, entity.first, &Followed::coordinate))
+        std::ranges::count(tree.followed, entity.first, &Followed::coordinate))
       return;
-    tree_.followed.push_back({placed_[body].in_tree, is_point, in_body, entity.first, entity.size});
-  }
-
-  void follow_vectors(int body, int moving_like) {
-    for (const int v : d_.bodies[body].vectors)
-      follow(d_.vectors[v].name, moving_like, false, d_.vectors[v].direction);
+    tree.followed.push_back({body, is_point, in_body, entity.first, entity.size});
   }
 
   const Mechanism& d_;
   const Model& model_;
-  Tree tree_;
-  std::vector<Placed> placed_ = std::vector<Placed>(d_.bodies.size());  // of each body
-  std::vector<Link> links_;                                             // not closed yet
-  std::vector<int> order_{0};  // bodies of the tree as they were placed
-  std::size_t used_ = 0;       // joints
+  std::vector<Frame> frames_;  // of the tree's bodies
 };
+
+Tree four_bar(const Scene& scene, const Model& model) {
+  Builder b(scene, model);
+  const int dyads = static_cast<int>(scene.mechanism.bodies.size() - 2) / 2;
+  const auto dyad = [](int k) { return "dyad" + std::to_string(k) + "/"; };
+  std::vector<int> turning(dyads + 1);  // crank and rockers
+  const auto join = [&](int k) {
+    b.join(dyad(k) + "coupler", turning[k - 1], k == 1 ? "crank/B" : dyad(k - 1) + "C", turning[k],
+           dyad(k) + "C");
+  };
+  // The order that records have been measured in: the crank late, and with it the first coupler.
+  for (int k = 1; k <= dyads; ++k) {
+    if (k == dyads) turning[0] = b.hang("crank", ground, Joint::pin, "crank/A");
+    turning[k] = b.hang(dyad(k) + "rocker", ground, Joint::pin, dyad(k) + "D");
+    if (k > 1 && k < dyads) join(k);
+  }
+  join(1);
+  if (dyads > 1) join(dyads);
+  const Vec line = b.position("crank/B") - b.position("crank/A");
+  b.tree.bodies[turning[0]].driver = b.drive(scene.motions.at(0), std::atan2(line[1], line[0]));
+  return std::move(b.tree);
+}
+
+Tree truck(const Scene& scene, const Model& model) {
+  Builder b(scene, model);
+  const Vec z{0, 0, 1}, y = b.direction("y1");
+  const int axles = static_cast<int>(scene.motions.size()) / 2;
+  const auto prefix = [](std::size_t a) { return "axle" + std::to_string(a + 1) + "/"; };
+  for (int a = 0; a < axles; ++a) b.hang(prefix(a) + "3", ground, Joint::pin, prefix(a) + "R", y);
+  std::vector<int> rigid;
+  for (int arm = 0; arm < axles; ++arm) {
+    const std::string p = prefix(arm);
+    const int axle = rigid.emplace_back(b.hang(p + "2", arm, Joint::gimbal, p + "S"));
+    b.join(p + "4", axle, p + "C4", ground, p + "G4");
+    b.join(p + "5", axle, p + "C5", ground, p + "G5");
+    for (const auto& [rod, tube] : {std::pair{"10", "11"}, {"12", "13"}}) {
+      const std::string from = p + "A" + rod, to = p + "T" + tube;
+      const int damper = b.hang(p + rod, axle, Joint::universal, from, b.direction(p + "x2"),
+                                b.direction(p + "u" + rod));
+      b.follow_vectors(p + tube, damper);
+      b.tree.constraints.push_back({Constraint::Kind::point_on_line,
+                                    {damper, ground},
+                                    {Vec{}, b.position(to)},
+                                    b.position(to) - b.position(from)});
+    }
+    for (const auto& [lever, link] : {std::pair{"6", "8"}, {"7", "9"}}) {
+      const int turning =
+          b.hang(p + lever, axle, Joint::pin, p + "A" + lever, b.direction(p + "y2"));
+      b.join(p + link, turning, p + "B" + lever, ground, p + "G" + link);
+    }
+  }
+  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
+    const int axle = rigid[i / 2], slider = static_cast<int>(b.tree.bodies.size());
+    const std::string wheel = prefix(i / 2) + (i % 2 == 0 ? "WL" : "WR");
+    b.tree.bodies.push_back({ground, Joint::slider, {}, z, {}, b.drive(scene.motions[i])});
+    b.tree.constraints.push_back(
+        {Constraint::Kind::point_in_plane, {slider, axle}, {Vec{}, b.in_frame(axle, wheel)}, z});
+  }
+  return std::move(b.tree);
+}
 
 }  // namespace
 
 Tree convert(const Scene& scene, const Model& model) {
-  return Conversion(scene, model).run(scene.motions);
+  if (scene.mechanism.name == "four_bar") return four_bar(scene, model);
+  if (scene.mechanism.name == "truck_suspension") return truck(scene, model);
+  throw std::invalid_argument("simbody: no model of '" + scene.mechanism.name + "'");
 }
 
 }  // namespace desmo::simbody

@@ -6,11 +6,12 @@
 
 namespace desmo::simbody {
 
-/// Returns a mechanism as a tree of Simbody's bodies that constraints close. The tree has as few
-/// mobilities and loop equations as these rules allow: Simbody's time grows with their third power.
-/// - A body hangs on the tree by the joint with the fewest mobilities, nearest to the ground.
-/// - A rod is one equation: a body with two points, and nothing but joints there.
-/// - A strut is one body whose line passes through a point: two bodies that slide along each other.
+/// Returns a case as a tree of Simbody's bodies that constraints close. The tree has as few
+/// mobilities and loop equations as there can be: Simbody's time grows with their third power.
+/// - four_bar: crank and rockers turn on the ground; a coupler is a rod, which is one equation.
+/// - truck_suspension: the upper arm turns on the ground, the axle hangs on it, dampers and levers
+///   of the stabiliser on the axle; lower rods and links are rods. A damper is one body whose line
+///   passes through a point: two bodies that slide along each other.
 /// - A driven angle is a prescribed pin; a driven height is a prescribed slider, and a plane that
 ///   moves with it.
 ///
@@ -19,8 +20,7 @@ namespace desmo::simbody {
 /// - scene: its mechanism in the nominal position, and its motions; it must outlive the tree
 /// - model: the mechanism's, which says where coordinates stand
 ///
-/// Throws std::invalid_argument where other loops must be closed or, naming it, a joint or a driven
-/// coordinate has no counterpart here.
+/// Throws std::invalid_argument, naming the mechanism, where it is none of the two.
 Tree convert(const Scene& scene, const Model& model);
 
 }  // namespace desmo::simbody
