@@ -24,6 +24,12 @@ std::string enumerate(const std::vector<std::string>& names, std::size_t most) {
   return text;
 }
 
+std::vector<std::string> driver_names(const Model& m) {
+  std::vector<std::string> names;
+  for (const Driver& d : m.drivers) names.push_back(m.entities[d.coordinate].name);
+  return names;
+}
+
 std::string wrap(const std::string& text, std::size_t indent) {
   std::istringstream words(text);
   std::string result;

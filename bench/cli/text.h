@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "formulations/model/model.h"
+
 namespace desmo::cli {
 
 /// Returns "1 body", "2 bodies"; the default plural is the noun with an s.
@@ -13,6 +15,18 @@ std::string count(long n, const std::string& noun, const std::string& plural = "
 
 /// Returns "a, b, c"; for more than `most` names "a, b, c, … (7 more)".
 std::string enumerate(const std::vector<std::string>& names, std::size_t most = 1000000);
+
+/// Returns the names of the entities, groups or constraints at these positions.
+template <class Named>
+std::vector<std::string> names_at(const std::vector<Named>& all,
+                                  const std::vector<int>& positions) {
+  std::vector<std::string> names;
+  for (const int p : positions) names.push_back(all[p].name);
+  return names;
+}
+
+/// Returns the names of the driven coordinates.
+std::vector<std::string> driver_names(const Model& model);
 
 /// Breaks a text into lines of at most 100 characters; all but the first are indented.
 std::string wrap(const std::string& text, std::size_t indent);

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "bench/cli/commands.h"
@@ -20,11 +21,11 @@ struct InspectOptions {
 
 void run(const InspectOptions& options) {
   const Input input = load_mechanism(options.mechanism);
-  const Inspection inspection = inspect(input, options.coordinates);
+  const ModellingResult modelled = model_mechanism(input, options.coordinates);
+  const nlohmann::ordered_json structure = inspect(input, modelled);
   if (options.coordinates == Modelling::natural)
-    std::fputs(note_on_drawing(input.scene.mechanism, inspection.model(), input.units).c_str(),
-               stderr);
-  write_standard_output(options.json ? to_json(inspection) : to_text(inspection));
+    std::fputs(note_on_drawing(input.scene.mechanism, modelled.model, input.units).c_str(), stderr);
+  write_standard_output(options.json ? structure.dump(1) + "\n" : inspection_text(structure));
 }
 
 }  // namespace

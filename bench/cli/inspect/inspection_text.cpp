@@ -1,18 +1,27 @@
-#include <algorithm>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
 #include "cases/mechanism/names.h"
+#include "formulations/base/modelling.h"
 
 namespace desmo::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+bool is_natural(const Json& structure) {
+  return structure["coordinates"]["kind"] == name_of(Modelling::natural);
+}
+
 /// Sizes of the irreducible blocks: "16 + 6×3 + 5×1".
-std::string block_sizes(const std::vector<PartDefinition>& blocks) {
+std::string block_sizes(const Json& blocks) {
   std::map<std::size_t, int, std::greater<>> times_of_size;
-  for (const PartDefinition& b : blocks) ++times_of_size[b.unknowns.size()];
+  for (const Json& b : blocks) ++times_of_size[b["unknowns"].size()];
   std::string text;
   for (const auto& [size, times] : times_of_size)
     text += (text.empty() ? "" : " + ") + (times > 1 ? std::to_string(times) + "×" : "") +
@@ -25,91 +34,107 @@ std::string line(const std::string& label, const std::string& text) {
   return "    " + label + std::string(indent - 4 - label.size(), ' ') + wrap(text, indent) + "\n";
 }
 
-std::string group_text(const Inspection& inspection, GroupId g) {
-  const Model& m = inspection.model();
-  const Group& group = m.groups[g];
-  const InspectedGroup& inspected = inspection.groups[g];
-  std::vector<std::string> after;
-  if (inspected.on_ground) after.push_back("ground");
-  for (const GroupId a : group.after) after.push_back(m.groups[a].name);
-  std::string text = "  " + group.name;
-  if (!group.constant)
-    text += " (" + std::to_string(inspected.moving_bodies) + ", " +
-            std::to_string(inspected.drivers.size()) + ")";
-  text += "\n" + line(group.bodies.size() == 1 ? "body" : "bodies", enumerate(group.bodies));
-  if (!inspected.drivers.empty()) text += line("driven", enumerate(inspected.drivers));
-  if (!inspected.couplings.empty()) text += line("couplings", enumerate(inspected.couplings));
-  text += line("unknowns", std::to_string(inspected.unknowns.size()));
-  if (m.modelling != Modelling::natural && !group.constant)
-    text += line("solves for", inspected.solved_for.empty() ? "nothing; all of them are derived"
-                                                            : enumerate(inspected.solved_for));
-  text += line("blocks", block_sizes(inspected.blocks));
-  text += line("entities", enumerate(entity_names(m, group.entities)));
-  if (!group.constant) text += line("after", enumerate(after));
+std::string group_text(const Json& group, bool has_derived) {
+  const bool constant = group["constant"];
+  const Json &driven = group["driven"], &couplings = group["couplings"];
+  std::string text = "  " + group["name"].get<std::string>();
+  if (!constant)
+    text += " (" + group["moving_bodies"].dump() + ", " + std::to_string(driven.size()) + ")";
+  text += "\n" + line(group["bodies"].size() == 1 ? "body" : "bodies", enumerate(group["bodies"]));
+  if (!driven.empty()) text += line("driven", enumerate(driven));
+  if (!couplings.empty()) text += line("couplings", enumerate(couplings));
+  text += line("unknowns", group["unknowns"].dump());
+  if (has_derived && !constant)
+    text += line("solves for", group["solves_for"].empty() ? "nothing; all of them are derived"
+                                                           : enumerate(group["solves_for"]));
+  text += line("blocks", block_sizes(group["blocks"]));
+  text += line("entities", enumerate(group["entities"]));
+  if (constant) return text;
+  std::vector<std::string> after = group["after"];
+  if (group["on_ground"]) after.insert(after.begin(), "ground");
+  return text + line("after", enumerate(after));
+}
+
+/// A heading with the number of entries, and these.
+std::string section(const std::string& heading, const std::vector<std::string>& entries) {
+  std::string text = heading + ": " + std::to_string(entries.size()) + "\n";
+  for (const std::string& entry : entries) text += entry;
   return text;
+}
+
+std::string entry(const std::string& text) { return "  " + wrap(text, 4) + "\n"; }
+
+std::string groups_text(const std::string& heading, const Json& structure, bool constant) {
+  std::vector<std::string> entries;
+  for (const Json& group : structure["groups"])
+    if (group["constant"] == constant) entries.push_back(group_text(group, !is_natural(structure)));
+  return section("\n" + heading, entries);
 }
 
 /// The tree, body by body, and the joints that were cut.
-std::string tree_text(const Inspection& inspection) {
+std::string tree_text(const Json& structure) {
   std::string text = "\nSpanning tree, parents first:\n";
-  for (const auto& [body, parent, joint] : inspection.tree)
-    text += "  " + wrap(body + " on " + parent + ": " + (joint.empty() ? "free joint" : joint), 4) +
-            "\n";
-  text += "Joints that are not of the tree: " + std::to_string(inspection.cut_joints.size()) + "\n";
-  for (const std::string& joint : inspection.cut_joints) text += "  " + wrap(joint, 4) + "\n";
-  return text;
+  for (const Json& hanging : structure["tree"]) {
+    const std::string body = hanging["body"], parent = hanging["parent"], joint = hanging["joint"];
+    text += entry(body + " on " + parent + ": " + (joint.empty() ? "free joint" : joint));
+  }
+  std::vector<std::string> cut;
+  for (const Json& joint : structure["cut_joints"]) cut.push_back(entry(joint));
+  return text + section("Joints that are not of the tree", cut);
 }
 
-std::string left_out_text(const LeftOut& left_out, const Model& m) {
-  const bool in_part = std::ranges::any_of(m.constraints, [&](const Constraint& c) {
-    return c.name == left_out.equation && kept_rows(c) > 0;
-  });
-  std::string what = left_out.equation;
-  if (in_part) what += ", " + count(static_cast<long>(left_out.rows.size()), "row") + " of it";
-  what += " (" + m.groups[left_out.group].name + "): follows from " +
-          (left_out.follows_from.empty() ? "what earlier groups determine"
-                                         : enumerate(left_out.follows_from, 12));
-  if (left_out.redundant) what += "; redundant but consistent: accepted";
-  return "  " + wrap(what, 4) + "\n";
+/// Whether rows of a left-out equation are kept.
+bool is_kept_in_part(const Json& left_out, const Json& groups) {
+  for (const Json& group : groups)
+    if (group["name"] == left_out["group"])
+      for (const Json& block : group["blocks"])
+        for (const Json& kept : block["equations"])
+          if (kept["name"] == left_out["equation"]) return true;
+  return false;
+}
+
+std::string left_out_text(const Json& left_out, const Json& groups) {
+  std::string what = left_out["equation"];
+  if (is_kept_in_part(left_out, groups))
+    what += ", " + count(left_out["rows"].size(), "row") + " of it";
+  what += " (" + left_out["group"].get<std::string>() + "): follows from " +
+          (left_out["follows_from"].empty() ? "what earlier groups determine"
+                                            : enumerate(left_out["follows_from"], 12));
+  if (left_out["redundant"]) what += "; redundant but consistent: accepted";
+  return entry(what);
 }
 
 }  // namespace
 
-std::string to_text(const Inspection& inspection) {
-  const Model& m = inspection.model();
-  const int independent = m.degrees_of_freedom();
-  std::string text = m.name;
-  if (!inspection.title.empty()) text += ": " + printable(inspection.title, 200);
-  text += "\n\n" + std::string(inspection.dimension == 2 ? "plane" : "space") + ", " +
-          count(inspection.bodies, "moving body", "moving bodies") + ", " +
-          count(inspection.joints, "joint") + "\n";
-  if (m.modelling != Modelling::natural)
-    text += std::string(name_of(m.modelling)) + " coordinates\n";
-  text += wrap(count(m.coordinates(), "coordinate") + ": " +
-                   std::to_string(m.coordinates() - independent) + " dependent, " +
-                   std::to_string(independent) + " independent (" + enumerate(driver_names(m), 24) +
-                   ")",
+std::string inspection_text(const Json& structure) {
+  const Json& coordinates = structure["coordinates"];
+  const std::vector<std::string> independent = coordinates["independent"];
+  const std::string title = structure["title"], kind = coordinates["kind"];
+  std::string text = structure["name"];
+  if (!title.empty()) text += ": " + printable(title, 200);
+  text += std::string("\n\n") + (structure["dimension"] == 2 ? "plane" : "space") + ", " +
+          count(structure["bodies"], "moving body", "moving bodies") + ", " +
+          count(structure["joints"], "joint") + "\n";
+  if (!is_natural(structure)) text += kind + " coordinates\n";
+  text += wrap(count(coordinates["all"], "coordinate") + ": " + coordinates["dependent"].dump() +
+                   " dependent, " + std::to_string(independent.size()) + " independent (" +
+                   enumerate(independent, 24) + ")",
                2) +
           "\n";
+  text += groups_text(
+      "Structural groups in solution order, each with (moving bodies, driven coordinates)",
+      structure, false);
+  text += groups_text("Constant parts, solved once", structure, true);
+  if (!structure["tree"].empty()) text += tree_text(structure);
 
-  text += "\nStructural groups in solution order, each with (moving bodies, driven coordinates): " +
-          std::to_string(m.structural_groups()) + "\n";
-  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
-    if (!m.groups[g].constant) text += group_text(inspection, g);
-  text += "\nConstant parts, solved once: " + std::to_string(inspection.constant_parts()) + "\n";
-  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
-    if (m.groups[g].constant) text += group_text(inspection, g);
-
-  if (!inspection.tree.empty()) text += tree_text(inspection);
-  text += "\nConstraints left out, because they follow from others: " +
-          std::to_string(inspection.modelled.left_out.size()) + "\n";
-  for (const LeftOut& l : inspection.modelled.left_out) text += left_out_text(l, m);
-
-  if (inspection.modelled.idle.empty()) return text;
-  text += "\nIdle freedoms, which move nothing that is modelled: " +
-          std::to_string(inspection.modelled.idle.size()) + "\n";
-  for (const IdleFreedom& f : inspection.modelled.idle)
-    text += "  " + wrap(f.body + ": free to spin about " + f.about, 4) + "\n";
+  std::vector<std::string> left_out, idle;
+  for (const Json& l : structure["left_out"])
+    left_out.push_back(left_out_text(l, structure["groups"]));
+  text += section("\nConstraints left out, because they follow from others", left_out);
+  for (const Json& f : structure["idle_freedoms"])
+    idle.push_back(entry(f["body"].get<std::string>() + ": free to spin about " +
+                         f["about"].get<std::string>()));
+  if (!idle.empty()) text += section("\nIdle freedoms, which move nothing that is modelled", idle);
   return text;
 }
 

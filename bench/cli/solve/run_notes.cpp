@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
 #include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
