@@ -57,16 +57,16 @@ double largest_symbol(const ErrorBasis& basis, const std::vector<std::array<doub
   return 1 + static_cast<double>(excess);
 }
 
-/// Returns the basis of errors G t. rank: of each error after the first.
+/// Returns the basis of errors G t.
 template <std::size_t n>
-ErrorBasis basis_of(const std::vector<std::array<double, n>>& columns, int rank = 0) {
+ErrorBasis basis_of(const std::vector<std::array<double, n>>& columns) {
   const int count = static_cast<int>(columns.size());
   ErrorBasis basis(n, count);
   basis.start(n, count);
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<double> row;
     for (const std::array<double, n>& g : columns) row.push_back(g[i]);
-    basis.set(static_cast<int>(i), row.data(), 0, i > 0 ? rank : 0);
+    basis.set(static_cast<int>(i), row.data(), 0);
   }
   basis.enclose();
   return basis;
@@ -147,7 +147,7 @@ TEST(ErrorBasis, HoldsNearlyDependentErrors) {
       }
       ErrorBasis basis(size, columns);
       basis.start(size, columns);
-      for (int i = 0; i < size; ++i) basis.set(i, g[i].data(), own[i], 0);
+      for (int i = 0; i < size; ++i) basis.set(i, g[i].data(), own[i]);
       basis.enclose();
       for (int corner = 0; corner < 1 << (columns + size); ++corner) {
         const auto sign = [&](int k) { return Exact((corner >> k & 1) ? 1 : -1); };

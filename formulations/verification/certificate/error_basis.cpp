@@ -21,13 +21,12 @@ void ErrorBasis::start(int errors, int columns) {
   columns_ = columns;
 }
 
-void ErrorBasis::set(int i, const double* generators, double own, int rank) {
+void ErrorBasis::set(int i, const double* generators, double own) {
   double sum = own;
   for (int k = 0; k < columns_; ++k) sum += std::abs(generators[k]);
   int exponent = 0;
   std::frexp(sum, &exponent);
-  constexpr int between_ranks = 10;
-  scale_[i] = std::ldexp(1.0, -exponent - between_ranks * rank);
+  scale_[i] = std::ldexp(1.0, -exponent);
   own_[i] = own * scale_[i];
   for (int k = 0; k < columns_; ++k) generators_[i * columns_ + k] = generators[k] * scale_[i];
 }

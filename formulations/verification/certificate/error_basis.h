@@ -19,9 +19,8 @@ class ErrorBasis {
 
   /// Begins a set of errors.
   void start(int errors, int columns);
-  /// Sets an error, of 1e-300 or more: its row of G, and its own radius. Directions of errors with
-  /// low ranks come first.
-  void set(int i, const double* generators, double own, int rank);
+  /// Sets an error, of 1e-300 or more: its row of G, and its own radius.
+  void set(int i, const double* generators, double own);
   /// Encloses all errors. Allocates nothing.
   void enclose();
 
@@ -39,7 +38,7 @@ class ErrorBasis {
   int size_ = 0, columns_ = 0;
   std::vector<double> generators_;  // G (size × columns)
   std::vector<double> own_;         // (size)
-  std::vector<double> scale_;       // (size) powers of two that make rows of a rank equal
+  std::vector<double> scale_;       // (size) powers of two that make rows about equal
   std::vector<double> basis_;       // Q (size × size)
   std::vector<double> radii_;       // (size)
   std::vector<double> rest_;        // what is left of G after the directions so far

@@ -14,9 +14,8 @@ void GroupInterface::enclose(std::span<const Level> solved, const PerLevel<Error
     for (int i = 0; i < size(); ++i) {
       const ErrorTable& e = errors[level];
       const ErrorTable::Row& row = e.rows[rows[i]];
-      const int rank = static_cast<int>(level);
       center[level][i] = row.center;
-      basis.set(rank * size() + i, e.of_row(rows[i]), row.own, rank);
+      basis.set(static_cast<int>(level) * size() + i, e.of_row(rows[i]), row.own);
     }
   basis.enclose();
 }
