@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "cases/numbers/interval.h"
 #include "formulations/verification/certificate/block_proof.h"
-#include "formulations/verification/certificate/trial_box.h"
 
 namespace desmo {
 
@@ -27,11 +27,11 @@ ProofFailure BlockProof::failure(int lane) const {
       drivers += slope * std::abs(e.center[j][lane]);
       time += slope * e.own[j][lane];
     }
-  // X is the larger one of what errors need and of a part of the block's size, which is enough for
-  // rounding where the origin is near.
+  // X is what errors need and the rounding of the block's size, which is all that is needed where
+  // the origin is near.
   const double size = batch_->magnitudes[worst][lane], error = e.sum[worst][lane];
   const double at = std::abs(state_.position[batch_->locals[worst]].mid[lane]);
-  if (error > size * min_trial) {
+  if (error > size * Interval::unit) {
     if (std::max(drivers, time) > error / 2)
       return drivers > time ? ProofFailure::drivers : ProofFailure::time;
     if (error > at * Interval::unit) return ProofFailure::budget;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cases/numbers/interval.h"
 #include "formulations/verification/certificate/block_batch.h"
 #include "formulations/verification/certificate/lane_numbers.h"
 #include "formulations/verification/certificate/preconditioner.h"
@@ -13,15 +14,12 @@ inline constexpr int max_trial_boxes = 10;
 /// that one evaluation will do, and so small that it costs no digits, for X² is far below a unit.
 inline constexpr double first_trial = 0x1p-36;
 
-/// Smallest radius of X relative to the magnitude of its coordinate: a few units in the last place.
-/// Bounds of rates are divided by the radius, so it must not be zero.
-inline constexpr double min_trial = 0x1p-50;
-
 /// Returns the radius of the next X from the image of the last one: somewhat larger (epsilon
-/// inflation; Rump).
+/// inflation; Rump). Bounds of rates are divided by it, so it must not be zero: it has the rounding
+/// of a number of the coordinate's magnitude, too.
 inline LaneNumbers inflated(const LaneNumbers& image, const LaneNumbers& magnitude) {
   constexpr double growth = 1.1;
-  return fma(magnitude, min_trial, image * growth);
+  return fma(magnitude, Interval::unit, image * growth);
 }
 
 /// Bounds |(I − Y Φ_φ(X)) X| of a batch, whose `jacobian` is Φ_φ(X). All are (n).
