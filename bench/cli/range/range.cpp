@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "bench/cli/commands.h"
@@ -10,6 +9,7 @@
 #include "bench/cli/input.h"
 #include "bench/cli/range/ranges.h"
 #include "bench/cli/solve/check_notes.h"
+#include "bench/cli/text.h"
 #include "bench/kit/delivery.h"
 #include "cases/io/new_files.h"
 #include "cases/mechanism/names.h"
@@ -58,12 +58,8 @@ std::vector<std::string> bodies_of(const std::vector<int>& constraints, const Mo
 
 NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
                     const Mechanism& d) {
-  NamedEnd named{end, direction, {}, {}, {}, {}};
-  for (const EntityId e : end.moving) named.moving.push_back(m.entities[e].name);
-  for (const int c : end.constraints) named.constraints.push_back(m.constraints[c].name);
-  named.joints = joints_at(named.moving, d);
-  named.bodies = bodies_of(end.constraints, m, d);
-  return named;
+  return {end, direction, joints_at(names_at(m.entities, end.moving), d),
+          bodies_of(end.constraints, m, d)};
 }
 
 /// The position at the start, on the branch of the drawing, and what is proven of it. At a dead

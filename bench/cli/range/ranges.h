@@ -13,10 +13,8 @@ namespace desmo::cli {
 struct NamedEnd {
   RangeEnd end;
   std::string direction;            ///< "down", "up"
-  std::vector<std::string> moving;  ///< coordinates that can still move
   std::vector<std::string> joints;  ///< joints at points that can still move
   std::vector<std::string> bodies;  ///< bodies through which the driver is held: the loop
-  std::vector<std::string> constraints;
 };
 
 struct NamedRange {

@@ -46,7 +46,7 @@ std::string detail(const std::string& label, const std::string& text) {
 }
 
 std::string group_and_bodies(GroupId g, const Model& m) {
-  return g < 0 ? "" : m.groups[g].name + " (" + enumerate(m.groups[g].bodies, 8) + ")";
+  return m.groups[g].name + " (" + enumerate(m.groups[g].bodies, 8) + ")";
 }
 
 std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
@@ -54,7 +54,8 @@ std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
                      quantity(e.end.value, r.unit) + ": " + sentence(e, r) + "\n";
   if (e.end.stop != RangeStop::dead_point) return text;
   for (const GroupId g : e.end.groups) text += detail("group", group_and_bodies(g, m));
-  text += detail("moves", enumerate(e.moving, 8) + ", while all drivers rest");
+  text += detail("moves",
+                 enumerate(names_at(m.entities, e.end.moving), 8) + ", while all drivers rest");
   if (!e.joints.empty()) text += detail("joints", enumerate(e.joints, 8));
   return text + detail("loop", enumerate(e.bodies, 12));
 }
@@ -66,13 +67,11 @@ Json end_json(const NamedEnd& e, const DisplayUnit& unit, const Model& m) {
             {"beyond", unit.from_si(e.end.beyond)}};
   if (e.end.stop == RangeStop::full_turn) j["turns"] = e.end.turns;
   if (e.end.stop != RangeStop::dead_point) return j;
-  Json groups = Json::array();
-  for (const GroupId g : e.end.groups) groups.push_back(m.groups[g].name);
-  j.update({{"groups", groups},
-            {"moving", e.moving},
+  j.update({{"groups", names_at(m.groups, e.end.groups)},
+            {"moving", names_at(m.entities, e.end.moving)},
             {"joints", e.joints},
             {"loop", e.bodies},
-            {"constraints", e.constraints}});
+            {"constraints", names_at(m.constraints, e.end.constraints)}});
   return j;
 }
 
