@@ -12,6 +12,7 @@
 
 #include "bench/experiments/experiments.h"
 #include "bench/kit/memory.h"
+#include "bench/kit/options.h"
 #include "bench/kit/record/environment.h"
 #include "cases/io/input_error.h"
 #include "cases/io/text_file.h"
@@ -39,13 +40,7 @@ constexpr Experiment all_experiments[] = {
 
 /// bad_input, unreadable_input: of a scene file. not_completed: something cannot be measured or
 /// written.
-enum ExitCode {
-  success = 0,
-  usage_error = 64,
-  bad_input = 65,
-  unreadable_input = 66,
-  not_completed = 74
-};
+enum ExitCode { success = 0, bad_input = 65, unreadable_input = 66, not_completed = 74 };
 
 /// Returns the experiment that the first argument names. Throws std::invalid_argument for a name
 /// that no experiment has.
@@ -92,7 +87,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto failed = [](const std::string& message, ExitCode code) {
+  const auto failed = [](const std::string& message, int code) {
     std::cerr << "desmo_bench: " << message << '\n';
     return code;
   };
