@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 
 namespace desmo {
 
@@ -30,13 +30,13 @@ void Formulation::solve_only(std::span<const Level> needed) {
 }
 
 std::span<const double> Formulation::q() const {
-  return coordinates(model_, core_of(*this).state().q);
+  return coordinates(model_, stepping_of(*this).state().q);
 }
 std::span<const double> Formulation::qd() const {
-  return coordinates(model_, core_of(*this).state().qd);
+  return coordinates(model_, stepping_of(*this).state().qd);
 }
 std::span<const double> Formulation::qdd() const {
-  return coordinates(model_, core_of(*this).state().qdd);
+  return coordinates(model_, stepping_of(*this).state().qdd);
 }
 
 double Formulation::value(const std::string& name, Level level) const {

@@ -9,7 +9,7 @@
 #include "cases/mechanism/formatted.h"
 #include "formulations/model/partition.h"
 #include "formulations/model/scales.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 
 namespace desmo::bench {
 

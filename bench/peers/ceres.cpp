@@ -14,7 +14,7 @@
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/magnitudes.h"
 #include "formulations/model/partition.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/motion/prediction/driver_source.h"
 #include "formulations/motion/prediction/guess.h"
 #include "formulations/variants.h"

@@ -6,7 +6,7 @@
 
 #include "formulations/codegen/record/recording.h"
 #include "formulations/model/part_type.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/runtime/unavailable.h"
 
 namespace desmo::load {

@@ -15,7 +15,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/model/magnitudes.h"
 #include "formulations/model/partition.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"

@@ -17,7 +17,7 @@
 #include "formulations/batch/layout.h"
 #include "formulations/equations/lanes.h"
 #include "formulations/equations/turned_angle.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/mechanisms.h"

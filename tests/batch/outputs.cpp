@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/lender.h"
@@ -172,7 +172,7 @@ TEST(Outputs, AreWrittenByThreads) {
     for (const Level level : {Level::velocity, Level::acceleration}) {
       Lender lender(long_grid.instants, some, level);
       ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, lender).ok());
-      EXPECT_EQ(core_of(*parallel).runs_without_segments(), 0);
+      EXPECT_EQ(stepping_of(*parallel).runs_without_segments(), 0);
       EXPECT_EQ(lender.instants, long_grid.instants);
       for (int i = 0; i < long_grid.instants; ++i)
         for (std::size_t n = 0; n < some.size(); ++n) {

@@ -11,7 +11,7 @@
 
 #include "cases/generators/cases.h"
 #include "formulations/base/output_writer.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/dead_point.h"
@@ -58,7 +58,7 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
     const TimeGrid grid = time_grid(3, 0.01);
     Everything whole(grid.instants), some(grid.instants), expected(grid.instants);
     ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
-    EXPECT_EQ(core_of(*f).runs_without_segments(), 0) << c.name;
+    EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0) << c.name;
     EXPECT_EQ(whole.order.size(), static_cast<std::size_t>(grid.instants));
     EXPECT_TRUE(std::ranges::is_sorted(whole.order));
     expect_same(whole, expected, std::string(c.name));
@@ -113,7 +113,7 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   EXPECT_TRUE(stopped.ok() && stopped.stopped);
   EXPECT_EQ(stopped.instants, 20L * GetParam().segments + 1);
   EXPECT_EQ(lender.instants, stopped.instants);
-  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
+  EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_kind()));
@@ -134,7 +134,7 @@ TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const TimeGrid grid = time_grid(0.2, 0.01);
   Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok());
-  EXPECT_EQ(core_of(*f).runs_without_segments(), 1);
+  EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1);
   EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants));
 }
 

@@ -15,7 +15,7 @@
 
 #include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
 #include "tests/everything.h"
@@ -78,7 +78,7 @@ TEST(SegmentsOnThreads, IsSolvedByAsManyThreadsAsAskedFor) {
       const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
       Lender lender(grid.instants, {1}, Level::position);
       ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, lender).ok());
-      EXPECT_EQ(core_of(*f).runs_without_segments(), 0) << c.name << " " << id;
+      EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0) << c.name << " " << id;
       EXPECT_EQ(lender.threads.size(), 3u) << c.name << " " << id;
       EXPECT_EQ(lender.instants, grid.instants) << c.name << " " << id;
     }
@@ -105,7 +105,7 @@ TEST(SegmentsOnThreads, StaysOnOneThreadWhereThereIsLittleToDo) {
   const TimeGrid grid = time_grid(3, 0.01);
   Lender lender(grid.instants, {1}, Level::position);
   ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, lender).ok());
-  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
+  EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
   EXPECT_EQ(lender.threads, std::set{std::this_thread::get_id()});
 }
 
@@ -136,7 +136,7 @@ TEST(SegmentsOnThreads, FailsAsStepsFail) {
   const auto f = formulated("group_symbolic_explicit/threads:3", m),
              g = formulated("group_symbolic_explicit", m);
   expect_to_fail_alike(*f, *g, worth_three_threads(time_grid(6, 0.01), *g));
-  EXPECT_EQ(core_of(*f).runs_without_segments(), 1);
+  EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1);
 }
 
 TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
@@ -146,13 +146,13 @@ TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
     for (double& constant : c.constants) constant *= 1 + 1e-5;
   std::vector<std::unique_ptr<TimeStepping>> workers;
   for (const Model* model : std::initializer_list<const Model*>{&m, &other})
-    workers.emplace_back(&core_of(*formulated("group_automatic_eigen", *model).release()));
+    workers.emplace_back(&stepping_of(*formulated("group_automatic_eigen", *model).release()));
   SegmentsOnThreads motion(std::move(workers), 16);
   const auto f = formulated("group_automatic_eigen", m);
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
   ASSERT_EQ(motion.segments(grid.instants), 2);
   ASSERT_TRUE(f->assemble(0).ok());
-  State state = core_of(*f).state();
+  State state = stepping_of(*f).state();
   Lender lender(grid.instants, {1}, Level::position);
   EXPECT_FALSE(motion.run(grid, {.coordinates = std::vector{1}}, state, lender));
 }
@@ -169,7 +169,7 @@ TEST(SegmentsOnThreads, StopsWhereTheObserverStops) {
   EXPECT_EQ(lender.restarts, 0);
   Everything observer(grid.instants);
   EXPECT_FALSE(f->run(grid, {}, observer).stopped);
-  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
+  EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
 }
 
 /// Each thread has an observer of its own.
@@ -184,7 +184,7 @@ TEST(SegmentsOnThreads, NeedsNoLockWhereEveryThreadHasAnObserver) {
   } split(0, {}, Level::position);
   split.own.assign(2, Lender(grid.instants, {1}, Level::velocity));
   ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, split).ok());
-  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
+  EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
   EXPECT_EQ(split.instants, 0);
   EXPECT_EQ(split.own[0].instants + split.own[1].instants, grid.instants);
   for (const Lender& own : split.own) EXPECT_EQ(own.threads.size(), 1u);

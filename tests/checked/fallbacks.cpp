@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/checked/rows.h"

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "formulations/id.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/verification/run/live_run.h"
 #include "tests/checked/rows.h"
 #include "tests/dead_point.h"
@@ -165,7 +165,7 @@ TEST_F(LockingRun, LeadsTheFormulationBackToTheBranch) {
   ASSERT_EQ(step(0, start).outcome(), Outcome::converged);
   const std::vector<double> mirrored =
       on_other_branch(m, {run.q().begin(), run.q().end()}, "crank/B", "dyad1");
-  core_of(*formulation).return_to(mirrored, 0);
+  stepping_of(*formulation).return_to(mirrored, 0);
   const LiveSummary led = step(1, start + 0.1);
   EXPECT_EQ(led.outcome(), Outcome::converged);
   EXPECT_EQ(led.path.end, PathEnd::other);

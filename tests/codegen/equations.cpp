@@ -12,7 +12,7 @@
 #include "formulations/model/constrain.h"
 #include "formulations/model/part_type.h"
 #include "formulations/model/partition.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/variants.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/formulated.h"

@@ -17,7 +17,7 @@
 #include "cases/extremes/rows.h"
 #include "cases/generators/cases.h"
 #include "formulations/equations/turned_angle.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/parts/explicit_part.h"
 #include "tests/discard.h"
 #include "tests/formulated.h"

@@ -8,7 +8,7 @@
 
 #include "formulations/equations/kernel_table.h"
 #include "formulations/model/magnitudes.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/motion/time_stepping.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/variants.h"

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "tests/discard.h"
 #include "tests/every_variant.h"
 #include "tests/formulated.h"
@@ -103,7 +103,7 @@ TEST(Guess, HasTheOrderOfItsName) {
     Summary s = f->assemble(0);
     for (int i = 1; i <= 40 && s.ok(); ++i) s = f->step(t * i / 40);
     EXPECT_TRUE(s.ok()) << describe(s, m);
-    return core_of(*f).state();
+    return stepping_of(*f).state();
   };
   const auto error = [&](Guess guess, double h, double stretch) {
     const State before = solved(0.4 - h), last = solved(0.4), sought = solved(0.4 + stretch * h);

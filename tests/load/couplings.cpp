@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cases/mechanism/builder.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/verification/run/checked_run.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"

@@ -2,7 +2,7 @@
 
 #include "formulations/batch/batch_part.h"
 #include "formulations/model/partition.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/parts/explicit_part.h"
 #include "tests/everything.h"
 #include "tests/load/loading.h"
@@ -71,7 +71,7 @@ TEST_F(OwnKernelsTest, SolveTwinsInLanes) {
 
 TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
   const auto f = compare("group_symbolic_explicit/segments:4");
-  EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
+  EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
   for (const DefinedPart& part : parts_of(*f))
     if (const auto* solver = dynamic_cast<const ExplicitPart*>(part.solver.get())) {
       EXPECT_NE(table_.find_lane_kernel(solver->kernel().fingerprint, 4), nullptr);
@@ -83,7 +83,7 @@ TEST_F(OwnKernelsTest, SolveInWiderRegistersWhereThereAreAny) {
   take(8);
   EXPECT_TRUE(has<BatchPart>(*compare("group_symbolic_explicit/lanes:8")));
   scene_.grid = time_grid(2, 0.01);
-  EXPECT_EQ(core_of(*compare("group_symbolic_explicit/segments:8")).runs_without_segments(), 0);
+  EXPECT_EQ(stepping_of(*compare("group_symbolic_explicit/segments:8")).runs_without_segments(), 0);
 }
 
 TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {

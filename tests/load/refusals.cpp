@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/verification/condition.h"
 #include "tests/formulated.h"
 #include "tests/load/loading.h"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "formulations/model/partition.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "tests/describing.h"
 #include "tests/every_variant.h"
 #include "tests/modelling/plan.h"

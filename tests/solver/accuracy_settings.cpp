@@ -13,7 +13,7 @@
 
 #include "formulations/algebra/blas.h"
 #include "formulations/motion/diagnosis.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/parts/profile.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/dead_point.h"
@@ -68,7 +68,7 @@ class WeightedResidual {
   double of(const Formulation& f) const {
     double sum = 0;
     for (const DenseGroup& g : groups_)
-      sum += g.weights().cwiseProduct(g.residual(core_of(f).state().q)).squaredNorm();
+      sum += g.weights().cwiseProduct(g.residual(stepping_of(f).state().q)).squaredNorm();
     return std::sqrt(sum);
   }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
@@ -29,7 +29,7 @@ struct ContinuedStart : testing::TestWithParam<const char*> {
 /// So far away one try is not enough, with so few iterations.
 TEST_P(ContinuedStart, IsGoneOnFromInSubSteps) {
   const auto f = formulated(GetParam(), model, {.max_iterations = 3});
-  ASSERT_TRUE(core_of(*f).start_at(stepped(0), entered));
+  ASSERT_TRUE(stepping_of(*f).start_at(stepped(0), entered));
   const Summary step = f->step(later);
   ASSERT_TRUE(step.ok());
   EXPECT_GT(step.sub_steps, 0);

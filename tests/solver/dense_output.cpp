@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "tests/dead_point.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
@@ -193,7 +193,7 @@ TEST(DenseOutput, GoesWithSegmentsAndLanes) {
     const Summary s = f->run(grid, {}, observer);
     ASSERT_TRUE(s.ok());
     EXPECT_EQ(s.instants, grid.instants);
-    EXPECT_EQ(core_of(*f).runs_without_segments(), 0);
+    EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
     ASSERT_EQ(observer.all.size(), by_steps.all.size());
     for (std::size_t i = 0; i < observer.all.size(); ++i) {
       EXPECT_EQ(observer.all[i].interpolated, by_steps.all[i].interpolated) << i;

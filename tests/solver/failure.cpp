@@ -15,7 +15,7 @@
 #include "formulations/model/magnitudes.h"
 #include "formulations/model/partition.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/parts/inlined_part.h"
 #include "formulations/parts/newton_part.h"
 #include "formulations/variants.h"

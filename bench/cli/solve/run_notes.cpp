@@ -7,7 +7,7 @@
 #include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/model/partition.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 
 namespace desmo::cli {
 
@@ -92,7 +92,7 @@ std::string note_on_refusals(const Formulation& f, bool named) {
 }
 
 std::string note_on_steps(const Formulation& f) {
-  if (core_of(f).runs_without_segments() == 0) return "";
+  if (stepping_of(f).runs_without_segments() == 0) return "";
   return "note: solved step by step, for the motion is short or could not be solved in segments\n";
 }
 

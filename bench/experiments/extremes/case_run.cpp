@@ -13,7 +13,7 @@
 #include "bench/kit/verification.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/model/partition.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/run/relative_radius.h"
 

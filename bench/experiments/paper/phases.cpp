@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/kit/delivery.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 
 namespace desmo::paper {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formulations/base/output_writer.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/verification/run/checked_motion.h"
 #include "formulations/verification/run/gap_search.h"
 #include "formulations/verification/run/kept_instants.h"
@@ -190,7 +190,7 @@ class CheckedRun final : Observer {
     while (tried_ + waiting_.size() < grid_.instants && summary_.ok() && !summary_.refused &&
            !summary_.stopped) {
       if (std::exchange(elsewhere_, false))
-        core_of(formulation_).start_at(last_, summary_.time);  // where the last row is
+        stepping_of(formulation_).start_at(last_, summary_.time);  // where the last row is
       const int index = tried_ + waiting_.size();
       const double t = grid_.time(index);
       const bool is_step = std::exchange(from, From::last) == From::last;

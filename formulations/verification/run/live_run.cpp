@@ -7,7 +7,7 @@
 
 #include "cases/mechanism/formatted.h"
 #include "formulations/motion/diagnosis.h"
-#include "formulations/motion/formulation_core.h"
+#include "formulations/motion/internals.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/left_out_equations.h"
 #include "formulations/verification/branch/start.h"
@@ -123,7 +123,7 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   }
   std::ranges::copy(row.z, tried_.begin());
   static_cast<BasicSummary&>(summary) =
-      core_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
+      stepping_of(formulation_).step_to_row(row, options_.level, options_.max_sub_steps);
   const bool is_solved = summary.status == Status::solved;
   if (options_.check == CheckMode::proof)
     check(row, summary);
@@ -237,7 +237,7 @@ const RefinedInstant* LiveRun::follow(const LiveRow& row, double begin, LiveSumm
 /// Makes a refined instant the row's result. The formulation continues from its positions.
 const RefinedInstant* LiveRun::return_to(double time, const RefinedInstant& found,
                                          LiveSummary& summary) {
-  core_of(formulation_).return_to(found.instant.q, time);
+  stepping_of(formulation_).return_to(found.instant.q, time);
   summary.status = Status::solved;
   summary.group = summary.constraint = no_position;
   summary.instants = 1;
@@ -255,7 +255,7 @@ void LiveRun::keep(double time, const Instant& instant) {
 
 void LiveRun::go_back() {
   const std::span<const double> none;
-  core_of(formulation_).return_to(has_position_ ? good_.position : none, time_);
+  stepping_of(formulation_).return_to(has_position_ ? good_.position : none, time_);
 }
 
 void LiveRun::set_time(double t) {

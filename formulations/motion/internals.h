@@ -14,16 +14,16 @@ struct Variant;  // variants.h
 
 /// Return what a formulation shows to the rest of the library; its users need none of it. Only
 /// TimeStepping derives from Formulation, so every formulation has it.
-inline TimeStepping& core_of(Formulation& formulation) {
+inline TimeStepping& stepping_of(Formulation& formulation) {
   return static_cast<TimeStepping&>(formulation);
 }
-inline const TimeStepping& core_of(const Formulation& formulation) {
+inline const TimeStepping& stepping_of(const Formulation& formulation) {
   return static_cast<const TimeStepping&>(formulation);
 }
 
 /// Returns the parts of a formulation in the order of solution.
 inline const std::vector<DefinedPart>& parts_of(const Formulation& formulation) {
-  return core_of(formulation).parts();
+  return stepping_of(formulation).parts();
 }
 
 /// Makes a formulation like make_formulation(). profile: receives the time of each phase on the
