@@ -6,6 +6,8 @@ namespace desmo::exact {
 
 using Real = long double;
 
+inline constexpr Real pi = 3.14159265358979323846264338327950288L;
+
 /// A function of time at one instant: value v and time derivatives d, dd. A formula written for
 /// positions then yields velocities and accelerations too. R: a real type with its own functions.
 template <class R>

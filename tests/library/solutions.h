@@ -60,6 +60,4 @@ Solution double_wishbone(double t);
 Solution macpherson(double t);
 Solution truck_axle(double t);
 
-inline constexpr Real pi = 3.14159265358979323846264338327950288L;
-
 }  // namespace desmo::exact

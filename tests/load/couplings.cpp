@@ -25,7 +25,7 @@ namespace {
 
 using namespace desmo::exact;
 
-constexpr Real pi = 3.14159265358979323846264338327950288L, degree = pi / 180;
+constexpr Real degree = pi / 180;
 
 /// Numbers of a model by their names.
 using Values = std::map<std::string, Jet>;
