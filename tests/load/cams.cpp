@@ -1,0 +1,100 @@
+// Closed forms of couplings by tables: cams, an indexing table, and a rail.
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "tests/load/closed_forms.h"
+
+namespace desmo::load::closed_forms {
+namespace {
+
+/// The spline through a table, from its moments m = f″ at the knots by elimination: natural, or
+/// closed, with the rise of a table that repeats.
+class Interpolation {
+ public:
+  Interpolation(std::vector<Real> at, std::vector<Real> z, bool closed)
+      : at_(std::move(at)), z_(std::move(z)), closed_(closed) {
+    const std::size_t n = at_.size() - 1, rows = n + 1;
+    std::vector<std::vector<Real>> a(rows, std::vector<Real>(rows + 1, 0));
+    const auto add = [&](std::size_t row, std::size_t i, bool at_end, int sign) {
+      const Real h = at_[i + 1] - at_[i], slope = (z_[i + 1] - z_[i]) / h;
+      a[row][i] += (at_end ? 1 : 2) * h;
+      a[row][i + 1] += (at_end ? 2 : 1) * h;
+      a[row][rows] += sign * 6 * slope;
+    };
+    for (std::size_t i = 1; i < n; ++i) add(i, i - 1, true, -1), add(i, i, false, 1);
+    if (closed) {
+      add(0, n - 1, true, -1), add(0, 0, false, 1);
+      a[n][0] = 1, a[n][n] = -1;
+    } else {
+      a[0][0] = a[n][n] = 1;
+    }
+    for (std::size_t k = 0; k < rows; ++k) {
+      std::size_t pivot = k;
+      for (std::size_t i = k; i < rows; ++i)
+        if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+      std::swap(a[k], a[pivot]);
+      for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t j = rows + 1; i != k && j-- > k;) a[i][j] -= a[i][k] / a[k][k] * a[k][j];
+    }
+    for (std::size_t k = 0; k < rows; ++k) m_.push_back(a[k][rows] / a[k][k]);
+  }
+
+  Jet operator()(Jet x) const {
+    const Real length = at_.back() - at_.front();
+    const Real turns = closed_ ? std::floor((x.v - at_.front()) / length) : 0;
+    x = x - Jet(turns * length);
+    std::size_t i = 0;
+    while (i + 2 < at_.size() && x.v >= at_[i + 1]) ++i;
+    const Real h = at_[i + 1] - at_[i];
+    const Jet right = (x - Jet(at_[i])) / Jet(h), left = Jet(1) - right, sixth = Jet(h * h / 6);
+    return Jet(turns * (z_.back() - z_.front())) + left * Jet(z_[i]) + right * Jet(z_[i + 1]) +
+           sixth * (Jet(m_[i]) * (left * left * left - left) +
+                    Jet(m_[i + 1]) * (right * right * right - right));
+  }
+
+ private:
+  std::vector<Real> at_, z_, m_;
+  bool closed_;
+};
+
+}  // namespace
+
+Values cam_dwell(double t) {
+  static const Interpolation lift({0, 60, 90, 120, 150, 180, 240, 300, 360},
+                                  {0, 1, 5, 9, 10, 10, 10, 3, 0}, true);
+  const Jet a = degrees(t, 750, 300, 60);
+  const Jet s = Jet(0.001L) * (Jet(30) + lift(a / Jet(degree)));
+  return {{"s", s}, {"F.y", s}};
+}
+
+Values indexing(double t) {
+  static const Interpolation angle({0, 60, 120, 150, 180, 210, 240, 300, 360},
+                                   {0, 0, 0, 10, 45, 80, 90, 90, 90}, true);
+  const Real x = Real(0.06) - Real(0.05), y = Real(0.01);  // of the file, as doubles
+  const Jet w = Jet(std::atan2(y, x)) + Jet(degree) * angle(degrees(t, -500, 700, 0) / Jet(degree));
+  Values v{{"w", w}};
+  add(v, "B", Vec2{{Jet(Real(0.05)), 0}} + polar(Jet(std::sqrt(x * x + y * y)), w));
+  return v;
+}
+
+/// The pin's place along the rail is unknown: Newton's method, then rates by the chain rule.
+Values curved_rail(double t) {
+  static const Interpolation rail({0, 10, 20, 35, 50}, {80, 88, 100, 112, 140}, false);
+  const Jet y = Jet(105) + Jet(20) * sin(Jet(pi) * Jet::time(t));
+  Jet x(20);
+  for (int i = 0; i < 60; ++i) {
+    const Jet at = rail(Jet(x.v, 1, 0));
+    x = Jet(x.v + (y.v - at.v) / at.d, y.d / at.d, 0);
+    x.dd = (y.dd - at.dd * x.d * x.d) / at.d;
+  }
+  const Vec2 P{{Jet(0.001L) * x, Jet(0.001L) * y}};
+  Values v{{"x", P[0]}};
+  add(v, "P", P);
+  add(v, "A", meet(Vec2{{0, 0}}, Jet(0.1L), P, Jet(std::sqrt(0.0068L)), Side::left));
+  return v;
+}
+
+}  // namespace desmo::load::closed_forms
