@@ -1,6 +1,10 @@
 // A fixture for pages of desmo view: what C++ wrote into them, and what their scripts read.
 #pragma once
 
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+
 #include "tests/cli/program.h"
 
 namespace desmo {
@@ -8,22 +12,25 @@ namespace desmo {
 /// A fixture whose tests are skipped where the program was built without its page.
 class View : public Cli {
  protected:
+  using Json = nlohmann::json;
+
   void SetUp() override {
     if (desmo("view slider_crank") == 69) GTEST_SKIP() << err_;
   }
 
-  /// Data that a page carries, by the id of their place.
-  static std::string data_of(const std::string& page, const std::string& id) {
+  /// Text that a page carries, by the id of its place.
+  static std::string text_at(const std::string& id, const std::string& page) {
     const std::size_t at = page.find('>', page.find("id=\"" + id + "\"")) + 1;
     return page.substr(at, page.find("</script>", at) - at);
   }
+  static Json data_of(const std::string& page) { return Json::parse(text_at("data", page)); }
 
   /// Runs a script in node on `data`, which the page of a scene reads; it may draw() them
   /// (drawing.js). Returns the exit code; 127: there is no node.
   int run_on_page_of(const std::string& scene, const std::string& script) {
     desmo("view " + scene + " -o out/page.html");  // fails, and writes the page, where it locks
     const std::string page = text_of(out("page.html"));
-    for (const char* id : {"data", "numbers"}) write(id, data_of(page, id));
+    for (const char* id : {"data", "numbers"}) write(id, text_at(id, page));
     write(
         "script.mjs",
         std::string("import {readFileSync} from 'node:fs';\n"

@@ -55,7 +55,7 @@ TEST_F(View, IsOnePageThatLoadsNothing) {
 
 TEST_F(View, SaysWhatThereIs) {
   ASSERT_EQ(desmo("view four_bar:2"), 0) << err_;
-  const Json data = Json::parse(data_of(out_, "data"));
+  const Json data = data_of(out_);
   EXPECT_EQ(data["mechanism"]["dimension"], 2);
   EXPECT_EQ(data["shown"], 3001);
   EXPECT_EQ(data["mechanism"]["bodies"].size(), 5u);
@@ -80,7 +80,7 @@ TEST_F(View, PlotsWhatTheSceneRequests) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
     "request": [{"points": ["C"], "level": "velocity"}])"));
   ASSERT_EQ(desmo("view scene.json"), 0) << err_;
-  const Json data = Json::parse(data_of(out_, "data"));
+  const Json data = data_of(out_);
   std::vector<std::string> plotted;
   for (const int column : data["plotted"]) plotted.push_back(data["columns"][column]["name"]);
   EXPECT_EQ(plotted, (std::vector<std::string>{"C.x", "C.y", "d/dt C.x", "d/dt C.y"}));
@@ -107,7 +107,7 @@ TEST_F(View, PlotsMeasuresByTheNamesOfTheirColumns) {
       << err_;
   EXPECT_TRUE(prints("i [m/rad],outcome")) << out_;
   ASSERT_EQ(desmo("view rest.json --quiet"), 0) << err_;
-  const Json data = Json::parse(data_of(out_, "data"));
+  const Json data = data_of(out_);
   std::string plotted;
   for (const Json& c : data["plotted"])
     plotted += data["columns"][c.get<std::size_t>()]["name"].get<std::string>() + " " +
@@ -123,7 +123,7 @@ TEST_F(View, ShowsHowFarAMechanismGetsThatLocks) {
   ASSERT_EQ(desmo("view scene.json -o out/page.html"), 1);
   EXPECT_TRUE(says("group 'SG-II' (rod, slider)")) << err_;
   EXPECT_TRUE(says("the page shows the last position")) << err_;
-  const Json data = Json::parse(data_of(text_of(out("page.html")), "data"));
+  const Json data = data_of(text_of(out("page.html")));
   // What is beyond an interval that cannot be assembled is on an unknown branch.
   std::vector<std::string> kinds;
   for (const Json& f : data["flags"]) kinds.push_back(f["kind"]);
@@ -141,7 +141,7 @@ TEST_F(View, FlagsWhatIsNotProven) {
   write("scene.json", slider_crank(49, R"(, "time": {"start": 0.19, "end": 0.31, "step": 0.12})"));
   ASSERT_EQ(desmo("view scene.json --quiet"), 0) << err_;
   EXPECT_TRUE(says("accuracy: degraded: 1 row of 2")) << err_;
-  const Json flags = Json::parse(data_of(out_, "data"))["flags"];
+  const Json flags = data_of(out_)["flags"];
   ASSERT_EQ(flags.size(), 1u);
   EXPECT_EQ(flags[0]["kind"], "branch");
   EXPECT_EQ(flags[0]["from"], 0.31);
@@ -153,7 +153,7 @@ TEST_F(View, ShowsTheEstimateWhereNothingCanBeAssembled) {
   write("scene.json", slider_crank(30, R"(, "time": {"start": 0.25, "end": 0.3, "step": 0.01})"));
   ASSERT_EQ(desmo("view scene.json -o out/page.html"), 1);
   EXPECT_TRUE(says("the page shows the initial estimate")) << err_;
-  const Json data = Json::parse(data_of(text_of(out("page.html")), "data"));
+  const Json data = data_of(text_of(out("page.html")));
   EXPECT_EQ(data["time"]["solved"], 0);
   EXPECT_EQ(data["shown"], 1);
   EXPECT_EQ(data["flags"][0]["kind"], "failed");
@@ -164,7 +164,7 @@ TEST_F(View, LeavesOutPointsThatNoBodyCarries) {
   scene.replace(scene.find("\"points\": {") + 11, 0, "\"Z\": [7, 7], ");
   write("scene.json", scene);
   ASSERT_EQ(desmo("view scene.json"), 0) << err_;
-  const Json data = Json::parse(data_of(out_, "data"));
+  const Json data = data_of(out_);
   EXPECT_EQ(data["points"].size(), 3u);
   for (const Json& point : data["points"]) EXPECT_NE(point["name"], "Z");
 }
@@ -173,7 +173,7 @@ TEST_F(View, IsInTheUnitsOfTheScene) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"));
   const auto units = [&](const std::string& options) {
     EXPECT_EQ(desmo("view scene.json" + options), 0) << err_;
-    const Json data = Json::parse(data_of(out_, "data"));
+    const Json data = data_of(out_);
     std::map<std::string, std::string> result;
     for (const Json& column : data["columns"]) result[column["name"]] = column["unit"];
     result["arrows"] = data["units"].dump();
@@ -191,7 +191,7 @@ TEST_F(View, ThinsOutWhatIsTooLongAndSaysSo) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 100, "step": 0.005})"));
   ASSERT_EQ(desmo("view scene.json"), 0) << err_;
   EXPECT_LE(out_.size(), max_page);
-  const Json data = Json::parse(data_of(out_, "data"));
+  const Json data = data_of(out_);
   EXPECT_EQ(data["time"]["solved"], 20001);
   EXPECT_EQ(data["time"]["stride"], 4);
   EXPECT_EQ(data["shown"], 5001);
@@ -226,7 +226,7 @@ TEST_F(View, RefusesWhatIsTooLargeBeforeItIsSolved) {
   ASSERT_EQ(desmo("view short.json -o out/page.html"), 0) << err_;
   const std::string page = text_of(out("page.html"));
   EXPECT_LE(page.size(), max_page);
-  EXPECT_GE(Json::parse(data_of(page, "data"))["shown"], 16);
+  EXPECT_GE(data_of(page)["shown"], 16);
 }
 
 // ---- in a browser ----
@@ -368,7 +368,7 @@ class ViewInBrowser : public View {
     ASSERT_EQ(seen.size(), scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       const std::string page = text_of(out("page" + std::to_string(i) + ".html"));
-      expect_well(scenes[i], seen[i], Json::parse(data_of(page, "data")));
+      expect_well(scenes[i], seen[i], data_of(page));
       const Json& flags = seen[i]["flags"];
       if (scenes[i] != "locks.json") continue;
       const std::string notice = flags["notice"];
@@ -388,35 +388,22 @@ std::string four_bar(int side) {
                across = std::hypot(5 - bx, by), ux = (5 - bx) / across, uy = -by / across,
                along = (16 + across * across - 3.5 * 3.5) / (2 * across),
                off = side * std::sqrt(16 - along * along);
-  const auto joint = [](const char* a, const char* b, const char* point) {
-    return Json{{"type", "revolute"}, {"bodies", {a, b}}, {"points", {point}}};
-  };
-  const Json mechanism{{"format", "desmo-mechanism"},
-                       {"version", 1},
-                       {"name", "four_bar"},
-                       {"dimension", 2},
-                       {"points",
-                        {{"A", {0, 0}},
-                         {"B", {bx, by}},
-                         {"C", {bx + along * ux - off * uy, by + along * uy + off * ux}},
-                         {"D", {5, 0}}}},
-                       {"ground", {{"points", {"A", "D"}}}},
-                       {"bodies",
-                        {{"crank", {{"points", {"A", "B"}}}},
-                         {"coupler", {{"points", {"B", "C"}}}},
-                         {"rocker", {{"points", {"C", "D"}}}}}},
-                       {"joints",
-                        {joint("ground", "crank", "A"), joint("crank", "coupler", "B"),
-                         joint("coupler", "rocker", "C"), joint("rocker", "ground", "D")}},
-                       {"coordinates", {{"theta", {{"angle", {"A", "B"}}}}}},
-                       {"drivers", {"theta"}}};
-  const Json motion{{"type", "polynomial"}, {"coefficients", {theta, 2 * std::numbers::pi}}};
-  return Json{{"format", "desmo-scene"},
-              {"version", 2},
-              {"mechanism", mechanism},
-              {"motion", {{"theta", motion}}},
-              {"time", {{"end", 1}, {"step", 0.01}}}}
-      .dump();
+  Json scene = Json::parse(R"({"format": "desmo-scene", "version": 2,
+    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "four_bar", "dimension": 2,
+      "points": {"A": [0, 0], "D": [5, 0]}, "ground": {"points": ["A", "D"]},
+      "bodies": {"crank": {"points": ["A", "B"]}, "coupler": {"points": ["B", "C"]},
+                 "rocker": {"points": ["C", "D"]}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
+                 {"type": "revolute", "bodies": ["crank", "coupler"], "points": ["B"]},
+                 {"type": "revolute", "bodies": ["coupler", "rocker"], "points": ["C"]},
+                 {"type": "revolute", "bodies": ["rocker", "ground"], "points": ["D"]}],
+      "coordinates": {"theta": {"angle": ["A", "B"]}}, "drivers": ["theta"]},
+    "motion": {"theta": {"type": "polynomial"}}, "time": {"end": 1, "step": 0.01}})");
+  Json& points = scene["mechanism"]["points"];
+  points["B"] = {bx, by};
+  points["C"] = {bx + along * ux - off * uy, by + along * uy + off * ux};
+  scene["motion"]["theta"]["coefficients"] = {theta, 2 * std::numbers::pi};
+  return scene.dump();
 }
 
 /// By the law of cosines: the diagonal from the crank's pin to the rocker's pivot is in both
