@@ -62,6 +62,16 @@ TEST_F(View, TellsColumnsOfTheSameNameApart) {
       << err_;
 }
 
+TEST_F(View, ReadsBodiesWithFramesOfTheirOwn) {
+  write("framed.json", framed);
+  const int code =
+      run_on_page_of("framed.json",
+                     "const names = body => body.points.map(p => data.points[p].name);\n"
+                     "console.log(data.bodies.map(b => names(b).join(' ')).join('; '));\n");
+  if (code == 127) GTEST_SKIP() << err_;
+  EXPECT_EQ(out_, "O; O T\n") << err_;
+}
+
 TEST_F(View, DrawsTheDrivenAngleOfAVectorThatNoJointHas) {
   const std::string bar = R"("points": {"O": [0, 0]}, "ground": {"points": ["O"]},
     "joints": [{"type": "revolute", "bodies": ["ground", "bar"], "points": ["O"]}],

@@ -1,0 +1,238 @@
+// desmo view: what a reader sees of the page in Chromium.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cases/library/library.h"
+#include "tests/cli/view.h"
+
+namespace desmo::viewing_browser_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class ViewInBrowser : public View {
+ protected:
+  /// Opens pages in Chromium. Returns what watch.mjs tells of each.
+  Json opened(const std::vector<std::string>& scenes) {
+    const fs::path source = DESMO_SOURCE_DIR, work = source / "build/browser";
+    std::string pages;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const std::string page = out("page" + std::to_string(i) + ".html").string();
+      const int expected = scenes[i] == "locks.json" ? 1 : 0;
+      EXPECT_EQ(desmo("view " + scenes[i] + " -o " + page), expected) << scenes[i] << err_;
+      EXPECT_LE(fs::file_size(page), max_page) << scenes[i];
+      pages += " " + page;
+    }
+    fs::copy_file(source / "tests/cli/browser/watch.mjs", work / "watch.mjs",
+                  fs::copy_options::overwrite_existing);
+    EXPECT_EQ(
+        shell("node " + (work / "watch.mjs").string() + " \"$(command -v chromium)\"" + pages), 0)
+        << err_;
+    return Json::parse(out_);
+  }
+
+  /// Whether Chromium and what steers it are there; the reason in out_ when not.
+  bool has_browser() {
+    if (shell("command -v chromium || { echo Chromium is not installed; false; }") != 0)
+      return false;
+    const std::string source = DESMO_SOURCE_DIR;
+    return shell(source + "/report/figures/render --packages " + source + "/tests/report/browser " +
+                 source + "/build/browser") == 0;
+  }
+
+  /// The numbers of some instants as `desmo solve` writes them, by names of columns.
+  std::map<int, std::map<std::string, double>> solved(const std::string& scene,
+                                                      const Json& instants, const Json& time) {
+    EXPECT_EQ(desmo("solve " + scene + " --past-failures --quiet -o out/motion.csv"), 0) << err_;
+    std::ifstream in(out("motion.csv"));
+    std::string line, name;
+    std::getline(in, line);
+    std::vector<std::string> names;
+    for (std::istringstream heading(line); std::getline(heading, name, ',');)
+      names.push_back(name.substr(0, name.find(" [")));
+    std::map<long, std::string> rows;  // by index: rows leave out instants that were not solved
+    while (std::getline(in, line))
+      rows[std::lround((std::stod(line) - time["start"].get<double>()) /
+                       time["interval"].get<double>())] = line;
+    std::map<int, std::map<std::string, double>> result;
+    for (const Json& instant : instants) {
+      const int k = static_cast<int>(&instant - &instants[0]);
+      const std::vector<double> numbers = Cli::numbers(rows.at(instant["index"].get<long>()));
+      for (std::size_t i = 0; i < numbers.size(); ++i) result[k][names[i]] = numbers[i];
+    }
+    return result;
+  }
+
+  void expect_positions(const Json& instant, const std::map<std::string, double>& solved,
+                        double size) {
+    int compared = 0;
+    for (const auto& [point, position] : instant["positions"].items())
+      for (std::size_t axis = 0; axis < position.size(); ++axis) {
+        const auto found = solved.find(point + "." + "xyz"[axis]);
+        if (found == solved.end()) continue;  // at rest
+        EXPECT_NEAR(position[axis].get<double>(), found->second, 1e-4 * size) << found->first;
+        ++compared;
+      }
+    EXPECT_GT(compared, 0);
+  }
+
+  void expect_values(const Json& instant, const std::map<std::string, double>& solved) {
+    int compared = 0;
+    for (const auto& [name, value] : instant["values"].items()) {
+      const auto found = solved.find(name);
+      if (found == solved.end()) continue;  // condition, bounds, transmission angles
+      EXPECT_NEAR(value.get<double>(), found->second, 1e-6 * std::abs(found->second) + 1e-12)
+          << name;
+      ++compared;
+    }
+    EXPECT_GT(compared, 0);
+  }
+
+  void expect_word(const Json& seen, const std::string& word) {
+    EXPECT_EQ(std::ranges::count(seen["words"], Json(word)), 1) << word << seen["words"];
+  }
+
+  /// A picture that needs nothing else, and every instant of the page.
+  void expect_saved(const Json& saved, const Json& data) {
+    const std::string name = data["mechanism"]["name"], svg = saved["picture"]["text"],
+                      csv = saved["data"]["text"];
+    EXPECT_EQ(saved["picture"]["name"], name + ".svg");
+    EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "));
+    EXPECT_TRUE(svg.ends_with("</svg>\n"));
+    EXPECT_EQ(svg.find("var("), std::string::npos);
+    EXPECT_NE(svg.find(">" + data["points"][0]["name"].get<std::string>() + "</text>"),
+              std::string::npos);
+    EXPECT_EQ(saved["data"]["name"], name + ".csv");
+    EXPECT_TRUE(csv.starts_with("t [s],")) << csv.substr(0, 100);
+    EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + data["shown"].get<int>());
+  }
+
+  void expect_well(const std::string& scene, const Json& seen, const Json& data) {
+    SCOPED_TRACE(scene);
+    EXPECT_EQ(seen["requests"], Json::array());
+    EXPECT_EQ(seen["errors"], Json::array());
+    EXPECT_GE(seen["variety"], 10);
+    EXPECT_EQ(seen["folded"], 2) << "condition and bounds";
+    EXPECT_EQ(seen["legend"], std::ranges::count(data["groups"], Json(false),
+                                                 [](const Json& g) { return g["constant"]; }));
+    EXPECT_EQ(seen["bodies"].size(), data["mechanism"]["bodies"].size());
+    EXPECT_GT(seen["arrows"], 0);
+    for (const Json& point : data["points"]) expect_word(seen, point["name"]);
+    expect_word(seen, "x");
+    expect_saved(seen["saved"], data);
+    EXPECT_EQ(seen["label_when_playing"], "Pause");
+    EXPECT_EQ(seen["time_after_one"], 0);
+    EXPECT_EQ(seen["inside"], 1);
+    EXPECT_TRUE(seen["hint"].get<std::string>().starts_with("point ")) << seen["hint"];
+    for (const auto& [width, overflow] : seen["overflow"].items()) EXPECT_EQ(overflow, 0) << width;
+    EXPECT_EQ(seen["sheets"], 1);
+    EXPECT_EQ(seen["flags"]["listed"].size(), data["flags"].size());
+    const Json& numbers = seen["numbers"];
+    ASSERT_EQ(numbers.size(), 10u);
+    const auto right = solved(scene, numbers, data["time"]);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      expect_positions(numbers[k], right.at(static_cast<int>(k)), seen["size"]);
+      expect_values(numbers[k], right.at(static_cast<int>(k)));
+    }
+    std::printf("%s: %s ms of script a frame in the median of %s, at most %s\n", scene.c_str(),
+                seen["script"]["median"].dump().c_str(), seen["script"]["frames"].dump().c_str(),
+                seen["script"]["longest"].dump().c_str());
+  }
+
+  void expect_all_well(const std::vector<std::string>& scenes) {
+    if (!has_browser()) GTEST_SKIP() << out_;
+    write("locks.json", locks);
+    write("framed.json", framed);
+    const Json seen = opened(scenes);
+    ASSERT_EQ(seen.size(), scenes.size());
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const std::string page = text_of(out("page" + std::to_string(i) + ".html"));
+      expect_well(scenes[i], seen[i], data_of(page));
+      const Json& flags = seen[i]["flags"];
+      if (scenes[i] != "locks.json") continue;
+      const std::string notice = flags["notice"];
+      EXPECT_NE(notice.find("group 'SG-II' (rod, slider)"), std::string::npos) << notice;
+      EXPECT_NE(notice.find("is off by"), std::string::npos) << notice;
+      EXPECT_EQ(flags["hovered"], "failed") << "the cause is told once";
+      for (const Json& flag : flags["listed"])
+        EXPECT_EQ(flag.get<std::string>().find("SG-II"), std::string::npos) << flag;
+    }
+  }
+};
+
+/// A four-bar with a crank of 2, a coupler of 4, a rocker of 3.5 and a ground of 5, that turns
+/// once. side: 1 open, −1 crossed.
+std::string four_bar(int side) {
+  const double theta = 1, bx = 2 * std::cos(theta), by = 2 * std::sin(theta),
+               across = std::hypot(5 - bx, by), ux = (5 - bx) / across, uy = -by / across,
+               along = (16 + across * across - 3.5 * 3.5) / (2 * across),
+               off = side * std::sqrt(16 - along * along);
+  Json scene = Json::parse(R"({"format": "desmo-scene", "version": 2,
+    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "four_bar", "dimension": 2,
+      "points": {"A": [0, 0], "D": [5, 0]}, "ground": {"points": ["A", "D"]},
+      "bodies": {"crank": {"points": ["A", "B"]}, "coupler": {"points": ["B", "C"]},
+                 "rocker": {"points": ["C", "D"]}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
+                 {"type": "revolute", "bodies": ["crank", "coupler"], "points": ["B"]},
+                 {"type": "revolute", "bodies": ["coupler", "rocker"], "points": ["C"]},
+                 {"type": "revolute", "bodies": ["rocker", "ground"], "points": ["D"]}],
+      "coordinates": {"theta": {"angle": ["A", "B"]}}, "drivers": ["theta"]},
+    "motion": {"theta": {"type": "polynomial"}}, "time": {"end": 1, "step": 0.01}})");
+  Json& points = scene["mechanism"]["points"];
+  points["B"] = {bx, by};
+  points["C"] = {bx + along * ux - off * uy, by + along * uy + off * ux};
+  scene["motion"]["theta"]["coefficients"] = {theta, 2 * std::numbers::pi};
+  return scene.dump();
+}
+
+/// By the law of cosines: the diagonal from the crank's pin to the rocker's pivot is in both
+/// triangles. The angle passes a quarter turn without a kink.
+TEST_F(ViewInBrowser, TransmissionAnglesAreThoseOfTheLawOfCosines) {
+  if (!has_browser()) GTEST_SKIP() << out_;
+  write("open.json", four_bar(1));
+  write("crossed.json", four_bar(-1));
+  const Json seen = opened({"open.json", "crossed.json"});
+  for (const Json& page : seen) {
+    ASSERT_EQ(page["numbers"].size(), 10u);
+    bool acute = false, obtuse = false;
+    for (const Json& instant : page["numbers"]) {
+      const double theta = 1 + 2 * std::numbers::pi * 0.01 * instant["index"].get<double>(),
+                   diagonal_squared = 29 - 20 * std::cos(theta),
+                   right = std::acos((16 + 3.5 * 3.5 - diagonal_squared) / (2 * 4 * 3.5));
+      EXPECT_NEAR(instant["values"].at("crank → coupler → rocker").get<double>(), right, 2e-7)
+          << theta;
+      (right < std::numbers::pi / 2 ? acute : obtuse) = true;
+    }
+    EXPECT_TRUE(acute && obtuse);
+  }
+  // The same angles on both branches, but not the same positions.
+  EXPECT_NE(seen[0]["numbers"][3]["positions"]["C"], seen[1]["numbers"][3]["positions"]["C"]);
+}
+
+TEST_F(ViewInBrowser, ShowsWhatIsSolved) {
+  expect_all_well({"slider_crank", "locks.json", "framed.json", "truck_suspension:1"});
+}
+
+/// Every mechanism, in minutes: program_test --gtest_also_run_disabled_tests
+/// --gtest_filter='ViewInBrowser.*'
+TEST_F(ViewInBrowser, DISABLED_ShowsWhatIsSolvedOfEveryMechanism) {
+  std::vector<std::string> scenes{"locks.json", "four_bar:1", "four_bar:40", "truck_suspension:1",
+                                  "truck_suspension:5"};
+  for (const LibraryMechanism& m : library()) scenes.emplace_back(m.name);
+  expect_all_well(scenes);
+}
+
+}  // namespace
+}  // namespace desmo::viewing_browser_test
