@@ -49,19 +49,23 @@ double distance(const Model& m, const std::vector<double>& a, const std::vector<
   return largest;
 }
 
+/// Returns the values of the drivers as they are drawn.
+std::vector<double> drawn_drivers(const Model& m) {
+  std::vector<double> values;
+  for (const Driver& d : m.drivers) values.push_back(m.estimate[m.entities[d.coordinate].first]);
+  return values;
+}
+
 /// Follows drivers from the drawing straight to these values, in steps of `step` in each driver, by
 /// Newton's method alone. Empty: it did not converge.
 std::vector<double> in_short_steps(Model m, const std::vector<double>& to, double step) {
+  const std::vector<double> from = drawn_drivers(m);
   double longest = 0;
-  for (std::size_t k = 0; k < to.size(); ++k) {
-    const double from = m.estimate[m.entities[m.drivers[k].coordinate].first];
-    longest = std::max(longest, std::abs(to[k] - from));
-  }
+  for (std::size_t k = 0; k < to.size(); ++k)
+    longest = std::max(longest, std::abs(to[k] - from[k]));
   const double seconds = std::max(0.01, longest / step * 0.01);  // in steps of 10 ms
-  for (std::size_t k = 0; k < to.size(); ++k) {
-    const double from = m.estimate[m.entities[m.drivers[k].coordinate].first];
-    m.drivers[k].motion = Polynomial{{from, (to[k] - from) / seconds}};
-  }
+  for (std::size_t k = 0; k < to.size(); ++k)
+    m.drivers[k].motion = Polynomial{{from[k], (to[k] - from[k]) / seconds}};
   try {
     return double_solution(m, std::vector{0.0, seconds}).back().q;
   } catch (const std::runtime_error&) {
@@ -79,10 +83,9 @@ Model held_at(Model m, const std::vector<double>& values) {
 /// Nearer to a singular position than this condition number says nothing has to be proven.
 bool has_way(Model m, const std::vector<double>& to) {
   constexpr double max_condition = 1e7;
-  for (std::size_t k = 0; k < to.size(); ++k) {
-    const double from = m.estimate[m.entities[m.drivers[k].coordinate].first];
-    m.drivers[k].motion = Polynomial{{from, to[k] - from}};
-  }
+  const std::vector<double> from = drawn_drivers(m);
+  for (std::size_t k = 0; k < to.size(); ++k)
+    m.drivers[k].motion = Polynomial{{from[k], to[k] - from[k]}};
   Continuation way(m);
   way.begin(motions_of(m), 0);
   return way.go_to(1) && way.crossings() == 0 && way.max_condition() < max_condition;
@@ -292,7 +295,7 @@ TEST(Start, LeavesOutTurnsOfSeveralDriversWhereEachLeadsBack) {
 /// stand as it does before, but nothing leads there.
 TEST(Start, LeavesOutNoTurnThatIsBlocked) {
   const Model m = make_model(scene_file("peaucellier"));
-  const double drawn = m.estimate[m.entities[m.drivers[0].coordinate].first];
+  const double drawn = drawn_drivers(m)[0];
   for (const double to : {drawn - turn - 0.1, drawn + turn + 0.1, drawn + 300 * turn + 0.1}) {
     const FoundStart found = find_start(held_at(m, {to}), 0);
     EXPECT_EQ(found.stage, Stage::drivers) << to;
@@ -314,6 +317,13 @@ TEST(Start, HasNoWayToWhatIsNotFinite) {
 /// Returns a bucket on its four-bar, driven by a cylinder, on an arm: an excavator's.
 Model excavator() { return make_model(scene_file("excavator_rough_drawing")); }
 
+/// Moves all drawn points by normally distributed offsets.
+void roughen(Model& m, std::normal_distribution<double> off, std::mt19937& generator) {
+  for (const Entity& e : m.entities)
+    if (!e.fixed && e.kind == EntityKind::point)
+      for (int i = e.first; i < e.first + e.size; ++i) m.estimate[i] += off(generator);
+}
+
 TEST(Start, TakesARoughDrawingForWhatItIsNearest) {
   const Model m = excavator();
   const FoundStart drawn = find_start(m, 0);
@@ -324,11 +334,8 @@ TEST(Start, TakesARoughDrawingForWhatItIsNearest) {
   std::mt19937 generator(1);
   for (const double part : {0.01, 0.03, 0.1})  // of the shortest link
     for (int i = 0; i < (DESMO_SANITIZED ? 1 : 40); ++i) {
-      std::normal_distribution<double> off(0, part * 0.449);
       Model rough = m;
-      for (const Entity& e : m.entities)
-        if (!e.fixed && e.kind == EntityKind::point)
-          for (int k = e.first; k < e.first + e.size; ++k) rough.estimate[k] += off(generator);
+      roughen(rough, std::normal_distribution<double>(0, part * 0.449), generator);
       const FoundStart found = find_start(rough, 0);
       EXPECT_EQ(found.stage, Stage::reached) << part;
       EXPECT_LT(distance(m, found.q, drawn.q), 1e-12) << part;
@@ -340,10 +347,7 @@ TEST(Start, FollowsARoughDrawingToAnyStart) {
   const Model m = excavator();
   const Model drawn = [&] {  // as it closes
     Model closed = m;
-    std::vector<double> as_drawn;
-    for (const Driver& d : m.drivers)
-      as_drawn.push_back(m.estimate[m.entities[d.coordinate].first]);
-    const FoundStart found = find_start(held_at(m, as_drawn), 0);
+    const FoundStart found = find_start(held_at(m, drawn_drivers(m)), 0);
     EXPECT_EQ(found.stage, Stage::reached);
     closed.estimate = found.q;
     return closed;
@@ -370,14 +374,10 @@ TEST(Start, FollowsARoughDrawingToAnyStart) {
 
 /// Along the homotopy Φ, Φ̇ and Φ̈ are (1 − λ) Φ₀, −Φ₀ and 0.
 TEST(Start, KeepsTheHomotopysEquations) {
-  Model m = excavator();
-  for (Driver& d : m.drivers) d.motion = Polynomial{{m.estimate[m.entities[d.coordinate].first]}};
+  Model m = held_at(excavator(), drawn_drivers(excavator()));
   const WholeSystem system(m);
   std::mt19937 generator(3);
-  std::normal_distribution<double> off(0, 0.02);
-  for (const Entity& e : m.entities)
-    if (!e.fixed && e.kind == EntityKind::point)
-      for (int i = e.first; i < e.first + e.size; ++i) m.estimate[i] += off(generator);
+  roughen(m, std::normal_distribution<double>(0, 0.02), generator);
   std::vector<double> drawn = m.estimate, residual(system.rows());
   drawn.insert(drawn.end(), m.fixed_values.begin(), m.fixed_values.end());
   system.residual<double>(drawn, residual);
