@@ -79,12 +79,10 @@ TEST(LiveRun, AnswersAreWithinTheirRadii) {
 /// A four-bar that locks, driven by its crank.
 class LockingRun : public testing::Test {
  protected:
-  static LiveOptions steady() {
-    LiveOptions options;
-    options.scales = Scales{{1, 10, 100}, {1, 10, 100}};
-    return options;
-  }
-  explicit LockingRun(const LiveOptions& options = steady()) : run(*formulation, options) {}
+  static constexpr Scales steady{{1, 10, 100}, {1, 10, 100}};
+
+  explicit LockingRun(const LiveOptions& options = {.scales = steady})
+      : run(*formulation, options) {}
 
   LiveSummary step(double t, double angle, double rate = 0) {
     const std::vector<double> z{angle}, zd{rate}, zdd{0};
@@ -238,12 +236,7 @@ TEST_F(LockingRun, StartsOnTheBranchOfTheDrawing) {
 
 class PositionsAlone : public LockingRun {
  protected:
-  static LiveOptions positions() {
-    LiveOptions options;
-    options.level = Level::position;
-    return options;
-  }
-  PositionsAlone() : LockingRun(positions()) {}
+  PositionsAlone() : LockingRun({.level = Level::position}) {}
 };
 
 TEST_F(PositionsAlone, FollowsAJump) { follow_jumps(); }
@@ -264,12 +257,7 @@ TEST_F(PositionsAlone, TurnsBackNextToADeadPoint) {
 
 class WithoutSubSteps : public LockingRun {
  protected:
-  static LiveOptions none() {
-    LiveOptions options = steady();
-    options.max_sub_steps = 0;
-    return options;
-  }
-  WithoutSubSteps() : LockingRun(none()) {}
+  WithoutSubSteps() : LockingRun({.scales = steady, .max_sub_steps = 0}) {}
 };
 
 TEST_F(WithoutSubSteps, FailsAtOnce) {
@@ -285,12 +273,7 @@ TEST_F(WithoutSubSteps, FailsAtOnce) {
 
 class WithoutChecks : public LockingRun {
  protected:
-  static LiveOptions unchecked() {
-    LiveOptions options = steady();
-    options.check = CheckMode::none;
-    return options;
-  }
-  WithoutChecks() : LockingRun(unchecked()) {}
+  WithoutChecks() : LockingRun({.scales = steady, .check = CheckMode::none}) {}
 };
 
 TEST_F(WithoutChecks, ProvesNothing) {
