@@ -1,0 +1,82 @@
+// Starts at constant drivers, and what tells whether the drawing leads to them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "formulations/model/model.h"
+#include "formulations/parts/groupwise/double_solution.h"
+#include "tests/properties/continuation.h"
+
+namespace desmo {
+
+inline constexpr double whole_turn = 2 * std::numbers::pi;
+
+/// Returns the largest drawn coordinate.
+inline double drawn_size(const Model& m) {
+  double size = 0;
+  for (const double q : m.estimate) size = std::max(size, std::abs(q));
+  return size;
+}
+
+/// Returns the largest distance of two positions, without whole turns of angles.
+inline double position_distance(const Model& m, const std::vector<double>& a,
+                                const std::vector<double>& b) {
+  double largest = 0;
+  for (const Entity& e : m.entities) {
+    if (e.fixed) continue;
+    for (int i = e.first; i < e.first + e.size; ++i) {
+      double off = a[i] - b[i];
+      if (e.kind == EntityKind::angle) off = std::remainder(off, whole_turn);
+      largest = std::max(largest, std::abs(off));
+    }
+  }
+  return largest;
+}
+
+/// Returns the values of the drivers as they are drawn.
+inline std::vector<double> drawn_drivers(const Model& m) {
+  std::vector<double> values;
+  for (const Driver& d : m.drivers) values.push_back(m.estimate[m.entities[d.coordinate].first]);
+  return values;
+}
+
+/// Follows drivers from the drawing straight to these values, in steps of `step` in each driver, by
+/// Newton's method alone. Returns the positions there; empty: it did not converge.
+inline std::vector<double> in_short_steps(Model m, const std::vector<double>& to, double step) {
+  const std::vector<double> from = drawn_drivers(m);
+  double longest = 0;
+  for (std::size_t k = 0; k < to.size(); ++k)
+    longest = std::max(longest, std::abs(to[k] - from[k]));
+  const double seconds = std::max(0.01, longest / step * 0.01);  // in steps of 10 ms
+  for (std::size_t k = 0; k < to.size(); ++k)
+    m.drivers[k].motion = Polynomial{{from[k], (to[k] - from[k]) / seconds}};
+  try {
+    return double_solution(m, std::vector{0.0, seconds}).back().q;
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+/// Returns the model with constant drivers.
+inline Model held_at(Model m, const std::vector<double>& values) {
+  for (std::size_t k = 0; k < values.size(); ++k) m.drivers[k].motion = Polynomial{{values[k]}};
+  return m;
+}
+
+/// Returns whether the judge finds a regular way from the drawing to these values of the drivers.
+/// Nearer to a singular position than this condition number says nothing has to be proven.
+inline bool has_way(Model m, const std::vector<double>& to) {
+  constexpr double max_condition = 1e7;
+  const std::vector<double> from = drawn_drivers(m);
+  for (std::size_t k = 0; k < to.size(); ++k)
+    m.drivers[k].motion = Polynomial{{from[k], to[k] - from[k]}};
+  Continuation way(m);
+  way.begin(motions_of(m), 0);
+  return way.go_to(1) && way.crossings() == 0 && way.max_condition() < max_condition;
+}
+
+}  // namespace desmo
