@@ -180,5 +180,20 @@ TEST(LeftOutEquations, AreToldAlongStepsThatAreShortEnough) {
   }
 }
 
+/// Far from the origin, digits leave about a tenth of what a drawing may leave, which a shorter
+/// step shows, or about all of it, which none does.
+TEST(LeftOutEquations, AreToldAsFarAsDigitsGo) {
+  for (const long double from_origin : {6e10L, 3e11L}) {
+    const Model m = make_model(parallel_cranks(1.1L, 17, true, 0, 1, from_origin));
+    LeftOutEquations left_out(m);
+    BranchPath path(m, 100);
+    path.ask_about_steps([&](const PathProof& step) { return left_out.look_along(step); });
+    ASSERT_TRUE(path.start_at({0, {m.estimate, {}, {}}, {}}));
+    const FollowedStep followed = path.go_to(0.85);
+    EXPECT_EQ(followed.end, PathEnd::same);
+    EXPECT_EQ(followed.sub_steps == 1, from_origin > 1e11L);
+  }
+}
+
 }  // namespace
 }  // namespace desmo::left_out_equations_test

@@ -104,6 +104,17 @@ TEST(Certificate, HoldsOnAChainWhoseRatesAreLost) {
   }
 }
 
+/// Boxes do along eight groups, and cost less. Along 79, those of accelerations would grow to 3e-3.
+TEST(Certificate, TakesBasesAlongLongChainsAlone) {
+  for (const int dyads : {7, 78}) {
+    const Model m = make_model(turned_chain(dyads));
+    const Containment c = contain(m, std::vector{3.5}, ErrorSets::bases);
+    EXPECT_EQ(c.proven, 1);
+    for (const Level level : all_levels) EXPECT_LE(c.widest[level], 1e-10) << dyads;
+    EXPECT_EQ(Certifier(m).has_long_chains(), dyads > 7);
+  }
+}
+
 TEST(Certificate, HoldsOnAChainOf2000Dyads) {
   const Model m = make_model(turned_chain(2000));
   const Containment c =

@@ -319,6 +319,25 @@ TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
   EXPECT_FALSE(pass_change_point(corner, arriving.present(), direction, 0));
 }
 
+/// Drivers that go straight are off their line by rounding alone, which is no corner. At 1000 rad
+/// few digits tell a corner of 3e-7 rad: it is a few times as large as rounding may be.
+TEST(Passage, TellsACornerFromRounding) {
+  for (const double rate : {0.3, 0.7, -0.45}) {
+    const Model straight = on_arm(Polynomial{{0, rate}}, Polynomial{{0, 0.9}});
+    BranchPath path(straight);
+    ASSERT_TRUE(start(straight, -0.6, path));
+    ASSERT_EQ(path.go_to(0.6).end, PathEnd::stuck);
+    EXPECT_TRUE(pass_change_point(straight, path.present())) << rate;
+  }
+  const Model first = on_arm(Polynomial{{1000}}, Polynomial{{1000, 1}});
+  BranchPath arriving(first);
+  ASSERT_TRUE(start(first, -0.6, arriving));
+  ASSERT_EQ(arriving.go_to(0).end, PathEnd::stuck);
+  const std::vector<double> direction{0, 1};
+  const Model corner = on_arm(Polynomial{{1000, 4e-7}}, Polynomial{{1000, 1.2}});
+  EXPECT_FALSE(pass_change_point(corner, arriving.present(), direction, 0));
+}
+
 /// Returns a parallelogram whose crank is the rocker of a four-bar, which turns back just where the
 /// parallelogram could become an antiparallelogram: there the branches touch. crank: its angle in
 /// the drawing and where the motion begins, at t = −1 s.

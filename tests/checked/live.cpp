@@ -159,6 +159,25 @@ TEST(LiveOptions, ScaleTheRadii) {
   EXPECT_THROW(LiveRun(*f, {.levels = std::array{Level::position}}), std::invalid_argument);
 }
 
+/// A radius of half a scale leaves no digit. The caller's scales are such that this row's radius is
+/// a fifth of one, or all of it.
+TEST(LiveOptions, TellWhichRadiiLeaveNoDigit) {
+  const Model m = four_bar_model(3);
+  const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
+  const auto step = [&](double scale) {
+    const PerLevel<double> scales{scale, 1, 1};
+    LiveRun run(*f, {.level = Level::position, .scales = Scales{scales, scales}});
+    return run.step(Row(m, 0.1));
+  };
+  const double radius = step(1).radius.position;
+  for (const double share : {0.2, 1.}) {
+    const LiveSummary s = step(radius / share);
+    EXPECT_NEAR(s.radius.position, share, 1e-9);
+    EXPECT_EQ(s.outcome(), share < 0.5 ? Outcome::converged : Outcome::degraded) << share;
+    if (s.flag) EXPECT_EQ(s.flag->kind, RowFlag::Kind::unproven);
+  }
+}
+
 /// Velocities alone go along the cubic.
 TEST(LiveRun, AnswersRowsUpToVelocities) {
   for (const auto& [m, grid] : every_motion()) {
@@ -195,6 +214,25 @@ TEST(LiveRun, NeedsAFormulationThatStepsThroughTime) {
     const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, settings);
     EXPECT_NE(unsupported_live_reason(*f), "");
     EXPECT_THROW(LiveRun{*f}, std::invalid_argument);
+  }
+}
+
+/// A row that turns the crank once is followed. To follow twenty turns would take the time of
+/// hundreds of proofs, which no controller has: that row is refused after 65.
+TEST(LiveRun, RefusesWhatWouldTakeTooLong) {
+  const Model m = four_bar_model(1);
+  const auto f = make_formulation(find_variant("group_automatic_eigen"), m);
+  LiveRun run(*f);
+  const Row first(m, 0);
+  for (const int turns : {1, 20}) {
+    run.restart();
+    ASSERT_EQ(run.step(first).outcome(), Outcome::converged);
+    Row row(m, 1);
+    row.z[0] = first.z[0] + 2 * std::numbers::pi * turns;
+    const LiveSummary s = run.step(row);
+    EXPECT_EQ(s.outcome(), turns == 1 ? Outcome::converged : Outcome::failed) << describe(s, m);
+    EXPECT_LE(s.path.tests, 65);
+    EXPECT_EQ(s.is_unreached(), turns == 20);
   }
 }
 

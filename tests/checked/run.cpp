@@ -170,6 +170,18 @@ TEST(CheckedRun, FlagsRowsTooNearADeadPointAndNoOthers) {
     }
 }
 
+/// A crank at rest that departs slowly: its velocity, which the run's scales begin with, is the
+/// difference of two that cancel. At 80 ps the radius is a quarter of it, at 35 ps more than all.
+TEST(CheckedRun, FlagsRatesWithoutADigit) {
+  const Model m = locking_four_bar(HarmonicSum{1, {{0.375, 1, 0}, {-0.125, 3, 0}}});
+  for (const double t : {80e-12, 35e-12}) {
+    const CheckedSummary s = solve_checked(m, {t, 1, 1}, ids[0], Level::velocity).summary;
+    EXPECT_EQ(s.flagged, t < 50e-12) << t;
+    if (s.first_flag) EXPECT_EQ(s.first_flag->kind, RowFlag::Kind::unproven);
+    if (!s.first_flag) EXPECT_GT(s.radius.velocity, 0.1);
+  }
+}
+
 TEST(CheckedRun, StrictEndsAtTheFirstRowThatIsFlagged) {
   const Model m = swinging(1e-15);
   for (const char* id : ids) {
