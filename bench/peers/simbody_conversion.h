@@ -20,7 +20,7 @@ namespace desmo::simbody {
 /// - scene: its mechanism in the nominal position, and its motions; it must outlive the tree
 /// - model: the mechanism's, which says where coordinates stand
 ///
-/// Throws std::invalid_argument, naming the mechanism, where it is none of the two.
+/// Throws std::invalid_argument, naming the mechanism, unless it is one of the two.
 Tree convert(const Scene& scene, const Model& model);
 
 }  // namespace desmo::simbody

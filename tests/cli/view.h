@@ -31,7 +31,7 @@ class View : public Cli {
     if (desmo("view slider_crank") == 69) GTEST_SKIP() << err_;
   }
 
-  /// Text that a page carries, by the id of its place.
+  /// Returns text that a page carries, by the id of its place.
   static std::string text_at(const std::string& id, const std::string& page) {
     const std::size_t at = page.find('>', page.find("id=\"" + id + "\"")) + 1;
     return page.substr(at, page.find("</script>", at) - at);

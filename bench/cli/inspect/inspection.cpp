@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr GroupId ground = -1;
 
-/// The groups with the names that the model lists; counts and other lists are filled in later.
+/// Returns the groups with the names that the model lists; counts and other lists come later.
 Json list_groups(const Model& m) {
   Json groups = Json::array();
   for (const Group& group : m.groups)
@@ -114,7 +114,7 @@ void add_neighbours(const Model& m, const Mechanism& d, const RigidBodies& rigid
   for (const auto& [g, earlier] : joined) groups[g]["joined_to"].push_back(m.groups[earlier].name);
 }
 
-/// The spanning tree of a model with frames, parents first, and the joints that are not of it.
+/// Returns the spanning tree of a model with frames, parents first, and the joints beside it.
 std::pair<Json, Json> describe_tree(const Model& m, const Mechanism& d, const RigidBodies& rigid) {
   Json bodies = Json::array(), cut_joints = Json::array();
   if (!has_frames(m.modelling)) return {bodies, cut_joints};

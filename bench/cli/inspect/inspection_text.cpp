@@ -55,7 +55,7 @@ std::string group_text(const Json& group, bool has_derived) {
   return text + line("after", enumerate(after));
 }
 
-/// A heading with the number of entries, and these.
+/// Returns a heading with the number of entries, and these.
 std::string section(const std::string& heading, const std::vector<std::string>& entries) {
   std::string text = heading + ": " + std::to_string(entries.size()) + "\n";
   for (const std::string& entry : entries) text += entry;
@@ -83,7 +83,7 @@ std::string tree_text(const Json& structure) {
   return text + section("Joints that are not of the tree", cut);
 }
 
-/// Whether rows of a left-out equation are kept.
+/// Returns whether rows of a left-out equation are kept.
 bool is_kept_in_part(const Json& left_out, const Json& groups) {
   for (const Json& group : groups)
     if (group["name"] == left_out["group"])

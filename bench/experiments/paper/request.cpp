@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 6> requested_ids{
     "block_symbolic_inlined", "group_symbolic_explicit", "block_symbolic_explicit"};
 
 /// Returns the outputs that move, component by component, level by level: what never moves needs
-/// no solving and no delivery. Their places are, for now, in the model that is solved.
+/// no solving and no delivery. `delivered` is a coordinate of the plan's model.
 std::vector<Compared> components_of(const Model& whole, const Plan& plan,
                                     std::span<const Output> outputs) {
   std::vector<Compared> result;
