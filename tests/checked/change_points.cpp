@@ -138,6 +138,30 @@ TEST(ChangePoints, ArePassedWhereDriversRestThere) {
       EXPECT_NE(expect_parallel(crank, {-0.9, 1. / 16, 32}, id).outcome(), Outcome::failed);
 }
 
+/// The way back leads past the point again.
+TEST(ChangePoints, ArePassedWhereDriversTurnBackBeyondThem) {
+  for (const double beyond : {0.01, 0.09, 0.7, 1.}) {
+    SCOPED_TRACE(beyond);
+    const double fall = 0.9 + beyond;  // from its largest angle, at 1 s
+    const CheckedSummary s = expect_parallel(Polynomial{{pi - 0.9, 2 * fall, -fall}},
+                                             {0, 1. / 8, 17}, "global_automatic_klu");
+    EXPECT_EQ(s.crossings, 2);
+    EXPECT_EQ(s.flagged, 2);
+  }
+}
+
+/// A second crank goes on.
+TEST(ChangePoints, ArePassedWhereOneDriverTurnsBackBeyondThem) {
+  const Scene scene = scene_file("turns_back_beside_a_crank");
+  const Model m = make_model(scene);
+  const CheckedRows r = solve_checked(m, scene.grid, "group_automatic_lapack");
+  EXPECT_EQ(r.summary.flagged, 2) << describe(r.summary, m);
+  const int theta = m.coordinate("th"), psi = m.coordinate("ps");
+  for (const CheckedRow& row : r.rows)
+    if (!row.flag || row.flag->kind != RowFlag::Kind::on_point)
+      EXPECT_NEAR(row.values.position[theta], row.values.position[psi], 1e-9);
+}
+
 TEST(ChangePoints, AreNotWhereAMotionTurnsBackNextToThem) {
   for (const double left : {1e-3, 1e-6}) {
     const CheckedSummary s = expect_parallel(HarmonicSum{pi - 0.5 - left, {{0.5, pi, pi / 2}}},

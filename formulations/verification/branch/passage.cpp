@@ -49,6 +49,23 @@ class Departure {
     }
   }
 
+  /// Returns about the time after `time` at which a driver first turns back; `until` where none
+  /// does before it. Steps are doubled: a turn and its return between two of them are not seen.
+  double turn_after(double time, double until) const {
+    const std::vector<double> rates = drivers_at(m_, time).velocity;
+    const auto has_turned = [&](double t) {
+      return !std::ranges::equal(rates, drivers_at(m_, t).velocity,
+                                 [](double at_first, double now) { return at_first * now >= 0; });
+    };
+    double inside = time;
+    for (double step = time - start_; inside < until; step *= 2) {
+      const double next = std::min(inside + step, until);
+      if (has_turned(next)) return last_inside(inside, next, has_turned);
+      inside = next;
+    }
+    return until;
+  }
+
   /// Returns whether the drivers' path fails to be tangent to the line at the line's origin, or the
   /// drivers never reach the distance `far`. near < far: distances from the origin in the unit of
   /// arc.
@@ -183,8 +200,9 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
     const double time = departure.time_at(d);
     if (time == infinity) return point;
     if (departure.has_corner(d, crossing.reach())) return {};
+    // Where they turn back, they may be at the point again.
     const double far = departure.time_at(crossing.reach());
-    const double later = far < infinity ? far : time + (time - start);
+    const double later = departure.turn_after(time, far < infinity ? far : time + (time - start));
     if (!prove_beyond(m, crossing, time, later, point)) continue;
     point.time = start + (time - start) / 2;
     return point;
