@@ -149,7 +149,7 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
 }
 
 std::string note_on_proofs(const CheckedSummary& s, Level level, const Model& m,
-                           const DisplayUnits& units) {
+                           const DisplayUnits& units, int every) {
   std::string scales;
   for (const Level l : all_levels) {
     if (l > level) break;
@@ -157,7 +157,10 @@ std::string note_on_proofs(const CheckedSummary& s, Level level, const Model& m,
               quantity(s.scales.length[l], unit_of(units, EntityKind::point, l), "%.3g") + " or " +
               quantity(s.scales.rotation[l], unit_of(units, EntityKind::angle, l), "%.3g");
   }
-  return formatted("accuracy: %ld of %ld rows proven; ", s.instants - s.flagged, s.instants) +
+  const std::string proven = every == 1 ? "rows proven"
+                                        : "rows on a proven branch, one in " +
+                                              std::to_string(every) + " to the last digit";
+  return formatted("accuracy: %ld of %ld ", s.instants - s.flagged, s.instants) + proven + "; " +
          describe_radius(s, level) + "; " + scales + '\n' + note_on_flags(s, m, units);
 }
 

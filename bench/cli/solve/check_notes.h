@@ -11,9 +11,9 @@
 namespace desmo::cli {
 
 /// Returns the accuracy of the results: a line on how many rows are proven, the condition number
-/// and the largest radii, and the lines of note_on_flags().
+/// and the largest radii, and the lines of note_on_flags(). every: one row in so many has radii.
 std::string note_on_proofs(const CheckedSummary& summary, Level level, const Model& model,
-                           const DisplayUnits& units);
+                           const DisplayUnits& units, int every = 1);
 
 /// Returns lines on the rows that are flagged, the first change point, the largest contradiction
 /// and the number of change points, each if there are any.

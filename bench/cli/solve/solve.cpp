@@ -170,12 +170,14 @@ std::string notes_on(const Task& task, const Formulation& formulation,
   const DisplayUnits& units = task.input.units;
   const std::string gaps = note_on_gaps(summary, m, units);
   if (task.options.quiet) return gaps + note_on_flags(summary, m, units);
+  const CheckOptions& check = task.options.check;
+  const int every = check.mode == CheckMode::sample ? check.sample : 1;
   return note_on_tolerance(formulation, task.chosen.settings.tolerance) +
          note_on_refusals(formulation, task.named) + note_on_steps(formulation) + gaps +
          note_on_unseen(task.plan, task.whole) +
-         (task.options.check.mode == CheckMode::none
+         (check.mode == CheckMode::none
               ? "note: nothing is proven (--check none)\n"
-              : note_on_proofs(summary, task.plan.level(), m, units));
+              : note_on_proofs(summary, task.plan.level(), m, units, every));
 }
 
 void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading,
