@@ -58,7 +58,8 @@ class Departure {
                                  [](double at_first, double now) { return at_first * now >= 0; });
     };
     double inside = time;
-    for (double step = time - start_; inside < until; step *= 2) {
+    const double last_digit = std::nextafter(time, infinity) - time;
+    for (double step = std::max(time - start_, last_digit); inside < until; step *= 2) {
       const double next = std::min(inside + step, until);
       if (has_turned(next)) return last_inside(inside, next, has_turned);
       inside = next;
