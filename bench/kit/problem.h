@@ -32,8 +32,8 @@ struct Problem {
   std::vector<int> delivered{};
   /// The values that are compared; empty: all that is delivered.
   std::vector<Compared> compared{};
-  /// Whether differences are relative to the mechanism's size, speed and acceleration: its unit of
-  /// length may be any.
+  /// Differences are relative to the mechanism's size, speed and acceleration: its unit of length
+  /// may be any.
   bool is_relative = false;
   std::optional<Model> whole{};  ///< the model whose motion is the reference's, unless the plan's
   std::string case_name{};       ///< <case> in names of benchmarks; empty: the mechanism's name
