@@ -57,8 +57,8 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
                           std::size_t variant, std::span<const std::int64_t> sizes) {
   std::vector<SpeedUp> found;
   for (const std::int64_t size : sizes) {
-    const auto one = measured_speed_up(record, family_key(variants[reference], size, family),
-                                       family_key(variants[variant], size, family));
+    const auto one = measured_speed_up(record, family_key(paper_variants[reference], size, family),
+                                       family_key(paper_variants[variant], size, family));
     if (one.speed_up) found.push_back(*one.speed_up);
   }
   if (found.empty()) return {};
@@ -109,7 +109,7 @@ std::vector<std::string_view> recorded_families(const Record& record, std::strin
   for (const std::string_view family : sparse_families)
     if (std::ranges::any_of(record.candidates, [&](const auto& candidate) {
           const CandidateKey& key = candidate.first;
-          return std::ranges::any_of(variants, [&](const Variant& variant) {
+          return std::ranges::any_of(paper_variants, [&](const Variant& variant) {
             return variant.id.ends_with("<sparse>") &&
                    (case_name.empty() || variant.case_name == case_name) &&
                    key == family_key(variant, key.coordinates, family);

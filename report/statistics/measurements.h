@@ -50,8 +50,8 @@ MeasuredSpeedUp measured_speed_up(const Record& record, const CandidateKey& refe
 /// Throws std::logic_error for times of two clocks: they make no ratio.
 MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant);
 
-/// The mean speed-up of one of the paper's variants over another (both by position in `variants`)
-/// within a family, over those of the sizes where both were measured.
+/// The mean speed-up of one of the paper's variants over another (both by position in
+/// `paper_variants`) within a family, over those of the sizes where both were measured.
 struct MeanSpeedUp {
   std::optional<SpeedUp> speed_up;
   std::size_t sizes = 0;  ///< number of sizes in the mean

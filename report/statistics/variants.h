@@ -28,7 +28,7 @@ struct Variant {
 };
 
 /// In the order of the columns of the paper's table 1.
-inline constexpr std::array<Variant, 7> variants{
+inline constexpr std::array<Variant, 7> paper_variants{
     {{"FBL-G_MA27", "four_bar", "global_automatic_<sparse>"},
      {"FBL-TP", "four_bar", "group_symbolic_inlined"},
      {"TS-G_MA27", "truck_suspension", "global_automatic_<sparse>"},
@@ -38,7 +38,7 @@ inline constexpr std::array<Variant, 7> variants{
      {"TS-TPS_LAP", "truck_suspension", "group_symbolic_lapack"}}};
 
 inline constexpr std::size_t truck_global = 2;  ///< reference of table 2
-inline constexpr std::string_view truck_case = variants[truck_global].case_name;
+inline constexpr std::string_view truck_case = paper_variants[truck_global].case_name;
 inline constexpr std::array<std::size_t, 4> topological{3, 4, 5, 6};  ///< columns of table 2
 
 /// The size at which the paper says that the four-bar's times begin to show.

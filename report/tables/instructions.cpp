@@ -13,7 +13,7 @@ using Counted = std::pair<const CandidateKey, StepCount>;
 
 /// The paper's name of a formulation, where it has one.
 std::string paper_name(const CandidateKey& key) {
-  for (const Variant& variant : variants)
+  for (const Variant& variant : paper_variants)
     for (const std::string_view family : sparse_families)
       if (variant.case_name == key.case_name &&
           family_key(variant, key.coordinates, family).id == key.id)
@@ -56,7 +56,7 @@ std::vector<Section> instructions_sections(const Record& record) {
   for (const auto& [place, counts] : places) {
     TextValues values{{"case", place.first}, {"coordinates", place.second}};
     const Table& table = section.tables.emplace_back(instructions_table(values, counts));
-    const bool truck = place.first == variants[truck_global].case_name;
+    const bool truck = place.first == paper_variants[truck_global].case_name;
     if (!front.tables.empty() && !truck) continue;
     const std::vector<Entry>& top = table.rows.front();
     values.insert(values.end(),

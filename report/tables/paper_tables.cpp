@@ -65,14 +65,14 @@ Table cpu_times(const Record& record, std::string_view family) {
                                                                      {{"paper", source.paper}})},
                                      {"paper_solver", sentence(solver, {{"family", family}})}}));
   if (!source.warning.empty()) table.notes.push_back(source.warning);
-  for (const Variant& variant : variants)
+  for (const Variant& variant : paper_variants)
     table.columns.push_back({family_name(variant, family), {"seconds", "median", "repetitions"}});
-  std::set<std::int64_t> sizes = sizes_with(record, family, variants);
+  std::set<std::int64_t> sizes = sizes_with(record, family, paper_variants);
   sizes.insert(published_four_bar);
   for (const std::int64_t size : sizes) {
     const std::string row = std::to_string(size);
     std::vector<Entry> ours{row, source.ours}, paper{row, source.paper};
-    for (const Variant& variant : variants) {
+    for (const Variant& variant : paper_variants) {
       ours.push_back(
           seconds_entry(measured(record, family_key(variant, size, family)), Spread::median));
       paper.push_back(published_seconds_entry(row, variant));
@@ -84,27 +84,30 @@ Table cpu_times(const Record& record, std::string_view family) {
 
 Table speed_ups(const Record& record, std::string_view family) {
   Table table = headed_table(
-      "table2", timed_words(record, {{"family", family},
-                                     {"reference", family_name(variants[truck_global], family)}}));
+      "table2",
+      timed_words(record, {{"family", family},
+                           {"reference", family_name(paper_variants[truck_global], family)}}));
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(source.ratio_warning);
   std::vector<Variant> shown;
-  for (const std::size_t variant : topological) shown.push_back(variants[variant]);
+  for (const std::size_t variant : topological) shown.push_back(paper_variants[variant]);
   for (const Variant& variant : shown)
     table.columns.push_back({family_name(variant, family), {"speed_up", "low", "high", "percent"}});
   const auto add = [&](const std::string& name, const auto& ours_of) {
     std::vector<Entry> ours{name, "ours"}, paper{name, "paper"};
     for (const std::size_t variant : topological) {
       ours.push_back(ours_of(variant));
-      paper.push_back(compared(published_speed_up_entry(name, variants[variant]), ours.back()));
+      paper.push_back(
+          compared(published_speed_up_entry(name, paper_variants[variant]), ours.back()));
     }
     add_both(table, std::move(ours), std::move(paper));
   };
   for (const std::int64_t size : sizes_with(record, family, shown))
     add(std::to_string(size), [&](std::size_t variant) {
-      return ratio_entry(measured_speed_up(record, family_key(variants[truck_global], size, family),
-                                           family_key(variants[variant], size, family)),
-                         true);
+      return ratio_entry(
+          measured_speed_up(record, family_key(paper_variants[truck_global], size, family),
+                            family_key(paper_variants[variant], size, family)),
+          true);
     });
   add("mean",
       [&](std::size_t variant) { return mean_speed_up_entry(record, family, variant, true); });
@@ -138,7 +141,7 @@ template <typename EntryOf>
 void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
   for (const std::int64_t size : published_sizes()) {
     std::vector<Entry> row{name, size};
-    for (const Variant& variant : variants) row.push_back(entry_of(size, variant));
+    for (const Variant& variant : paper_variants) row.push_back(entry_of(size, variant));
     table.rows.push_back(std::move(row));
   }
 }
@@ -152,7 +155,7 @@ Table figure_of_times(const Record& record) {
   if (!same) table.notes.push_back(table.caption = source.warning);
   table.notes.push_back(sentence("figure5.paper_machine"));
   table.notes.push_back(sentence("figure5.lines"));
-  for (const Variant& variant : variants)
+  for (const Variant& variant : paper_variants)
     table.columns.push_back({legend(variant), {"seconds", "median", "repetitions"}});
   Table ours = table;
   for (const std::string_view family : recorded_families(record))
@@ -186,8 +189,8 @@ Table figure_of_speed_ups(const Record& record) {
   for (const std::string_view family : families)
     table.columns.push_back({std::string(family), quantities});
   for (const std::size_t variant : topological) {
-    std::vector<Entry> row{legend(variants[variant]),
-                           published_speed_up_entry("mean", variants[variant], false)};
+    std::vector<Entry> row{legend(paper_variants[variant]),
+                           published_speed_up_entry("mean", paper_variants[variant], false)};
     for (const std::string_view family : families)
       row.push_back(mean_speed_up_entry(record, family, variant));
     table.rows.push_back(std::move(row));

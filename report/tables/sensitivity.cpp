@@ -12,7 +12,7 @@ namespace {
 
 constexpr double min_tolerance = 1e-12, max_tolerance = 1e-6;
 
-/// A speed-up of the paper: over which analysis, of which (by position in `variants`).
+/// A speed-up of the paper: over which analysis, of which (by position in `paper_variants`).
 struct Claimed {
   std::size_t reference, variant;
 };
@@ -71,8 +71,10 @@ const NamedPoint* find_variant(const Record& record, const Variant& variant,
 
 Entry claim_entry(const Record& record, std::string_view family, const Claimed& claim,
                   const Variation& variation) {
-  const NamedPoint* reference = find_variant(record, variants[claim.reference], family, variation);
-  const NamedPoint* variant = find_variant(record, variants[claim.variant], family, variation);
+  const NamedPoint* reference =
+      find_variant(record, paper_variants[claim.reference], family, variation);
+  const NamedPoint* variant =
+      find_variant(record, paper_variants[claim.variant], family, variation);
   if (!reference || !variant) return note_entry(missing_mark);
   if (!is_solved(*reference) || !is_solved(*variant)) return note_entry(failed_mark);
   return ratio_entry(speed_up(*reference, *variant));
@@ -84,7 +86,7 @@ Table sensitivity(const Record& record) {
   Table table = headed_table("sensitivity");
   for (const Claimed& claim : claimed)
     table.columns.push_back(
-        {family_name(variants[claim.variant], "<sparse>"), {"speed_up", "low", "high"}});
+        {family_name(paper_variants[claim.variant], "<sparse>"), {"speed_up", "low", "high"}});
   for (const std::string_view family : sparse_families)
     for (const Variation& variation : variations(record)) {
       std::vector<Entry> row{std::string(family), variation.what, variation.value};

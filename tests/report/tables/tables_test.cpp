@@ -24,7 +24,7 @@ TEST(Paper, TableTwoFollowsFromTableOne) {
   for (const std::size_t variant : topological)
     for (const std::int64_t size : published_sizes()) {
       const std::string row = std::to_string(size);
-      const std::string column(variants[variant].paper_name);
+      const std::string column(paper_variants[variant].paper_name);
       const double global = *published_cpu_seconds().number(row, "TS-G_MA27");
       const double group = *published_cpu_seconds().number(row, column);
       const double rounding = row == "225" && column == "TS-TPA_MA27" ? 0.7 : 0.11;
