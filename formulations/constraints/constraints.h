@@ -5,7 +5,7 @@
 // yields the expression from which code is generated.
 //
 // A kind has
-// stable name, part of the fingerprint of a group
+//   name            stable, part of the fingerprint of a group
 //   operand_sizes   components of each entity it joins, in order
 //   constants       how many constants its functions take
 //   rows            how many scalar equations it contributes
@@ -26,6 +26,10 @@
 // A kind that reads a table takes it about the position of its operands: see constants_at().
 // The operands of a constraint are different entities. Lengths are in the unit of the mechanism,
 // angles in radians.
+//
+// A scalar can be made from nothing and from a double, and has +, −, *, sin and cos (Jet is the
+// shortest). measure() also takes division and square root. Tables take division, comparisons and a
+// conversion to double (find_in_table), unless the scalar has its own table_coefficient, like Expr.
 
 #include <array>
 #include <cstddef>
