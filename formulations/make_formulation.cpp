@@ -22,10 +22,9 @@ namespace desmo {
 
 namespace {
 
-/// Returns what generated eliminations fall back to.
-const Backend& pivoting_backend() {
-  return **std::ranges::find(backends(), true, [](const Backend* b) { return b->is_fallback; });
-}
+/// Returns what generated eliminations fall back to: dense, with pivoting, without heap memory.
+/// Every build has it.
+const Backend& pivoting_backend() { return *find_backend("eigen"); }
 
 /// What all parts of a formulation are made of.
 struct Common {

@@ -25,12 +25,9 @@ struct Backend {
   /// when the library cannot analyse the pattern.
   std::unique_ptr<LinearSolver> (*make_solver)(const Pattern&, const Settings&);
   std::string (*version)();
-  Absence (*absence)() = nullptr;  ///< null: it is linked, so always present
-  bool allocates = false;          ///< takes memory from the heap in every factorisation
-  bool has_btf = false;            ///< offers Settings::btf
-  /// True for the one backend that generated eliminations fall back to: dense, with pivoting,
-  /// without heap memory.
-  bool is_fallback = false;
+  Absence (*absence)() = nullptr;         ///< null: it is linked, so always present
+  bool allocates = false;                 ///< takes memory from the heap in every factorisation
+  bool has_btf = false;                   ///< offers Settings::btf
   std::string_view slow_reason{};         ///< why it is slow in any partition; empty: it is not
   std::string_view slow_blocks_reason{};  ///< why it is slow in blocks; empty: it is not
 };

@@ -39,11 +39,8 @@ class EigenLu {
 
 extern const Backend eigen_backend;
 const Backend eigen_backend{
-    .name = "eigen",
-    .dense = true,
-    .make_solver = &make_solver<Dense<EigenLu>>,
-    .version =
-        [] { return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION); },
-    .is_fallback = true};
+    .name = "eigen", .dense = true, .make_solver = &make_solver<Dense<EigenLu>>, .version = [] {
+      return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+    }};
 
 }  // namespace desmo
