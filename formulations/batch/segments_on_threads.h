@@ -10,8 +10,8 @@
 
 namespace desmo {
 
-/// Solves equal segments of a motion, each on a thread of its own. How a motion is cut depends on
-/// its work and the settings alone, so that results do not depend on the machine or its load.
+/// Solves equal segments of a motion, each on a thread of its own. The cut depends on its work and
+/// the settings alone, not on how many processors there are or how busy they are.
 class SegmentsOnThreads final : public SegmentExecutor {
  public:
   /// workers: one for each thread, alike, of the model whose motion is solved; they share only what
