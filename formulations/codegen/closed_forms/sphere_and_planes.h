@@ -37,8 +37,8 @@ struct SphereAndPlanes {
   std::vector<Expr> further_radii2;  ///< squared radii of the further spheres
 };
 
-/// Returns the task's equations in this form. Returns nullopt when an equation is neither a sphere
-/// nor linear, or when none is a sphere.
+/// Returns the task's equations in this form; nullopt for more than three unknowns, for an equation
+/// that is neither a sphere nor linear, and without a sphere.
 std::optional<SphereAndPlanes> as_sphere_and_planes(const Task& task);
 
 }  // namespace desmo::generate

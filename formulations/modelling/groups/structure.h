@@ -36,8 +36,8 @@ struct Restriction {
 std::vector<Restriction> find_restrictions(const Mechanism& mechanism, const RigidBodies& rigid);
 
 /// Returns the rigid bodies, without the ground, whose relative position a coordinate measures,
-/// ascending. When several bodies carry a point, the first counts; for a distance along a vector,
-/// the first that also carries the vector.
+/// ascending. When several bodies carry a point, the first counts; of a line, the first that
+/// carries both ends; for a distance along a vector, the first that also carries the vector.
 std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coordinate& coordinate);
 
 /// Finds the structural groups of a mechanism: strong components of a maximum matching between
