@@ -95,9 +95,14 @@ class TreeMaker {
         return is_at_right_angle(j) ? 2 : 0;
       case spherical:
         return 3;
-      default:
-        return 0;
+      case fixed:
+      case hinge:
+      case point_on_line:
+      case point_on_plane:
+      case planar:
+        break;
     }
+    return 0;
   }
 
   bool is_at_right_angle(const Mechanism::Joint& j) const {
