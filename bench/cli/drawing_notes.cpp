@@ -21,17 +21,18 @@ constexpr double max_difference = 1e-6;
 
 std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const Model& m,
                            const DisplayUnits& units) {
-  const bool in_plane = j.type == Mechanism::JointType::point_on_plane;
-  if (!in_plane && j.type != Mechanism::JointType::revolute_on_slider) return "";
-  const std::string name = j.name + (in_plane ? ": distance from the plane" : ": offset");
+  const bool has_normal = j.type == Mechanism::JointType::point_on_plane;
+  if (!has_normal && j.type != Mechanism::JointType::revolute_on_slider) return "";
+  const std::string name = j.name + (has_normal ? ": distance from the plane" : ": offset");
   const auto kept = std::ranges::find(m.constraints, name, &Constraint::name);
   if (kept == m.constraints.end()) return "";
   const double offset = std::abs(kept->constants[0]);
   if (offset <= max_meant_as_zero * CharacteristicLengths(m).of(*kept)) return "";
   return "note: " + j.name + ": " + d.points[j.points[1]].name + " is drawn " +
-         quantity(offset, units.length, "%.3g") + " off the " + (in_plane ? "plane" : "line") +
-         " through " + d.points[j.points[0]].name + (in_plane ? " with the normal '" : " along '") +
-         d.vectors[j.vectors[0]].name + "', and stays there\n";
+         quantity(offset, units.length, "%.3g") + " off the " + (has_normal ? "plane" : "line") +
+         " through " + d.points[j.points[0]].name +
+         (has_normal ? " with the normal '" : " along '") + d.vectors[j.vectors[0]].name +
+         "', and stays there\n";
 }
 
 /// c: the equation of a coupling by a table, of which the first coordinate follows the second.

@@ -20,8 +20,9 @@ struct TimingSettings {
 /// Settings with which the instructions of a candidate are counted.
 struct CountingSettings {
   static constexpr int steps = 105;
-  static constexpr int uncounted_steps = 5;  ///< the first of them (see desmo_steps)
-  static constexpr int iterations = 3;       ///< of Newton–Raphson in every step
+  /// The first of them, until pivots are chosen and positions near the solution (see desmo_steps).
+  static constexpr int uncounted_steps = 5;
+  static constexpr int iterations = 3;  ///< of Newton–Raphson in every step
 };
 
 /// A side: one of the two trees that are compared.

@@ -7,6 +7,7 @@
 #include "bench/kit/checked_run.h"
 #include "bench/kit/process/callgrind.h"
 #include "bench/kit/variant_costs.h"
+#include "bench/regression/rounds.h"
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
 #include "formulations/model/partition.h"
@@ -54,7 +55,7 @@ void count(StepCount& one, const std::string& desmo_steps) {
         {desmo_steps, one.case_name, std::to_string(one.coordinates), id, std::to_string(taken)});
   };
   const auto step = [&](const std::string& id) {
-    return counted(id, uncounted_steps + steps) / steps;
+    return counted(id, regression::CountingSettings::uncounted_steps + steps) / steps;
   };
   const auto more = [&](const std::string& id) {  // all that a longer motion takes more
     return counted(id, long_motion) - counted(id, short_motion);

@@ -6,10 +6,6 @@
 
 namespace desmo::instructions {
 
-/// Steps of desmo_steps that are not counted, until pivots are chosen and positions near the
-/// solution.
-inline constexpr int uncounted_steps = 5;
-
 /// Instructions of a step of one formulation.
 struct StepCount {
   std::string case_name;

@@ -14,7 +14,6 @@
 #include <string>
 #include <utility>
 
-#include "bench/experiments/instructions/step_counts.h"
 #include "bench/kit/checked_run.h"
 #include "bench/kit/options.h"
 #include "bench/regression/rounds.h"
@@ -23,9 +22,6 @@
 namespace {
 
 using desmo::regression::SteppedFormulation;
-
-static_assert(desmo::regression::CountingSettings::uncounted_steps ==
-              desmo::instructions::uncounted_steps);
 
 /// Takes for good what earlier work has left free in the heap: how long the allocator looks for
 /// what a library allocates in every step, such as UMFPACK, depends on it.
@@ -80,7 +76,7 @@ int main(int argc, char** argv) {
     const int steps = whole(argv[4]), repeated = argc > 6 ? whole(argv[6]) : 0;
     Settings settings;
     if (argc > 5) settings.fixed_iterations = whole(argv[5]);
-    const int first = std::min(instructions::uncounted_steps, steps);
+    const int first = std::min(regression::CountingSettings::uncounted_steps, steps);
     const CheckMode check = bench::check_of(argv[3]);
     const std::string id(bench::formulation_of(argv[3]));
     const bench::Problem problem = regression::problem_of({argv[1], whole(argv[2]), id}, steps + 1);

@@ -76,7 +76,7 @@ std::vector<int> DriverSweep::changed_blocks(const Signs& before, const Signs& a
 /// Returns whether an equation that was left out as dependent does not hold: on another branch, or
 /// where the others allow what it forbids.
 bool DriverSweep::is_violated(const Point& point) const {
-  constexpr double max_misfit = 1e-6;  // over the lengths of its points; more than digits of a file
+  constexpr double max_off = 1e-6;  // over the lengths of its points; more than digits of a file
   const CharacteristicLengths lengths(model());
   for (int c = 0; c < static_cast<int>(model().constraints.size()); ++c) {
     const Constraint& constraint = model().constraints[c];
@@ -90,7 +90,7 @@ bool DriverSweep::is_violated(const Point& point) const {
     for (int row = 0; row < rows(constraint); ++row) {
       if (!(constraint.left_out >> row & 1)) continue;
       const Misfit misfit = misfit_of(model(), c, row, phi[row], point.state);
-      if (misfit.amount > max_misfit * (misfit.is_length ? lengths.of(constraint) : 1)) return true;
+      if (misfit.amount > max_off * (misfit.is_length ? lengths.of(constraint) : 1)) return true;
     }
   }
   return false;
