@@ -21,8 +21,8 @@ bench::Problem problem_of(const CandidateName& name, int instants);
 /// compiled for size, into the counted program.
 class SteppedFormulation {
  public:
-  /// others: settings that the id does not name. Throws std::invalid_argument when this build has
-  /// no such formulation.
+  /// problem: outlives this. others: settings that the id does not name. Throws
+  /// std::invalid_argument when this build has no such formulation.
   SteppedFormulation(const bench::Problem& problem, std::string_view id,
                      const Settings& others = {});
 

@@ -85,8 +85,9 @@ struct PartInputs {
   /// of their last values.
   std::vector<int> unwrapped;
   std::vector<int> others;  ///< coordinates, not its own, that it reads in the state
-  /// Driven coordinates that it takes from the driver row, in the order of the row, as often as
-  /// they stand there. Where no step was begun, solve() reads them in the state.
+  /// Driven coordinates that it takes from the driver row (ResidentPart::begin_step): entry k of
+  /// the row is coordinate drivers[k]. A coordinate that several lanes read is there several times.
+  /// Where no step was begun, solve() reads them in the state.
   std::vector<int> drivers;
 };
 

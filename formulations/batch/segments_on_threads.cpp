@@ -72,7 +72,7 @@ struct SegmentsOnThreads::Shared {
 };
 
 /// Hands instants of a segment on as those of the whole motion: to the thread's own observer, or
-/// to one that all share, several at a time.
+/// to one that all share, several instants at a time.
 class SegmentsOnThreads::SegmentObserver final : public Observer {
  public:
   SegmentObserver(Observer& all, int thread, Shared& shared, const TimeGrid& grid, int begin)

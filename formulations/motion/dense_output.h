@@ -12,11 +12,12 @@ namespace desmo {
 
 /// Observer that takes every stride-th instant of a grid and the last one, and hands every instant
 /// to another observer. It takes instants in order of time, solved at every level, and hands these
-/// on as they are. Instants between two solved ones lie on the quintic through q, q̇ and q̈ of both
-/// (Hermite interpolation; as dense output: Hairer, Nørsett & Wanner, Solving Ordinary Differential
-/// Equations I, II.6). With h the time between two solved instants, errors of a smooth motion are
-/// O(h⁶) in position, O(h⁵) in velocity and O(h⁴) in acceleration. Errors of the solved positions
-/// enter velocities divided by h, and accelerations divided by h².
+/// on without the levels that the request does not ask for. Instants between two solved ones lie on
+/// the quintic through q, q̇ and q̈ of both (Hermite interpolation; as dense output: Hairer, Nørsett
+/// & Wanner, Solving Ordinary Differential Equations I, II.6). With h the time between two solved
+/// instants, errors of a smooth motion are O(h⁶) in position, O(h⁵) in velocity and O(h⁴) in
+/// acceleration. Errors of the solved positions enter velocities divided by h, and accelerations
+/// divided by h².
 class DenseOutput final : public Observer {
  public:
   /// grid: of all instants. coordinates: their number in an instant; those that the request names

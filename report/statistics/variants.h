@@ -57,7 +57,8 @@ bool is_reference(const Configuration& configuration);
 /// Returns the partition of an id of a formulation: "global".
 std::string partition_of(std::string_view id);
 
-/// Returns how a formulation solves linear systems: "sparse" or "dense", or "generated" code.
+/// Returns how a formulation solves linear systems: "sparse" or "dense", or "generated" code. It
+/// names the dense libraries, as Backend::dense does: the report sees nothing of formulations.
 std::string algebra_kind(std::string_view id);
 
 /// The value of a setting in an id: "adams8" of guess in global_automatic_klu/guess:adams8; empty

@@ -42,7 +42,7 @@ std::vector<TimedConfiguration> with_counterpart(std::string_view id);
 /// block, and checked runs.
 std::vector<TimedConfiguration> beyond_the_table();
 
-/// The request that they are timed with, too.
+/// The request that extended_ids of one thread are timed with, too.
 inline constexpr std::string_view extended_request = "outputs";
 
 }  // namespace desmo::paper

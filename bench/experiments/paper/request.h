@@ -14,8 +14,8 @@
 namespace desmo::paper {
 
 /// A scene's request of a case at one size, as the problem that has to be solved for it. The whole
-/// mechanism is what it is compared with: that shows that nothing needed was left out. Shared by
-/// its formulations, whose mechanisms these are.
+/// mechanism is what it is compared with: that shows that nothing needed was left out. All its
+/// formulations share it and solve its models.
 struct PlannedRequest : Problem {
   /// Throws std::invalid_argument when the scene's mechanism is not a case of the suite, or no
   /// output moves.

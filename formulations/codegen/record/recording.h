@@ -39,7 +39,9 @@ RecordedPart record(const PartType& type, const std::vector<SamplePoint>& sample
 std::vector<Expr> positions(const RecordedPart& part, const std::vector<int>& inputs);
 
 /// Returns the suffix of an input's C++ variables, appended to q, qd or qdd: "_" and the input's
-/// name, unique within the type. The underscore avoids keywords and other declared names.
+/// name as an identifier; where an earlier input has the same, then "_" and the input's number. The
+/// first underscore avoids keywords and other declared names. Suffixes differ unless an input is
+/// named like a numbered one ("a.b", "a_b", "a_b_1"); those of without_names() always do.
 std::string variable_name(const PartType& type, int input);
 
 /// The number of states sampled along a motion. A closed form may be singular between two states

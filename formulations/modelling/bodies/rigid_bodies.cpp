@@ -119,8 +119,8 @@ std::vector<int> merge_fixed(const Mechanism& d) {
   return first;
 }
 
-/// Gives two points their stated distance. Where a fixed joint adds others, all have their places
-/// in the nominal position.
+/// Gives the two points of a body their stated length. Where a fixed joint adds other points or the
+/// ground, the drawing must have that length; throws std::invalid_argument if not.
 void state_length(const Mechanism& d, const Mechanism::Body& part, RigidBody& body) {
   const Drawing<Derived> drawing{d};
   const int p = part.points[0], q = part.points[1];

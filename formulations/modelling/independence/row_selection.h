@@ -40,8 +40,8 @@ int mobility(const GroupSystem& system, const JudgedJacobians& jacobians);
 /// The independent equations of a group.
 struct SelectedRows {
   std::vector<bool> taken;  ///< whether each row of the system is selected
-  /// Largest uncertainty of a row's derivatives by rounding of positions, where too few rows are
-  /// selected: relative, in the shortest lengths.
+  /// Where too few rows are selected: the largest relative uncertainty of a row's derivatives by
+  /// rounding of positions, with the shortest lengths.
   double uncertain = 0;
   JudgedJacobians jacobians;
 };

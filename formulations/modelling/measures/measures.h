@@ -41,8 +41,10 @@ class Measures {
   /// Writes the values of a measure, and of those after it, at an instant.
   using Rule = std::function<void(const Instant&, std::span<PerLevel<double>>)>;
 
-  /// A rate vanishes where it is, over its natural magnitude (natural_magnitudes()), at most this
-  /// part of the fastest driver's: rounding errors are of the driver's size.
+  /// A velocity, over its natural magnitude (natural_magnitudes()), vanishes where it is at most
+  /// this part of the fastest driver's. An acceleration does where it is at most this part of the
+  /// greatest acceleration of a driver and the fastest driver's velocity squared, together.
+  /// Rounding errors are of the drivers' size.
   static constexpr double min_rate = 1e-10;
 
   /// Throws std::invalid_argument, naming the measure, for a body or joint whose points and vectors
