@@ -14,6 +14,7 @@
 #include "cases/extremes/rows.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/groupwise/double_solution.h"
+#include "tests/certificate/starts.h"
 #include "tests/checked/rows.h"
 #include "tests/dead_point.h"
 
@@ -116,12 +117,6 @@ const Way ways[] = {
 double distance(const Model& m, std::span<const double> q, const Mechanism::Vec& joint) {
   const int c = m.entities[m.find("dyad1/C")].first;
   return std::hypot(q[c] - joint[0], q[c + 1] - joint[1]);
-}
-
-/// Starts at the model's estimate at a time.
-bool start(const Model& m, double time, BranchPath& path) {
-  const ReferenceInstant s = double_solution(m, std::span(&time, 1)).front();
-  return path.start_at({time, {s.q, {}, {}}, {}});
 }
 
 /// A four-bar before a change point.
@@ -252,90 +247,6 @@ TEST(Passage, LeadsOnBesideOtherBranches) {
   ASSERT_TRUE(path.start_at(point->beyond()));
   ASSERT_EQ(path.go_to(4).end, PathEnd::same);
   EXPECT_NEAR(path.present().values.position[c], 2 * std::cos(150 * pi / 180), 1e-12);
-}
-
-/// Returns a parallelogram on an arm that turns, too. Two angles are driven.
-Model on_arm(const Motion& arm, const Motion& crank) {
-  Scene scene = parse_scene(R"({
-    "format": "desmo-scene", "version": 2,
-    "mechanism": {
-      "format": "desmo-mechanism", "version": 1, "name": "on_arm", "dimension": 2,
-      "points": {"O": [0, 0], "D": [2, 0], "B": [0.8, -0.6], "C": [2.8, -0.6]},
-      "ground": {"points": ["O"]},
-      "bodies": {"arm": {"points": ["O", "D"]}, "crank": {"points": ["O", "B"]},
-                 "coupler": {"points": ["B", "C"]}, "rocker": {"points": ["D", "C"]}},
-      "joints": [
-        {"type": "revolute", "bodies": ["ground", "arm"], "points": ["O"]},
-        {"type": "revolute", "bodies": ["ground", "crank"], "points": ["O"]},
-        {"type": "revolute", "bodies": ["crank", "coupler"], "points": ["B"]},
-        {"type": "revolute", "bodies": ["coupler", "rocker"], "points": ["C"]},
-        {"type": "revolute", "bodies": ["arm", "rocker"], "points": ["D"]}],
-      "coordinates": {"alpha": {"angle": ["O", "D"]}, "theta": {"angle": ["O", "B"]}},
-      "drivers": ["alpha", "theta"]},
-    "motion": {"alpha": {"type": "polynomial", "coefficients": [0]},
-               "theta": {"type": "polynomial", "coefficients": [0]}},
-    "time": {"end": 1, "step": 0.01}})",
-                            "on_arm.scene.json", "");
-  scene.motions = {arm, crank};
-  return make_model(scene);
-}
-
-/// Returns how far the coupler of such a parallelogram is from being parallel to the arm.
-double skew(const Model& m, std::span<const double> q) {
-  const auto at = [&](const char* name) { return m.value(name, q); };
-  return std::hypot(at("C.x") - at("B.x") - at("D.x"), at("C.y") - at("B.y") - at("D.y"));
-}
-
-TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
-  const Model both = on_arm(Polynomial{{0, 0.3, 0.2}}, Polynomial{{0, 1, 0.2}});
-  BranchPath path(both);
-  ASSERT_TRUE(start(both, -1, path));
-  ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
-  const auto point = pass_change_point(both, path.present());
-  ASSERT_TRUE(point);
-  EXPECT_LE(skew(both, point->positions(both, 0)), 1e-12);
-  ASSERT_TRUE(path.start_at(point->beyond()));
-  ASSERT_EQ(path.go_to(1).end, PathEnd::same);
-  EXPECT_LE(skew(both, path.present().values.position), 1e-12);
-
-  // Both drivers rest on the point, and the arm turns on while the crank turns back.
-  const Model back = on_arm(Polynomial{{0.343, 0, 0, 1}}, Polynomial{{0.343, 0, -1.3, 1}});
-  BranchPath returning(back);
-  ASSERT_TRUE(start(back, -0.7, returning));
-  ASSERT_EQ(returning.go_to(0.7).end, PathEnd::stuck);
-  const auto turn = pass_change_point(back, returning.present());
-  ASSERT_TRUE(turn);
-  ASSERT_TRUE(returning.start_at(turn->beyond()));
-  ASSERT_EQ(returning.go_to(0.7).end, PathEnd::same);
-  EXPECT_LE(skew(back, returning.present().values.position), 1e-12);
-
-  const Model first = on_arm(Polynomial{{0}}, Polynomial{{0, 1}});
-  BranchPath arriving(first);
-  ASSERT_TRUE(start(first, -0.7, arriving));
-  ASSERT_EQ(arriving.go_to(0).end, PathEnd::stuck);
-  const std::vector<double> direction{0, 1};
-  EXPECT_TRUE(pass_change_point(first, arriving.present(), direction, 0));
-  const Model corner = on_arm(Polynomial{{0, 0.5}}, Polynomial{{0, 1.2}});
-  EXPECT_FALSE(pass_change_point(corner, arriving.present(), direction, 0));
-}
-
-/// Drivers that go straight are off their line by rounding alone, which is no corner. At 1000 rad
-/// few digits tell a corner of 3e-7 rad: it is a few times as large as rounding may be.
-TEST(Passage, TellsACornerFromRounding) {
-  for (const double rate : {0.3, 0.7, -0.45}) {
-    const Model straight = on_arm(Polynomial{{0, rate}}, Polynomial{{0, 0.9}});
-    BranchPath path(straight);
-    ASSERT_TRUE(start(straight, -0.6, path));
-    ASSERT_EQ(path.go_to(0.6).end, PathEnd::stuck);
-    EXPECT_TRUE(pass_change_point(straight, path.present())) << rate;
-  }
-  const Model first = on_arm(Polynomial{{1000}}, Polynomial{{1000, 1}});
-  BranchPath arriving(first);
-  ASSERT_TRUE(start(first, -0.6, arriving));
-  ASSERT_EQ(arriving.go_to(0).end, PathEnd::stuck);
-  const std::vector<double> direction{0, 1};
-  const Model corner = on_arm(Polynomial{{1000, 4e-7}}, Polynomial{{1000, 1.2}});
-  EXPECT_FALSE(pass_change_point(corner, arriving.present(), direction, 0));
 }
 
 /// Returns a parallelogram whose crank is the rocker of a four-bar, which turns back just where the

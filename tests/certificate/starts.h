@@ -1,19 +1,27 @@
-// Starts at constant drivers, and what tells whether the drawing leads to them.
+// Starts of paths, and what tells whether the drawing leads to constant drivers.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "formulations/model/model.h"
 #include "formulations/parts/groupwise/double_solution.h"
+#include "formulations/verification/branch/branch_path.h"
 #include "tests/properties/continuation.h"
 
 namespace desmo {
 
 inline constexpr double whole_turn = 2 * std::numbers::pi;
+
+/// Starts at the model's estimate at a time.
+inline bool start(const Model& m, double time, BranchPath& path) {
+  const ReferenceInstant s = double_solution(m, std::span(&time, 1)).front();
+  return path.start_at({time, {s.q, {}, {}}, {}});
+}
 
 /// Returns the largest drawn coordinate.
 inline double drawn_size(const Model& m) {
