@@ -162,6 +162,36 @@ TEST(ChangePoints, ArePassedWhereOneDriverTurnsBackBeyondThem) {
       EXPECT_NEAR(row.values.position[theta], row.values.position[psi], 1e-9);
 }
 
+/// The parallelogram's point depends on its own crank. Another crank, with rod and slider, starts
+/// elsewhere than drawn, stands or turns, also while the parallelogram rests on the point.
+TEST(ChangePoints, DependOnTheDriversOfTheirGroupAlone) {
+  Scene scene = scene_file("turns_back_beside_a_crank");
+  const double drawn = 40 * pi / 180;
+  const Motion comes_to_rest = shifted(make_spline(Trapezoid{pi - drawn, 4, 8}), drawn);
+  for (const Motion& theta :
+       {Motion(Polynomial{{pi, 1}}), Motion(Polynomial{{pi, -1}}), Motion(Polynomial{{pi, 0, 1}}),
+        Motion(Polynomial{{pi}}), Motion(Polynomial{{pi - 0.5, 1}}), comes_to_rest})
+    for (const Motion& alpha :
+         {Motion(Polynomial{{pi / 6}}), Motion(Polynomial{{pi / 6, pi / 2}})}) {
+      scene.motions = {theta, alpha};
+      const Model m = make_model(scene);
+      const CheckedRows r = solve_checked(m, {0, 0.125, 17}, "group_automatic_lapack");
+      SCOPED_TRACE(describe(r.summary, m));
+      EXPECT_NE(r.summary.outcome(), Outcome::failed);
+      for (const CheckedRow& row : r.rows) {
+        const bool is_on_point = row.flag && row.flag->kind == RowFlag::Kind::on_point;
+        EXPECT_TRUE(!row.flag || is_on_point || row.flag->kind == RowFlag::Kind::crossing)
+            << row.time;
+        const auto at = [&](const char* name) { return m.value(name, row.values.position); };
+        EXPECT_NEAR(std::remainder(at("ps") - at("th"), 2 * pi), 0, is_on_point ? 1e-7 : 1e-12);
+        const double angle = sample(alpha, row.time).position;
+        const double slider =
+            0.02 * std::cos(angle) + std::sqrt(0.05 * 0.05 - std::pow(0.02 * std::sin(angle), 2));
+        EXPECT_NEAR(at("u"), slider, 1e-14) << row.time;
+      }
+    }
+}
+
 TEST(ChangePoints, AreNotWhereAMotionTurnsBackNextToThem) {
   for (const double left : {1e-3, 1e-6}) {
     const CheckedSummary s = expect_parallel(HarmonicSum{pi - 0.5 - left, {{0.5, pi, pi / 2}}},

@@ -1,105 +1,16 @@
 #include "formulations/verification/branch/passage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/verification/branch/departure.h"
 
 namespace desmo {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-PerLevel<std::vector<double>> drivers_at(const Model& m, double time) {
-  PerLevel<std::vector<double>> z;
-  for (const Driver& d : m.drivers) {
-    const MotionSample<double> x = sample(d.motion, time);
-    z.position.push_back(x.position);
-    z.velocity.push_back(x.velocity);
-    z.acceleration.push_back(x.acceleration);
-  }
-  return z;
-}
-
-/// The motion of the drivers as it leaves a point.
-class Departure {
- public:
-  Departure(const Model& m, const DriverLine& line, double start)
-      : m_(m), line_(line), start_(start) {}
-
-  /// Returns about the first time at which the drivers are `distance` away from the line's origin,
-  /// in the unit of arc; infinity where they never are. Steps are doubled from each knot on, since
-  /// drivers that rest there depart as a power of time; so they end at infinity.
-  double time_at(double distance) const {
-    const auto is_away = [&](double t) {
-      return line_.distance(drivers_at(m_, t).position, 0) >= distance;
-    };
-    if (is_away(start_)) return start_;
-    double begin = start_, inside = start_, step = 0;
-    const auto next_knot = [&] { return first_knot(m_, begin, infinity).value_or(infinity); };
-    for (double knot = next_knot();;) {
-      step = std::max(2 * step, std::nextafter(begin, infinity) - begin);
-      const double next = std::min(begin + step, knot);
-      if (next == infinity) return infinity;
-      if (is_away(next)) return last_inside(inside, next, is_away);
-      inside = next;
-      if (next == knot) begin = knot, step = 0, knot = next_knot();
-    }
-  }
-
-  /// Returns about the time after `time` at which a driver first turns back; `until` where none
-  /// does before it. Steps are doubled: a turn and its return between two of them are not seen.
-  double turn_after(double time, double until) const {
-    const std::vector<double> rates = drivers_at(m_, time).velocity;
-    const auto has_turned = [&](double t) {
-      return !std::ranges::equal(rates, drivers_at(m_, t).velocity,
-                                 [](double at_first, double now) { return at_first * now >= 0; });
-    };
-    double inside = time;
-    const double last_digit = std::nextafter(time, infinity) - time;
-    for (double step = std::max(time - start_, last_digit); inside < until; step *= 2) {
-      const double next = std::min(inside + step, until);
-      if (has_turned(next)) return last_inside(inside, next, has_turned);
-      inside = next;
-    }
-    return until;
-  }
-
-  /// Returns whether the drivers' path fails to be tangent to the line at the line's origin, or the
-  /// drivers never reach the distance `far`. near < far: distances from the origin in the unit of
-  /// arc.
-  bool has_corner(double near, double far) const {
-    if (m_.drivers.size() == 1) return false;
-    const double first = time_at(near), second = time_at(far);
-    if (second == infinity) return true;  // there is too little to see
-    const std::vector<double> z = drivers_at(m_, first).position;
-    double rounding = 0;
-    for (std::size_t k = 0; k < z.size(); ++k)
-      rounding += 4 * Interval::unit * std::abs(z[k]) / line_.magnitudes[k];
-    const double off = line_.distance(z, line_.arc(z));
-    return off > rounding && off / near > sine(second) / 2;
-  }
-
- private:
-  static double last_inside(double inside, double away, const auto& is_away) {
-    for (int i = 0; i < 64; ++i) {
-      const double middle = inside + (away - inside) / 2;
-      (is_away(middle) ? away : inside) = middle;
-    }
-    return away;
-  }
-  /// Returns the sine of the angle between the line and the way to the drivers.
-  double sine(double time) const {
-    const std::vector<double> z = drivers_at(m_, time).position;
-    return line_.distance(z, line_.arc(z)) / line_.distance(z, 0);
-  }
-
-  const Model& m_;
-  const DriverLine& line_;
-  double start_;
-};
 
 /// Leads positions from one point of the drivers straight to another one. Returns whether all the
 /// way is proven.
@@ -186,12 +97,12 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
 /// Passes a change point of a model on the branches of another one, which is the same on this side
 /// and smooth.
 std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const CertifiedInstant& last,
-                                std::span<const double> direction, double start) {
-  StraightCrossing crossing(smooth, last, direction);
+                                std::span<const double> direction, double start, GroupId group) {
+  StraightCrossing crossing(smooth, last, direction, group);
   if (!crossing.find()) return {};
   PassedPoint point{.time = start,
                     .after = start,
-                    .before = infinity,
+                    .before = INFINITY,
                     .line = crossing.line(),
                     .width = crossing.width(),
                     .polynomials = crossing.positions()};
@@ -199,11 +110,11 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
   // Nearest to the point, rates may have too few digits to be proven.
   for (double d = std::max(4 * crossing.nearest(), Interval::unit); d < crossing.reach(); d *= 2) {
     const double time = departure.time_at(d);
-    if (time == infinity) return point;
+    if (time == INFINITY) return point;
     if (departure.has_corner(d, crossing.reach())) return {};
     // Where they turn back, they may be at the point again.
     const double far = departure.time_at(crossing.reach());
-    const double later = departure.turn_after(time, far < infinity ? far : time + (time - start));
+    const double later = departure.turn_after(time, far < INFINITY ? far : time + (time - start));
     if (!prove_beyond(m, crossing, time, later, point)) continue;
     point.time = start + (time - start) / 2;
     return point;
@@ -213,8 +124,42 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
 
 }  // namespace
 
-std::vector<double> PassedPoint::positions(const Model& m, double at) const {
+/// Shifts the line to where its other drivers are now, and the polynomials with it: their ends,
+/// which are proven, are led there. Returns whether they can be.
+bool PassedPoint::follow(const Model& m, std::span<const double> z) {
+  DriverLine to = line;
+  for (std::size_t k = 0; k < z.size(); ++k)
+    if (!line.counts(k)) to.origin[k] = z[k];
+  if (to.origin == line.origin) return true;
+  const Model straight = with_drivers_on(to, m);
+  Refinement refinement(straight);
+  std::array<PerLevel<std::vector<double>>, 2> ends;
+  for (const int side : {0, 1}) {
+    const double s = side ? width : -width;
+    std::vector<double> q;
+    for (const Quintic<double>& p : polynomials) q.push_back(value_at(p, side ? 1. : -1.));
+    if (!lead(m, line.at(s), to.at(s), q)) return false;
+    const std::vector<double> no_rates(q.size());
+    const RefinedInstant& r = refinement.refine(instant_of(s, {q, no_rates, no_rates}));
+    if (!r.proven) return false;
+    ends[side].position.assign(r.instant.q.begin(), r.instant.q.end());
+    ends[side].velocity.assign(r.instant.qd.begin(), r.instant.qd.end());
+    ends[side].acceleration.assign(r.instant.qdd.begin(), r.instant.qdd.end());
+  }
+  for (int i = 0; i < m.coordinates(); ++i) {
+    const auto end = [&](const PerLevel<std::vector<double>>& x) {
+      return EndValues<double>{x.position[i], x.velocity[i] * width,
+                               x.acceleration[i] * (width * width)};
+    };
+    polynomials[i] = hermite(end(ends[0]), end(ends[1]), Level::acceleration);
+  }
+  line = std::move(to);
+  return true;
+}
+
+std::vector<double> PassedPoint::positions(const Model& m, double at) {
   const std::vector<double> z = drivers_at(m, at).position;
+  if (!follow(m, z)) return {};
   const double s = line.arc(z) / width;
   std::vector<double> q;
   for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, s));
@@ -222,16 +167,25 @@ std::vector<double> PassedPoint::positions(const Model& m, double at) const {
   return q;
 }
 
-std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last) {
-  return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time);
+std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
+                                             GroupId group) {
+  return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time, group);
 }
 
+/// Where the drivers of one group lead to no point beyond, another group may be singular there,
+/// too.
 std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
-                                             std::span<const double> direction, double start) {
-  std::optional<PassedPoint> point = pass(m, m, last, direction, start);
+                                             std::span<const double> direction, double start,
+                                             GroupId group) {
+  std::optional<PassedPoint> point = pass(m, m, last, direction, start, group);
   if (point) return point;
   const std::optional<Model> smooth = with_tables_continued(m, last.values.position);
-  return smooth ? pass(m, *smooth, last, direction, start) : point;
+  if (smooth) point = pass(m, *smooth, last, direction, start, group);
+  const auto is_of_all = [&] {
+    return DriverLine(m, last.values.position, direction, group).count() == std::ssize(m.drivers);
+  };
+  if (point || group == no_position || is_of_all()) return point;
+  return pass_change_point(m, last, direction, start);
 }
 
 }  // namespace desmo

@@ -117,7 +117,8 @@ FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, Foun
     const bool is_asked = std::exchange(chosen_at, found.share) == found.share;
     if (!is_asked && way.choose(found.share, found.q)) continue;
     if (!way.begun() || !may_pass) break;
-    const std::optional<PassedPoint> point = pass_change_point(way.model(), way.path().present());
+    const std::optional<PassedPoint> point =
+        pass_change_point(way.model(), way.path().present(), step.group);
     if (!point || !(point->before < 1) || !way.start_at(point->beyond())) break;
     found.passed.push_back(point->time);
   }
@@ -134,14 +135,14 @@ FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, Foun
 void pass_at_start(const Model& m, const Model& going, double time, FoundStart& found) {
   std::vector<double> direction;
   for (const Driver& d : going.drivers) direction.push_back(sample(d.motion, found.share).velocity);
-  auto point = pass_change_point(m, {0, {found.q, {}, {}}, {}}, direction, time);
+  auto point = pass_change_point(m, {0, {found.q, {}, {}}, {}}, direction, time, found.group);
   if (!point) return;
   for (const int i : free_angles(m)) {
     const double turns = turn * std::round((found.q[i] - m.estimate[i]) / turn);
     point->polynomials[i].front() -= turns;
     if (std::vector<double>& q = point->first.values.position; !q.empty()) q[i] -= turns;
   }
-  found.point = std::make_shared<const PassedPoint>(std::move(*point));
+  found.point = std::make_shared<PassedPoint>(std::move(*point));
 }
 
 /// Whole turns of the drivers, and those that coordinates make with them.

@@ -25,7 +25,7 @@ struct FoundStart {
   std::vector<double> q;
   /// The change point on which the motion begins, unproven, and its smooth continuation; null: none
   /// is known. Where it is set, the stage is `drivers`.
-  std::shared_ptr<const PassedPoint> point{};
+  std::shared_ptr<PassedPoint> point{};
 };
 
 /// Finds the positions at a time [s] on the branch that the model's estimate, the drawing,

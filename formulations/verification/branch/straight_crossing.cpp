@@ -12,69 +12,12 @@ namespace {
 /// Instants at −2h and −h are at −1 and 1 of a polynomial's argument; then h is here.
 constexpr double extension = 5;
 
-Model with_drivers_on(const DriverLine& line, Model m) {
-  for (std::size_t k = 0; k < m.drivers.size(); ++k)
-    m.drivers[k].motion = Polynomial{{line.origin[k], line.rates[k]}};
-  return m;
-}
-
-std::vector<double> of_drivers(const Model& m, std::span<const double> coordinates) {
-  std::vector<double> result;
-  for (const Driver& d : m.drivers) result.push_back(coordinates[m.entities[d.coordinate].first]);
-  return result;
-}
-
 }  // namespace
 
-DriverLine::DriverLine(const Model& m, std::span<const double> from,
-                       std::span<const double> direction)
-    : magnitudes(of_drivers(m, natural_magnitudes(m))),
-      origin(from.begin(), from.end()),
-      rates(direction.begin(), direction.end()) {
-  double largest = 0;
-  for (std::size_t k = 0; k < rates.size(); ++k)
-    largest = std::max(largest, std::abs(rates[k]) / magnitudes[k]);
-  for (double& x : rates) x /= largest;
-  const double length = std::sqrt(along(rates));
-  for (double& x : rates) x /= length;
-}
-
-bool DriverLine::exists() const {
-  return std::ranges::all_of(rates, [](double x) { return std::isfinite(x); });
-}
-
-double DriverLine::along(std::span<const double> change) const {
-  double sum = 0;
-  for (std::size_t k = 0; k < rates.size(); ++k)
-    sum += change[k] / magnitudes[k] * (rates[k] / magnitudes[k]);
-  return sum;
-}
-
-double DriverLine::arc(std::span<const double> z) const {
-  std::vector<double> change(z.begin(), z.end());
-  for (std::size_t k = 0; k < change.size(); ++k) change[k] -= origin[k];
-  return along(change);
-}
-
-std::vector<double> DriverLine::at(double s) const {
-  std::vector<double> z = origin;
-  for (std::size_t k = 0; k < z.size(); ++k) z[k] += s * rates[k];
-  return z;
-}
-
-double DriverLine::distance(std::span<const double> z, double s) const {
-  double squares = 0;
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    const double off = (z[k] - origin[k] - s * rates[k]) / magnitudes[k];
-    squares += off * off;
-  }
-  return std::sqrt(squares);
-}
-
 StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
-                                   std::span<const double> direction)
+                                   std::span<const double> direction, GroupId group)
     : magnitudes_(natural_magnitudes(m)),
-      line_(m, of_drivers(m, last.values.position), direction),
+      line_(m, last.values.position, direction, group),
       model_(with_drivers_on(line_, m)),
       before_(model_),
       beyond_(model_),

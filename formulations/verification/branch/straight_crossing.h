@@ -7,28 +7,10 @@
 
 #include "cases/numbers/interval.h"
 #include "formulations/verification/branch/branch_path.h"
+#include "formulations/verification/branch/driver_line.h"
 #include "formulations/verification/certificate/hermite.h"
 
 namespace desmo {
-
-/// A straight line in the space of drivers: z = origin + s rates, in the unit of each driver. s is
-/// its arc, ‖Δz‖ over natural magnitudes: 1 rad of a single angle.
-struct DriverLine {
-  /// direction: of the drivers, of any length.
-  DriverLine(const Model& model, std::span<const double> origin, std::span<const double> direction);
-
-  bool exists() const;  ///< false: the direction is none
-  /// Returns the part of a change of the drivers along the line.
-  double along(std::span<const double> change) const;
-  /// Returns the arc of the point of the line that is nearest to the drivers.
-  double arc(std::span<const double> z) const;
-  /// Returns the point at an arc.
-  std::vector<double> at(double s) const;
-  /// Returns the distance of the drivers from the line's point at an arc.
-  double distance(std::span<const double> z, double s) const;
-
-  std::vector<double> magnitudes, origin, rates;  ///< of each driver
-};
 
 /// The smooth continuation of a branch through a change point, as far as drivers go straight there.
 ///
@@ -51,8 +33,9 @@ class StraightCrossing {
   /// Draws the line.
   /// - last: a proven instant, just before the point. s is 0 there
   /// - direction: rates of the drivers, of any length
+  /// - group: that is singular on the point, as in DriverLine
   StraightCrossing(const Model& model, const CertifiedInstant& last,
-                   std::span<const double> direction);
+                   std::span<const double> direction, GroupId group = no_position);
   StraightCrossing(const StraightCrossing&) = delete;
   StraightCrossing& operator=(const StraightCrossing&) = delete;
 

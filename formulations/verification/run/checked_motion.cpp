@@ -141,10 +141,7 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
   // as a test at least.
   for (int tests = 0; tests < BranchPath::max_tests; tests += std::max(1, step_.tests)) {
     if (point_) {
-      if (at.time < point_->before) {
-        deliver_point(at);
-        return true;
-      }
+      if (at.time < point_->before) return deliver_point(at);
       if (!path.start_at(point_->beyond())) return false;
       point_.reset();
     }
@@ -159,9 +156,9 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
     }
     std::optional<PassedPoint> point;
     if (may_pass && !step_.out_of_tests)
-      point = pass_change_point(follower_->model, path.present());
+      point = pass_change_point(follower_->model, path.present(), step_.group);
     if (!point) return false;
-    point_ = std::make_shared<const PassedPoint>(std::move(*point));
+    point_ = std::make_shared<PassedPoint>(std::move(*point));
     result_.flag = {.kind = RowFlag::Kind::crossing,
                     .after = point_->after,
                     .before = point_->before,
@@ -235,11 +232,12 @@ void CheckedMotion::deliver_path(const Instant& at) {
   deliver(follower_->refinement.refine(end));
 }
 
-/// Delivers the position on the change point, which has no rates.
-void CheckedMotion::deliver_point(const Instant& at) {
+/// Delivers the position on the change point, which has no rates. Returns whether it is known.
+bool CheckedMotion::deliver_point(const Instant& at) {
+  on_point_ = point_->positions(follower_->model, at.time);
+  if (on_point_.empty()) return false;
   elsewhere_ = true;
   result_.instant = at;
-  on_point_ = point_->positions(m_, at.time);
   result_.instant.q = on_point_;
   if (!at.qd.empty()) result_.instant.qd = no_rates_;
   if (!at.qdd.empty()) result_.instant.qdd = no_rates_;
@@ -248,6 +246,7 @@ void CheckedMotion::deliver_point(const Instant& at) {
                   .after = point_->after,
                   .before = point_->before,
                   .group = step_.group};
+  return true;
 }
 
 void CheckedMotion::deliver_unproven(const Instant& solved, const RefinedInstant& r) {

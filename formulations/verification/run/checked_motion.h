@@ -71,7 +71,7 @@ class CheckedMotion {
   void go_back();
   void deliver(const RefinedInstant& refined);
   void deliver_path(const Instant& at);
-  void deliver_point(const Instant& at);
+  bool deliver_point(const Instant& at);
   void deliver_unproven(const Instant& solved, const RefinedInstant& refined);
   void complete_flag();
   void keep_last();
@@ -83,16 +83,16 @@ class CheckedMotion {
   struct {
     InstantCopy instant;
     bool on_path = false;
-    std::shared_ptr<const PassedPoint> point;
+    std::shared_ptr<PassedPoint> point;
     std::optional<RowFlag> lost;
   } last_;
   FoundStart::Stage start_ = FoundStart::Stage::reached;
-  std::vector<double> blocked_at_;     // positions on the way from the drawing; empty: reached
-  bool on_path_ = false;               // the branch is known
-  FollowedStep step_;                  // the last one
-  std::optional<RowFlag> lost_;        // since then the branch is unknown
-  std::optional<RowFlag> first_flag_;  // of the first row, whose way from the drawing crosses
-  std::shared_ptr<const PassedPoint> point_;  // beyond it the path has not begun
+  std::vector<double> blocked_at_;      // positions on the way from the drawing; empty: reached
+  bool on_path_ = false;                // the branch is known
+  FollowedStep step_;                   // the last one
+  std::optional<RowFlag> lost_;         // since then the branch is unknown
+  std::optional<RowFlag> first_flag_;   // of the first row, whose way from the drawing crosses
+  std::shared_ptr<PassedPoint> point_;  // beyond it the path has not begun
   std::vector<double> on_point_, no_rates_;
   std::vector<double> tolerances_;  // of each coordinate
   mutable std::vector<double> slack_;

@@ -1,0 +1,93 @@
+#include "formulations/verification/branch/departure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cases/numbers/interval.h"
+#include "formulations/verification/certificate/path_proof.h"
+
+namespace desmo {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Returns the time between one inside and one away at which drivers begin to be away.
+double first_away(double inside, double away, const auto& is_away) {
+  for (int i = 0; i < 64; ++i) {
+    const double middle = inside + (away - inside) / 2;
+    (is_away(middle) ? away : inside) = middle;
+  }
+  return away;
+}
+
+}  // namespace
+
+PerLevel<std::vector<double>> drivers_at(const Model& m, double time) {
+  PerLevel<std::vector<double>> z;
+  for (const Driver& d : m.drivers) {
+    const MotionSample<double> x = sample(d.motion, time);
+    z.position.push_back(x.position);
+    z.velocity.push_back(x.velocity);
+    z.acceleration.push_back(x.acceleration);
+  }
+  return z;
+}
+
+/// Doubles steps from each knot on, since drivers that rest there depart as a power of time; so
+/// they end at infinity.
+double Departure::time_at(double distance) const {
+  const auto is_away = [&](double t) {
+    return line_.distance(drivers_at(m_, t).position, 0) >= distance;
+  };
+  if (is_away(start_)) return start_;
+  double begin = start_, inside = start_, step = 0;
+  const auto next_knot = [&] { return first_knot(m_, begin, infinity).value_or(infinity); };
+  for (double knot = next_knot();;) {
+    step = std::max(2 * step, std::nextafter(begin, infinity) - begin);
+    const double next = std::min(begin + step, knot);
+    if (next == infinity) return infinity;
+    if (is_away(next)) return first_away(inside, next, is_away);
+    inside = next;
+    if (next == knot) begin = knot, step = 0, knot = next_knot();
+  }
+}
+
+double Departure::turn_after(double time, double until) const {
+  const std::vector<double> rates = drivers_at(m_, time).velocity;
+  const auto has_turned = [&](double t) {
+    const std::vector<double> now = drivers_at(m_, t).velocity;
+    for (std::size_t k = 0; k < now.size(); ++k)
+      if (line_.counts(k) && !(rates[k] * now[k] >= 0)) return true;
+    return false;
+  };
+  double inside = time;
+  const double last_digit = std::nextafter(time, infinity) - time;
+  for (double step = std::max(time - start_, last_digit); inside < until; step *= 2) {
+    const double next = std::min(inside + step, until);
+    if (has_turned(next)) return first_away(inside, next, has_turned);
+    inside = next;
+  }
+  return until;
+}
+
+bool Departure::has_corner(double near, double far) const {
+  if (line_.count() == 1) return false;
+  const double first = time_at(near), second = time_at(far);
+  if (second == infinity) return true;  // there is too little to see
+  const std::vector<double> z = drivers_at(m_, first).position;
+  double rounding = 0;
+  for (std::size_t k = 0; k < z.size(); ++k)
+    rounding += 4 * Interval::unit * std::abs(z[k]) / line_.magnitudes[k];
+  const double off = line_.distance(z, line_.arc(z));
+  return off > rounding && off / near > sine(second) / 2;
+}
+
+/// Returns the sine of the angle between the line and the way to the drivers.
+double Departure::sine(double time) const {
+  const std::vector<double> z = drivers_at(m_, time).position;
+  return line_.distance(z, line_.arc(z)) / line_.distance(z, 0);
+}
+
+}  // namespace desmo
