@@ -56,7 +56,7 @@ class Builder {
   void join(const std::string& rod, int first, const std::string& begin, int last,
             const std::string& end) {
     const double length =
-        named(d_.bodies, rod).length.value_or(norm(position(end) - position(begin)));
+        named(d_.bodies, rod).length.value_or(Derived(norm(position(end) - position(begin)))).value;
     tree.constraints.push_back({Constraint::Kind::rod,
                                 {first, last},
                                 {in_frame(first, begin), in_frame(last, end)},
@@ -79,7 +79,7 @@ class Builder {
     const auto& [origin, length] = frames_[body];
     Vec v = position(point) - origin;
     if (length && norm(v) > 0) {
-      const double scale = *length / norm(v);  // nominal positions are but estimates
+      const double scale = length->value / norm(v);  // nominal positions are but estimates
       for (double& x : v) x *= scale;
     }
     return v;
@@ -90,7 +90,7 @@ class Builder {
  private:
   struct Frame {
     Vec origin;
-    std::optional<double> length;  // of a link from there
+    std::optional<Derived> length;  // of a link from there
   };
 
   /// Asks for an entity that is fixed to a body, unless it rests or is asked for already.

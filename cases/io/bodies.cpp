@@ -63,16 +63,15 @@ class BodyReader {
     if (const auto list = value.find("points"))
       points = read_points(*list, d_.dimension, units_, own);
     meet_what_is_drawn(points, frame);
-    for (const auto& [name, position] : points) {
-      const Vec x = drawn_position(frame, position);
-      body.points.push_back(place(d_.points, names_.points, own.points, body.points, {name, x}));
-      frame.points.push_back(position);
+    for (const Mechanism::Point& p : points) {
+      const Vec x = drawn_position(frame, p.position);
+      body.points.push_back(place(d_.points, names_.points, own.points, body.points, {p.name, x}));
+      frame.points.push_back(p.exact());
     }
     for (const auto& [name, u, along, remainder] : read_vectors(value, d_.dimension, points, own)) {
       body.vectors.push_back(place(d_.vectors, names_.vectors, own.vectors, body.vectors,
                                    {name, turned(u, frame.rotation), {}}));
-      auto& exact = frame.vectors.emplace_back();
-      for (int i = 0; i < 3; ++i) exact[i] = {u[i], remainder[i]};
+      frame.vectors.push_back(Mechanism::exact(u, remainder));
     }
   }
 
@@ -82,9 +81,9 @@ class BodyReader {
                           Mechanism::Frame& frame) const {
     Vec way{};
     std::size_t drawn = 0;
-    for (const auto& [name, local] : points)
-      if (const auto known = names_.points.position(name)) {
-        const Vec to = d_.points[*known].position, from = drawn_position(frame, local);
+    for (const Mechanism::Point& p : points)
+      if (const auto known = names_.points.position(p.name)) {
+        const Vec to = d_.points[*known].position, from = drawn_position(frame, p.position);
         for (int i = 0; i < 3; ++i) way[i] += to[i] - from[i];
         ++drawn;
       }
@@ -117,7 +116,7 @@ class BodyReader {
   void read_lists(const JsonValue& value, Mechanism::Body& body) const {
     const auto points = value.find("points"), vectors = value.find("vectors");
     if (const auto length = value.find("length"))
-      body.length = length->number() * units_.length.in_si;
+      body.length = Derived(length->number()) * units_.length.in_si;
     if (points) body.points = names_.points.find_each(*points);
     if (vectors) body.vectors = names_.vectors.find_each(*vectors);
     if (points && !body.length) require_drawn(*points, "point", body.points, drawn_points_);
@@ -150,13 +149,20 @@ Vec drawn_position(const Mechanism::Frame& frame, const Vec& local) {
   return x;
 }
 
+void set_position(Mechanism::Point& point, const Vec& numbers, const DisplayUnit& unit) {
+  for (int i = 0; i < 3; ++i) {
+    const double x = point.position[i] = numbers[i] * unit.in_si;
+    point.remainder[i] = (Derived(numbers[i]) * unit.in_si).about(x).remainder();
+  }
+}
+
 std::vector<Mechanism::Point> read_points(const JsonValue& list, int dimension,
                                           const DisplayUnits& units, Names& names) {
   std::vector<Mechanism::Point> points;
   for (const JsonValue& value : list.members()) {
-    Vec position = read_components(value, dimension);
-    for (double& component : position) component *= units.length.in_si;
-    points.push_back({checked_name(value, value.key()), position});
+    Mechanism::Point& point = points.emplace_back();
+    point.name = checked_name(value, value.key());
+    set_position(point, read_components(value, dimension), units.length);
     names.points.add(value.key());
   }
   return points;

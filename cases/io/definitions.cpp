@@ -83,11 +83,10 @@ class Definitions {
     Mechanism::Point point{checked_name(value, value.key()), {}};
     value.allow({"body", "at"});
     const int carrier = names_.bodies.find(value["body"]);
-    point.position = read_components(value["at"], d_.dimension);
-    for (double& component : point.position) component *= units_.length.in_si;
+    set_position(point, read_components(value["at"], d_.dimension), units_.length);
     if (auto& own = d_.bodies[carrier].own) {
-      own->points.push_back(point.position);
-      point.position = drawn_position(*own, point.position);
+      own->points.push_back(point.exact());
+      point = {point.name, drawn_position(*own, point.position)};
     }
     d_.bodies[carrier].points.push_back(static_cast<int>(d_.points.size()));
     carrier_.push_back(carrier);

@@ -58,7 +58,7 @@ class Writer {
     if (b.own) return shape(b, *b.own);
     for (const int p : b.points) j["points"].push_back(point(p));
     for (const int v : b.vectors) j["vectors"].push_back(d_.vectors[v].name);
-    if (b.length) j["length"] = *b.length;
+    if (b.length) j["length"] = b.length->value;
     return j;
   }
 
@@ -66,11 +66,9 @@ class Writer {
     Json j = {{"at", components(own.origin)}};
     for (int i = d_.dimension == 2 ? 2 : 0; i < 3; ++i) j["at"].push_back(own.rotation[i]);
     for (std::size_t k = 0; k < b.points.size(); ++k)
-      j["points"][point(b.points[k])] = components(own.points[k]);
-    for (std::size_t k = 0; k < b.vectors.size(); ++k) {
-      const auto& [x, y, z] = own.vectors[k];
-      j["vectors"][d_.vectors[b.vectors[k]].name] = components({x.value, y.value, z.value});
-    }
+      j["points"][point(b.points[k])] = components(Mechanism::rounded(own.points[k]));
+    for (std::size_t k = 0; k < b.vectors.size(); ++k)
+      j["vectors"][d_.vectors[b.vectors[k]].name] = components(Mechanism::rounded(own.vectors[k]));
     return j;
   }
 

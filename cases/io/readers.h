@@ -79,6 +79,9 @@ Mechanism::Vec read_components(const JsonValue& value, int dimension);
 /// Reads a vector's name, or a list of two points.
 Mechanism::Direction read_direction(const JsonValue& value, const Names& names);
 
+/// Places a point by numbers of the file in a unit of length.
+void set_position(Mechanism::Point& point, const Mechanism::Vec& numbers, const DisplayUnit& unit);
+
 std::vector<Mechanism::Point> read_points(const JsonValue& list, int dimension,
                                           const DisplayUnits& units, Names& names);
 

@@ -63,13 +63,10 @@ class VectorReader {
     vectors_[i].remainder = remainder_of(unit, along);
   }
   /// Returns a direction as the file means it; a line with its length.
-  std::array<Derived, 3> exact(const Direction& d) const {
-    std::array<Derived, 3> x;
-    for (int i = 0; i < 3; ++i)
-      x[i] = d.is_line()
-                 ? Derived(points_[d.to].position[i]) - points_[d.from].position[i]
-                 : Derived(vectors_[d.vector].direction[i], vectors_[d.vector].remainder[i]);
-    return x;
+  Mechanism::ExactVec exact(const Direction& d) const {
+    if (!d.is_line()) return vectors_[d.vector].exact();
+    const Mechanism::ExactVec from = points_[d.from].exact(), to = points_[d.to].exact();
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   }
 
   void read_normal(int i, const JsonValue& value) {

@@ -19,14 +19,8 @@ struct Drawing {
   const Mechanism& mechanism;
 
   static Vec origin() { return {}; }
-  Vec point(int p) const {
-    const Mechanism::Vec& x = mechanism.points[p].position;
-    return {S(x[0]), S(x[1]), S(x[2])};
-  }
-  Vec vector(int v) const {
-    const auto& [name, u, along, remainder] = mechanism.vectors[v];
-    return {as<S>({u[0], remainder[0]}), as<S>({u[1], remainder[1]}), as<S>({u[2], remainder[2]})};
-  }
+  Vec point(int p) const { return in_scalar(mechanism.points[p].exact()); }
+  Vec vector(int v) const { return in_scalar(mechanism.vectors[v].exact()); }
   /// Returns a direction: a vector, or a line with its length.
   Vec direction(const Direction& d) const {
     if (!d.is_line()) return vector(d.vector);
@@ -49,6 +43,11 @@ struct Drawing {
     }
     const Vec x = c.from.is_given() ? direction(c.from) : Vec{S(1), S(0), S(0)};
     return atan2(x[0] * w[1] - x[1] * w[0], dot(x, w));
+  }
+
+ protected:
+  static Vec in_scalar(const Mechanism::ExactVec& x) {
+    return {as<S>(x[0]), as<S>(x[1]), as<S>(x[2])};
   }
 };
 

@@ -91,7 +91,7 @@ void check_length(const Mechanism& d, int i) {
         "has a length but " + std::to_string(body.points.size()) +
             " points; a length is for a body of exactly two. Leave it out, and draw the points at "
             "their distances: more than two keep those of the nominal positions");
-  if (!std::isfinite(*body.length) || !(*body.length > 0))
+  if (!std::isfinite(body.length->value) || !(body.length->value > 0))
     refuse(d, Part::body, i, "the length is not above 0; give the distance of its two points");
   const Mechanism::Point &p = d.points[body.points[0]], &q = d.points[body.points[1]];
   if (!direction(p.position, q.position))
@@ -107,10 +107,10 @@ void check_frame(const Mechanism& d, int i) {
     refuse(d, Part::body, i, "has a frame of its own and is the ground, or has a length; draw it");
   if (own.points.size() != body.points.size() || own.vectors.size() != body.vectors.size())
     refuse(d, Part::body, i, "has a frame of its own; give each point and vector in it");
-  std::vector<Mechanism::Vec> all = own.points;
+  std::vector<Mechanism::Vec> all = shape_of(d, body);
   all.push_back(own.origin);
-  for (const auto& [x, y, z] : own.vectors) {
-    all.push_back({x.value, y.value, z.value});
+  for (const Mechanism::ExactVec& x : own.vectors) {
+    all.push_back(Mechanism::rounded(x));
     if (!is_unit(all.back()))
       refuse(d, Part::body, i, "has a vector in its frame that is not of length 1; divide it");
   }
@@ -135,8 +135,8 @@ void check_extent(const Mechanism& d, int i) {
 Mechanism::Vec carried_vector(const Mechanism& d, int body, int vector) {
   const Mechanism::Body& b = d.bodies[body];
   if (!b.own) return d.vectors[vector].direction;
-  const auto& [x, y, z] = b.own->vectors[std::ranges::find(b.vectors, vector) - b.vectors.begin()];
-  return {x.value, y.value, z.value};
+  const auto k = std::ranges::find(b.vectors, vector) - b.vectors.begin();
+  return Mechanism::rounded(b.own->vectors[k]);
 }
 
 void check_names(const Mechanism& d) {

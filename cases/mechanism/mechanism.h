@@ -18,12 +18,22 @@ namespace desmo {
 /// a free unit when `length_unit` is "1"; angles in radians. In the plane the third component is 0.
 struct Mechanism {
   using Vec = std::array<double, 3>;
+  /// A position or direction as the file means it.
+  using ExactVec = std::array<Derived, 3>;
+
+  static Vec rounded(const ExactVec& x) { return {x[0].value, x[1].value, x[2].value}; }
+  static ExactVec exact(const Vec& x, const std::array<Remainder, 3>& r) {
+    return {Derived(x[0], r[0]), Derived(x[1], r[1]), Derived(x[2], r[2])};
+  }
 
   static constexpr int none = -1;  ///< in place of a position where nothing is given
 
   struct Point {
     std::string name;
-    Vec position;  ///< nominal position
+    Vec position;                          ///< nominal position
+    std::array<Remainder, 3> remainder{};  ///< of the position
+
+    ExactVec exact() const { return Mechanism::exact(position, remainder); }
   };
 
   struct Vector {
@@ -33,13 +43,15 @@ struct Mechanism {
     /// follows from the points by a linear equation.
     std::optional<std::array<int, 2>> along;
     std::array<Remainder, 3> remainder{};  ///< of the direction
+
+    ExactVec exact() const { return Mechanism::exact(direction, remainder); }
   };
 
   /// The shape of a body in a frame of its own, of which only the place is drawn.
   struct Frame {
     Vec origin, rotation;  ///< nominal place; rotation vector [rad], in the plane along z
-    std::vector<Vec> points;
-    std::vector<std::array<Derived, 3>> vectors;  ///< of length 1
+    std::vector<ExactVec> points;
+    std::vector<ExactVec> vectors;  ///< of length 1
   };
 
   /// A rigid body. Its points and vectors are listed by preference as basis of the body's
@@ -49,7 +61,7 @@ struct Mechanism {
     std::vector<int> points, vectors;
     /// Distance between the two points of a body that has no others, where nominal positions are
     /// only estimates. Without it the nominal distance holds.
-    std::optional<double> length;
+    std::optional<Derived> length;
     /// Its shape, where nominal positions and directions are only estimates. Points that joints of
     /// the body slide then stay on the line or in the plane, without an offset, and universal
     /// joints are at a right angle.

@@ -27,7 +27,7 @@ inline Vec nominal(const Mechanism& d, const std::string& point) {
 
 /// Returns the length of a link whose nominal position is but an estimate.
 inline double length(const Mechanism& d, const std::string& link) {
-  return named(d.bodies, link).length.value();
+  return named(d.bodies, link).length.value().value;
 }
 
 }  // namespace desmo::tree

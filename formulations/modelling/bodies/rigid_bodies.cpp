@@ -127,7 +127,7 @@ void state_length(const Mechanism& d, const Mechanism::Body& part, RigidBody& bo
   auto line = drawing.direction({-1, p, q});
   const Derived drawn = sqrt(dot(line, line));
   if (body.bodies.front() == 0 || body.points.size() > 2) {
-    if (std::abs(drawn.value - *part.length) <= 1e-9 * *part.length) return;
+    if (std::abs(drawn.value - part.length->value) <= 1e-9 * part.length->value) return;
     throw std::invalid_argument(
         "body '" + d.bodies[body.bodies.front()].name + "': the length of '" + d.points[p].name +
         "'-'" + d.points[q].name +
@@ -146,10 +146,8 @@ void find_shape(const Mechanism& d, RigidBody& body) {
     const Mechanism::Body& part = d.bodies[b];
     if (part.length) state_length(d, part, body);
     if (!part.own) continue;  // alone: no joint fixes such a body
-    for (std::size_t k = 0; k < part.points.size(); ++k) {
-      const auto& [x, y, z] = part.own->points[k];
-      body.own_points[part.points[k]] = {x, y, z};
-    }
+    for (std::size_t k = 0; k < part.points.size(); ++k)
+      body.own_points[part.points[k]] = part.own->points[k];
     for (std::size_t k = 0; k < part.vectors.size(); ++k)
       body.own_vectors[part.vectors[k]] = part.own->vectors[k];
   }
@@ -199,7 +197,7 @@ bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) 
 void require_representable(const Mechanism& d) {
   for (const Mechanism::Body& body : d.bodies) {
     if (&body == &d.bodies.front()) continue;  // its points are where they are
-    if (body.length) require_representable(*body.length, body.name);
+    if (body.length) require_representable(body.length->value, body.name);
     const std::vector<Vec> points = shape_of(d, body);
     for (const Vec& p : points)
       require_representable(

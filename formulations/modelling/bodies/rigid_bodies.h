@@ -28,7 +28,7 @@ struct RigidBody {
   int freedoms = 0;  ///< 3 or 6, less motions that move no point or vector (a rod's spin)
 
   /// Points and vectors in a frame of its own, where its drawing is an estimate; else empty.
-  std::map<int, std::array<Derived, 3>> own_points, own_vectors;
+  std::map<int, Mechanism::ExactVec> own_points, own_vectors;
   bool has_shape() const { return !own_points.empty() || !own_vectors.empty(); }
 };
 

@@ -86,7 +86,8 @@ class Modeller {
     const RigidBody& ground = rigid_.list.front();
     for (const int p : ground.points)
       result_.points[p] =
-          m_.add_fixed(EntityKind::point, d_.points[p].name, components(d_.points[p].position));
+          m_.add_fixed(EntityKind::point, d_.points[p].name, components(d_.points[p].position),
+                       std::span(d_.points[p].remainder).first(d_.dimension));
     for (const int v : ground.vectors) {
       const std::string& name = d_.vectors[v].name;
       const std::span<const double> value = components(d_.vectors[v].direction);

@@ -43,7 +43,7 @@ EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
 
 double EquationWriter::reach_of(const RigidBody& body) const {
   const auto& own = mechanism.bodies[body.bodies.front()].own;
-  return own ? max_coordinate(own->points) : reach;
+  return own ? max_coordinate(own->points, Mechanism::rounded) : reach;
 }
 
 EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vector& vector) {

@@ -106,7 +106,7 @@ int AxisMaker::add_point(int body, int place, const std::string& name) {
   Mechanism& d = framed_.mechanism;
   RigidBody& rigid = framed_.rigid.list[body];
   const int p = static_cast<int>(d.points.size());
-  d.points.push_back({unique(name), d.points[place].position});
+  d.points.push_back({unique(name), d.points[place].position, d.points[place].remainder});
   d.bodies[rigid.bodies.front()].points.push_back(p);
   rigid.points.push_back(p);
   if (rigid.has_shape()) rigid.own_points[p] = rigid.own_points.at(place);
