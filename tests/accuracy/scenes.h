@@ -45,10 +45,12 @@ inline Motion enlarged(Motion motion, double factor) {
 
 /// Returns the scene with all lengths times a factor; angles are unchanged.
 inline Scene enlarged(Scene scene, double factor) {
-  for (Mechanism::Point& p : scene.mechanism.points)
+  for (Mechanism::Point& p : scene.mechanism.points) {
     for (double& x : p.position) x *= factor;
+    p.remainder = {};
+  }
   for (Mechanism::Body& b : scene.mechanism.bodies)
-    if (b.length) *b.length *= factor;
+    if (b.length) b.length = b.length->value * factor;
   auto motion = scene.motions.begin();
   for (Mechanism::Coordinate& c : scene.mechanism.coordinates) {
     const bool length = c.type != Mechanism::CoordinateType::angle;

@@ -113,7 +113,7 @@ std::vector<double*> numbers_of(Mechanism& m) {
   for (Mechanism::Point& p : m.points)
     for (int i = 0; i < m.dimension; ++i) numbers.push_back(&p.position[i]);
   for (Mechanism::Body& b : m.bodies)
-    if (b.length) numbers.push_back(&*b.length);
+    if (b.length) numbers.push_back(&b.length->value);
   return numbers;
 }
 

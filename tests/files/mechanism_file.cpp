@@ -24,7 +24,7 @@ TEST(MechanismFile, IsReadInSiUnitsAndInItsOrder) {
   ASSERT_EQ(d.bodies.size(), 4u);
   EXPECT_EQ(d.bodies[0].name, "ground");
   EXPECT_EQ(d.bodies[3].name, "slider");
-  EXPECT_DOUBLE_EQ(d.bodies[2].length.value(), 0.15);
+  EXPECT_DOUBLE_EQ(d.bodies[2].length.value().value, 0.15);
   EXPECT_EQ(d.bodies[2].points, (std::vector{1, 2}));
   ASSERT_EQ(d.joints.size(), 4u);
   EXPECT_EQ(d.joints[0].name, "J1");

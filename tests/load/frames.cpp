@@ -34,13 +34,14 @@ Mechanism in_rough_frames(Mechanism d, Vector3d rotation, double size) {
     Mechanism::Frame& own = body.own.emplace();
     own.origin = plain(origin + 0.02 * size * off);
     own.rotation = plain(rotation + angle * (d.dimension == 2 ? Vector3d::UnitZ() : off));
+    const auto in_frame = [&](const Vector3d& x) -> Mechanism::ExactVec {
+      const Vector3d local = turn.transpose() * x;
+      return {local[0], local[1], local[2]};
+    };
     for (const int p : body.points)
-      own.points.push_back(
-          plain(turn.transpose() * (Vector3d(d.points[p].position.data()) - origin)));
-    for (const int v : body.vectors) {
-      const Vector3d u = turn.transpose() * Vector3d(d.vectors[v].direction.data());
-      own.vectors.push_back({Derived(u[0]), Derived(u[1]), Derived(u[2])});
-    }
+      own.points.push_back(in_frame(Vector3d(d.points[p].position.data()) - origin));
+    for (const int v : body.vectors)
+      own.vectors.push_back(in_frame(Vector3d(d.vectors[v].direction.data())));
   }
   return d;
 }

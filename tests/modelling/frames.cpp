@@ -43,7 +43,7 @@ Mechanism joined(int dimension) {
 Mechanism with_frames(Mechanism d) {
   for (std::size_t b = 1; b < d.bodies.size(); ++b) {
     Mechanism::Frame& own = d.bodies[b].own.emplace();
-    own.points.resize(d.bodies[b].points.size(), Vec{2, 1, 0});
+    own.points.resize(d.bodies[b].points.size(), Mechanism::ExactVec{2., 1., 0.});
     own.vectors.resize(d.bodies[b].vectors.size(), {Derived(1), Derived(0), Derived(0)});
   }
   return d;

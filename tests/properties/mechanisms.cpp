@@ -104,7 +104,7 @@ void place(Drawn& d, const Placement& p) {
   for (Mechanism::Point& point : m.points) point.position = p.position(point.position);
   for (Mechanism::Vector& vector : m.vectors) vector.direction = p.direction(vector.direction);
   for (Mechanism::Body& body : m.bodies)
-    if (body.length) *body.length *= p.size;
+    if (body.length) body.length = body.length->value * p.size;
   for (Mechanism::Coupling& coupling : m.couplings)
     for (Mechanism::Coupling::Term& term : coupling.terms)
       if (m.coordinates[term.coordinate].type != Type::angle) term.factor = term.factor / p.size;

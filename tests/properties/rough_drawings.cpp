@@ -42,7 +42,7 @@ void round_numbers(Mechanism& m, int digits) {
   for (Mechanism::Vector& v : m.vectors)
     for (double& x : v.direction) x = with_digits(x, digits);
   for (Mechanism::Body& b : m.bodies)
-    if (b.length) b.length = with_digits(*b.length, digits);
+    if (b.length) b.length = with_digits(b.length->value, digits);
   for (Mechanism::Coordinate& c : m.coordinates)
     if (c.estimate) c.estimate = with_digits(*c.estimate, digits);
 }
