@@ -143,7 +143,7 @@ struct DrawnScene {
             0};
   }
   /// Goes on from a passed point, and compares with the closed form.
-  void expect_continued(const Model& m, const PassedPoint& point, bool passes) const {
+  void expect_continued(const Model& m, PassedPoint& point, bool passes) const {
     EXPECT_LE(distance(m, point.positions(m, 0), joint_on_point()), 1e-7);
     BranchPath path(m);
     ASSERT_TRUE(path.start_at(point.beyond()));
@@ -167,7 +167,7 @@ TEST(Passage, ContinuesSmoothly) {
     BranchPath path(m);
     ASSERT_TRUE(start(m, -1, path));
     ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
-    const std::optional<PassedPoint> point = pass_change_point(m, path.present());
+    std::optional<PassedPoint> point = pass_change_point(m, path.present());
     if (!point) continue;
     ++passed;
     EXPECT_EQ(point->after, path.present().time);
@@ -193,7 +193,7 @@ TEST(Passage, BeginsOnThePoint) {
     BranchPath path(drawn);
     ASSERT_TRUE(start(drawn, -1, path));
     ASSERT_EQ(path.go_to(0).end, PathEnd::stuck);
-    const auto passage = pass_change_point(m, path.present(), std::span(&direction, 1), 0);
+    auto passage = pass_change_point(m, path.present(), std::span(&direction, 1), 0);
     if (!passage) continue;
     ++passed;
     scene.expect_continued(m, *passage, passes);
@@ -211,7 +211,7 @@ TEST(Passage, EndsOnThePoint) {
   BranchPath path(drawn);
   ASSERT_TRUE(start(drawn, -1, path));
   ASSERT_EQ(path.go_to(0).end, PathEnd::stuck);
-  const auto passage = pass_change_point(rests, path.present(), std::span(&direction, 1), 0);
+  auto passage = pass_change_point(rests, path.present(), std::span(&direction, 1), 0);
   ASSERT_TRUE(passage);
   EXPECT_EQ(passage->before, INFINITY);
   EXPECT_LE(distance(rests, passage->positions(rests, 5), scene.joint_on_point()), 1e-7);
@@ -239,7 +239,7 @@ TEST(Passage, LeadsOnBesideOtherBranches) {
   BranchPath path(m);
   ASSERT_TRUE(start(m, 0, path));
   ASSERT_EQ(path.go_to(5).end, PathEnd::stuck);
-  const auto point = pass_change_point(m, path.present());
+  auto point = pass_change_point(m, path.present());
   ASSERT_TRUE(point);
   EXPECT_NEAR(point->time, 2, 1e-6);
   const int c = m.coordinate("C.x");

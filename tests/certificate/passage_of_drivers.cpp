@@ -51,7 +51,7 @@ TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
   BranchPath path(both);
   ASSERT_TRUE(start(both, -1, path));
   ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
-  const auto point = pass_change_point(both, path.present());
+  auto point = pass_change_point(both, path.present());
   ASSERT_TRUE(point);
   EXPECT_LE(skew(both, point->positions(both, 0)), 1e-12);
   ASSERT_TRUE(path.start_at(point->beyond()));
