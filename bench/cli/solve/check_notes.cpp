@@ -144,6 +144,9 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
     return group + moment(f.time) +
            ": the way from the drawing to the start passes a singular position, where branches "
            "meet, and goes on smoothly";
+  if (f.before == INFINITY)
+    return group + formatted("t = %.12g s", f.after) +
+           ": from there on it rests on a singular position, where branches meet";
   return group + interval(f.after, f.before) +
          ": it passes a singular position, where branches meet, and goes on smoothly";
 }

@@ -110,12 +110,14 @@ void MotionRecorder::flag(const CheckedInstant& checked) {
                           : f.kind == RowFlag::Kind::branch ? Flag::Kind::branch
                                                             : Flag::Kind::degraded;
   const int index = checked.instant.index;
-  const bool lasts = !passes && last_flagged_ + 1 == index && flags_.back().kind == kind;
+  const double from = passes ? std::max(f.after, grid_.start) : f.time,
+               to = passes ? std::min(f.before, grid_.time(grid_.instants - 1)) : f.time;
+  const bool lasts = last_flagged_ + 1 == index && flags_.back().kind == kind &&
+                     (!passes || flags_.back().from == from);
   if (lasts)
-    flags_.back().to = f.time;
+    flags_.back().to = to;
   else
-    flags_.push_back({kind, passes ? std::max(f.after, grid_.start) : f.time,
-                      passes ? f.before : f.time, flag_text(f, model_, units_)});
+    flags_.push_back({kind, from, to, flag_text(f, model_, units_)});
   last_flagged_ = index;
 }
 

@@ -148,7 +148,8 @@ class CheckedRun final : Observer {
     ++summary_.flagged;
     if (!summary_.first_flag) summary_.first_flag = flag;
     if (flag.kind == RowFlag::Kind::crossing || flag.kind == RowFlag::Kind::on_point) {
-      ++summary_.crossings;
+      summary_.crossings += last_point_ != flag.after;
+      last_point_ = flag.after;
       if (!summary_.first_crossing) summary_.first_crossing = flag;
     }
     if (flag.misfit && (!summary_.misfit || flag.misfit->amount > summary_.misfit->amount))
@@ -242,6 +243,7 @@ class CheckedRun final : Observer {
   CheckedSummary summary_;
   PerLevel<double> length_{}, rotation_{};  // largest radii of proven rows
   double max_residual_ = 0;
+  double last_point_ = NAN;   // RowFlag::after of the last change point
   int tried_ = 0;             // rows handed on, or left out
   bool elsewhere_ = false;    // the formulation is not where the last row is
   std::vector<double> last_;  // positions of that row

@@ -77,7 +77,7 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   long flagged = 0;                                      ///< rows
   long steps = 0;  ///< steps between rows that were followed, proven or not
   std::optional<RowFlag> first_flag{};
-  long crossings = 0;  ///< rows flagged "crossing"
+  long crossings = 0;  ///< change points that rows or steps are flagged for
   std::optional<RowFlag> first_crossing{};
   std::optional<Misfit> misfit{};                 ///< the largest
   PerLevel<double> radius{};                      ///< largest of proven rows, relative to `scales`
