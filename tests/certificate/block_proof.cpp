@@ -296,5 +296,29 @@ TEST(BlockProof, CountsRoundingOfManySymbols) {
   EXPECT_LE(e.radius[0], large * (1 + 1e-9));
 }
 
+/// Links at an angle of 1e-4 rad, of a condition of 20,000, and an error of four times the default
+/// tolerance. The first X holds it, so that there is no second one: that would be far narrower
+/// along the links, where the error is small. X is 1e-11, and its square costs no digit.
+TEST(BlockProof, HoldsUsualErrorsInTheFirstX) {
+  const Dyad dyad{{Point{0, 0}, Point{0, 1e-4}}, {1, 0}};
+  const BlockBatch::Member made = member(0, dyad);
+  BlockBatch batch(std::span(&made, 1), {1, 1}, 0);
+  PerLevel<ErrorTable> errors;
+  ErrorTable& e = errors.position;
+  e.rows.resize(8);
+  for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(2);
+  e.rows[0].delivered = 1;
+  e.rows[1].delivered = 4e-12;
+  e.rows[7].delivered = dyad.centers[1][1];
+  BlockProof proof({.unknowns = 2, .width = 2, .states = 6, .columns = 0});
+  ASSERT_TRUE(proof.prove(batch, Level::position, errors).position[0]);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_GT(batch.jacobian.radius[i][0], 1e-11);  // 2 X, for Φ is of second degree
+    EXPECT_LE(e.rest[i], 0x1p-56);
+    const Wide error = abs(dyad.exact()[i] - e.rows[i].delivered - e.correction[i]);
+    EXPECT_LE(error, Wide(e.rest[i]));
+  }
+}
+
 }  // namespace
 }  // namespace desmo::block_proof_test
