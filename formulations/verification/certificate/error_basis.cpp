@@ -85,7 +85,7 @@ double ErrorBasis::deviation(std::span<const double> q, int d) {
   // - Qᵀ G: d². The error of each column is at most d |Qᵀ| |G|. Rows of |G| have sums of at most √d
   //   times the widest radius, since all errors are Q s; columns of |Q| have sums of at most √d.
   // - the errors' own radii, d products: d + 1; the sum over a row above: d
-  // - adding this correction, its product, its second order and generator(): less than 4
+  // - adding this correction, its quotient, its product and generator(): less than 4
   return worst + 4 * d * (d + 2) * Interval::unit;
 }
 
@@ -108,8 +108,7 @@ void ErrorBasis::enclose() {
   }
   // With off = ‖I − QᵀQ‖∞, (QᵀQ)⁻¹ differs from I by at most off / (1 − off).
   const double off = deviation(basis_, d);
-  constexpr double max_off = 0x1p-27;  // its square is half a unit
-  const double correction = off < max_off ? off * widest : INFINITY;
+  const double correction = off < 1 ? off / (1 - off) * widest : INFINITY;
   for (int s = 0; s < d; ++s) radii_[s] += correction;
 }
 
