@@ -9,6 +9,15 @@
 
 namespace desmo {
 
+namespace {
+
+/// What a pass leaves of the bounds on errors, at most, while Newton's method converges. A proof of
+/// errors e needs 16 c e < 1, c e² being the next ones (curvature c). So these are less than e/16,
+/// and bounds are of second order. What falls less is rounding.
+constexpr double max_left = 1.0 / 256;
+
+}  // namespace
+
 Refinement::Refinement(const Model& m, std::span<const Level> levels, InitialResidual initial)
     : m_(m), certifier_(m, levels, initial) {
   for (const Entity& e : m.entities)
@@ -41,7 +50,7 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     if (!result_.proven) left = max_passes;  // an instant that was far off has yet to settle
     const PerLevel<Digits> now = digits(c);
     // Each level counts by itself: where a motion rests, rates are nothing but rounding.
-    bool halves = false, is_right = true;
+    bool converges = false, is_right = true;
     double before = 0;
     for (const Level level : levels_) {
       is_right &= now[level].open <= 1;
@@ -51,7 +60,7 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
       for (const int kind : {0, 1})
         if (least[level][kind] > 0) share *= now[level].rest[kind] / least[level][kind];
       if (result_.proven && !(share < 1)) continue;
-      halves |= share < 0.5;
+      converges |= share < max_left;
       least[level] = now[level].rest;
       best_[level] = next_[level];
       best_radius_[level] = radius_[level];
@@ -60,7 +69,7 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     if (is_right) break;
     // What another pass takes off is of second order in the errors: is it seen in the last digit?
     const double second = c.condition * before;
-    if (halves && second * second * Interval::unit > 0.5) continue;
+    if (converges && second * second * Interval::unit > 0.5) continue;
     if (sets == ErrorSets::bases || !certifier_.has_long_chains()) break;
     sets = ErrorSets::bases;
   }

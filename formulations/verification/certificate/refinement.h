@@ -18,8 +18,8 @@ struct RefinedInstant {
 };
 
 /// Refinement of solved instants, whatever solved them: certifies one and adds the corrections,
-/// again where that halves the errors. One pass is the rule. All formulations then deliver the same
-/// numbers but for the last digits.
+/// again while Newton's method converges. One pass is the rule. All formulations then deliver the
+/// same numbers but for the last digits.
 ///
 ///   Refinement refinement(model);
 ///   const RefinedInstant r = refinement.refine(instant);   // in an observer, for example
