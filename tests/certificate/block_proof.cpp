@@ -320,5 +320,25 @@ TEST(BlockProof, HoldsUsualErrorsInTheFirstX) {
   }
 }
 
+/// The driven component of v is off, or not known, by 0.6, which is too much, or x is off by more
+/// than that.
+TEST(BlockProof, SaysWhatMostOfAnErrorComesFrom) {
+  const auto failure = [](double off, double unknown, double product) {
+    BlockBatch batch(std::vector{product_of_vectors(product)}, std::vector<double>(6, 1), 0);
+    PerLevel<ErrorTable> errors;
+    ErrorTable& e = errors.position;
+    e.rows.resize(6);
+    for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(6);
+    e.rows[0].delivered = 1;
+    e.rows[3] = {1, off, unknown, off + unknown};
+    BlockProof proof({.unknowns = 1, .width = 6, .states = 6, .columns = 0});
+    EXPECT_FALSE(proof.prove(batch, Level::position, errors).position[0]);
+    return proof.failure(0);
+  };
+  EXPECT_EQ(failure(0.6, 0, 1), ProofFailure::drivers);
+  EXPECT_EQ(failure(0, 0.6, 1), ProofFailure::time);
+  EXPECT_EQ(failure(0, 0.6, 4), ProofFailure::budget);  // 0.6 of 3.6
+}
+
 }  // namespace
 }  // namespace desmo::block_proof_test
