@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cases/generators/dyad_chain.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/range/driver_range.h"
 #include "tests/range/solved_start.h"
@@ -148,7 +149,7 @@ TEST(FourBarRange, OfAGrashofCrankIsATurn) {
 TEST(FourBarRange, FromADeadPointGoesOneWayOnTwoBranches) {
   const Links links{4, 3, 3.5, 8};
   const double limit = links.angle_at(6.5);
-  for (const double before : {0.0, 1e-11, 1e-8}) {
+  for (const double before : {0.0, 1e-11, 3e-10, 3e-9, 1e-8}) {
     const DriverRange r = range_of(four_bar(links, limit - before));
     ASSERT_EQ(r.up.stop, RangeStop::dead_point) << before;
     EXPECT_NEAR(r.up.value, limit, 1e-13);
@@ -178,6 +179,40 @@ TEST(FourBarRange, RefusesADriverOrAPositionThatTheModelHasNot) {
   for (const int driver : {-1, 1})
     EXPECT_THROW(find_range(m, q, driver), std::invalid_argument) << driver;
   EXPECT_THROW(find_range(m, std::span(q).first(q.size() - 1), 0), std::invalid_argument);
+}
+
+/// A rack of which 1 rad of the crank takes so much [length]. It stops where the crank does, at
+/// three times the mechanism's size; at thirty times that nobody looks.
+TEST(FourBarRange, OfARackIsLookedForAtUpToTenTimesTheSize) {
+  const Links links{2, 3, 6, 8};
+  const auto model = [&](double rack) {
+    MechanismBuilder builder("rack", 2);
+    builder.set_length_unit("1");
+    DyadChain chain{.crank = links.crank, .start = 1, .dyads = {}};
+    chain.dyads.push_back(
+        closed_dyad(crank_pin(chain), {links.ground, 0, 0}, links.coupler, links.rocker, 1));
+    add(builder, chain);
+    const int m = builder.point("M", {0, -1, 0}), r = builder.point("R", {1, -1, 0}),
+              x = builder.vector("x", {1, 0, 0});
+    builder.carry(MechanismBuilder::ground, {m}, {x});
+    const int body = builder.body("rack", {r}, {x});
+    builder.joint(Mechanism::JointType::prismatic, MechanismBuilder::ground, body, {m, r}, {x});
+    Mechanism::Coordinate& along = builder.coordinate("s", Mechanism::CoordinateType::along);
+    along.of = {-1, m, r};
+    along.vector = x;
+    along.driven = true;
+    builder.couple("mesh", {{0, -rack}, {2, 1}});
+    Mechanism mechanism = builder.release();
+    mechanism.coordinates[0].driven = false;
+    return model_mechanism(mechanism, {Polynomial{{1}}}).model;
+  };
+  const double size = nominal_size(model(1));
+  for (const double sizes : {3, 30}) {
+    const DriverRange range = range_of(model(sizes * size / (links.angle_at(9) - 1)));
+    EXPECT_EQ(range.up.stop, sizes < 10 ? RangeStop::dead_point : RangeStop::none) << sizes;
+    if (sizes < 10) EXPECT_NEAR(range.up.value, 1 + sizes * size, 1e-9);
+    if (sizes > 10) EXPECT_NEAR(range.up.value, 1 + 10 * size, size);
+  }
 }
 
 TEST(FourBarRange, OfACrankAloneIsATurn) {

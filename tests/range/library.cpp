@@ -16,6 +16,7 @@
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"
 #include "tests/mechanisms.h"
+#include "tests/overconstrained.h"
 #include "tests/range/solved_start.h"
 
 namespace desmo::library_range_test {
@@ -235,6 +236,16 @@ TEST(RedundantRange, HasNoSingularPositionWhereOtherEquationsAreIndependent) {
     EXPECT_EQ(end->turns, 1);
   }
   EXPECT_TRUE(r.change_points.empty());
+}
+
+/// Equations that are left out may be off by what modelling lets digits leave, 1e-4.
+TEST(RedundantRange, GoesOnWhereALinkageClosesToTheDigitsOfItsFile) {
+  for (const int digits : {17, 6, 5}) {
+    const Model m = make_model(bennett(0.8L, digits));
+    const DriverRange r = find_range(m, solved_start(m), 0);
+    for (const RangeEnd* end : {&r.down, &r.up})
+      EXPECT_EQ(end->stop, RangeStop::full_turn) << digits;
+  }
 }
 
 TEST(RedundantRange, StartsWhereOnlyTheEquationsKeptAreDependent) {

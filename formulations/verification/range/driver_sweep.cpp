@@ -11,6 +11,7 @@
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/incidence.h"
 #include "formulations/model/scales.h"
+#include "formulations/modelling/independence/linearisation.h"
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/branch/misfit.h"
 #include "formulations/verification/range/locked_loops.h"
@@ -21,6 +22,8 @@ namespace desmo {
 namespace {
 
 constexpr double max_step = 0.1, min_step = 1e-10;  // largest change, scaled
+/// Step from a start or a crossing, where nothing is known of the curve beyond.
+constexpr double first_step = max_step / 8;
 /// A sign that changes in such a step has done so at a crossing, not by a jump across a gap.
 constexpr double crossing_step = 1e-6;
 constexpr int max_steps = 100'000;  // tried
@@ -73,10 +76,9 @@ std::vector<int> DriverSweep::changed_blocks(const Signs& before, const Signs& a
   return changed;
 }
 
-/// Returns whether an equation that was left out as dependent does not hold: on another branch, or
-/// where the others allow what it forbids.
+/// Returns whether an equation that was left out as dependent does not hold, by more than digits of
+/// a file leave: on another branch, or where the others allow what it forbids.
 bool DriverSweep::is_violated(const Point& point) const {
-  constexpr double max_off = 1e-6;  // over the lengths of its points; more than digits of a file
   const CharacteristicLengths lengths(model());
   for (int c = 0; c < static_cast<int>(model().constraints.size()); ++c) {
     const Constraint& constraint = model().constraints[c];
@@ -90,7 +92,7 @@ bool DriverSweep::is_violated(const Point& point) const {
     for (int row = 0; row < rows(constraint); ++row) {
       if (!(constraint.left_out >> row & 1)) continue;
       const Misfit misfit = misfit_of(model(), c, row, phi[row], point.state);
-      if (misfit.amount > max_off * (misfit.is_length ? lengths.of(constraint) : 1)) return true;
+      if (misfit.amount > max_misfit * (misfit.is_length ? lengths.of(constraint) : 1)) return true;
     }
   }
   return false;
@@ -172,7 +174,7 @@ std::optional<RangeEnd> DriverSweep::run_after_dead_point() {
 }
 
 RangeEnd DriverSweep::run_from(Point point) {
-  double length = max_step / 8;
+  double length = first_step;
   followed_->double_roots.restart();
   Signs before = signs(point);
   const std::optional<Point> behind = curve().step(point, -length);
@@ -247,7 +249,7 @@ RangeEnd DriverSweep::run_from(Point point) {
       before = signs(point);
       followed_->double_roots.restart();
     }
-    length = crosses ? max_step / 64 : std::min(max_step, 1.5 * length);
+    length = crosses ? first_step : std::min(max_step, 1.5 * length);
   }
   return end(RangeStop::not_reached, point);
 }
