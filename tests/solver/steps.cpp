@@ -1,0 +1,92 @@
+// Lengths of the steps that lead from one instant to another, whatever solves them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "cases/mechanism/builder.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/motion/driver_continuation.h"
+#include "formulations/motion/sub_steps.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::steps_test {
+namespace {
+
+/// What needs sub-steps of a 300th is led on; what needs those of a 3000th is given up, for it
+/// would take as many.
+TEST(SubSteps, AreHalvedToAThousandth) {
+  for (const double longest : {1. / 300, 1. / 3000}) {
+    double reached = 0;
+    const auto go = [&](double t) {
+      const bool solved = t - reached <= longest;
+      if (solved) reached = t;
+      return solved;
+    };
+    EXPECT_EQ(go_in_sub_steps(0, 1, 100'000, go), longest > 1e-3);
+    EXPECT_EQ(reached == 1, longest > 1e-3);
+  }
+}
+
+/// Follows a driver by a continuation to another angle. longest: share of the way that a step can
+/// be solved of.
+struct Followed {
+  Followed(const Model& m, double longest) {
+    const int driver = m.entities[m.drivers[0].coordinate].first;
+    const std::vector<double> zeros(m.state_size());
+    State state{m.state_of(m.estimate), zeros, zeros};
+    const double way = sample(m.drivers[0].motion, 0.0).position - state.q[driver];
+    end = continue_drivers_to(m, 0, state, [&](State& to, std::span<const double> last) {
+      const double share = (to.q[driver] - last[driver]) / way;
+      if (share > longest) return false;
+      ++steps;
+      return true;
+    });
+  }
+
+  ContinuationEnd end;
+  int steps = -1;  // it is solved where it is, too
+};
+
+/// Half a turn at once may lead to another branch, 80 steps are ten times the price. What takes
+/// steps of a 60th of the way is led on, what takes those of a 400th is not.
+TEST(Continuation, TakesEightStepsAndHalvesThemFourTimes) {
+  Model m = four_bar_model(1);
+  const double start = m.estimate[m.entities[m.drivers[0].coordinate].first];
+  m.drivers[0].motion = Polynomial{{start + 3}};
+  const Followed easy(m, 1);
+  EXPECT_EQ(easy.end, ContinuationEnd::reached);
+  EXPECT_GE(easy.steps, 4);
+  EXPECT_LE(easy.steps, 16);
+  EXPECT_EQ(Followed(m, 1. / 60).end, ContinuationEnd::reached);
+  EXPECT_EQ(Followed(m, 1. / 400).end, ContinuationEnd::blocked);
+}
+
+/// Turns count where angles are coupled: a step of 0.3 rad may lead to another branch, and one of
+/// 0.03 rad takes three times as long.
+TEST(Continuation, TurnsCoupledAnglesByATenthOfARadian) {
+  MechanismBuilder d("gears", 2);
+  for (const int k : {0, 1}) {
+    const std::string name = std::to_string(k);
+    const int a = d.point("A" + name, {3. * k, 0, 0}), b = d.point("B" + name, {3. * k + 1, 0, 0});
+    d.carry(MechanismBuilder::ground, {a});
+    const int gear = d.body("gear" + name, {a, b});
+    d.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, gear, {a});
+    Mechanism::Coordinate& angle = d.coordinate("t" + name, Mechanism::CoordinateType::angle);
+    angle.of = {-1, a, b};
+    angle.driven = k == 0;
+  }
+  d.couple("mesh", {{0, 1}, {1, 1}});
+  const double way = 3 * 2 * std::numbers::pi;
+  const Model m = model_mechanism(d.release(), {Polynomial{{way}}}).model;
+  const Followed followed(m, 1);
+  EXPECT_EQ(followed.end, ContinuationEnd::reached);
+  EXPECT_LE(way / followed.steps, 0.3);
+  EXPECT_GE(way / followed.steps, 0.03);
+}
+
+}  // namespace
+}  // namespace desmo::steps_test
