@@ -6,16 +6,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/motion/internals.h"
+#include "formulations/motion/segments.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"
 #include "tests/everything.h"
@@ -137,6 +140,24 @@ TEST(SegmentsOnThreads, FailsAsStepsFail) {
              g = formulated("group_symbolic_explicit", m);
   expect_to_fail_alike(*f, *g, worth_three_threads(time_grid(6, 0.01), *g));
   EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1);
+}
+
+/// What a tolerance of 1e-7 leaves is no other branch; a way of 1e-5 to one is short, but no
+/// rounding.
+TEST(Segments, MeetWithinAMillionthOfTheirSize) {
+  const Model m = four_bar_model(1);
+  const int angle = m.entities[m.find("dyad1/psi")].first, x = m.entities[m.find("dyad1/C")].first;
+  double length = 0;
+  for (const Entity& e : m.entities)
+    for (int i = e.first; !e.fixed && e.kind != EntityKind::angle && i < e.first + e.size; ++i)
+      length = std::max(length, std::abs(m.estimate[i]));
+  for (const double share : {0.3, 3.}) {
+    for (const auto& [i, size] : {std::pair(angle, 1.), std::pair(x, length)}) {
+      std::vector<double> ended = m.estimate;
+      ended[i] += share * 1e-6 * size;
+      EXPECT_EQ(segments_meet(m, ended, m.estimate), share < 1) << share;
+    }
+  }
 }
 
 TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
