@@ -73,10 +73,9 @@ Values cam_dwell(double t) {
 Values indexing(double t) {
   static const Interpolation angle({0, 60, 120, 150, 180, 210, 240, 300, 360},
                                    {0, 0, 0, 10, 45, 80, 90, 90, 90}, true);
-  const Real x = Real(0.06) - Real(0.05), y = Real(0.01);  // of the file, as doubles
-  const Jet w = Jet(std::atan2(y, x)) + Jet(degree) * angle(degrees(t, -500, 700, 0) / Jet(degree));
+  const Jet w = Jet(pi / 4) + Jet(degree) * angle(degrees(t, -500, 700, 0) / Jet(degree));
   Values v{{"w", w}};
-  add(v, "B", Vec2{{Jet(Real(0.05)), 0}} + polar(Jet(std::sqrt(x * x + y * y)), w));
+  add(v, "B", Vec2{{Jet(0.05L), 0}} + polar(Jet(0.01L * std::sqrt(2.0L)), w));
   return v;
 }
 
