@@ -35,6 +35,14 @@ void eliminate(LaneNumbers* a, int size, int k) {
   }
 }
 
+/// Calls a function with the number of unknowns where loops are to be unrolled, else with 0.
+template <class Function>
+void with_size(int n, Function&& function) {
+  n == 1   ? function.template operator()<1>()
+  : n == 3 ? function.template operator()<3>()
+           : function.template operator()<0>();
+}
+
 }  // namespace
 
 void Preconditioner::resize(int n, int m) {
@@ -42,68 +50,16 @@ void Preconditioner::resize(int n, int m) {
   slopes.resize(n * m);
   scales_.resize(n);
   rows_.resize(n);
-}
-
-/// Inverts the matrix of a single block, which all lanes have. A register has columns of a row.
-void Preconditioner::invert_single(const BlockShape& s, const LaneNumbers* jacobian) {
-  constexpr int count = LaneNumbers::count;
-  const int n = s.unknowns, width = (n + count - 1) / count;
-  LaneNumbers* a = work_.data();
-  const auto entry = [&](int i, int j) { return a[i * width + j / count][j % count]; };
-  std::fill_n(a, n * width, LaneNumbers(0));
-  for (int i = 0; i < n; ++i) {
-    double largest = 0x1p-1000;
-    for (int e = s.row_begins[i]; e < s.input_begins[i]; ++e) {
-      const int j = s.entries[e];
-      a[i * width + j / count].set(j % count, jacobian[e][0]);
-      largest = std::max(largest, std::abs(jacobian[e][0]));
-    }
-    scales_[i] = 1 / largest;
-  }
-  for (int k = 0; k < n; ++k) {
-    int pivot = k;
-    double best = -1;
-    for (int i = k; i < n; ++i)
-      if (const double score = std::abs(entry(i, k)) * scales_[i][0]; score > best)
-        best = score, pivot = i;
-    rows_[k] = pivot;
-    LaneNumbers* const row = a + k * width;
-    if (pivot != k) {
-      std::swap(scales_[k], scales_[pivot]);
-      std::swap_ranges(row, row + width, a + pivot * width);
-    }
-    const LaneNumbers scale = 1 / entry(k, k);
-    row[k / count].set(k % count, 1);
-    for (int j = 0; j < width; ++j) row[j] *= scale;
-    for (int i = 0; i < n; ++i) {
-      const double factor = -entry(i, k);
-      if (i == k || factor == 0) continue;
-      LaneNumbers* const to = a + i * width;
-      to[k / count].set(k % count, 0);
-      for (int j = 0; j < width; ++j) to[j] = fma(factor, row[j], to[j]);
-    }
-  }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) inverse[i * n + j] = entry(i, j);
-  swap_columns(n, inverse.data());
-}
-
-/// Puts the columns of an inverse in their places, after rows were exchanged.
-void Preconditioner::swap_columns(int n, LaneNumbers* a) const {
-  for (int k = n; k-- > 0;)
-    if (rows_[k] != k)
-      for (int i = 0; i < n; ++i) std::swap(a[i * n + k], a[i * n + rows_[k]]);
+  single_.resize(n);
 }
 
 /// Finds Y with pivots that are large in their rows in all these lanes.
+template <int N>
 void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
-  const int n = s.unknowns;
-  if (n > LaneNumbers::count &&
-      std::all_of(jacobian, jacobian + s.row_begins[n], [](auto& x) { return x.are_same(); }))
-    return invert_single(s, jacobian);
-  LaneNumbers* a = work_.data();
-  std::fill_n(a, n * n, LaneNumbers(0));
+  const int n = N > 0 ? N : s.unknowns;
+  LaneNumbers* const a = work_.data();
   for (int i = 0; i < n; ++i) {
+    std::fill_n(a + i * n, n, LaneNumbers(0));
     LaneNumbers largest(0x1p-1000);
     for (int e = s.row_begins[i]; e < s.input_begins[i]; ++e) {
       a[i * n + s.entries[e]] = jacobian[e];
@@ -123,59 +79,67 @@ void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, La
       std::swap(scales_[k], scales_[pivot]);
       std::swap_ranges(a + k * n, a + (k + 1) * n, a + pivot * n);
     }
-    n == 3 ? eliminate<3>(a, n, k) : eliminate<0>(a, n, k);
+    eliminate<N>(a, n, k);
   }
-  swap_columns(n, a);
+  // Columns go to their places, after rows were exchanged.
+  for (int k = n; k-- > 0;)
+    if (rows_[k] != k)
+      for (int i = 0; i < n; ++i) std::swap(a[i * n + k], a[i * n + rows_[k]]);
   for (int i = 0; i < n * n; ++i) inverse[i] = select(lanes, a[i], inverse[i]);
 }
 
-/// Finds |D − Y c| for a column c of Φ_q, where D has a 1 in row `one` and zeros elsewhere.
-void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, int column, int one,
-                              LaneNumbers* to, int stride) const {
-  const int begin = s.column_begins[column], count = s.column_begins[column + 1] - begin;
-  const int* rows = &s.column_rows[begin];
-  const auto with = [&]<int Count>() {
-    std::array<const LaneNumbers*, Count> y;
-    std::array<LaneNumbers, Count> minus;
-    for (int k = 0; k < Count; ++k) {
-      y[k] = &inverse[rows[k]];
-      minus[k] = -jacobian[s.column_entries[begin + k]];
+void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
+  if (is_single_) {
+    single_.invert(s, jacobian);
+    return single_.write_inverse(inverse.data());
+  }
+  with_size(s.unknowns, [&]<int N>() { invert<N>(s, jacobian, lanes); });
+}
+
+/// Finds |D − Y c| for a column c of Φ_q, with so many entries. D has a 1 in row `one`, else zeros.
+template <int Count>
+void Preconditioner::multiply(const int* rows, const int* entries, const LaneNumbers* jacobian,
+                              int n, int one, LaneNumbers* to, int stride) const {
+  std::array<const LaneNumbers*, Count> y;
+  std::array<LaneNumbers, Count> factors;
+  for (int k = 0; k < Count; ++k) {
+    y[k] = &inverse[rows[k]];
+    factors[k] = -jacobian[entries[k]];
+  }
+  const auto product = [&](int i, LaneNumbers sum) {
+    for (int k = 0; k < Count; ++k) sum = fma(y[k][i * n], factors[k], sum);
+    return abs(sum);
+  };
+  for (int i = 0; i < n; ++i) to[i * stride] = product(i, 0);
+  if (one < n) to[one * stride] = product(one, 1);
+}
+
+/// Finds |D − Y C| for columns C of Φ_q, from `first` on. D is I, or 0 from the inputs on.
+void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, int first, int last,
+                              LaneNumbers* to) {
+  if (is_single_) return single_.multiply(s, jacobian, first, last, to);
+  const int n = s.unknowns, stride = last - first;
+  for (int column = first; column < last; ++column, ++to) {
+    const int begin = s.column_begins[column], count = s.column_begins[column + 1] - begin;
+    const int *rows = &s.column_rows[begin], *entries = &s.column_entries[begin];
+    const bool is_done = [&]<int... C>(std::integer_sequence<int, C...>) {
+      return ((count == C + 1 &&
+               (multiply<C + 1>(rows, entries, jacobian, n, column, to, stride), true)) ||
+              ...);
     }
-    const int n = s.unknowns;
+    (std::make_integer_sequence<int, 6>());
+    if (is_done) continue;
     for (int i = 0; i < n; ++i) {
-      LaneNumbers sum(i == one ? 1 : 0);
-      for (int k = 0; k < Count; ++k) sum = fma(y[k][i * n], minus[k], sum);
+      LaneNumbers sum(i == column ? 1 : 0);
+      for (int k = 0; k < count; ++k)
+        sum = fma(inverse[i * n + rows[k]], -jacobian[entries[k]], sum);
       to[i * stride] = abs(sum);
     }
-  };
-  switch (count) {
-    case 1:
-      return with.template operator()<1>();
-    case 2:
-      return with.template operator()<2>();
-    case 3:
-      return with.template operator()<3>();
-    case 4:
-      return with.template operator()<4>();
-    default:
-      break;
-  }
-  const int n = s.unknowns;
-  for (int i = 0; i < n; ++i) {
-    LaneNumbers sum(i == one ? 1 : 0);
-    for (int k = 0; k < count; ++k)
-      sum = fma(inverse[i * n + rows[k]], -jacobian[s.column_entries[begin + k]], sum);
-    to[i * stride] = abs(sum);
   }
 }
 
 void Preconditioner::find_remainder(const BlockShape& s, const LaneNumbers* jacobian) {
-  for (int j = 0; j < s.unknowns; ++j) multiply(s, jacobian, j, j, &remainder[j], s.unknowns);
-}
-
-void Preconditioner::find_slopes(const BlockShape& s, const LaneNumbers* jacobian) {
-  for (int j = 0; j < s.inputs; ++j)
-    multiply(s, jacobian, s.unknowns + j, -1, &slopes[j], s.inputs);
+  multiply(s, jacobian, 0, s.unknowns, remainder.data());
 }
 
 LaneNumbers Preconditioner::condition(const BlockShape& s, const LaneNumbers* jacobian,
@@ -198,6 +162,9 @@ LaneNumbers Preconditioner::condition(const BlockShape& s, const LaneNumbers* ja
 }
 
 void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
+  is_single_ = s.unknowns > LaneNumbers::count &&
+               std::all_of(jacobian, jacobian + s.row_begins[s.unknowns],
+                           [](const LaneNumbers& x) { return x.are_same(); });
   invert(s, jacobian, lanes);
   find_remainder(s, jacobian);
   if (s.unknowns > 1) {
@@ -212,7 +179,7 @@ void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, Lane
       find_remainder(s, jacobian);
     }
   }
-  find_slopes(s, jacobian);
+  multiply(s, jacobian, s.unknowns, s.width(), slopes.data());
 }
 
 }  // namespace desmo

@@ -4,6 +4,7 @@
 
 #include "formulations/verification/certificate/block_shape.h"
 #include "formulations/verification/certificate/lane_numbers.h"
+#include "formulations/verification/certificate/single_matrix.h"
 
 namespace desmo {
 
@@ -26,16 +27,20 @@ struct Preconditioner {
 
  private:
   void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
-  void invert_single(const BlockShape& shape, const LaneNumbers* jacobian);
-  void swap_columns(int n, LaneNumbers* a) const;
-  void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int column, int one,
+  template <int N>
+  void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
+  void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
+                LaneNumbers* to);
+  template <int Count>
+  void multiply(const int* rows, const int* entries, const LaneNumbers* jacobian, int n, int one,
                 LaneNumbers* to, int stride) const;
   void find_remainder(const BlockShape& shape, const LaneNumbers* jacobian);
-  void find_slopes(const BlockShape& shape, const LaneNumbers* jacobian);
 
   std::vector<LaneNumbers> work_;    // (n × n)
   std::vector<LaneNumbers> scales_;  // of rows (n): for pivots, and R
   std::vector<int> rows_;            // of the pivots (n)
+  bool is_single_ = false;           // all lanes have the same matrix
+  SingleMatrix single_;
 };
 
 }  // namespace desmo

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/verification/certificate/block_shape.h"
+#include "formulations/verification/certificate/lane_numbers.h"
+
+namespace desmo {
+
+/// The matrix Φ_φ (n × n) of a block that is alone in its batch, and its inverse Y. Registers hold
+/// four columns of Φ_φ, or four rows of Y, in place of four blocks.
+class SingleMatrix {
+ public:
+  void resize(int n);
+
+  /// Inverts Φ_φ by Gauss–Jordan elimination, from the first lane of Φ_q.
+  void invert(const BlockShape& shape, const LaneNumbers* jacobian);
+  /// Writes Y (n × n) to all lanes. To be called before multiply().
+  void write_inverse(LaneNumbers* to);
+  /// Writes |D − Y C| to all lanes, for the columns C of Φ_q from `first` to `last`, this one
+  /// excluded. D is I for unknowns, and 0 for inputs.
+  void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
+                LaneNumbers* to);
+
+ private:
+  int n_ = 0, stride_ = 0;       // of rows and columns: n rounded up to whole registers
+  std::vector<double> rows_;     // of the matrix, then of Y with columns in another order
+  std::vector<double> columns_;  // of Y
+  std::vector<double> scales_;   // of rows, for pivots
+  std::vector<int> order_;       // in rows_, of each column of Y
+  std::vector<int> pivots_;
+  std::vector<double> product_;
+};
+
+}  // namespace desmo
