@@ -1,6 +1,7 @@
 #include "formulations/verification/certificate/path_equations.h"
 
 #include <array>
+#include <utility>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/certificate/table_enclosure.h"
@@ -49,7 +50,7 @@ struct PathEquations::FunctionsOf {
   }
 };
 
-PathEquations::PathEquations(const BlockBatch& batch) {
+PathEquations::PathEquations(const Model& m, const BlockBatch& batch) {
   constants_.resize(batch.in_lane(0).block.constants.size() + 1);
   remainders_.resize(constants_.size());
   for (std::size_t k = 0; k + 1 < constants_.size(); ++k)
@@ -58,21 +59,66 @@ PathEquations::PathEquations(const BlockBatch& batch) {
       constants_[k].set(lane, constant.c[0]);
       remainders_[k].set(lane, constant.rest);
     }
-  for (const BlockShape::Object& o : batch.equations.shape().objects)
-    visit_kind(o.kind, [&]<class Kind>(Kind) {
-      objects_.push_back({&o, constants_.data() + o.first_constant,
-                          remainders_.data() + o.first_constant, &FunctionsOf<Kind>::residual,
-                          Kind::linear ? nullptr : &FunctionsOf<Kind>::jacobian});
-    });
+  const BlockShape& shape = batch.equations.shape();
+  for (const BlockShape::Object& o : shape.objects) add(o);
+  for (int i = 0; i < shape.states(); ++i) {
+    if (shape.columns[i] >= 0) continue;
+    FixedState made{i, 0, 0};
+    for (int lane = 0; lane < LaneNumbers::count && shape.columns[i] == BlockShape::fixed; ++lane) {
+      const int at = batch.in_lane(lane).block.states[i] - m.coordinates();
+      const TaylorModel<double, 1> number(m.fixed_value(at));
+      made.value.set(lane, number.c[0]);
+      made.rest.set(lane, number.rest);
+    }
+    fixed_.push_back(made);
+  }
+}
+
+void PathEquations::write_fixed(Value* x) const {
+  for (const FixedState& f : fixed_) {
+    x[f.state] = {};
+    x[f.state].c[0] = f.value;
+    x[f.state].rest = f.rest;
+  }
+}
+
+void PathEquations::add(const BlockShape::Object& o) {
+  visit_kind(o.kind, [&]<class Kind>(Kind) {
+    const Object made{&o, &constants_[o.first_constant], &remainders_[o.first_constant],
+                      &FunctionsOf<Kind>::residual, &FunctionsOf<Kind>::jacobian};
+    if constexpr (!Kind::linear) {
+      objects_.push_back(made);
+    } else {
+      // Φ = Φ_q q + Φ(0)
+      const std::array<Slope, max_components> zero{};
+      typename FunctionsOf<Kind>::template Arguments<Slope> at(made, zero.data());
+      at.x.fill(zero.data());
+      std::array<Slope, Kind::rows> at_origin;
+      Kind::residual(at.x.data(), at.c.data(), at_origin.data());
+      std::array<LinearRow, Kind::rows> rows;
+      for (int r = 0; r < Kind::rows; ++r) rows[r] = {o.rows[r], at_origin[r], {}};
+      Kind::jacobian(at.x.data(), at.c.data(), [&](int r, int operand, int i, const Slope& factor) {
+        rows[r].terms.push_back({o.operands[operand] + i, factor});
+      });
+      for (LinearRow& row : rows)
+        if (row.row >= 0) linear_rows_.push_back(std::move(row));
+    }
+  });
 }
 
 void PathEquations::residual(const Value* x, Value* phi) const {
   for (const Object& o : objects_) o.residual(o, x, phi);
+  for (const LinearRow& r : linear_rows_) {
+    Value sum;
+    sum.c[0] = r.at_origin.c[0];
+    sum.rest = r.at_origin.rest;
+    for (const LinearRow::Term& t : r.terms) sum.add_product(t.factor, x[t.state]);
+    phi[r.row] = sum;
+  }
 }
 
 void PathEquations::jacobian(const Slope* x, LaneMatrix& to) const {
-  for (const Object& o : objects_)
-    if (o.jacobian) o.jacobian(o, x, to);
+  for (const Object& o : objects_) o.jacobian(o, x, to);
 }
 
 }  // namespace desmo

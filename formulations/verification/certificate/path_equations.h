@@ -18,7 +18,10 @@ class PathEquations {
   using Slope = TaylorModel<LaneNumbers, 1>;
 
   /// The batch must outlive this.
-  explicit PathEquations(const BlockBatch& batch);
+  PathEquations(const Model& model, const BlockBatch& batch);
+
+  /// Writes the states that are fixed, and zeros for those that no equation reads.
+  void write_fixed(Value* x) const;
 
   /// Evaluates Φ. Overwrites phi (n).
   void residual(const Value* x, Value* phi) const;
@@ -34,11 +37,28 @@ class PathEquations {
     const BlockShape::Object* shape;
     const LaneNumbers *constants, *remainders;
     void (*residual)(const Object&, const Value* x, Value* phi);
-    void (*jacobian)(const Object&, const Slope* x, LaneMatrix& to);  ///< null: constant
+    void (*jacobian)(const Object&, const Slope* x, LaneMatrix& to);
   };
+  /// A linear equation: at_origin + Σ factor × local state.
+  struct LinearRow {
+    struct Term {
+      int state;
+      Slope factor;  ///< a constant
+    };
+    int row;
+    Slope at_origin;  ///< likewise
+    std::vector<Term> terms;
+  };
+  struct FixedState {
+    int state;
+    LaneNumbers value, rest;
+  };
+  void add(const BlockShape::Object& object);
 
   std::vector<LaneNumbers> constants_, remainders_;  // and what they lack of the file's dimensions
-  std::vector<Object> objects_;
+  std::vector<Object> objects_;                      // that are not linear
+  std::vector<LinearRow> linear_rows_;
+  std::vector<FixedState> fixed_;
 };
 
 }  // namespace desmo

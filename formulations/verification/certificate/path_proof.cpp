@@ -16,7 +16,18 @@ namespace {
 
 constexpr int degree = PathEquations::degree;
 constexpr double unit = Interval::unit;
-using Polynomial5 = Quintic<double>;
+
+/// The tube of a coordinate, in two registers.
+struct alignas(32) TubeRow {
+  Quintic<double> path{};
+  double gap = 0;     ///< from the path to the instants
+  double radius = 0;  ///< of the tube; infinite: not proven
+
+  void set(const LaneNumbers& low, const LaneNumbers& high) {
+    low.store(path.data());
+    high.store(path.data() + LaneNumbers::count);  // and what follows it
+  }
+};
 
 /// Time along the path: middle + half s, with exact doubles whose range covers both ends.
 struct Span {
@@ -29,9 +40,9 @@ struct Span {
   double time(double s) const { return middle + half * s; }
 };
 
-double size_of(const Polynomial5& c) {
-  double sum = 0;
-  for (const double x : c) sum += std::abs(x);
+LaneNumbers size_of(const Quintic<LaneNumbers>& c) {
+  LaneNumbers sum(0);
+  for (const LaneNumbers& x : c) sum += abs(x);
   return sum;
 }
 
@@ -57,8 +68,8 @@ class PathProof::Tube {
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
 
   std::span<const double> radius() const { return radius_; }
-  double centre(int i, double time) const { return value_at(path_[i], span_.s(time)); }
-  const Polynomial5& path(int i) const { return path_[i]; }
+  double centre(int i, double time) const { return value_at(rows_[i].path, span_.s(time)); }
+  const Quintic<double>& path(int i) const { return rows_[i].path; }
   double time_at(double s) const { return span_.time(s); }
 
  private:
@@ -67,7 +78,7 @@ class PathProof::Tube {
 
   void find_path(const CertifiedInstant& from, const CertifiedInstant& to);
   void find_drivers();
-  void gather(const BlockBatch& batch);
+  void gather(const BlockBatch& batch, const PathEquations& equations);
   void add_homotopy(const BlockBatch& batch);
   void find_image(const BlockBatch& batch, const PathEquations& equations);
   void contract(BlockBatch& batch, const PathEquations& equations);
@@ -77,8 +88,8 @@ class PathProof::Tube {
   std::shared_ptr<BlockSchedule> schedule_;
   std::vector<PathEquations> equations_;  // of each batch, in their order
   Span span_{-1, 1};
-  std::vector<Polynomial5> path_;     // of each coordinate
-  std::vector<double> gap_, radius_;  // of each coordinate: from p to the instants; of the tube
+  std::vector<TubeRow> rows_;   // of each coordinate
+  std::vector<double> radius_;  // of each coordinate, where the tube is proven
 
   // Of the present batch.
   std::vector<Value> states_, phi_;
@@ -96,11 +107,10 @@ class PathProof::Tube {
 
 PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
     : m_(m), schedule_(std::move(schedule)) {
-  path_.resize(m.coordinates());
-  gap_.resize(m.coordinates());
+  rows_.resize(m.coordinates());
   radius_.resize(m.coordinates());
   for (const CertificationStep& step : schedule_->steps)
-    for (const BlockBatch& batch : step.batches) equations_.emplace_back(batch);
+    for (const BlockBatch& batch : step.batches) equations_.emplace_back(m, batch);
   const auto& [n, width, states, columns] = schedule_->largest;
   states_.resize(states), slopes_.resize(states), curved_.resize(states);
   phi_.resize(n);
@@ -109,8 +119,8 @@ PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
   preconditioner_.resize(n, width);
 }
 
-/// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants, and gap_:
-/// its distance at the ends from the farthest point of the certified boxes.
+/// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants, and its gap:
+/// the distance at the ends from the farthest point of the certified boxes.
 void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedInstant& to) {
   const double h = span_.half, s0 = span_.s(from.time), s1 = span_.s(to.time);
   const auto level_of = [](const CertifiedInstant& x, int i) {
@@ -119,24 +129,45 @@ void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedIns
                                                       : Level::acceleration;
     return x.levels.empty() ? all : std::min(all, x.levels[i]);
   };
-  for (int i = 0; i < m_.coordinates(); ++i) {
-    const Level level = std::min(level_of(from, i), level_of(to, i));
-    const auto end = [&](const CertifiedInstant& x) {
-      return EndValues<double>{x.values.position[i],
-                               level >= Level::velocity ? x.values.velocity[i] * h : 0,
-                               level >= Level::acceleration ? x.values.acceleration[i] * h * h : 0};
+  for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
+    const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
+    const int second = std::min(first + 1, last), third = std::min(first + 2, last);
+    const auto lanes_of = [&](std::span<const double> x) {
+      return LaneNumbers(LaneNumbers::Numbers{x[first], x[second], x[third], x[last]});
     };
-    path_[i] = hermite(end(from), end(to), level);
-    // Horner's rule rounds twice a degree; s is off by two roundings, which counts up to the
-    // degree.
-    constexpr double rounding = (4 * degree + 2) * unit;
-    const auto distance = [&](const CertifiedInstant& x, double s) {
-      return std::abs(value_at(path_[i], s) - x.values.position[i]) + x.radius[i];
-    };
-    gap_[i] = (std::max(distance(from, s0), distance(to, s1)) + rounding * size_of(path_[i])) *
-              (1 + 8 * unit);
-    radius_[i] = INFINITY;
+    for (const Level level : all_levels) {
+      const auto has_level = [&](int i) {
+        return std::min(level_of(from, i), level_of(to, i)) == level;
+      };
+      bool any = false;
+      for (int i = first; i <= last; ++i) any |= has_level(i);
+      if (!any) continue;
+      const auto end = [&](const CertifiedInstant& x) {
+        EndValues<LaneNumbers> values{lanes_of(x.values.position)};
+        if (level >= Level::velocity) values.first = lanes_of(x.values.velocity) * h;
+        if (level >= Level::acceleration) values.second = lanes_of(x.values.acceleration) * (h * h);
+        return values;
+      };
+      const EndValues<LaneNumbers> a = end(from), b = end(to);
+      const Quintic<LaneNumbers> p = hermite(a, b, level);
+      // Horner's rule rounds twice a degree; s is off by two roundings, which counts up to the
+      // degree.
+      constexpr double rounding = (4 * degree + 2) * unit;
+      const auto distance = [&](const EndValues<LaneNumbers>& x, std::span<const double> radius,
+                                double s) {
+        return abs(value_at(p, LaneNumbers(s)) - x.q) + lanes_of(radius);
+      };
+      const LaneNumbers gap =
+          (max(distance(a, from.radius, s0), distance(b, to.radius, s1)) + rounding * size_of(p)) *
+          (1 + 8 * unit);
+      std::array<LaneNumbers, 4> low{p[0], p[1], p[2], p[3]}, high{p[4], p[5], gap, INFINITY};
+      transpose(low[0], low[1], low[2], low[3]);
+      transpose(high[0], high[1], high[2], high[3]);
+      for (int i = first; i <= last; ++i)
+        if (has_level(i)) rows_[i].set(low[i - first], high[i - first]);
+    }
   }
+  std::ranges::fill(radius_, INFINITY);
 }
 
 /// Replaces the path of driven coordinates by Taylor polynomials of their motions.
@@ -150,54 +181,50 @@ void PathProof::Tube::find_drivers() {
     double rest = z.rest;
     for (int k = 0; k <= degree; ++k) {
       const Interval c = z.c[k].enclosure();
-      path_[i][k] = c.mid;
+      rows_[i].path[k] = c.mid;
       rest += c.radius;
     }
-    radius_[i] = rest * (1 + 16 * unit);
+    radius_[i] = rows_[i].radius = rest * (1 + 16 * unit);
   }
 }
 
 /// Takes the paths and errors that a batch reads.
-void PathProof::Tube::gather(const BlockBatch& b) {
+void PathProof::Tube::gather(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
-  for (int i = 0; i < shape.states(); ++i) {
-    Value& x = states_[i];
-    x.rest = 0;
-    if (shape.columns[i] == BlockShape::unread) {
-      x.c.fill(0);
-      continue;
-    }
-    if (shape.columns[i] == BlockShape::fixed) {
-      x.c.fill(0);
-      for (int lane = 0; lane < LaneNumbers::count; ++lane) {
-        const int at = b.in_lane(lane).block.states[i] - m_.coordinates();
-        const TaylorModel<double, 1> number(m_.fixed_value(at));
-        x.c[0].set(lane, number.c[0]);
-        x.rest.set(lane, number.rest);
+  const int n = shape.unknowns;
+  equations.write_fixed(states_.data());
+  for (int j = 0; j < shape.width(); ++j) {
+    const int* const at = &b.coordinates[LaneNumbers::count * j];
+    const double *p0 = rows_[at[0]].path.data(), *p1 = rows_[at[1]].path.data(),
+                 *p2 = rows_[at[2]].path.data(), *p3 = rows_[at[3]].path.data();
+    const auto load = [&](LaneNumbers* to) {
+      for (const double** p : {&p0, &p1, &p2, &p3}) {
+        *to++ = LaneNumbers::load(*p);
+        *p += LaneNumbers::count;
       }
-    } else {
-      const auto path = [&](int lane) { return path_[b.in_lane(lane).block.states[i]].data(); };
-      const double *const p0 = path(0), *const p1 = path(1), *const p2 = path(2),
-                          *const p3 = path(3);
-      for (int k = 0; k <= degree; ++k)
-        x.c[k] = LaneNumbers(LaneNumbers::Numbers{p0[k], p1[k], p2[k], p3[k]});
-    }
-    Slope& slope = slopes_[i];
-    slope.c = {x.c[0], x.c[1]};
+      transpose(to[-4], to[-3], to[-2], to[-1]);
+    };
+    Value& x = states_[b.locals[j]];
+    x.rest = 0;
+    load(x.c.data());
+    std::array<LaneNumbers, 4> high;
+    load(high.data());
+    x.c[4] = high[0], x.c[5] = high[1];
+    if (j < n)
+      gaps_[j] = high[2];
+    else
+      errors_[j - n] = high[3];
+  }
+  if (shape.linear) return;
+  for (int i = 0; i < shape.states(); ++i) {
+    const Value& x = states_[i];
     LaneNumbers rest = x.rest;
     for (int k = 2; k <= degree; ++k) rest += abs(x.c[k]);
-    slope.rest = curved_[i] = rest * (1 + 8 * unit);
+    curved_[i] = rest * (1 + 8 * unit);
+    slopes_[i].c = {x.c[0], x.c[1]};
+    slopes_[i].rest = curved_[i];
   }
-  for (int j = 0; j < shape.width(); ++j)
-    for (int lane = 0; lane < LaneNumbers::count; ++lane) {
-      const int at = b.in_lane(lane).block.coordinates[j];
-      if (j < shape.unknowns)
-        gaps_[j].set(lane, gap_[at]);
-      else
-        errors_[j - shape.unknowns].set(lane, radius_[at]);
-    }
-  for (int j = shape.unknowns; j < shape.width(); ++j)
-    slopes_[b.locals[j]].rest += errors_[j - shape.unknowns];
+  for (int j = n; j < shape.width(); ++j) slopes_[b.locals[j]].rest += errors_[j - n];
 }
 
 /// Makes Φ − (1 − t) Φ₀ of Φ along the path.
@@ -248,14 +275,14 @@ void PathProof::Tube::contract(BlockBatch& b, const PathEquations& equations) {
 LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
-  gather(b);
+  gather(b, equations);
   if (!shape.linear) {
     equations.jacobian(slopes_.data(), b.jacobian);  // with the inputs' errors, and X of no width
     preconditioner_.find(shape, b.jacobian.mid.data(), LaneMask::all());
   }
   y_ = shape.linear ? &b.constant : &preconditioner_;
   find_image(b, equations);
-  for (LaneNumbers& x : contracted_) x = 0;
+  std::fill_n(contracted_.begin(), n, LaneNumbers(0));
   LaneMask proven{};
   for (int attempt = 0; attempt < max_trial_boxes && (!proven).any(); ++attempt) {
     for (int i = 0; i < n; ++i)
@@ -266,9 +293,10 @@ LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
   }
   for (int i = 0; i < n; ++i)
     for (int lane = 0; lane < b.blocks(); ++lane)
-      if (proven[lane])
-        radius_[b.members[lane].block.coordinates[i]] =
-            (image_[i][lane] + contracted_[i][lane]) * (1 + 4 * unit);
+      if (proven[lane]) {
+        const int at = b.coordinates[LaneNumbers::count * i + lane];
+        radius_[at] = rows_[at].radius = (image_[i][lane] + contracted_[i][lane]) * (1 + 4 * unit);
+      }
   return proven;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <type_traits>
@@ -20,6 +21,11 @@ struct Coefficient {
     using std::abs;
     return abs(x);
   }
+  /// Returns a b + sum.
+  static S sum(const S& a, const S& b, const S& sum) {
+    using std::fma;
+    return fma(a, b, sum);
+  }
   /// Returns whether a product with it is to be left out, which pays where numbers are expensive.
   static constexpr bool is_none(const S&) { return false; }
   /// Returns by how much the function of a number that is f there may be off: sine and cosine are
@@ -31,6 +37,10 @@ struct Coefficient<Compensated<double>> {
   using Bound = double;
   static constexpr double unit = 0;
   static double magnitude(const Compensated<double>& x) { return x.enclosure().magnitude(); }
+  static Compensated<double> sum(const Compensated<double>& a, const Compensated<double>& b,
+                                 const Compensated<double>& sum) {
+    return sum + a * b;
+  }
   static bool is_none(const Compensated<double>& x) {
     return x.value == 0 && x.correction == 0 && x.radius == 0;
   }
@@ -88,16 +98,21 @@ struct TaylorModel {
   friend TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) {
     TaylorModel r;
     for (int k = 0; k <= D; ++k) r.c[k] = a.c[k] + b.c[k];
-    r.rest = with_rounding(a.rest + b.rest, r.polynomial());
+    r.rest = with_rounding(a.rest + b.rest, [&] { return r.polynomial(); });
     return r;
   }
-  friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) { return a + (-b); }
+  friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) {
+    TaylorModel r;
+    for (int k = 0; k <= D; ++k) r.c[k] = a.c[k] - b.c[k];
+    r.rest = with_rounding(a.rest + b.rest, [&] { return r.polynomial(); });
+    return r;
+  }
   friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
     TaylorModel r;
     for (int i = 0; i <= D; ++i) {
       if (Traits::is_none(a.c[i])) continue;
       for (int k = 0; i + k <= D; ++k)
-        if (!Traits::is_none(b.c[k])) r.c[i + k] = r.c[i + k] + a.c[i] * b.c[k];
+        if (!Traits::is_none(b.c[k])) r.c[i + k] = Traits::sum(a.c[i], b.c[k], r.c[i + k]);
     }
     // Terms above degree D are cut: aᵢ bₖ with i + k > D.
     Bound cut(0), of_b(0);
@@ -108,8 +123,16 @@ struct TaylorModel {
     const Bound of_a = a.polynomial(), all_of_b = b.polynomial();
     // A coefficient is the sum of at most D + 1 products, each rounded at most D + 1 times.
     r.rest = with_rounding(cut + of_a * b.rest + a.rest * (all_of_b + b.rest),
-                           Bound(D + 1) * (of_a * all_of_b));
+                           [&] { return Bound(D + 1) * (of_a * all_of_b); });
     return r;
+  }
+  /// Adds a number × x.
+  template <int E>
+  void add_product(const TaylorModel<S, E>& number, const TaylorModel& x) {
+    for (int k = 0; k <= D; ++k) c[k] = Traits::sum(number.c[0], x.c[k], c[k]);
+    rest = with_rounding(
+        rest + Traits::magnitude(number.c[0]) * x.rest + number.rest * (x.polynomial() + x.rest),
+        [&] { return polynomial(); });
   }
   friend TaylorModel sin(const TaylorModel& a) {
     using std::cos;
@@ -132,14 +155,20 @@ struct TaylorModel {
       1 + 64 * 0x1p-53;                     // covers the rounding of at most 60 positive terms
   static constexpr double tiny = 0x1p-500;  // covers products that underflow
 
-  /// Returns a remainder, enlarged by rounding errors. rounded: the sum of the magnitudes of all
+  /// Returns a remainder, enlarged by rounding errors. rounded(): the sum of the magnitudes of all
   /// rounded numbers.
-  static Bound with_rounding(const Bound& rest, const Bound& rounded) {
-    return (rest + Bound(Traits::unit) * rounded) * Bound(above) + Bound(tiny);
+  template <class Rounded>
+  static Bound with_rounding(const Bound& rest, const Rounded& rounded) {
+    if constexpr (Traits::unit > 0)
+      return (rest + Bound(Traits::unit) * rounded()) * Bound(above) + Bound(tiny);
+    else
+      return rest * Bound(above) + Bound(tiny);
   }
   /// Returns a sine or cosine from its derivatives at the constant term, by Taylor's formula
   /// f(c₀ + d) = Σ f⁽ᵏ⁾(c₀) dᵏ/k! + f⁽ᴰ⁺¹⁾(ξ) dᴰ⁺¹/(D + 1)!, whose last derivative is at most 1.
   static TaylorModel turned(const TaylorModel& a, const std::array<S, 4>& derivatives) {
+    if (D > 1 && std::all_of(a.c.begin() + 2, a.c.end(), Traits::is_none))
+      return turned_line(a, derivatives);
     TaylorModel d = a;
     d.c[0] = S(0);
     const Bound far = a.variation();
@@ -147,8 +176,29 @@ struct TaylorModel {
     for (int k = 1; k <= D + 1; ++k) last = last * far * Bound((1 + 0x1p-51) / k);
     TaylorModel sum;
     for (int k = D; k >= 0; --k) sum = sum * d + term(k, derivatives[k % 4]);
-    sum.rest = with_rounding(sum.rest + last, Bound(0));
+    sum.rest = with_rounding(sum.rest + last, [] { return Bound(0); });
     return sum;
+  }
+  /// Returns the same of a line c₀ + c₁ s, without Horner's rule. Its remainder changes f by itself
+  /// at most.
+  static TaylorModel turned_line(const TaylorModel& a, const std::array<S, 4>& derivatives) {
+    constexpr double up = 1 + 0x1p-51;
+    const Bound far = Traits::magnitude(a.c[1]);
+    TaylorModel r;
+    S power(1);                  // c₁ᵏ
+    Bound of_power(1), last(1);  // |c₁|ᵏ, and |c₁|ᵏ/k!, in the end k = D + 1
+    Bound rest = a.rest;
+    for (int k = 0; k <= D; ++k) {
+      const TaylorModel f = term(k, derivatives[k % 4]);
+      r.c[k] = f.c[0] * power;
+      rest = rest + f.rest * of_power;
+      power = power * a.c[1];
+      of_power = of_power * far * Bound(up);
+      last = last * far * Bound(up / (k + 1));
+    }
+    // A coefficient takes k + 1 roundings at most.
+    r.rest = with_rounding(rest + last, [&] { return Bound(D + 1) * r.polynomial(); });
+    return r;
   }
   /// Returns f/k!, a constant, of a sine or cosine f.
   static TaylorModel term(int k, const S& f) {
@@ -159,7 +209,7 @@ struct TaylorModel {
     TaylorModel r;
     r.c[0] = S(1 / factorial) * f;
     r.rest = with_rounding(of_f * Bound(1 / factorial) + of_factor * (Traits::magnitude(f) + of_f),
-                           Traits::magnitude(r.c[0]));
+                           [&] { return Traits::magnitude(r.c[0]); });
     return r;
   }
 };
