@@ -84,9 +84,6 @@ TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
       BlockBatch batch(members, {1, 1, 1, 1}, 0);
       PerLevel<ErrorTable> errors;
       errors.position.rows.resize(12);
-      for (auto* values :
-           {&errors.position.radius, &errors.position.correction, &errors.position.rest})
-        values->resize(4);
       for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 2; ++i) {
           errors.position.rows[2 * k + i].delivered = p[i] + 1e-12 * uniform(generator);
@@ -100,8 +97,8 @@ TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
         for (int i = 0; i < 2; ++i) {
           const double delivered = errors.position.rows[2 * k + i].delivered;
           const Wide error = abs(dyads[k].exact()[i] - delivered);
-          EXPECT_LE(error, Wide(errors.position.radius[2 * k + i])) << slant;
-          EXPECT_LE(errors.position.radius[2 * k + i], 1.01 * static_cast<double>(error) + 1e-16);
+          EXPECT_LE(error, Wide(errors.position.rows[2 * k + i].sum)) << slant;
+          EXPECT_LE(errors.position.rows[2 * k + i].sum, 1.01 * static_cast<double>(error) + 1e-16);
         }
       }
     }
@@ -136,7 +133,6 @@ TEST(BlockProof, CountsRoundingOfWhatLowerLevelsAdd) {
   std::array<Exact, 6> exact;
   for (ErrorTable* e : {&errors.position, &errors.velocity}) {
     e->rows.resize(6);
-    for (auto* values : {&e->radius, &e->correction, &e->rest}) values->resize(6);
   }
   for (int i = 0; i < 6; ++i) {
     errors.position.rows[i] = {delivered[i], error[i], 0, std::abs(error[i])};
@@ -150,8 +146,8 @@ TEST(BlockProof, CountsRoundingOfWhatLowerLevelsAdd) {
       -(rates[1] * exact[4] + rates[2] * exact[5] + rates[4] * exact[1] + rates[5] * exact[2]) /
       exact[3];
   EXPECT_GT(abs(rate - 1), 2 * Exact(lost));
-  EXPECT_LE(abs(rate - 1), Exact(errors.velocity.radius[0]));
-  EXPECT_LE(errors.velocity.radius[0], 1e-18);
+  EXPECT_LE(abs(rate - 1), Exact(errors.velocity.rows[0].sum));
+  EXPECT_LE(errors.velocity.rows[0].sum, 1e-18);
 }
 
 /// An input that is off by a known amount. The rate is off by all that a contraction of that amount
@@ -164,7 +160,6 @@ TEST(BlockProof, CountsWhatErrorsOfRatesAddToThemselves) {
     PerLevel<ErrorTable> errors;
     for (ErrorTable* e : {&errors.position, &errors.velocity}) {
       e->rows.resize(6);
-      for (auto* values : {&e->radius, &e->correction, &e->rest}) values->resize(6);
     }
     for (int i = 0; i < 6; ++i) {
       errors.position.rows[i].delivered = delivered[i];
@@ -177,8 +172,8 @@ TEST(BlockProof, CountsWhatErrorsOfRatesAddToThemselves) {
     ++proven;
     const double largest = 1 / (1 - off) - 1;  // of u₁ v₁ = 1 and of its rate times v₁, which is 1
     for (const Level level : {Level::position, Level::velocity}) {
-      EXPECT_LE(largest, errors[level].radius[0]) << off;
-      EXPECT_LE(errors[level].radius[0], 2.5 * largest) << off;
+      EXPECT_LE(largest, errors[level].rows[0].sum) << off;
+      EXPECT_LE(errors[level].rows[0].sum, 2.5 * largest) << off;
     }
   }
   EXPECT_GE(proven, 5);
@@ -199,9 +194,6 @@ TEST(BlockProof, KeepsWhatIsProvenInOneLane) {
     BlockBatch batch(members, std::vector<double>(12, 1), 0);
     PerLevel<ErrorTable> errors;
     errors.position.rows.resize(12);
-    for (auto* values :
-         {&errors.position.radius, &errors.position.correction, &errors.position.rest})
-      values->resize(12);
     for (int k = 0; k < lanes; ++k) {
       errors.position.rows[6 * k].delivered = delivered[k];
       errors.position.rows[6 * k + 3].delivered = 1;
@@ -210,7 +202,7 @@ TEST(BlockProof, KeepsWhatIsProvenInOneLane) {
     BlockProof proof({.unknowns = 1, .width = 6, .states = 6, .columns = 0});
     const PerLevel<LaneMask> proven = proof.prove(batch, Level::position, errors);
     ASSERT_TRUE(proven.position[0] && proven.position[1]);
-    radius[lanes - 1] = errors.position.radius[0];
+    radius[lanes - 1] = errors.position.rows[0].sum;
     EXPECT_LE(small / (1 - off) - small, radius[lanes - 1]);
     EXPECT_LE(radius[lanes - 1], 1e-11);
   }
@@ -232,7 +224,6 @@ TEST(BlockProof, HandsErrorsOn) {
     for (const Level level : all_levels) {
       ErrorTable& e = errors[level];
       e.rows.resize(2 * rows);
-      for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(rows);
       e.generators.resize(rows * columns);
       e.columns = columns;
       e.first_lent = rows;
@@ -257,7 +248,7 @@ TEST(BlockProof, HandsErrorsOn) {
         const ErrorTable::Row& row = e.rows[rows];
         const Exact error = exact[level] - Exact(row.delivered);
         EXPECT_LE(abs(error), Exact(row.sum)) << corner;
-        EXPECT_LE(abs(error), Exact(e.radius[0])) << corner;
+        EXPECT_LE(abs(error), Exact(e.rows[0].sum)) << corner;
         EXPECT_LE(abs(error - Exact(row.center)), Exact(e.rows[0].own)) << corner;
         Exact rest = error - Exact(row.center);
         for (int k = 0; k < columns; ++k) rest -= Exact(e.of_row(rows)[k]) * t[k];
@@ -266,7 +257,7 @@ TEST(BlockProof, HandsErrorsOn) {
       }
     }
     for (const Level level : all_levels)
-      EXPECT_LE(Exact(errors[level].radius[0]), largest[level] * Exact(1.01));
+      EXPECT_LE(Exact(errors[level].rows[0].sum), largest[level] * Exact(1.01));
   }
 }
 
@@ -280,7 +271,6 @@ TEST(BlockProof, CountsRoundingOfManySymbols) {
   PerLevel<ErrorTable> errors;
   ErrorTable& e = errors.position;
   e.rows.resize(2 * rows);
-  for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(rows);
   e.generators.resize(rows * columns);
   e.columns = columns;
   e.first_lent = rows;
@@ -292,8 +282,8 @@ TEST(BlockProof, CountsRoundingOfManySymbols) {
   e.rows[rows + input].set_error(0, symbols);
   BlockProof proof({.unknowns = 1, .width = rows, .states = rows, .columns = columns});
   ASSERT_TRUE(proof.prove(batch, Level::position, errors).position[0]);
-  EXPECT_LE(large + (columns - large) * Exact(lost), Exact(e.radius[0]));
-  EXPECT_LE(e.radius[0], large * (1 + 1e-9));
+  EXPECT_LE(large + (columns - large) * Exact(lost), Exact(e.rows[0].sum));
+  EXPECT_LE(e.rows[0].sum, large * (1 + 1e-9));
 }
 
 /// Links at an angle of 1e-4 rad, of a condition of 20,000, and an error of four times the default

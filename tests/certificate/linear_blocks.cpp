@@ -44,8 +44,6 @@ class Block {
       made.block.constants.insert(made.block.constants.end(), equation.c.begin(), equation.c.end());
     batch_.emplace(std::vector{made}, std::vector<double>(width_, 1), 0);
     errors_.position.rows.resize(width_);
-    ErrorTable& e = errors_.position;
-    for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(width_);
   }
 
   void deliver(int point, double value) {
@@ -63,7 +61,7 @@ class Block {
     BlockProof proof({.unknowns = unknowns_, .width = width_, .states = width_, .columns = 0});
     return proof.prove(*batch_, Level::position, errors_).position[0];
   }
-  double radius(int point) const { return errors_.position.radius[dimensions * point]; }
+  double radius(int point) const { return errors_.position.rows[dimensions * point].sum; }
 
  private:
   static void add_rows(BlockShape& s, const std::vector<Equation>& equations) {

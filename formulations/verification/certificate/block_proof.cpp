@@ -71,6 +71,7 @@ void BlockProof::finish(Level level, const LaneNumbers& factor) {
     e.own[i] += more;
     e.sum[i] += more;
   }
+  if (shape_->linear || level == up_to_) return;  // nobody reads what follows
   for (int j = 0; j < shape_->width(); ++j) {
     e.weight[j] = fma(batch_->rounding, e.sum[j], e.own[j]);
     state_[level][batch_->locals[j]].radius = e.sum[j];
@@ -141,26 +142,20 @@ void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTabl
   const ErrorColumns& e = errors_[level];
   const int blocks = b.blocks();
   for (int i = 0; i < shape_->unknowns; ++i) {
-    const int *row = &b.rows[LaneNumbers::count * i],
-              *coordinate = &b.coordinates[LaneNumbers::count * i];
+    const int* const row = &b.rows[LaneNumbers::count * i];
+    const int coordinate = b.coordinates[LaneNumbers::count * i];
     // Whoever reads what is not proven is not proven either.
-    LaneNumbers a = state_[level][b.locals[i]].mid, center = e.center[i], c = e.own[i],
+    LaneNumbers a = state_[level][b.locals[i]].mid,
+                center = select(tried & is_finite(e.center[i]), e.center[i], 0), c = e.own[i],
                 d = select(proven, e.sum[i], INFINITY);
-    const LaneNumbers sum = d, correction = select(tried & is_finite(center), center, 0),
-                      rest = fma(2 * Interval::unit, sum, sum - abs(center));
     transpose(a, center, c, d);
     a.store(&to.rows[row[0]].delivered);
     if (blocks > 1) center.store(&to.rows[row[1]].delivered);
     if (blocks > 2) c.store(&to.rows[row[2]].delivered);
     if (blocks > 3) d.store(&to.rows[row[3]].delivered);
-    for (int lane = 0; lane < blocks; ++lane) {
-      to.radius[coordinate[lane]] = sum[lane];
-      to.correction[coordinate[lane]] = correction[lane];
-      to.rest[coordinate[lane]] = rest[lane];
-    }
-    if (row[0] == coordinate[0]) continue;
+    if (row[0] == coordinate) continue;
     // Whoever reads the coordinate does not know the symbols.
-    ErrorTable::Row& box = to.rows[coordinate[0]] = to.rows[row[0]];
+    ErrorTable::Row& box = to.rows[coordinate] = to.rows[row[0]];
     box.own = box.sum - std::abs(box.center);
   }
 }
@@ -178,6 +173,7 @@ void BlockProof::add_homotopy(Level up_to, double time) {
 PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<ErrorTable>& errors,
                                      double time) {
   batch_ = &batch;
+  up_to_ = up_to;
   shape_ = &batch.equations.shape();
   for (const Level level : all_levels)
     if (level <= up_to) gather(level, errors[level]);

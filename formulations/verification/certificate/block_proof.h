@@ -58,6 +58,7 @@ class BlockProof {
 
   BlockBatch* batch_ = nullptr;
   const BlockShape* shape_ = nullptr;
+  Level up_to_ = Level::position;
   const Preconditioner* y_ = nullptr;
   std::vector<LowerTerm> lower_;               // of the present level
   PerLevel<std::vector<LaneInterval>> state_;  // local states

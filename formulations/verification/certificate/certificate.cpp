@@ -22,6 +22,7 @@ class Certifier::Proof {
   void take(const Instant& instant, const LiveRow* drivers);
   void load(const ChainLink& link);
   void leave(const ChainLink& link);
+  void write_bounds();
 
   const Model& m_;
   std::shared_ptr<BlockSchedule> schedule_;
@@ -51,13 +52,9 @@ Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to, InitialRes
 void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   using Number = Compensated<double>;
   const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
-  for (const Level level : all_levels) {
-    std::ranges::fill(errors_[level].radius, INFINITY);
-    std::ranges::fill(errors_[level].correction, 0);
-    std::ranges::fill(errors_[level].rest, INFINITY);
+  for (const Level level : all_levels)
     for (std::size_t i = 0; i < values[level].size(); ++i)
       errors_[level].rows[i] = {values[level][i], 0, 0, INFINITY};
-  }
   for (std::size_t k = 0; k < m_.drivers.size(); ++k) {
     const Driver& d = m_.drivers[k];
     const int i = m_.entities[d.coordinate].first;
@@ -72,11 +69,8 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
     for (const Level level : solved_) {
       ErrorTable::Row& row = errors_[level].rows[i];
       const Interval error = (exact[level] - Number(row.delivered)).enclosure();
-      if (!std::isfinite(error.magnitude())) continue;
-      row = {row.delivered, error.mid, error.radius, error.magnitude()};
-      errors_[level].radius[i] = row.sum;
-      errors_[level].correction[i] = row.center;
-      errors_[level].rest[i] = row.own;
+      if (std::isfinite(error.magnitude()))
+        row = {row.delivered, error.mid, error.radius, error.magnitude()};
     }
   }
 }
@@ -98,6 +92,20 @@ void Certifier::Proof::leave(const ChainLink& link) {
       solved_.first(sets_ == ErrorSets::bases ? solved_.size() : 0);
   for (const int index : link.interfaces) schedule_->interfaces[index].enclose(enclosed, errors_);
   for (const Level level : solved_) errors_[level].columns = 0;
+}
+
+/// Writes bounds on the errors of all coordinates; of levels that are not solved nothing is known.
+void Certifier::Proof::write_bounds() {
+  for (const Level level : all_levels) {
+    ErrorTable& e = errors_[level];
+    if (level <= solved_.back()) {
+      e.write_bounds();
+      continue;
+    }
+    std::ranges::fill(e.radius, INFINITY);
+    std::ranges::fill(e.correction, 0);
+    std::ranges::fill(e.rest, INFINITY);
+  }
 }
 
 Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* handed_in,
@@ -125,6 +133,7 @@ Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* 
           result.condition = condition;
           result.worst_conditioned = member.group;
         }
+        if (proven[solved_.back()][lane]) continue;  // as are lower levels
         for (const Level level : solved_) {
           if (proven[level][lane] || level > member.solved || member.order > first_failure)
             continue;
@@ -141,6 +150,7 @@ Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* 
     }
     if (step.link >= 0) leave(schedule_->links[step.link]);
   }
+  write_bounds();
   for (const Level level : all_levels) {
     result.radius[level] = errors_[level].radius;
     result.correction[level] = errors_[level].correction;

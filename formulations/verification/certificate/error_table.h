@@ -7,6 +7,7 @@
 
 #include "cases/numbers/interval.h"
 #include "formulations/base/per_level.h"
+#include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
 
@@ -29,8 +30,9 @@ struct ErrorTable {
   };
 
   std::vector<Row> rows;
-  std::vector<double> radius;      ///< bounds on the errors of the coordinates
-  std::vector<double> correction;  ///< of the coordinates: centers of their errors; 0: unknown
+  // Of the coordinates, once write_bounds() was called:
+  std::vector<double> radius;      ///< bounds on their errors
+  std::vector<double> correction;  ///< centers of their errors; 0: unknown
   std::vector<double> rest;        ///< bounds on what corrections leave of the errors
   std::vector<double> generators;  ///< G of the lent rows
   int columns = 0, first_lent = 0;
@@ -40,9 +42,35 @@ struct ErrorTable {
     rows[row] = box;
     std::fill_n(of_row(row), columns, 0);
   }
+  /// Writes bounds on the errors of the coordinates from their rows.
+  void write_bounds() {
+    const std::size_t size = radius.size();
+    std::size_t i = 0;
+    for (; i + LaneNumbers::count <= size; i += LaneNumbers::count) {
+      const auto row = [&](int k) { return LaneNumbers::load(&rows[i + k].delivered); };
+      LaneNumbers delivered = row(0), center = row(1), own = row(2), sum = row(3);
+      transpose(delivered, center, own, sum);
+      sum.store(&radius[i]);
+      center.store(&correction[i]);
+      left(sum, abs(center)).store(&rest[i]);
+    }
+    for (; i < size; ++i) {
+      radius[i] = rows[i].sum;
+      correction[i] = rows[i].center;
+      rest[i] = left(rows[i].sum, std::abs(rows[i].center));
+    }
+  }
   bool has_generators(int row) const { return columns > 0 && row >= first_lent; }
   double* of_row(int row) { return generators.data() + (row - first_lent) * columns; }
   const double* of_row(int row) const { return generators.data() + (row - first_lent) * columns; }
+
+ private:
+  /// Bounds what a correction leaves of an error.
+  template <class S>
+  static S left(const S& sum, const S& correction) {
+    using std::fma;
+    return fma(S(2 * Interval::unit), sum, sum - correction);
+  }
 };
 
 }  // namespace desmo

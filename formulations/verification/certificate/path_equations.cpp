@@ -62,7 +62,8 @@ PathEquations::PathEquations(const Model& m, const BlockBatch& batch) {
   const BlockShape& shape = batch.equations.shape();
   for (const BlockShape::Object& o : shape.objects) add(o);
   for (int i = 0; i < shape.states(); ++i) {
-    if (shape.columns[i] >= 0) continue;
+    // Linear equations read no others.
+    if (shape.columns[i] >= 0 || (shape.linear && shape.columns[i] == BlockShape::unread)) continue;
     FixedState made{i, 0, 0};
     for (int lane = 0; lane < LaneNumbers::count && shape.columns[i] == BlockShape::fixed; ++lane) {
       const int at = batch.in_lane(lane).block.states[i] - m.coordinates();

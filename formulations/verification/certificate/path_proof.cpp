@@ -123,25 +123,25 @@ PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
 /// the distance at the ends from the farthest point of the certified boxes.
 void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedInstant& to) {
   const double h = span_.half, s0 = span_.s(from.time), s1 = span_.s(to.time);
-  const auto level_of = [](const CertifiedInstant& x, int i) {
-    const Level all = x.values.velocity.empty()       ? Level::position
-                      : x.values.acceleration.empty() ? Level::velocity
-                                                      : Level::acceleration;
-    return x.levels.empty() ? all : std::min(all, x.levels[i]);
+  const auto level_of = [](const CertifiedInstant& x) {
+    return x.values.velocity.empty()       ? Level::position
+           : x.values.acceleration.empty() ? Level::velocity
+                                           : Level::acceleration;
   };
+  const Level highest = std::min(level_of(from), level_of(to));
   for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
     const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
     const int second = std::min(first + 1, last), third = std::min(first + 2, last);
     const auto lanes_of = [&](std::span<const double> x) {
       return LaneNumbers(LaneNumbers::Numbers{x[first], x[second], x[third], x[last]});
     };
+    std::array<Level, LaneNumbers::count> levels;
+    levels.fill(highest);
+    for (const std::span<const Level> solved : {from.levels, to.levels})
+      for (int i = first; i <= last && !solved.empty(); ++i)
+        levels[i - first] = std::min(levels[i - first], solved[i]);
     for (const Level level : all_levels) {
-      const auto has_level = [&](int i) {
-        return std::min(level_of(from, i), level_of(to, i)) == level;
-      };
-      bool any = false;
-      for (int i = first; i <= last; ++i) any |= has_level(i);
-      if (!any) continue;
+      if (std::ranges::find(levels, level) == levels.end()) continue;
       const auto end = [&](const CertifiedInstant& x) {
         EndValues<LaneNumbers> values{lanes_of(x.values.position)};
         if (level >= Level::velocity) values.first = lanes_of(x.values.velocity) * h;
@@ -164,7 +164,7 @@ void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedIns
       transpose(low[0], low[1], low[2], low[3]);
       transpose(high[0], high[1], high[2], high[3]);
       for (int i = first; i <= last; ++i)
-        if (has_level(i)) rows_[i].set(low[i - first], high[i - first]);
+        if (levels[i - first] == level) rows_[i].set(low[i - first], high[i - first]);
     }
   }
   std::ranges::fill(radius_, INFINITY);

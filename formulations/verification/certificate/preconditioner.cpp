@@ -22,16 +22,18 @@ double smallest(const LaneNumbers& x, LaneMask lanes) {
 template <int N>
 void eliminate(LaneNumbers* a, int size, int k) {
   const int n = N > 0 ? N : size;
-  const LaneNumbers scale = LaneNumbers(1) / a[k * n + k];
-  a[k * n + k] = 1;
-  for (int j = 0; j < n; ++j) a[k * n + j] *= scale;
-  for (int i = 0; i < n; ++i) {
+  LaneNumbers* const from = a + k * n;
+  const LaneNumbers scale = LaneNumbers(1) / from[k];
+  from[k] = 1;
+  for (int j = 0; j < n; ++j) from[j] *= scale;
+  LaneNumbers* to = a;
+  for (int i = 0; i < n; ++i, to += n) {
     if (i == k) continue;
-    const LaneNumbers factor = -a[i * n + k];
+    const LaneNumbers factor = -to[k];
     if (N == 0 && !(!is_zero(factor)).any()) continue;
-    a[i * n + k] = 0;
+    to[k] = 0;
 #pragma GCC unroll 4
-    for (int j = 0; j < n; ++j) a[i * n + j] = fma(factor, a[k * n + j], a[i * n + j]);
+    for (int j = 0; j < n; ++j) to[j] = fma(factor, from[j], to[j]);
   }
 }
 
