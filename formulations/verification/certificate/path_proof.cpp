@@ -132,8 +132,10 @@ void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedIns
   for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
     const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
     const int second = std::min(first + 1, last), third = std::min(first + 2, last);
+    const bool is_full = last == first + 3;
     const auto lanes_of = [&](std::span<const double> x) {
-      return LaneNumbers(LaneNumbers::Numbers{x[first], x[second], x[third], x[last]});
+      return is_full ? LaneNumbers::load(&x[first])
+                     : LaneNumbers(LaneNumbers::Numbers{x[first], x[second], x[third], x[last]});
     };
     std::array<Level, LaneNumbers::count> levels;
     levels.fill(highest);
@@ -192,11 +194,12 @@ void PathProof::Tube::find_drivers() {
 void PathProof::Tube::gather(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
+  const TubeRow* const rows = rows_.data();
   equations.write_fixed(states_.data());
   for (int j = 0; j < shape.width(); ++j) {
     const int* const at = &b.coordinates[LaneNumbers::count * j];
-    const double *p0 = rows_[at[0]].path.data(), *p1 = rows_[at[1]].path.data(),
-                 *p2 = rows_[at[2]].path.data(), *p3 = rows_[at[3]].path.data();
+    const double *p0 = rows[at[0]].path.data(), *p1 = rows[at[1]].path.data(),
+                 *p2 = rows[at[2]].path.data(), *p3 = rows[at[3]].path.data();
     const auto load = [&](LaneNumbers* to) {
       for (const double** p : {&p0, &p1, &p2, &p3}) {
         *to++ = LaneNumbers::load(*p);
@@ -291,12 +294,14 @@ LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
     proven = LaneMask::all();
     for (int i = 0; i < n; ++i) proven = proven & less(image_[i] + contracted_[i], trial_[i]);
   }
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i < n; ++i) {
+    const LaneNumbers radius = (image_[i] + contracted_[i]) * (1 + 4 * unit);
     for (int lane = 0; lane < b.blocks(); ++lane)
       if (proven[lane]) {
         const int at = b.coordinates[LaneNumbers::count * i + lane];
-        radius_[at] = rows_[at].radius = (image_[i][lane] + contracted_[i][lane]) * (1 + 4 * unit);
+        radius_[at] = rows_[at].radius = radius[lane];
       }
+  }
   return proven;
 }
 

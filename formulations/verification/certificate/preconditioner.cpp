@@ -98,10 +98,28 @@ void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, La
   with_size(s.unknowns, [&]<int N>() { invert<N>(s, jacobian, lanes); });
 }
 
+/// Finds Y of three unknowns in all lanes by cofactors, without pivots.
+void Preconditioner::invert_three(const BlockShape& s, const LaneNumbers* jacobian) {
+  std::array<std::array<LaneNumbers, 3>, 3> a{};
+  for (int i = 0; i < 3; ++i)
+    for (int e = s.row_begins[i]; e < s.input_begins[i]; ++e) a[i][s.entries[e]] = jacobian[e];
+  const auto cofactor = [&](int i, int j) {
+    const auto &u = a[(i + 1) % 3], &v = a[(i + 2) % 3];
+    const int k = (j + 1) % 3, l = (j + 2) % 3;
+    return fma(u[k], v[l], -(u[l] * v[k]));
+  };
+  LaneNumbers determinant(0);
+  for (int j = 0; j < 3; ++j) determinant = fma(a[0][j], cofactor(0, j), determinant);
+  const LaneNumbers scale = LaneNumbers(1) / determinant;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) inverse[3 * j + i] = cofactor(i, j) * scale;
+}
+
 /// Finds |D − Y c| for a column c of Φ_q, with so many entries. D has a 1 in row `one`, else zeros.
-template <int Count>
+template <int N, int Count>
 void Preconditioner::multiply(const int* rows, const int* entries, const LaneNumbers* jacobian,
-                              int n, int one, LaneNumbers* to, int stride) const {
+                              int size, int one, LaneNumbers* to, int stride) const {
+  const int n = N > 0 ? N : size;
   std::array<const LaneNumbers*, Count> y;
   std::array<LaneNumbers, Count> factors;
   for (int k = 0; k < Count; ++k) {
@@ -117,19 +135,19 @@ void Preconditioner::multiply(const int* rows, const int* entries, const LaneNum
 }
 
 /// Finds |D − Y C| for columns C of Φ_q, from `first` on. D is I, or 0 from the inputs on.
+template <int N>
 void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, int first, int last,
-                              LaneNumbers* to) {
-  if (is_single_) return single_.multiply(s, jacobian, first, last, to);
-  const int n = s.unknowns, stride = last - first;
+                              LaneNumbers* to) const {
+  const int n = N > 0 ? N : s.unknowns, stride = last - first;
   for (int column = first; column < last; ++column, ++to) {
     const int begin = s.column_begins[column], count = s.column_begins[column + 1] - begin;
     const int *rows = &s.column_rows[begin], *entries = &s.column_entries[begin];
     const bool is_done = [&]<int... C>(std::integer_sequence<int, C...>) {
       return ((count == C + 1 &&
-               (multiply<C + 1>(rows, entries, jacobian, n, column, to, stride), true)) ||
+               (multiply<N, C + 1>(rows, entries, jacobian, n, column, to, stride), true)) ||
               ...);
     }
-    (std::make_integer_sequence<int, 6>());
+    (std::make_integer_sequence < int, N == 0 ? 6 : N > ());
     if (is_done) continue;
     for (int i = 0; i < n; ++i) {
       LaneNumbers sum(i == column ? 1 : 0);
@@ -138,6 +156,12 @@ void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, 
       to[i * stride] = abs(sum);
     }
   }
+}
+
+void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, int first, int last,
+                              LaneNumbers* to) {
+  if (is_single_) return single_.multiply(s, jacobian, first, last, to);
+  with_size(s.unknowns, [&]<int N>() { multiply<N>(s, jacobian, first, last, to); });
 }
 
 void Preconditioner::find_remainder(const BlockShape& s, const LaneNumbers* jacobian) {
@@ -167,7 +191,7 @@ void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, Lane
   is_single_ = s.unknowns > LaneNumbers::count &&
                std::all_of(jacobian, jacobian + s.row_begins[s.unknowns],
                            [](const LaneNumbers& x) { return x.are_same(); });
-  invert(s, jacobian, lanes);
+  s.unknowns == 3 ? invert_three(s, jacobian) : invert(s, jacobian, lanes);
   find_remainder(s, jacobian);
   if (s.unknowns > 1) {
     LaneNumbers worst(0);

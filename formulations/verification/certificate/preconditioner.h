@@ -29,10 +29,14 @@ struct Preconditioner {
   void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
   template <int N>
   void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
+  void invert_three(const BlockShape& shape, const LaneNumbers* jacobian);
   void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
                 LaneNumbers* to);
-  template <int Count>
-  void multiply(const int* rows, const int* entries, const LaneNumbers* jacobian, int n, int one,
+  template <int N>
+  void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
+                LaneNumbers* to) const;
+  template <int N, int Count>
+  void multiply(const int* rows, const int* entries, const LaneNumbers* jacobian, int size, int one,
                 LaneNumbers* to, int stride) const;
   void find_remainder(const BlockShape& shape, const LaneNumbers* jacobian);
 
