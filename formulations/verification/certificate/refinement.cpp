@@ -16,12 +16,29 @@ namespace {
 /// and bounds are of second order. What falls less is rounding.
 constexpr double max_left = 1.0 / 256;
 
+constexpr int count = LaneNumbers::count;
+
+/// Returns four numbers, zeros after the last one.
+LaneNumbers four(std::span<const double> x, std::size_t first) {
+  if (first + count <= x.size()) return LaneNumbers::load(&x[first]);
+  LaneNumbers some(0);
+  for (std::size_t i = first; i < x.size(); ++i) some.set(static_cast<int>(i - first), x[i]);
+  return some;
+}
+
+/// Returns the numbers that are finite, zeros for others.
+LaneNumbers finite(const LaneNumbers& x) { return select(is_finite(x), x, 0); }
+
+double largest(const LaneNumbers& x) { return std::max({x[0], x[1], x[2], x[3]}); }
+
 }  // namespace
 
 Refinement::Refinement(const Model& m, std::span<const Level> levels, InitialResidual initial)
     : m_(m), certifier_(m, levels, initial) {
+  lengths_.resize((m.coordinates() + count - 1) / count);
   for (const Entity& e : m.entities)
-    if (!e.fixed) kind_.insert(kind_.end(), e.size, is_length(e.kind) ? 0 : 1);
+    for (int i = e.first; !e.fixed && is_length(e.kind) && i < e.first + e.size; ++i)
+      lengths_[i / count].bits[i % count] = -1;
   for (Values* values : {&next_, &radius_, &best_, &best_radius_})
     for (const Level level : all_levels) (*values)[level].resize(m.coordinates());
 }
@@ -85,16 +102,18 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
 /// Adds the corrections, and finds radii of the sums: what corrections leave, and the rounding of
 /// the sum, which is known exactly.
 void Refinement::add_corrections(const Certificate& c) {
-  for (const Level level : all_levels)
+  for (const Level level : all_levels) {
+    const double *correction = c.correction[level].data(), *rest = c.rest[level].data();
+    double *x = next_[level].data(), *radius = radius_[level].data();
+#pragma omp simd
     for (int i = 0; i < m_.coordinates(); ++i) {
-      double& x = next_[level][i];
-      const double correction = c.correction[level][i];
-      const double sum = x + correction;
-      const double of_correction = sum - x;
-      const double rounding = (x - (sum - of_correction)) + (correction - of_correction);
-      radius_[level][i] = (c.rest[level][i] + std::abs(rounding)) * (1 + 2 * Interval::unit);
-      x = sum;
+      const double sum = x[i] + correction[i];
+      const double of_correction = sum - x[i];
+      const double rounding = (x[i] - (sum - of_correction)) + (correction[i] - of_correction);
+      radius[i] = (rest[i] + std::abs(rounding)) * (1 + 2 * Interval::unit);
+      x[i] = sum;
     }
+  }
 }
 
 /// Returns the errors at each level. A kind that does not move has the size that the other's rates,
@@ -103,15 +122,26 @@ PerLevel<Refinement::Digits> Refinement::digits(const Certificate& c) const {
   PerLevel<Digits> result{};
   PerLevel<std::array<double, 2>> correction{}, size{};
   size.position[1] = 1;  // [rad]
-  for (const Level level : levels_)
-    for (int i = 0; i < m_.coordinates(); ++i) {
-      const int kind = kind_[i];
-      if (const double r = c.rest[level][i]; std::isfinite(r))
-        result[level].rest[kind] = std::max(result[level].rest[kind], r);
-      correction[level][kind] = std::max(correction[level][kind], std::abs(c.correction[level][i]));
-      if (const double x = std::abs(next_[level][i]); std::isfinite(x))
-        size[level][kind] = std::max(size[level][kind], x);
+  for (const Level level : levels_) {
+    std::array<LaneNumbers, 2> rests{}, corrections{}, sizes{};
+    for (std::size_t k = 0; k < lengths_.size(); ++k) {
+      const LaneNumbers r = finite(four(c.rest[level], count * k)),
+                        d = abs(four(c.correction[level], count * k)),
+                        x = finite(abs(four(next_[level], count * k)));
+      for (const int kind : {0, 1}) {
+        const LaneMask of_kind = kind == 0 ? lengths_[k] : !lengths_[k];
+        const auto raise = [&](LaneNumbers& most, const LaneNumbers& to) {
+          most = max(select(of_kind, to, 0), most);
+        };
+        raise(rests[kind], r), raise(corrections[kind], d), raise(sizes[kind], x);
+      }
     }
+    for (const int kind : {0, 1}) {
+      result[level].rest[kind] = largest(rests[kind]);
+      correction[level][kind] = largest(corrections[kind]);
+      size[level][kind] = std::max(size[level][kind], largest(sizes[kind]));
+    }
+  }
   auto& [q, v, a] = size;
   if (v[0] == 0) v[0] = v[1] * q[0];
   if (v[1] == 0 && q[0] > 0) v[1] = v[0] / q[0];

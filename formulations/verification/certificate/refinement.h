@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "formulations/verification/certificate/certificate.h"
+#include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
 
@@ -55,7 +56,7 @@ class Refinement {
 
   const Model& m_;
   Certifier certifier_;
-  std::vector<int> kind_;          // of each coordinate: 0 a length, 1 a rotation
+  std::vector<LaneMask> lengths_;  // which of each four coordinates are lengths, not rotations
   std::span<const Level> levels_;  // of the present instant
   Values next_, radius_;           // with corrections of the last pass
   Values best_, best_radius_;
