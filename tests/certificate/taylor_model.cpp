@@ -75,6 +75,27 @@ TEST(TaylorModel, HoldsSumsDifferencesAndProducts) {
   }
 }
 
+TEST(TaylorModel, HoldsSumsWithNumbersTimesModels) {
+  for (const double rest : {0.0, 1e-12, 0.1}) {
+    Models models;
+    double worst = 0;
+    for (int i = 0; i < (DESMO_SANITIZED ? 50 : 1000); ++i) {
+      const Model a = models.next(rest), x = models.next(rest);
+      const double s = models.argument();
+      Line number(models.next(0).c[0]);
+      number.rest = rest * std::abs(number.c[0]);
+      const Exact factor = Exact(number.c[0]) + Exact(number.rest) * Exact(models.argument());
+      Model sum = a;
+      sum.add_product(number, x);
+      const Exact off =
+          abs(models.within(a, s) + factor * models.within(x, s) - polynomial_at(sum, s));
+      EXPECT_LE(off, Exact(sum.rest)) << "at " << s;
+      worst = std::max(worst, static_cast<double>(off / Exact(sum.rest)));
+    }
+    EXPECT_GE(worst, 0.25) << rest;
+  }
+}
+
 /// At s = 1 all terms that a product cuts have one sign: 15 pairs of i + k > 5.
 TEST(TaylorModel, BoundsWhatAProductCuts) {
   Model a, b;
@@ -154,6 +175,31 @@ TEST(TaylorModel, HoldsSinesOfManyAngles) {
     Model a = models.next(i % 2 ? 1e-3 : 0);
     expect_held(a, sin(a), sine, 0);
     expect_held(a, cos(a), cosine, 0);
+  }
+}
+
+/// A line in compensated numbers takes another way: d⁶/720, and the remainder of the line itself.
+TEST(TaylorModel, BoundsSinesOfCompensatedLines) {
+  using Precise = TaylorModel<Compensated<double>, 5>;
+  for (const double rest : {0.0, 1e-3}) {
+    Precise line(rest == 0 ? 1.5707963267948966 : 0);
+    line.c[1] = rest == 0 ? 0.5 : 0.01;
+    line.rest = rest;
+    const Precise result = sin(line);
+    double bound = result.rest, worst = 0;
+    for (const auto& c : result.c) bound += c.enclosure().radius;
+    for (int i = 0; i <= 64; ++i)
+      for (const double share : {-1.0, 1.0}) {
+        const Wide s = i / 32.0 - 1;
+        Wide polynomial = 0;
+        for (int k = 5; k >= 0; --k)
+          polynomial = polynomial * s + Wide(result.c[k].value) + Wide(result.c[k].correction);
+        const Wide x = Wide(line.c[0].value) + Wide(line.c[1].value) * s + Wide(rest) * Wide(share);
+        const double off = static_cast<double>(abs(sine(x) - polynomial));
+        EXPECT_LE(off, bound) << s;
+        worst = std::max(worst, off / bound);
+      }
+    EXPECT_GE(worst, 1 / 1.5) << rest;
   }
 }
 
