@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "formulations/verification/certificate/block_schedule.h"
-#include "formulations/verification/certificate/hermite.h"
+#include "formulations/verification/certificate/coordinate_paths.h"
 #include "formulations/verification/certificate/path_equations.h"
 #include "formulations/verification/certificate/trial_box.h"
 
@@ -16,35 +15,6 @@ namespace {
 
 constexpr int degree = PathEquations::degree;
 constexpr double unit = Interval::unit;
-
-/// The tube of a coordinate, in two registers.
-struct alignas(32) TubeRow {
-  Quintic<double> path{};
-  double gap = 0;     ///< from the path to the instants
-  double radius = 0;  ///< of the tube; infinite: not proven
-
-  void set(const LaneNumbers& low, const LaneNumbers& high) {
-    low.store(path.data());
-    high.store(path.data() + LaneNumbers::count);  // and what follows it
-  }
-};
-
-/// Time along the path: middle + half s, with exact doubles whose range covers both ends.
-struct Span {
-  double middle, half;
-
-  Span(double from, double to) : middle(from + (to - from) / 2) {
-    half = std::nextafter(std::max(to - middle, middle - from), INFINITY);
-  }
-  double s(double time) const { return (time - middle) / half; }
-  double time(double s) const { return middle + half * s; }
-};
-
-LaneNumbers size_of(const Quintic<LaneNumbers>& c) {
-  LaneNumbers sum(0);
-  for (const LaneNumbers& x : c) sum += abs(x);
-  return sum;
-}
 
 }  // namespace
 
@@ -68,16 +38,14 @@ class PathProof::Tube {
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
 
   std::span<const double> radius() const { return radius_; }
-  double centre(int i, double time) const { return value_at(rows_[i].path, span_.s(time)); }
-  const Quintic<double>& path(int i) const { return rows_[i].path; }
-  double time_at(double s) const { return span_.time(s); }
+  double centre(int i, double time) const { return value_at(path(i), paths_.span().s(time)); }
+  const Quintic<double>& path(int i) const { return paths_[i].path; }
+  double time_at(double s) const { return paths_.span().time(s); }
 
  private:
   using Value = PathEquations::Value;
   using Slope = PathEquations::Slope;
 
-  void find_path(const CertifiedInstant& from, const CertifiedInstant& to);
-  void find_drivers();
   void gather(const BlockBatch& batch, const PathEquations& equations);
   void add_homotopy(const BlockBatch& batch);
   void find_image(const BlockBatch& batch, const PathEquations& equations);
@@ -87,8 +55,7 @@ class PathProof::Tube {
   const Model& m_;
   std::shared_ptr<BlockSchedule> schedule_;
   std::vector<PathEquations> equations_;  // of each batch, in their order
-  Span span_{-1, 1};
-  std::vector<TubeRow> rows_;   // of each coordinate
+  CoordinatePaths paths_;
   std::vector<double> radius_;  // of each coordinate, where the tube is proven
 
   // Of the present batch.
@@ -106,9 +73,7 @@ class PathProof::Tube {
 };
 
 PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
-    : m_(m), schedule_(std::move(schedule)) {
-  rows_.resize(m.coordinates());
-  radius_.resize(m.coordinates());
+    : m_(m), schedule_(std::move(schedule)), paths_(m), radius_(m.coordinates()) {
   for (const CertificationStep& step : schedule_->steps)
     for (const BlockBatch& batch : step.batches) equations_.emplace_back(m, batch);
   const auto& [n, width, states, columns] = schedule_->largest;
@@ -119,82 +84,11 @@ PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
   preconditioner_.resize(n, width);
 }
 
-/// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants, and its gap:
-/// the distance at the ends from the farthest point of the certified boxes.
-void PathProof::Tube::find_path(const CertifiedInstant& from, const CertifiedInstant& to) {
-  const double h = span_.half, s0 = span_.s(from.time), s1 = span_.s(to.time);
-  const auto level_of = [](const CertifiedInstant& x) {
-    return x.values.velocity.empty()       ? Level::position
-           : x.values.acceleration.empty() ? Level::velocity
-                                           : Level::acceleration;
-  };
-  const Level highest = std::min(level_of(from), level_of(to));
-  for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
-    const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
-    const int second = std::min(first + 1, last), third = std::min(first + 2, last);
-    const bool is_full = last == first + 3;
-    const auto lanes_of = [&](std::span<const double> x) {
-      return is_full ? LaneNumbers::load(&x[first])
-                     : LaneNumbers(LaneNumbers::Numbers{x[first], x[second], x[third], x[last]});
-    };
-    std::array<Level, LaneNumbers::count> levels;
-    levels.fill(highest);
-    for (const std::span<const Level> solved : {from.levels, to.levels})
-      for (int i = first; i <= last && !solved.empty(); ++i)
-        levels[i - first] = std::min(levels[i - first], solved[i]);
-    for (const Level level : all_levels) {
-      if (std::ranges::find(levels, level) == levels.end()) continue;
-      const auto end = [&](const CertifiedInstant& x) {
-        EndValues<LaneNumbers> values{lanes_of(x.values.position)};
-        if (level >= Level::velocity) values.first = lanes_of(x.values.velocity) * h;
-        if (level >= Level::acceleration) values.second = lanes_of(x.values.acceleration) * (h * h);
-        return values;
-      };
-      const EndValues<LaneNumbers> a = end(from), b = end(to);
-      const Quintic<LaneNumbers> p = hermite(a, b, level);
-      // Horner's rule rounds twice a degree; s is off by two roundings, which counts up to the
-      // degree.
-      constexpr double rounding = (4 * degree + 2) * unit;
-      const auto distance = [&](const EndValues<LaneNumbers>& x, std::span<const double> radius,
-                                double s) {
-        return abs(value_at(p, LaneNumbers(s)) - x.q) + lanes_of(radius);
-      };
-      const LaneNumbers gap =
-          (max(distance(a, from.radius, s0), distance(b, to.radius, s1)) + rounding * size_of(p)) *
-          (1 + 8 * unit);
-      std::array<LaneNumbers, 4> low{p[0], p[1], p[2], p[3]}, high{p[4], p[5], gap, INFINITY};
-      transpose(low[0], low[1], low[2], low[3]);
-      transpose(high[0], high[1], high[2], high[3]);
-      for (int i = first; i <= last; ++i)
-        if (levels[i - first] == level) rows_[i].set(low[i - first], high[i - first]);
-    }
-  }
-  std::ranges::fill(radius_, INFINITY);
-}
-
-/// Replaces the path of driven coordinates by Taylor polynomials of their motions.
-void PathProof::Tube::find_drivers() {
-  using Exact = TaylorModel<Compensated<double>, degree>;
-  Exact time(span_.middle);
-  time.c[1] = span_.half;
-  for (const Driver& d : m_.drivers) {
-    const int i = m_.entities[d.coordinate].first;
-    const Exact z = sample<Level::position>(d.motion, time).position;
-    double rest = z.rest;
-    for (int k = 0; k <= degree; ++k) {
-      const Interval c = z.c[k].enclosure();
-      rows_[i].path[k] = c.mid;
-      rest += c.radius;
-    }
-    radius_[i] = rows_[i].radius = rest * (1 + 16 * unit);
-  }
-}
-
 /// Takes the paths and errors that a batch reads.
 void PathProof::Tube::gather(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
-  const TubeRow* const rows = rows_.data();
+  const CoordinatePath* const rows = &paths_[0];
   equations.write_fixed(states_.data());
   for (int j = 0; j < shape.width(); ++j) {
     const int* const at = &b.coordinates[LaneNumbers::count * j];
@@ -232,8 +126,8 @@ void PathProof::Tube::gather(const BlockBatch& b, const PathEquations& equations
 
 /// Makes Φ − (1 − t) Φ₀ of Φ along the path.
 void PathProof::Tube::add_homotopy(const BlockBatch& b) {
-  Value time(span_.middle), one(1);
-  time.c[1] = span_.half;
+  Value time(paths_.span().middle), one(1);
+  time.c[1] = paths_.span().half;
   for (int r = 0; r < b.equations.shape().unknowns; ++r) {
     Value initial;
     initial.c[0] = b.initial[r];
@@ -299,7 +193,7 @@ LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
     for (int lane = 0; lane < b.blocks(); ++lane)
       if (proven[lane]) {
         const int at = b.coordinates[LaneNumbers::count * i + lane];
-        radius_[at] = rows_[at].radius = radius[lane];
+        radius_[at] = paths_[at].radius = radius[lane];
       }
   }
   return proven;
@@ -307,9 +201,12 @@ LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
 
 PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
   if (first_knot(m_, from.time, to.time)) return {};
-  span_ = Span(from.time, to.time);
-  find_path(from, to);
-  find_drivers();
+  paths_.find(from, to);
+  std::ranges::fill(radius_, INFINITY);
+  for (const Driver& d : m_.drivers) {
+    const int i = m_.entities[d.coordinate].first;
+    radius_[i] = paths_[i].radius;
+  }
   std::size_t batch = 0;
   for (CertificationStep& step : schedule_->steps)
     for (BlockBatch& b : step.batches) {
