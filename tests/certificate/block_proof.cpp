@@ -302,6 +302,7 @@ TEST(BlockProof, HoldsUsualErrorsInTheFirstX) {
   e.rows[7].delivered = dyad.centers[1][1];
   BlockProof proof({.unknowns = 2, .width = 2, .states = 6, .columns = 0});
   ASSERT_TRUE(proof.prove(batch, Level::position, errors).position[0]);
+  e.write_bounds();
   for (int i = 0; i < 2; ++i) {
     EXPECT_GT(batch.jacobian.radius[i][0], 1e-11);  // 2 X, for Φ is of second degree
     EXPECT_LE(e.rest[i], 0x1p-56);

@@ -107,6 +107,32 @@ TEST(PathProof, ProvesEachStepOfTheCases) {
   }
 }
 
+/// Coordinates that are solved up to different levels have the paths of these, also the last ones,
+/// which fill no register.
+TEST(PathProof, TakesTheLevelOfEachCoordinate) {
+  int odd = 0;
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Model m = make_model(scene);
+    const double t = scene.grid.start;
+    const Certified at(m, double_solution(m, std::vector{t, t + scene.grid.interval()}));
+    const Certifier blocks(m);
+    PathProof mixed(m, blocks), same(m, blocks);
+    std::vector<Level> levels;
+    for (int i = 0; i < m.coordinates(); ++i) levels.push_back(all_levels[(i + i / 4) % 3]);
+    CertifiedInstant from = at(0), to = at(1);
+    from.levels = levels;
+    static_cast<void>(mixed.prove(from, to));
+    odd += m.coordinates() % 4 != 0;
+    for (const Level level : all_levels) {
+      static_cast<void>(same.prove(at(0, level), at(1, level)));
+      for (int i = 0; i < m.coordinates(); ++i)
+        if (levels[i] == level) EXPECT_EQ(mixed.path(i), same.path(i)) << l.name << ' ' << i;
+    }
+  }
+  EXPECT_GT(odd, 0);
+}
+
 /// A crank that oscillates: drivers turn back within these steps, which polynomials in time hold.
 TEST(PathProof, HoldsDriversThatTurnBack) {
   Model m = make_model(library_scene("slider_crank"));

@@ -65,9 +65,12 @@ void CoordinatePaths::find_between(const CertifiedInstant& from, const Certified
                                 double s) {
         return abs(value_at(p, LaneNumbers(s)) - x.q) + lanes_of(radius);
       };
-      const LaneNumbers gap =
-          (max(distance(a, from.radius, s0), distance(b, to.radius, s1)) + rounding * size_of(p)) *
-          (1 + 8 * unit);
+      const LaneNumbers first_gap = distance(a, from.radius, s0),
+                        last_gap = distance(b, to.radius, s1),
+                        widest =
+                            (max(first_gap, last_gap) + rounding * size_of(p)) * (1 + 8 * unit);
+      // max() drops what is not a number.
+      const LaneNumbers gap = select(is_finite(first_gap + last_gap), widest, INFINITY);
       std::array<LaneNumbers, 4> low{p[0], p[1], p[2], p[3]}, high{p[4], p[5], gap, INFINITY};
       transpose(low[0], low[1], low[2], low[3]);
       transpose(high[0], high[1], high[2], high[3]);

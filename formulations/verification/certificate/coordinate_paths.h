@@ -21,6 +21,7 @@ struct alignas(32) CoordinatePath {
     high.store(path.data() + LaneNumbers::count);  // and what follows it
   }
 };
+static_assert(sizeof(CoordinatePath) == 8 * sizeof(double));
 
 /// Time along a path, s in [−1, 1]: middle + half s, with exact doubles whose range covers both
 /// ends.
