@@ -146,7 +146,7 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
            "meet, and goes on smoothly";
   if (f.before == INFINITY)
     return group + formatted("t = %.12g s", f.after) +
-           ": from there on it rests on a singular position, where branches meet";
+           ": it comes to rest on a singular position, where branches meet";
   return group + interval(f.after, f.before) +
          ": it passes a singular position, where branches meet, and goes on smoothly";
 }

@@ -27,8 +27,8 @@ bool lead(Model m, std::span<const double> from, std::span<const double> to,
 
 /// Proves the instant of the motion at a time, on the branch to which the line leads, and that the
 /// motion goes on from there to a later time.
-bool prove_beyond(const Model& m, StraightCrossing& crossing, double time, double later,
-                  PassedPoint& point) {
+bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, double time,
+                  double later, PassedPoint& point) {
   const PerLevel<std::vector<double>> z = drivers_at(m, time);
   const double s = crossing.line().arc(z.position);
   const CertifiedInstant* on_line = crossing.go_to(s);
@@ -47,7 +47,12 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, double time, doubl
   const RefinedInstant& r = refinement.refine(instant_of(time, x.view().values));
   if (!r.proven) return false;
   BranchPath path(m);
-  if (!path.start_at(certified(r)) || path.go_to(later).end != PathEnd::same) return false;
+  if (!path.start_at(certified(r))) return false;
+  const FollowedStep step = path.go_to(later);
+  // Where another group is stuck, far enough from here, that is a point of its own.
+  const bool leads_away =
+      step.group != group && path.present().time - point.after >= 2 * (time - point.after);
+  if (step.end != PathEnd::same && !(group != no_position && leads_away)) return false;
   point.before = time;
   point.first.assign(certified(r));
   return true;
@@ -115,7 +120,7 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
     // Where they turn back, they may be at the point again.
     const double far = departure.time_at(crossing.reach());
     const double later = departure.turn_after(time, far < INFINITY ? far : time + (time - start));
-    if (!prove_beyond(m, crossing, time, later, point)) continue;
+    if (!prove_beyond(m, crossing, group, time, later, point)) continue;
     point.time = start + (time - start) / 2;
     return point;
   }
@@ -160,9 +165,15 @@ bool PassedPoint::follow(const Model& m, std::span<const double> z) {
 std::vector<double> PassedPoint::positions(const Model& m, double at) {
   const std::vector<double> z = drivers_at(m, at).position;
   if (!follow(m, z)) return {};
-  const double s = line.arc(z) / width;
-  std::vector<double> q;
-  for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, s));
+  const auto at_share = [&](double s) {
+    std::vector<double> q;
+    for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, s));
+    return q;
+  };
+  const double s = line.arc(z) / width, end = std::clamp(s, -1., 1.);
+  std::vector<double> q = at_share(end);
+  // Farther from the point than its polynomials reach, paths are proven, as a rule.
+  if (s != end && !lead(m, line.at(end * width), z, q)) q = at_share(s);
   for (std::size_t k = 0; k < z.size(); ++k) q[m.entities[m.drivers[k].coordinate].first] = z[k];
   return q;
 }
