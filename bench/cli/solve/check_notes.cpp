@@ -145,8 +145,8 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
            ": the way from the drawing to the start passes a singular position, where branches "
            "meet, and goes on smoothly";
   if (f.before == INFINITY)
-    return group + formatted("t = %.12g s", f.after) +
-           ": it comes to rest on a singular position, where branches meet";
+    return group + interval(f.after, f.after) +
+           ": from there on it rests on a singular position, where branches meet, or next to it";
   return group + interval(f.after, f.before) +
          ": it passes a singular position, where branches meet, and goes on smoothly";
 }
@@ -177,8 +177,7 @@ std::string note_on_flags(const CheckedSummary& s, const Model& m, const Display
   if (s.misfit)
     note += "accuracy: largest contradiction: " +
             off_by(s.misfit->constraint, s.misfit->amount, s.misfit->is_length, m, units) + '\n';
-  if (s.crossings > 1)
-    note += "accuracy: " + count(s.crossings, "change point") + " passed in all\n";
+  if (s.crossings > 1) note += "accuracy: " + count(s.crossings, "change point") + " met in all\n";
   return note;
 }
 

@@ -10,7 +10,8 @@ namespace desmo {
 /// Returns the drivers' values and rates at a time [s].
 PerLevel<std::vector<double>> drivers_at(const Model& model, double time);
 
-/// The motion of a line's drivers as it leaves the line's origin. Distances are in the unit of arc.
+/// The motion of a line's drivers as it leaves the line's origin. Knots are those of all drivers.
+/// Distances are in the unit of arc.
 class Departure {
  public:
   /// start: of the motion [s]: where the drivers are at the origin. Model and line must outlive
@@ -22,8 +23,9 @@ class Departure {
   /// are.
   double time_at(double distance) const;
 
-  /// Returns about the time after `time` at which a driver first turns back; `until` where none
-  /// does before it. Steps are doubled: a turn and its return between two of them are not seen.
+  /// Returns about the time after `time` at which one of the drivers first turns back; `until`
+  /// where none does before it. Steps are doubled: a turn and its return between two of them are
+  /// not seen.
   double turn_after(double time, double until) const;
 
   /// Returns whether the drivers' path fails to be tangent to the line at the origin, or the

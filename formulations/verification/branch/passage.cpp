@@ -131,7 +131,7 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
 
 /// Shifts the line to where its other drivers are now, and the polynomials with it: their ends,
 /// which are proven, are led there. Returns whether they can be.
-bool PassedPoint::follow(const Model& m, std::span<const double> z) {
+bool PassedPoint::move_line_to(const Model& m, std::span<const double> z) {
   DriverLine to = line;
   for (std::size_t k = 0; k < z.size(); ++k)
     if (!line.counts(k)) to.origin[k] = z[k];
@@ -164,16 +164,11 @@ bool PassedPoint::follow(const Model& m, std::span<const double> z) {
 
 std::vector<double> PassedPoint::positions(const Model& m, double at) {
   const std::vector<double> z = drivers_at(m, at).position;
-  if (!follow(m, z)) return {};
-  const auto at_share = [&](double s) {
-    std::vector<double> q;
-    for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, s));
-    return q;
-  };
+  if (!move_line_to(m, z)) return {};
   const double s = line.arc(z) / width, end = std::clamp(s, -1., 1.);
-  std::vector<double> q = at_share(end);
-  // Farther from the point than its polynomials reach, paths are proven, as a rule.
-  if (s != end && !lead(m, line.at(end * width), z, q)) q = at_share(s);
+  std::vector<double> q;
+  for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, end));
+  if (s != end && !lead(m, line.at(end * width), z, q)) return {};
   for (std::size_t k = 0; k < z.size(); ++k) q[m.entities[m.drivers[k].coordinate].first] = z[k];
   return q;
 }

@@ -28,7 +28,7 @@ struct PassedPoint {
   std::vector<double> positions(const Model& model, double time);
 
  private:
-  bool follow(const Model& model, std::span<const double> drivers);
+  bool move_line_to(const Model& model, std::span<const double> drivers);
 };
 
 /// Passes the change point on which a motion is stuck (PathEnd::stuck), if there is a smooth

@@ -36,6 +36,7 @@ void CheckedMotion::begin(double time) {
   on_path_ = false;
   const FoundStart start = find_start(m_, time);
   if (follower_->chosen) follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
+  step_ = {.time = time, .group = start.group};
   start_ = start.point ? FoundStart::Stage::reached : start.stage;
   blocked_at_.clear();
   if (start_ != FoundStart::Stage::reached) blocked_at_ = start.q;
@@ -63,7 +64,7 @@ void CheckedMotion::begin(double time) {
 
 void CheckedMotion::keep_last() {
   last_.on_path = on_path_;
-  last_.point = point_;
+  last_.point = point_ ? std::make_shared<PassedPoint>(*point_) : nullptr;
   last_.lost = lost_;
   if (follows()) last_.instant.assign(follower_->path.present());
 }
@@ -235,7 +236,10 @@ void CheckedMotion::deliver_path(const Instant& at) {
 /// Delivers the position on the change point, which has no rates. Returns whether it is known.
 bool CheckedMotion::deliver_point(const Instant& at) {
   on_point_ = point_->positions(follower_->model, at.time);
-  if (on_point_.empty()) return false;
+  if (on_point_.empty()) {
+    step_.group = no_position;  // another one is stuck
+    return false;
+  }
   elsewhere_ = true;
   result_.instant = at;
   result_.instant.q = on_point_;

@@ -33,12 +33,13 @@ struct RowFlag {
                ///< a singular position lies there, or the tests ended
     misfit,    ///< an equation that was left out does not hold there, or on the way from the row
                ///< before: there is no exact motion
-    crossing,  ///< the step passes a change point, on its smooth continuation
+    crossing,  ///< the step passes a change point, on its smooth continuation, or begins on it
     on_point,  ///< the row lies on a change point: it has a position and no rates
   };
   Kind kind = Kind::unproven;
   double time = 0;  ///< of the row [s]
   /// Ends of the interval [s]; of a misfit: where it was found, at the row or on the way to it.
+  /// before: infinite where the motion rests on a change point for good.
   double after = 0, before = 0;
   GroupId group = no_position;  ///< of the test that failed, if known
   bool out_of_tests = false;    ///< branch: the budget of tests ended before the interval did

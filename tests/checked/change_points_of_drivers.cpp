@@ -1,0 +1,114 @@
+// Change points of mechanisms with several drivers.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/checked/motions.h"
+
+namespace desmo::change_points_test {
+namespace {
+
+using std::numbers::pi;
+
+/// A second crank goes on.
+TEST(ChangePoints, ArePassedWhereOneDriverTurnsBackBeyondThem) {
+  const Scene scene = scene_file("turns_back_beside_a_crank");
+  const Model m = make_model(scene);
+  const CheckedRows r = solve_checked(m, scene.grid, "group_automatic_lapack");
+  EXPECT_EQ(r.summary.flagged, 2) << describe(r.summary, m);
+  const int theta = m.coordinate("th"), psi = m.coordinate("ps");
+  for (const CheckedRow& row : r.rows)
+    if (!row.flag || row.flag->kind != RowFlag::Kind::on_point)
+      EXPECT_NEAR(row.values.position[theta], row.values.position[psi], 1e-9);
+}
+
+/// The parallelogram's point depends on its own crank. Another crank, with rod and slider, starts
+/// elsewhere than drawn, stands or turns, also while the parallelogram rests on the point.
+/// tolerance: of rows on a proven branch
+void expect_points_of_the_parallelogram(const CheckOptions& options, double tolerance) {
+  Scene scene = scene_file("turns_back_beside_a_crank");
+  const double drawn = 40 * pi / 180;
+  const Motion comes_to_rest = shifted(make_spline(Trapezoid{pi - drawn, 4, 8}), drawn);
+  for (const Motion& theta :
+       {Motion(Polynomial{{pi, 1}}), Motion(Polynomial{{pi, -1}}), Motion(Polynomial{{pi, 0, 1}}),
+        Motion(Polynomial{{pi}}), Motion(Polynomial{{pi - 0.5, 1}}), comes_to_rest})
+    for (const Motion& alpha :
+         {Motion(Polynomial{{pi / 6}}), Motion(Polynomial{{pi / 6, pi / 2}})}) {
+      scene.motions = {theta, alpha};
+      const Model m = make_model(scene);
+      const CheckedRows r =
+          solve_checked(m, {0, 0.125, 13}, "group_automatic_lapack", Level::acceleration, options);
+      SCOPED_TRACE(describe(r.summary, m));
+      EXPECT_NE(r.summary.outcome(), Outcome::failed);
+      EXPECT_EQ(r.summary.crossings, 1);
+      for (const CheckedRow& row : r.rows) {
+        const bool is_on_point = row.flag && row.flag->kind == RowFlag::Kind::on_point;
+        EXPECT_TRUE(!row.flag || is_on_point || row.flag->kind == RowFlag::Kind::crossing)
+            << row.time;
+        const auto at = [&](const char* name) { return m.value(name, row.values.position); };
+        EXPECT_NEAR(std::remainder(at("ps") - at("th"), 2 * pi), 0, is_on_point ? 1e-7 : tolerance);
+        const double angle = sample(alpha, row.time).position;
+        const double slider =
+            0.02 * std::cos(angle) + std::sqrt(0.05 * 0.05 - std::pow(0.02 * std::sin(angle), 2));
+        EXPECT_NEAR(at("u"), slider, tolerance / 100) << row.time;
+      }
+      if (sample(theta, 0).position == pi)
+        EXPECT_EQ(m.groups.at(r.summary.first_flag->group).name, "SG-II");
+    }
+}
+
+TEST(ChangePoints, DependOnTheDriversOfTheirGroupAlone) {
+  expect_points_of_the_parallelogram({}, 1e-12);
+  expect_points_of_the_parallelogram({.mode = CheckMode::sample, .sample = 4}, 1e-9);
+}
+
+/// Two parallelograms with cranks of their own. One of them passes its point, begins or turns back
+/// on it, and the other does so later.
+TEST(ChangePoints, ArePassedByOneMechanismAfterTheOther) {
+  Scene scene = scene_file("two_parallelograms");
+  const Motion passes = Polynomial{{pi - 0.5, 1.75}}, begins = Polynomial{{pi, 1.75}},
+               turns_back = Polynomial{{pi - 0.625, 2.1, -1.764}},  // after 0.595 s
+      turns_back_early = Polynomial{{pi - 0.16, 1.6, -4}};          // after 0.2 s
+  for (const std::vector<Motion>& motions :
+       std::vector<std::vector<Motion>>{{passes, turns_back},
+                                        {begins, turns_back},
+                                        {begins, passes},
+                                        {turns_back_early, passes}}) {
+    scene.motions = motions;
+    const Model m = make_model(scene);
+    const CheckedRows r = solve_checked(m, scene.grid, "group_automatic_lapack");
+    SCOPED_TRACE(describe(r.summary, m));
+    EXPECT_EQ(r.summary.crossings, 2);
+    EXPECT_EQ(r.summary.flagged, 2);
+    for (const CheckedRow& row : r.rows) {
+      const auto way = [&](const char* from, const char* to) {
+        return m.value(to, row.values.position) - m.value(from, row.values.position);
+      };
+      EXPECT_NEAR(way("B.x", "C.x"), 0.032, 1e-12) << row.time;
+      EXPECT_NEAR(way("H.x", "K.x"), 0.048, 1e-12) << row.time;
+    }
+  }
+}
+
+/// While one parallelogram rests on its point, no path leads the other one through its own: rows
+/// say so.
+TEST(ChangePoints, OfOneMechanismArePassedWhileTheOtherRestsOrRowsAreFlagged) {
+  Scene scene = scene_file("two_parallelograms");
+  scene.motions = {Polynomial{{pi}}, Polynomial{{pi - 0.5, 1.75}}};
+  const Model m = make_model(scene);
+  const CheckedRows r = solve_checked(m, scene.grid, "group_automatic_lapack");
+  EXPECT_NE(r.summary.outcome(), Outcome::converged);
+  for (const CheckedRow& row : r.rows) {
+    ASSERT_TRUE(row.flag) << row.time;
+    if (row.flag->kind == RowFlag::Kind::unproven || row.flag->kind == RowFlag::Kind::branch)
+      continue;
+    const auto at = [&](const char* name) { return m.value(name, row.values.position); };
+    EXPECT_NEAR(at("K.x") - at("H.x"), 0.048, 1e-9) << row.time;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::change_points_test
