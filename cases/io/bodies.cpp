@@ -151,8 +151,9 @@ Vec drawn_position(const Mechanism::Frame& frame, const Vec& local) {
 
 void set_position(Mechanism::Point& point, const Vec& numbers, const DisplayUnit& unit) {
   for (int i = 0; i < 3; ++i) {
-    const double x = point.position[i] = numbers[i] * unit.in_si;
-    point.remainder[i] = (Derived(numbers[i]) * unit.in_si).about(x).remainder();
+    const Derived x = Derived(numbers[i]) * unit.in_si;
+    point.position[i] = x.value;
+    point.remainder[i] = x.remainder();
   }
 }
 

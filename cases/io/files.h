@@ -30,7 +30,8 @@ Scene read_scene(const std::filesystem::path& file);
 /// std::invalid_argument, with the nearest names, when there is none of that name.
 Scene library_scene(std::string_view name);
 
-/// Returns the text of a mechanism file that describes the same mechanism.
+/// Returns the text of a mechanism file that describes the same mechanism, in metres and radians:
+/// what a file in other units means is rounded.
 std::string write_mechanism(const Mechanism& mechanism);
 
 }  // namespace desmo

@@ -31,7 +31,7 @@ struct Mechanism {
   struct Point {
     std::string name;
     Vec position;                          ///< nominal position
-    std::array<Remainder, 3> remainder{};  ///< of the position
+    std::array<Remainder, 3> remainder{};  ///< of the position; none where that is written anew
 
     ExactVec exact() const { return Mechanism::exact(position, remainder); }
   };

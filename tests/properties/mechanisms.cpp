@@ -101,8 +101,9 @@ Placement draw_placement(const Drawn& d, Random& random) {
 
 void place(Drawn& d, const Placement& p) {
   Mechanism& m = d.mechanism;
-  for (Mechanism::Point& point : m.points) point.position = p.position(point.position);
-  for (Mechanism::Vector& vector : m.vectors) vector.direction = p.direction(vector.direction);
+  for (Mechanism::Point& point : m.points) point = {point.name, p.position(point.position)};
+  for (Mechanism::Vector& vector : m.vectors)
+    vector = {vector.name, p.direction(vector.direction), vector.along};
   for (Mechanism::Body& body : m.bodies)
     if (body.length) body.length = body.length->value * p.size;
   for (Mechanism::Coupling& coupling : m.couplings)

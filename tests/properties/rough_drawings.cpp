@@ -37,8 +37,10 @@ double with_digits(double x, int digits) {
 }
 
 void round_numbers(Mechanism& m, int digits) {
-  for (Mechanism::Point& p : m.points)
+  for (Mechanism::Point& p : m.points) {
     for (double& x : p.position) x = with_digits(x, digits);
+    p.remainder = {};
+  }
   for (Mechanism::Vector& v : m.vectors)
     for (double& x : v.direction) x = with_digits(x, digits);
   for (Mechanism::Body& b : m.bodies)
