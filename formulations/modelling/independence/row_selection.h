@@ -40,8 +40,8 @@ int mobility(const GroupSystem& system, const JudgedJacobians& jacobians);
 /// The independent equations of a group.
 struct SelectedRows {
   std::vector<bool> taken;  ///< whether each row of the system is selected
-  /// Where too few rows are selected: the largest relative uncertainty of a row's derivatives by
-  /// rounding of positions, with the shortest lengths.
+  /// Largest relative uncertainty of a row's derivatives by rounding of positions, with the
+  /// shortest lengths; found where too few rows are selected.
   double uncertain = 0;
   JudgedJacobians jacobians;
 };

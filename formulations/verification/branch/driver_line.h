@@ -33,7 +33,7 @@ struct DriverLine {
   /// Returns the distance of the drivers from the line's point at an arc.
   double distance(std::span<const double> z, double s) const;
 
-  /// Of each driver; a driver that is none of the line's has an infinite magnitude.
+  /// Numbers of each driver; one that is none of the line's has an infinite magnitude.
   std::vector<double> magnitudes, origin, rates;
 };
 

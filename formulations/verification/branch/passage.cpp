@@ -26,7 +26,7 @@ bool lead(Model m, std::span<const double> from, std::span<const double> to,
 }
 
 /// Proves the instant of the motion at a time, on the branch to which the line leads, and that the
-/// motion goes on from there to a later time.
+/// motion goes on from there to a later time, or up to a point of another group than this one.
 bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, double time,
                   double later, PassedPoint& point) {
   const PerLevel<std::vector<double>> z = drivers_at(m, time);

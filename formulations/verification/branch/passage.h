@@ -24,7 +24,7 @@ struct PassedPoint {
   CertifiedInstant beyond() const { return first.view(); }
   /// Returns positions of all coordinates at a time between `after` and `before`, where no instant
   /// is proven and rates have no digits. Line and polynomials move on with the other drivers. Empty
-  /// where what depends on these cannot be led on.
+  /// where paths lead neither what depends on these nor, beyond the polynomials, the rest.
   std::vector<double> positions(const Model& model, double time);
 
  private:
