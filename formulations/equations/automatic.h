@@ -14,6 +14,8 @@ namespace desmo {
 /// their partial derivatives.
 class AutomaticEquations final : public Equations {
  public:
+  class Loops;  // over the objects of one kind
+
   AutomaticEquations(const Model& model, const PartDefinition& part);
   ~AutomaticEquations() override;
 
@@ -26,16 +28,8 @@ class AutomaticEquations final : public Equations {
   void quadratic(const double* state, const double* rate, double* gamma) const override;
 
  private:
-  template <class Kind>
-  struct SameKind;  // objects of one kind
-  struct AllKinds;  // a SameKind for every kind
-  struct Loops;     // loops over the objects of one SameKind
-  template <class Kind, bool Whole>
-  struct LoopsOf;
-
   Pattern pattern_;
-  std::unique_ptr<AllKinds> all_kinds_;
-  std::vector<const Loops*> loops_;  // loops of the batches that have objects; a part has few kinds
+  std::vector<std::unique_ptr<Loops>> loops_;  // of the kinds that occur; a part has few
 };
 
 }  // namespace desmo
