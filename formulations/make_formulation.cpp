@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -44,14 +43,6 @@ struct Draft {
   PartSettings settings;
 };
 
-/// Returns the settings of a part: its share of the tolerance, or what rounding leaves.
-PartSettings settings_of(const Common& common, const PartDefinition& part) {
-  PartSettings settings(common.settings);
-  settings.tolerance = std::max(common.settings.tolerance, common.magnitudes.rounding(part));
-  settings.at_rounding = settings.tolerance > common.settings.tolerance;
-  return settings;
-}
-
 /// Makes a part solved by Newton's method; generated eliminations fall back to it.
 Draft make_newton(const Common& common, PartDefinition d) {
   const Variant& v = common.variant;
@@ -60,7 +51,7 @@ Draft make_newton(const Common& common, PartDefinition d) {
                       .weights = common.magnitudes.weights(d),
                       .kernels = std::nullopt,
                       .analysis = common.settings,
-                      .settings = settings_of(common, d),
+                      .settings = PartSettings(common.settings, common.magnitudes.rounding(d)),
                       .profile = common.profile,
                       .magnitudes = common.magnitudes.of_unknowns(d)};
   if (v.evaluation == Evaluation::symbolic)

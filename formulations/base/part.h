@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <span>
@@ -16,36 +17,30 @@ namespace desmo {
 
 class ResidentPart;  // base/resident_part.h
 
-/// Settings of one part: those of the analysis that its solver reads, and its own tolerance.
+/// Settings of one part: those of the analysis that its solver reads, and its own limits. All
+/// limits are on ‖Φ‖₂ of the part's own equations, each over its magnitude.
 struct PartSettings {
-  explicit PartSettings(const Settings& s)
-      : tolerance(s.tolerance),
+  /// rounding: the part's rounding floor, which replaces a tolerance below it.
+  explicit PartSettings(const Settings& s, double rounding = 0)
+      : tolerance(std::max(s.tolerance, rounding)),
         max_iterations(s.max_iterations),
-        fixed_iterations(s.fixed_iterations),
-        jacobian(s.jacobian) {}
-
-  double tolerance;  ///< limit of ‖Φ‖₂ of the part's own equations, each over its magnitude
-  int max_iterations, fixed_iterations;  ///< see Settings
-  JacobianUpdate jacobian;
-  /// True where the requested tolerance is below the part's rounding floor, which replaces it.
-  /// Newton's method then makes one more correction once it has met the tolerance. Explicit
-  /// parts need none: their cores are iterated to a fraction of the tolerance.
-  bool at_rounding = false;
-};
-
-/// When the iterations of Newton's method end. All limits are on ‖Φ‖.
-struct IterationLimits {
-  double stop;    ///< they end below it; 0: their number is fixed
-  double accept;  ///< a position below it is a solution; infinite where their number is fixed
-  int max;        ///< largest number of iterations
-
-  explicit IterationLimits(const PartSettings& s)
-      : stop(s.tolerance), accept(s.tolerance), max(s.max_iterations) {
+        jacobian(s.jacobian),
+        at_rounding(tolerance > s.tolerance) {
     if (s.fixed_iterations == 0) return;
     stop = 0;
     accept = std::numeric_limits<double>::infinity();
-    max = s.fixed_iterations;
+    max_iterations = s.fixed_iterations;
   }
+
+  double tolerance;
+  double stop = tolerance;    ///< iterations end below it; 0: their number is fixed
+  double accept = tolerance;  ///< a position below it is a solution; infinite for a fixed number
+  int max_iterations;         ///< largest number of iterations of Newton's method
+  JacobianUpdate jacobian;
+  /// True where the rounding floor is the tolerance. Newton's method then makes one more correction
+  /// once it has met the tolerance. Explicit parts need none: their cores are iterated to a
+  /// fraction of the tolerance.
+  bool at_rounding;
 };
 
 /// The outcome of one part in one step.

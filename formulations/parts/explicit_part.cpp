@@ -73,17 +73,16 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
     if (!is_unknown[i]) known_.push_back(inputs_[i]);
   at_end_.resize(known_.size());
 
-  const IterationLimits limits(settings);
-  const double core_stop = core_share * limits.stop;
+  const double core_stop = core_share * settings.stop;
   binding_ = {.in = inputs_.data(),
               .c = c,
               .f = f,
               .branch = branch_,
               .w = w,
               .anchors = anchors_.data(),
-              .limits = {.tolerance2 = limits.accept * limits.accept,
+              .limits = {.tolerance2 = settings.accept * settings.accept,
                          .core_tolerance2 = core_stop * core_stop,
-                         .max_iterations = limits.max}};
+                         .max_iterations = settings.max_iterations}};
 }
 
 [[gnu::always_inline]] inline ExplicitRunResult ExplicitPart::run(State& s, Level level) const {

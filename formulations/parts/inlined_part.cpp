@@ -7,15 +7,13 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
                          std::vector<int> unknowns)
     : bound_(std::move(bound)),
       weights_(std::move(weights)),
+      max_iterations_(settings.max_iterations),
+      stop2_(settings.stop * settings.stop),
+      accept2_(settings.accept * settings.accept),
       at_rounding_(settings.at_rounding),
       fallback_(std::move(fallback)),
       unknowns_(std::move(unknowns)),
-      start_(unknowns_.size()) {
-  const IterationLimits limits(settings);
-  max_iterations_ = limits.max;
-  stop2_ = limits.stop * limits.stop;
-  accept2_ = limits.accept * limits.accept;
-}
+      start_(unknowns_.size()) {}
 
 /// Apart, for the registers that it needs would have to be saved in every step.
 [[gnu::noinline]] InlinedResult InlinedPart::once_more(State& s, int iterations) const {

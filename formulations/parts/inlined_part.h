@@ -35,8 +35,8 @@ class InlinedPart final : public Part {
   BoundKernel bound_;
   std::vector<double> weights_;
   int max_iterations_;
-  double stop2_, accept2_;  // on ‖Φ‖₂²: see IterationLimits
-  bool at_rounding_;        // see PartSettings
+  double stop2_, accept2_;  // on ‖Φ‖₂²: see PartSettings
+  bool at_rounding_;
   std::unique_ptr<Part> fallback_;
   std::vector<int> unknowns_;
   std::vector<double> start_;                  // unknowns at the start of the step

@@ -14,22 +14,22 @@
 namespace desmo {
 
 /// The rule that accepts a position. It accepts the first one within the limits, whatever factors
-/// led there. Where `corrects_solved` it asks for one more correction first, unless all iterations
+/// led there. At the rounding floor it asks for one more correction first, unless all iterations
 /// are done.
 class Acceptance {
  public:
-  Acceptance(const IterationLimits& limits, bool corrects_solved)
-      : limits_(limits), is_last_(!corrects_solved) {}
+  explicit Acceptance(const PartSettings& limits)
+      : limits_(limits), is_last_(!limits.at_rounding) {}
 
   /// Returns whether the position is accepted. Notes that a limit was met.
   bool update(double residual, int iterations) {
-    const bool is_over = iterations == limits_.max;
+    const bool is_over = iterations == limits_.max_iterations;
     if (!(residual < (is_over ? limits_.accept : limits_.stop))) return false;
     return std::exchange(is_last_, true) || is_over;
   }
 
  private:
-  const IterationLimits& limits_;
+  const PartSettings& limits_;
   bool is_last_;
 };
 
@@ -50,12 +50,10 @@ class NewtonSolver final : public Part {
       : equations_(std::move(equations)),
         pattern_(equations_->pattern()),
         unknowns_(pattern_.unknowns),
-        limits_(settings),
-        update_(settings.jacobian),
-        corrects_solved_(settings.at_rounding),
+        settings_(settings),
         reuses_pivots_(linear_solver->pivots().reuse_order),
         weights_(Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern_.n)),
-        factors_(*equations_, weights, magnitudes, limits_.accept, std::move(linear_solver)),
+        factors_(*equations_, weights, magnitudes, settings_.accept, std::move(linear_solver)),
         b_(pattern_.n),
         correction_(pattern_.n),
         start_(pattern_.n) {}
@@ -70,10 +68,10 @@ class NewtonSolver final : public Part {
 
   PartResult solve(State& state, std::span<const double>, Level level) override {
     double *const q = state.q.data(), *const qd = state.qd.data(), *const qdd = state.qdd.data();
-    if (!reuses_pivots_ && update_ == JacobianUpdate::newton)
-      return attempt(q, qd, qdd, level, update_);
+    if (!reuses_pivots_ && settings_.jacobian == JacobianUpdate::newton)
+      return attempt(q, qd, qdd, level, settings_.jacobian);
     unknowns_.for_each([&](int at, int i) { start_[i] = q[at]; });
-    const PartResult first = attempt(q, qd, qdd, level, update_);
+    const PartResult first = attempt(q, qd, qdd, level, settings_.jacobian);
     if (first.status == Status::solved) return first;
     // Perhaps only the factors, or their pivots, had gone bad.
     unknowns_.for_each([&](int at, int i) { q[at] = start_[i]; });
@@ -99,13 +97,13 @@ class NewtonSolver final : public Part {
 
   PartResult position(double* q) {
     PartResult result;
-    Acceptance acceptance(limits_, corrects_solved_);
+    Acceptance acceptance(settings_);
     for (;; ++result.iterations) {
       equations_->residual(q, b_.data());  // Φ
       const double residual = weights_.cwiseProduct(b_).norm();
       result.residual2 = residual * residual;
       if (acceptance.update(residual, result.iterations)) return result;
-      const bool is_over = result.iterations == limits_.max;
+      const bool is_over = result.iterations == settings_.max_iterations;
       if (!is_over && factors_.led_away(residual)) {
         retract(q);
         continue;
@@ -166,9 +164,8 @@ class NewtonSolver final : public Part {
   std::unique_ptr<const Equations> equations_;
   const Pattern& pattern_;
   PartUnknowns unknowns_;
-  IterationLimits limits_;
-  JacobianUpdate update_;
-  bool corrects_solved_, reuses_pivots_;
+  PartSettings settings_;
+  bool reuses_pivots_;
   Eigen::VectorXd weights_;
   JacobianFactors factors_;
   Eigen::VectorXd b_;           // right-hand side, then solution
