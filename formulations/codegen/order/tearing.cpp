@@ -34,26 +34,27 @@ auto rank(const Torn& t) {
 
 }  // namespace
 
-Matcher::Matcher(std::vector<Expr> equations, std::vector<Expr> unknowns, const Facts& facts)
-    : equations_(std::move(equations)), unknowns_(std::move(unknowns)), facts_(facts) {
-  for (const Expr e : equations_) {
-    std::map<int, std::vector<double>> slopes;
-    for (const Expr input : moving_inputs(e)) {
+Tearing::Tearing(std::vector<Expr> equations, std::vector<Expr> unknowns, const Facts& facts)
+    : equations_(std::move(equations)),
+      unknowns_(std::move(unknowns)),
+      facts_(facts),
+      slopes_(equations_.size()),
+      reads_(equations_.size()) {
+  if (unknowns_.size() > max_unknowns)
+    throw std::invalid_argument("too many unknowns in one irreducible block to be torn");
+  for (std::size_t e = 0; e < equations_.size(); ++e)
+    for (const Expr input : moving_inputs(equations_[e])) {
       const auto at = std::ranges::find(unknowns_, input.id(), &Expr::id);
-      if (at != unknowns_.end())
-        slopes.emplace(static_cast<int>(at - unknowns_.begin()), partial(e, input).samples());
+      if (at == unknowns_.end()) continue;
+      const int unknown = static_cast<int>(at - unknowns_.begin());
+      slopes_[e].emplace(unknown, partial(equations_[e], input).samples());
+      reads_[e].set(unknown);
     }
-    slopes_.push_back(std::move(slopes));
-  }
 }
 
-std::vector<int> Matcher::read_by(int equation) const {
-  std::vector<int> result;
-  for (const auto& [unknown, slope] : slopes_[equation]) result.push_back(unknown);
-  return result;
-}
-
-const Match& Matcher::match(const std::vector<int>& unknowns, const std::vector<int>& equations) {
+/// Returns the closed form for a set, if a rule applies. Both lists are ascending and of one size.
+const Tearing::Match& Tearing::match(const std::vector<int>& unknowns,
+                                     const std::vector<int>& equations) {
   const auto [it, is_new] = matches_.try_emplace({unknowns, equations});
   Match& match = it->second;
   if (!is_new) return match;
@@ -66,7 +67,7 @@ const Match& Matcher::match(const std::vector<int>& unknowns, const std::vector<
   return match;
 }
 
-double Matcher::quality(const std::vector<int>& unknowns, const std::vector<int>& equations) const {
+double Tearing::quality(const std::vector<int>& unknowns, const std::vector<int>& equations) const {
   const std::size_t samples = slopes_[equations[0]].begin()->second.size(), n = unknowns.size();
   double worst = 1;
   for (std::size_t s = 0; s < samples; ++s) {
@@ -86,22 +87,13 @@ double Matcher::quality(const std::vector<int>& unknowns, const std::vector<int>
   return worst;
 }
 
-Tearing::Tearing(const std::vector<Expr>& equations, const std::vector<Expr>& unknowns,
-                 const Facts& facts)
-    : unknowns_(unknowns.size()), matcher_(equations, unknowns, facts), reads_(equations.size()) {
-  if (unknowns_ > max_unknowns)
-    throw std::invalid_argument("too many unknowns in one irreducible block to be torn");
-  for (std::size_t e = 0; e < equations.size(); ++e)
-    for (const int i : matcher_.read_by(static_cast<int>(e))) reads_[e].set(i);
-}
-
 /// Adds equations after the last until the set has as many unknowns as equations.
 bool Tearing::extend(Walk& w, Torn& order, std::vector<int>& equations, const Set& unknowns,
                      std::size_t size) {
   if (equations.size() == size) {
     if (unknowns.count() != size) return false;
-    const std::vector<int> found = members(unknowns, unknowns_);
-    const Match& m = matcher_.match(found, equations);
+    const std::vector<int> found = members(unknowns, unknowns_.size());
+    const Match& m = match(found, equations);
     if (!m.form || m.quality < min_quality) return false;
     order.placed.push_back({*m.form, found, equations});
     order.quality = std::min(order.quality, m.quality);
@@ -133,7 +125,7 @@ bool Tearing::place_next(Walk& w, Torn& order) {
 
 Torn Tearing::walk(const std::vector<int>& torn) {
   Walk w{{}, std::vector<bool>(reads_.size(), false), reads_};
-  for (std::size_t i = 0; i < unknowns_; ++i) w.open.set(i);
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) w.open.set(i);
   for (const int t : torn) w.open.reset(t);
   for (Set& reads : w.reads) reads &= w.open;
   Torn order;
@@ -147,26 +139,21 @@ Torn Tearing::walk(const std::vector<int>& torn) {
 }
 
 std::optional<Torn> Tearing::best_of_size(std::size_t size) {
-  const int n = static_cast<int>(unknowns_);
-  std::vector<int> torn(size);
-  std::iota(torn.begin(), torn.end(), 0);
+  std::vector<bool> torn(unknowns_.size());
+  std::fill_n(torn.begin(), size, true);
   std::optional<Torn> best;
-  for (;;) {
-    Torn order = walk(torn);
+  do {
+    Torn order = walk(members(torn, torn.size()));
     if (order.unplaced == 0 && (!best || rank(order) < rank(*best))) best = std::move(order);
-    int k = static_cast<int>(size) - 1;  // the next combination
-    while (k >= 0 && torn[k] == n - static_cast<int>(size) + k) --k;
-    if (k < 0) return best;
-    ++torn[k];
-    for (std::size_t i = k + 1; i < size; ++i) torn[i] = torn[i - 1] + 1;
-  }
+  } while (std::prev_permutation(torn.begin(), torn.end()));  // the next combination
+  return best;
 }
 
 Torn Tearing::greedy() {
   Torn order = walk({});
   while (order.unplaced > 0) {
     std::optional<Torn> best;
-    for (int i = 0; i < static_cast<int>(unknowns_); ++i) {
+    for (int i = 0; i < static_cast<int>(unknowns_.size()); ++i) {
       const bool placed = std::ranges::any_of(order.placed, [&](const Placed& p) {
         return std::ranges::find(p.unknowns, i) != p.unknowns.end();
       });
@@ -193,10 +180,10 @@ Torn Tearing::greedy() {
 Torn Tearing::best() {
   Torn order = walk({});
   if (order.unplaced == 0) return order;
-  std::vector<int> all(unknowns_);
+  std::vector<int> all(unknowns_.size());
   std::iota(all.begin(), all.end(), 0);
   if (all.size() <= max_set)
-    if (const Match& m = matcher_.match(all, all); m.form)
+    if (const Match& m = match(all, all); m.form)
       return {{}, {{*m.form, all, all}}, {}, 0, m.quality, m.form->cost};
   std::size_t combinations = 1;
   for (std::size_t size = 1; size <= max_torn && size < all.size(); ++size) {

@@ -10,37 +10,6 @@
 
 namespace desmo::generate {
 
-/// The outcome of solving n equations for n unknowns.
-struct Match {
-  std::optional<ClosedForm> form;  ///< nullopt: no rule applies, or quality is zero
-  /// Distance from singularity: the smallest |det ∂Φ/∂x| over the sample points, of equations with
-  /// gradients of unit length.
-  double quality = 0;
-};
-
-/// A cached search for closed forms. Equations and unknowns are given as positions in the lists of
-/// the constructor.
-class Matcher {
- public:
-  /// Differentiates the equations by the unknowns. facts must outlive the matcher.
-  Matcher(std::vector<Expr> equations, std::vector<Expr> unknowns, const Facts& facts);
-
-  /// Returns the closed form for a set, if a rule applies. Both lists are ascending and of one
-  /// size. The reference is valid as long as the matcher.
-  const Match& match(const std::vector<int>& unknowns, const std::vector<int>& equations);
-
-  /// Returns the unknowns that an equation reads, ascending.
-  std::vector<int> read_by(int equation) const;
-
- private:
-  double quality(const std::vector<int>& unknowns, const std::vector<int>& equations) const;
-
-  std::vector<Expr> equations_, unknowns_;
-  const Facts& facts_;
-  std::vector<std::map<int, std::vector<double>>> slopes_;  // ∂equation/∂unknown at each sample
-  std::map<std::pair<std::vector<int>, std::vector<int>>, Match> matches_;
-};
-
 /// A closed form with its unknowns and equations, as positions in the lists of a Tearing.
 struct Placed {
   ClosedForm form;
@@ -53,18 +22,19 @@ struct Torn {
   std::vector<Placed> placed;
   std::vector<int> left_over;  ///< equations for Newton–Raphson on the torn unknowns
   int unplaced = 0;            ///< number of unknowns that no closed form reaches
-  double quality = 1;          ///< smallest Match::quality of its closed forms
+  double quality = 1;          ///< smallest quality of its closed forms
   int cost = 0;                ///< sum of ClosedForm::cost
 };
 
 /// A search for explicit orders of n equations for n unknowns. Up to four equations are solved
-/// together, provided that a rule applies and their Match::quality is not small.
+/// together, provided that a rule applies and their quality is not small. The *quality* of
+/// equations that are solved together is their distance from singularity: the smallest |det ∂Φ/∂x|
+/// over the sample points, of equations with gradients of unit length.
 class Tearing {
  public:
-  /// Prepares the search. facts must outlive the object. Throws std::invalid_argument when there
-  /// are more than `max_unknowns` unknowns.
-  Tearing(const std::vector<Expr>& equations, const std::vector<Expr>& unknowns,
-          const Facts& facts);
+  /// Differentiates the equations by the unknowns. facts must outlive the object. Throws
+  /// std::invalid_argument when there are more than `max_unknowns` unknowns.
+  Tearing(std::vector<Expr> equations, std::vector<Expr> unknowns, const Facts& facts);
 
   /// Returns the best order found, with few torn unknowns. Sets of up to three are searched
   /// exhaustively unless there are too many; beyond that, a greedy search tears the unknown that
@@ -81,6 +51,14 @@ class Tearing {
     std::vector<Set> reads;  // open unknowns that each equation reads
   };
 
+  /// The outcome of solving n equations for n unknowns.
+  struct Match {
+    std::optional<ClosedForm> form;  // nullopt: no rule applies, or quality is zero
+    double quality = 0;
+  };
+
+  const Match& match(const std::vector<int>& unknowns, const std::vector<int>& equations);
+  double quality(const std::vector<int>& unknowns, const std::vector<int>& equations) const;
   Torn walk(const std::vector<int>& torn);
   bool place_next(Walk& walk, Torn& order);
   bool extend(Walk& walk, Torn& order, std::vector<int>& equations, const Set& unknowns,
@@ -88,9 +66,11 @@ class Tearing {
   std::optional<Torn> best_of_size(std::size_t size);
   Torn greedy();
 
-  std::size_t unknowns_;  // their number
-  Matcher matcher_;
-  std::vector<Set> reads_;  // unknowns that each equation reads
+  std::vector<Expr> equations_, unknowns_;
+  const Facts& facts_;
+  std::vector<std::map<int, std::vector<double>>> slopes_;  // ∂equation/∂unknown at each sample
+  std::vector<Set> reads_;                                  // unknowns that each equation reads
+  std::map<std::pair<std::vector<int>, std::vector<int>>, Match> matches_;  // found so far
 };
 
 }  // namespace desmo::generate
