@@ -45,11 +45,6 @@ struct ExplicitPlan {
   /// C++ text that reads a position or rate, by node: "q[in[3]]".
   std::map<int, std::string> places;
 
-  /// Return the torn unknowns and the angles with a bearing, in solution order. The kernel reads
-  /// their last positions.
-  std::vector<int> torn() const;
-  std::vector<int> angles() const;
-
   /// Return the expressions from which the positions of a section and their acceptance are written,
   /// and those from which the whole solution is.
   std::vector<Expr> position(std::size_t section) const;

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <set>
-#include <sstream>
+#include <string_view>
 
 #include "formulations/codegen/eliminate/monitors.h"
 #include "formulations/codegen/emit/emission.h"
@@ -32,10 +32,27 @@ std::string place(const PartType& type, int input) {
   return "[in[" + std::to_string(first) + "]" + offset + "]";
 }
 
+/// Each once.
+std::string list(const std::vector<std::string>& names) {
+  std::string result;
+  std::set<std::string_view> seen;
+  for (const std::string& name : names)
+    if (seen.insert(name).second) result += (result.empty() ? "" : "; ") + name;
+  return result;
+}
+
+/// Writes the explicit order, one line per definition: unknowns, rule, equations.
 void write_comment(std::ostream& out, const ExplicitPlan& plan) {
-  out << "// " << plan.type.fingerprint << "\n//\n";
-  std::istringstream lines(describe(plan.type, plan.order));
-  for (std::string line; std::getline(lines, line);) out << "// " << line << "\n";
+  const PartType& type = plan.type;
+  out << "// " << type.fingerprint << "\n//\n";
+  for (const OrderSection& s : plan.order) {
+    const bool is_core = !s.torn.empty();
+    if (is_core) out << "//   core of " << s.torn.size() << ": " << names_of(type, s.torn) << "\n";
+    for (const Definition& d : s.definitions)
+      out << (is_core ? "//     " : "//   ") << names_of(type, d.unknowns) << ": " << d.form.rule
+          << " (" << list(d.because) << ")\n";
+    if (is_core) out << "//     left to Newton: " << list(s.residual_names) << "\n";
+  }
   out << "\n";
 }
 
@@ -75,19 +92,22 @@ void write_list(std::ostream& out, const char* name, const std::vector<int>& inp
   out << "};\n";
 }
 
-/// What a caller who brings inputs together has to bring, and what it gets.
+/// What a caller who brings inputs together has to bring, and what it gets. Of its unknowns, the
+/// kernel reads the last positions of those that are torn, and of angles with a bearing.
 void write_lists(std::ostream& out, const ExplicitPlan& plan) {
-  const std::vector<int> torn = plan.torn(), angles = plan.angles();
-  const auto has = [](const std::vector<int>& inputs, int input) {
-    return std::ranges::find(inputs, input) != inputs.end();
-  };
-  std::vector<int> read, unknowns;
-  for (std::size_t i = 0; i < plan.type.inputs.size(); ++i) {
-    const int input = static_cast<int>(i);
-    const Role role = plan.type.inputs[i].role;
-    if (role != Role::unknown || has(torn, input) || has(angles, input)) read.push_back(input);
-    if (role == Role::unknown) unknowns.push_back(input);
+  std::vector<int> torn, angles, read;
+  std::vector<bool> is_read(plan.type.inputs.size(), true);
+  const std::vector<int> unknowns = unknowns_of(plan.type);
+  for (const int i : unknowns) is_read[i] = false;
+  for (const OrderSection& s : plan.order) {
+    torn.insert(torn.end(), s.torn.begin(), s.torn.end());
+    for (const Definition& d : s.definitions)
+      if (d.form.bearing) angles.push_back(d.unknowns.front());
   }
+  for (const auto* inputs : {&torn, &angles})
+    for (const int i : *inputs) is_read[i] = true;
+  for (std::size_t i = 0; i < is_read.size(); ++i)
+    if (is_read[i]) read.push_back(static_cast<int>(i));
   write_list(out, "torn", torn);
   write_list(out, "angles", angles);
   write_list(out, "read", read);
@@ -121,20 +141,6 @@ ExplicitPlan::ExplicitPlan(const PartType& its_type, const RecordedPart& its_par
     places[part.qd[i].id()] = "qd" + at;
     places[part.qdd[i].id()] = "qdd" + at;
   }
-}
-
-std::vector<int> ExplicitPlan::torn() const {
-  std::vector<int> result;
-  for (const OrderSection& s : order) result.insert(result.end(), s.torn.begin(), s.torn.end());
-  return result;
-}
-
-std::vector<int> ExplicitPlan::angles() const {
-  std::vector<int> result;
-  for (const OrderSection& s : order)
-    for (const Definition& d : s.definitions)
-      if (d.form.bearing) result.push_back(d.unknowns.front());
-  return result;
 }
 
 std::vector<Expr> ExplicitPlan::position(std::size_t section) const {

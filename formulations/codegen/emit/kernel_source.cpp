@@ -38,6 +38,7 @@ class KernelWriter {
       : out_(out),
         type_(type),
         g_(group),
+        unknowns_(unknowns_of(type)),
         orders_(eliminations(jacobian_rows(), orders, first_samples)) {
     for (std::size_t i = 0; i < type_.inputs.size(); ++i) {
       const std::string place = "[in[" + std::to_string(i) + "]]";
@@ -107,7 +108,7 @@ class KernelWriter {
     open("InlinedResult " + name_of("position", order) +
          "(double* q, const int* in, const double* c, const double* weight,\n"
          "                       double tolerance2, int max_iterations)");
-    load(unknown_positions(), "double");
+    load(positions(g_, unknowns_), "double");
     load(all, "const double");
     out_ << "  InlinedResult result{0, 0};\n  for (;; ++result.iterations) {\n";
     Emitter emitter(out_, "    ", all);
@@ -120,7 +121,7 @@ class KernelWriter {
     for (std::size_t j = 0; j < step.size(); ++j)
       out_ << "    const double delta" << j << " = " << emitter.text(step[j]) << ";\n";
     for (std::size_t j = 0; j < step.size(); ++j)
-      out_ << "    q" << variable_name(type_, unknown(j)) << " -= delta" << j << ";\n";
+      out_ << "    q" << variable_name(type_, unknowns_[j]) << " -= delta" << j << ";\n";
     out_ << "  }\n";
     if (!is_last(order))
       out_ << "  if (!(result.residual2 < tolerance2) && tolerance2 > 0) {\n"
@@ -128,7 +129,7 @@ class KernelWriter {
            << "(q, in, c, weight, tolerance2, max_iterations);\n"
            << "    other.iterations += result.iterations;\n    return other;\n  }\n";
     for (std::size_t j = 0; j < step.size(); ++j)
-      out_ << "  q[in[" << unknown(j) << "]] = q" << variable_name(type_, unknown(j)) << ";\n";
+      out_ << "  q[in[" << unknowns_[j] << "]] = q" << variable_name(type_, unknowns_[j]) << ";\n";
     out_ << "  return result;\n";
     close();
   }
@@ -153,38 +154,23 @@ class KernelWriter {
          << (is_last(order) ? "false" : name_of("rates", order + 1) + "(q, qd, qdd, in, c)")
          << ";\n";
     for (std::size_t j = 0; j < velocity.size(); ++j) {
-      const std::string name = "qd" + variable_name(type_, unknown(j));
+      const std::string name = "qd" + variable_name(type_, unknowns_[j]);
       out_ << "  const double " << name << " = " << emitter.text(velocity[j]) << ";\n"
-           << "  qd[in[" << unknown(j) << "]] = " << name << ";\n";
+           << "  qd[in[" << unknowns_[j] << "]] = " << name << ";\n";
     }
-    for (const int i : unknowns()) loaded_.insert(g_.qd[i].id());
+    for (const int i : unknowns_) loaded_.insert(g_.qd[i].id());
     out_ << "  if (!qdd) return true;\n";
     load(acceleration, "const double");
     emitter.prepare(acceleration);
     for (std::size_t j = 0; j < acceleration.size(); ++j)
-      out_ << "  qdd[in[" << unknown(j) << "]] = " << emitter.text(acceleration[j]) << ";\n";
+      out_ << "  qdd[in[" << unknowns_[j] << "]] = " << emitter.text(acceleration[j]) << ";\n";
     out_ << "  return true;\n";
     close();
   }
 
-  int unknown(std::size_t column) const { return unknowns()[column]; }
-
-  std::vector<int> unknowns() const {
-    std::vector<int> result;
-    for (std::size_t i = 0; i < type_.inputs.size(); ++i)
-      if (type_.inputs[i].role == Role::unknown) result.push_back(static_cast<int>(i));
-    return result;
-  }
-
-  Expressions unknown_positions() const {
-    Expressions result;
-    for (const int i : unknowns()) result.push_back(g_.q[i]);
-    return result;
-  }
-
   std::vector<std::map<int, Expr>> jacobian_rows() const {
     std::map<int, int> column;
-    for (const int i : unknowns()) column.emplace(i, static_cast<int>(column.size()));
+    for (const int i : unknowns_) column.emplace(i, static_cast<int>(column.size()));
     std::vector<std::map<int, Expr>> result(type_.rows());
     for (const auto* list : {&g_.constant, &g_.dependent})
       for (const RecordedEntry& e : *list)
@@ -226,6 +212,7 @@ class KernelWriter {
   std::ostream& out_;
   const PartType& type_;
   const RecordedPart& g_;
+  const std::vector<int> unknowns_;  // inputs, by column
   std::vector<Elimination> orders_;
   std::map<int, std::string> source_;  // where an input is read from
   std::set<int> loaded_;               // inputs declared in the function being written

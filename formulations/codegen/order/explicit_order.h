@@ -32,9 +32,6 @@ struct OrderSection {
 /// form or torn to a small core.
 std::vector<OrderSection> explicit_order(const PartType& type, const RecordedPart& part);
 
-/// Returns an explicit order as text, one line per definition: unknowns, rule, equations.
-std::string describe(const PartType& type, const std::vector<OrderSection>& order);
-
 /// Returns the names of inputs as a list: "C.x, C.y".
 std::string names_of(const PartType& type, const std::vector<int>& inputs);
 

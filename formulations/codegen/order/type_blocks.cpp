@@ -12,14 +12,10 @@
 namespace desmo::generate {
 
 std::vector<Block> blocks_of(const PartType& type, const RecordedPart& part) {
-  std::vector<int> unknowns;
-  std::map<int, int> column;
-  for (std::size_t i = 0; i < type.inputs.size(); ++i)
-    if (type.inputs[i].role == Role::unknown) {
-      column.emplace(part.q[i].id(), static_cast<int>(unknowns.size()));
-      unknowns.push_back(static_cast<int>(i));
-    }
+  const std::vector<int> unknowns = unknowns_of(type);
   const int n = static_cast<int>(unknowns.size());
+  std::map<int, int> column;
+  for (int j = 0; j < n; ++j) column.emplace(part.q[unknowns[j]].id(), j);
   std::vector<std::pair<int, int>> ones;
   for (int r = 0; r < n; ++r)
     for (const Expr input : moving_inputs(part.phi[r]))

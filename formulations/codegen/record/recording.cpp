@@ -26,6 +26,13 @@ std::string variable_name(const PartType& type, int input) {
   return name;
 }
 
+std::vector<int> unknowns_of(const PartType& type) {
+  std::vector<int> result;
+  for (std::size_t i = 0; i < type.inputs.size(); ++i)
+    if (type.inputs[i].role == Role::unknown) result.push_back(static_cast<int>(i));
+  return result;
+}
+
 std::vector<Expr> positions(const RecordedPart& part, const std::vector<int>& inputs) {
   std::vector<Expr> result;
   for (const int i : inputs) result.push_back(part.q[i]);

@@ -35,6 +35,9 @@ struct SamplePoint {
 /// Records the equations of a part type in the current graph, whose sample points are `samples`.
 RecordedPart record(const PartType& type, const std::vector<SamplePoint>& samples);
 
+/// Returns the inputs that a part type solves for, in the order of the columns of its Jacobian.
+std::vector<int> unknowns_of(const PartType& type);
+
 /// Returns the position expressions of some inputs.
 std::vector<Expr> positions(const RecordedPart& part, const std::vector<int>& inputs);
 
