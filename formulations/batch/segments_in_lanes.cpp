@@ -18,7 +18,6 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
       settings_(settings),
       lanes_(static_cast<int>(parts.size())),
       motions_(driver_motions(model), lanes_, side_by_side(lanes_)),
-      parts_(std::move(parts)),
       residual2_(lanes_),
       changes_(lanes_) {
   const std::size_t size = model_.state_size();
@@ -27,14 +26,12 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
     values->resize(size);
 
   std::vector<int> predicted, unwrapped;
-  for (std::size_t i = 0; i < parts_[0].size(); ++i) {
-    const PartDefinition& definition = parts_[0][i].definition;
-    if (definition.constant) continue;
-    parts_in_lanes_.push_back(put_in_lanes(i, table));
+  for (std::size_t i = 0; i < parts[0].size(); ++i) {
+    if (parts[0][i].definition.constant) continue;
+    const PartInLanes& part = parts_.emplace_back(put_in_lanes(parts, i, table));
     // What is solved lane by lane may start from any of its unknowns.
-    PartInputs inputs{
-        .predicted = definition.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
-    if (parts_in_lanes_.back().together) inputs = parts_[0][i].solver->inputs(std::move(inputs));
+    PartInputs inputs{.predicted = part.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
+    if (part.together) inputs = part.members[0]->inputs(std::move(inputs));
     std::ranges::copy(inputs.predicted, std::back_inserter(predicted));
     std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped));
   }
@@ -42,14 +39,14 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
   state_ = BatchState(size, lanes_, settings_.guess, predicted, std::move(unwrapped));
 }
 
-SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::size_t index,
+SegmentsInLanes::PartInLanes SegmentsInLanes::put_in_lanes(std::vector<Parts>& parts,
+                                                           std::size_t index,
                                                            const KernelTable& table) const {
-  PartInLanes part;
-  part.unknowns = parts_[0][index].definition.unknowns;
+  PartInLanes part{.unknowns = parts[0][index].definition.unknowns};
   std::vector<ExplicitPart*> members;
-  for (const Parts& parts : parts_) {
-    part.members.push_back(parts[index].solver.get());
-    members.push_back(dynamic_cast<ExplicitPart*>(part.members.back()));
+  for (Parts& of_lane : parts) {
+    part.members.push_back(std::move(of_lane[index].solver));
+    members.push_back(dynamic_cast<ExplicitPart*>(part.members.back().get()));
   }
   if (const ExplicitPart* const any = members.front())
     if (const LaneKernel* k = table.find_lane_kernel(any->kernel().fingerprint, lanes_))
@@ -97,7 +94,7 @@ std::optional<Summary> SegmentsInLanes::run(const TimeGrid& grid, const Request&
 bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first) {
   int steps = 1;
   for (int l = 0; l < lanes_; ++l) {
-    for (const DefinedPart& part : parts_[l]) part.solver->forget();
+    for (const PartInLanes& part : parts_) part.members[l]->forget();
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
     for (std::size_t k = 0; k < alone_.q.size(); ++k)    // some never move
@@ -106,7 +103,7 @@ bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first
     steps = std::max(steps, continuation_steps(model_, changes_[l]));
     if (steps > max_continuation_steps) return false;
   }
-  for (PartInLanes& part : parts_in_lanes_) {
+  for (PartInLanes& part : parts_) {
     if (!part.together) continue;
     part.together->take_branches();
     if (!part.together->assembled()) return false;
@@ -129,7 +126,7 @@ bool SegmentsInLanes::enter(const TimeGrid& grid, int length, const State& first
 }
 
 bool SegmentsInLanes::solve_alone(int lane, State& state, std::span<const double> last) {
-  for (const PartInLanes& part : parts_in_lanes_)
+  for (const PartInLanes& part : parts_)
     if (part.members[lane]->solve(state, last, Level::position).status != Status::solved)
       return false;
   return true;
@@ -155,7 +152,7 @@ SegmentsInLanes::StepInLanes SegmentsInLanes::solve() {
   const unsigned every_lane = (1u << lanes_) - 1;
   StepInLanes step;
   std::ranges::fill(residual2_, 0.0);
-  for (PartInLanes& part : parts_in_lanes_) {
+  for (PartInLanes& part : parts_) {
     unsigned accepted = 0;
     if (part.together) {
       alignas(64) std::array<double, max_lanes> residual2;

@@ -35,10 +35,10 @@ class SegmentsInLanes final : public SegmentExecutor {
                              Observer& observer) override;
 
  private:
-  /// A part, and the same part in every lane.
+  /// A moving part: the same in every lane.
   struct PartInLanes {
-    std::vector<Part*> members{};
-    std::span<const int> unknowns;
+    std::vector<std::unique_ptr<Part>> members{};
+    std::vector<int> unknowns;
     std::optional<KernelBatch> together{};  // nothing: lane by lane
   };
   /// The outcome of a step in all lanes.
@@ -48,7 +48,8 @@ class SegmentsInLanes final : public SegmentExecutor {
     long updates = 0;  // in each lane
   };
 
-  PartInLanes put_in_lanes(std::size_t index, const KernelTable& table) const;
+  PartInLanes put_in_lanes(std::vector<Parts>& parts, std::size_t index,
+                           const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
   bool solve_alone(int lane, State& state, std::span<const double> last);
   void predict(double h, int known);
@@ -64,8 +65,7 @@ class SegmentsInLanes final : public SegmentExecutor {
   const Settings settings_;
   const int lanes_;
   MotionSampler motions_;  // of the drivers, in lanes
-  std::vector<Parts> parts_;
-  std::vector<PartInLanes> parts_in_lanes_;  // the moving parts
+  std::vector<PartInLanes> parts_;
   BatchState state_;
   LaneValues entered_;                        // positions at the first instant of each segment
   LaneValues residual2_;                      // of the step, by lane
