@@ -46,68 +46,47 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
   return result;
 }
 
-/// An owned list of descriptor actions for posix_spawn.
-struct FileActions {
-  FileActions() { ::posix_spawn_file_actions_init(&list); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-  ~FileActions() { ::posix_spawn_file_actions_destroy(&list); }
-  posix_spawn_file_actions_t list;
-};
-
 /// A process group of its own, so that what it starts ends with it, and signals as they are for a
 /// program that was started by hand.
-struct Attributes {
-  Attributes() {
-    sigset_t none, all;
-    ::sigemptyset(&none);
-    ::sigfillset(&all);
-    ::posix_spawnattr_init(&values);
-    ::posix_spawnattr_setpgroup(&values, 0);
-    ::posix_spawnattr_setsigmask(&values, &none);
-    ::posix_spawnattr_setsigdefault(&values, &all);
-    ::posix_spawnattr_setflags(
-        &values, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  }
-  Attributes(const Attributes&) = delete;
-  Attributes& operator=(const Attributes&) = delete;
-  ~Attributes() { ::posix_spawnattr_destroy(&values); }
-  posix_spawnattr_t values;
-};
+void set_attributes(posix_spawnattr_t& attributes) {
+  sigset_t none, all;
+  ::sigemptyset(&none);
+  ::sigfillset(&all);
+  ::posix_spawnattr_setpgroup(&attributes, 0);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setsigdefault(&attributes, &all);
+  ::posix_spawnattr_setflags(
+      &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+}
 
-/// Holds interruptions back. One between the start of a program and the moment when its process is
-/// known would leave it running.
-class Uninterrupted {
- public:
-  Uninterrupted() {
-    sigset_t interruptions;
-    ::sigemptyset(&interruptions);
-    for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&interruptions, s);
-    ::pthread_sigmask(SIG_BLOCK, &interruptions, &old_mask_);
-  }
-  Uninterrupted(const Uninterrupted&) = delete;
-  Uninterrupted& operator=(const Uninterrupted&) = delete;
-  ~Uninterrupted() { ::pthread_sigmask(SIG_SETMASK, &old_mask_, nullptr); }
-
- private:
-  sigset_t old_mask_;
-};
-
-/// Starts a program, which from then on is `running`.
+/// Starts a program, which from then on is `running`. Interruptions are held back: one between the
+/// start and the moment when its process is known would leave it running.
 pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
-  FileActions actions;
-  ::posix_spawn_file_actions_addopen(&actions.list, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions.list, output, STDOUT_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions.list, output, STDERR_FILENO);
-  ::posix_spawn_file_actions_addfchdir_np(&actions.list, folder);
-  const Attributes attributes;
   const std::vector<std::string> variables = environment();
+  const std::vector<char*> argv = pointers(arguments), envp = pointers(variables);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+  ::posix_spawn_file_actions_addfchdir_np(&actions, folder);
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  set_attributes(attributes);
+  sigset_t interruptions, old_mask;
+  ::sigemptyset(&interruptions);
+  for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&interruptions, s);
+
   pid_t child = 0;
-  const Uninterrupted until_it_is_known;
-  const int error = ::posix_spawn(&child, arguments[0].c_str(), &actions.list, &attributes.values,
-                                  pointers(arguments).data(), pointers(variables).data());
+  ::pthread_sigmask(SIG_BLOCK, &interruptions, &old_mask);
+  const int error =
+      ::posix_spawn(&child, arguments[0].c_str(), &actions, &attributes, argv.data(), envp.data());
+  if (error == 0) running = child;
+  ::pthread_sigmask(SIG_SETMASK, &old_mask, nullptr);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
   if (error != 0) fail(error, arguments[0]);
-  return running = child;
+  return child;
 }
 
 /// Milliseconds until then, rounded up, and not less than 0.
