@@ -1,8 +1,13 @@
 #pragma once
 
-#include "formulations/base/pivots.h"
-
 namespace desmo {
+
+/// The state of a linear solver's pivots.
+struct Pivots {
+  /// True where factors may use a pivot order that was chosen at another position.
+  bool reuse_order = false;
+  long choices = 0;  ///< how often an order was chosen, where one may be reused
+};
 
 /// Solver of linear systems with the scaled Jacobian A of one part (JacobianFactors scales rows and
 /// columns of Φ_φ). Its sparsity pattern never changes: the constructor takes the Pattern, analyses

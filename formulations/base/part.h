@@ -8,7 +8,6 @@
 
 #include "cases/mechanism/level.h"
 #include "formulations/base/part_chain.h"
-#include "formulations/base/pivots.h"
 #include "formulations/base/settings.h"
 #include "formulations/base/state.h"
 #include "formulations/base/summary.h"
@@ -115,9 +114,6 @@ class Part {
 
   /// Returns what the part counted in all its steps.
   virtual PartCounts counts() const { return {}; }
-
-  /// Returns the state of the pivots of a linear solver; of generated code the default.
-  virtual Pivots pivots() const { return {}; }
 
   /// Voids what earlier steps left behind: the next solve() starts from an estimate.
   virtual void forget() {}

@@ -62,9 +62,8 @@ class NewtonSolver final : public Part {
   NewtonSolver& operator=(const NewtonSolver&) = delete;
 
   PartCounts counts() const override {
-    return {.refactorisations = std::max(0L, pivots().choices - 1)};
+    return {.refactorisations = std::max(0L, factors_.solver().pivots().choices - 1)};
   }
-  Pivots pivots() const override { return factors_.solver().pivots(); }
 
   PartResult solve(State& state, std::span<const double>, Level level) override {
     double *const q = state.q.data(), *const qd = state.qd.data(), *const qdd = state.qdd.data();
