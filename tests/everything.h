@@ -31,6 +31,13 @@ class Everything : public Observer {
   std::vector<int> order;                // of delivery
 };
 
+/// Solves a motion, which succeeds, and returns all that is observed.
+inline Everything everything_of(Formulation& f, const TimeGrid& grid) {
+  Everything all(grid.instants);
+  EXPECT_TRUE(f.run(grid, {}, all).ok()) << f.model().name;
+  return all;
+}
+
 /// Expects equal positions and accelerations of two formulations at time t and in two more steps.
 inline void expect_to_step_on_alike(Formulation& f, Formulation& g, double t) {
   for (int step = 0; step < 3; ++step, t += 0.01) {
@@ -65,6 +72,20 @@ inline void expect_same(const Everything& actual, const Everything& expected,
       ASSERT_NEAR(actual.all[i][k], expected.all[i][k], 1e-9 * size)
           << name << " " << i << " " << k;
   }
+}
+
+/// Solves a motion with two formulations, and expects the same instants. Returns those of the
+/// first.
+inline Everything expect_same_motion(Formulation& f, Formulation& g, const TimeGrid& grid,
+                                     const std::string& name) {
+  Everything actual(grid.instants), expected(grid.instants);
+  const Summary a = f.run(grid, {}, actual), b = g.run(grid, {}, expected);
+  EXPECT_TRUE(a.ok() && b.ok()) << name;
+  EXPECT_EQ(a.instants, grid.instants) << name;
+  EXPECT_EQ(a.time, b.time) << name;
+  EXPECT_LT(a.residual, 1e-10) << name;
+  expect_same(actual, expected, name);
+  return actual;
 }
 
 }  // namespace desmo

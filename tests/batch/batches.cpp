@@ -31,11 +31,7 @@ TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
     for (const auto& [m, grid] : all)
       for (const int lanes : lanes_here()) {
         const auto one_by_one = formulated(id, m), at_once = formulated(id, m, {.lanes = lanes});
-        Everything expected(grid.instants), actual(grid.instants);
-        const Summary a = one_by_one->run(grid, {}, expected), b = at_once->run(grid, {}, actual);
-        ASSERT_TRUE(a.ok() && b.ok()) << m.name;
-        EXPECT_LT(b.residual, 1e-10) << m.name;
-        expect_same(actual, expected, m.name);
+        expect_same_motion(*at_once, *one_by_one, grid, m.name);
       }
 }
 
@@ -46,8 +42,8 @@ TEST(Lanes, WriteWhatIsAskedForAndAllForThoseWhoTakeSteps) {
   for (const int lanes : lanes_here()) {
     const std::string id = "group_symbolic_explicit/guess:hermite5/lanes:" + std::to_string(lanes);
     const auto all = formulated(id, m), some = formulated(id, m);
-    Everything expected(grid.instants), actual(grid.instants);
-    ASSERT_TRUE(all->run(grid, {}, expected).ok());
+    const Everything expected = everything_of(*all, grid);
+    Everything actual(grid.instants);
     ASSERT_TRUE(some->run(grid, {Level::acceleration, asked}, actual).ok());
     for (const int i : asked)
       for (int level = 0; level < 3; ++level)

@@ -27,11 +27,7 @@ const Model& truck() {
 
 const TimeGrid grid{0, 0.01, 60};
 
-std::vector<int> all_of(const Model& m) {
-  std::vector<int> all(m.coordinates());
-  for (int i = 0; i < m.coordinates(); ++i) all[i] = i;
-  return all;
-}
+std::vector<int> all_of(const Model& m) { return requested_coordinates({}, m.coordinates()); }
 
 /// Some of every axle and what none of them has, as they come; all of one axle; all.
 std::vector<std::vector<int>> selections(const Model& m) {
@@ -51,8 +47,7 @@ class OnLanes : public testing::TestWithParam<int> {
 TEST_P(OnLanes, OutputsHoldWhatObserversAreShown) {
   for (const Guess guess : {Guess::previous, Guess::hermite5, Guess::adams8}) {
     const auto f = make(guess), g = make(guess);
-    Everything whole(grid.instants);
-    ASSERT_TRUE(g->run(grid, {}, whole).ok());
+    const Everything whole = everything_of(*g, grid);
     for (const Level level : {Level::position, Level::velocity, Level::acceleration})
       for (const std::vector<int>& some : selections(truck())) {
         Lender lender(grid.instants, some, level);
@@ -68,18 +63,16 @@ TEST_P(OnLanes, OutputsHoldDriversAtEveryLevel) {
   std::vector<int> drivers;
   for (const Driver& d : truck().drivers) drivers.push_back(truck().entities[d.coordinate].first);
   f->solve_only(std::vector<Level>(truck().coordinates(), Level::position));
-  Everything whole(grid.instants);
+  const Everything whole = everything_of(*g, grid);
   Lender lender(grid.instants, drivers, Level::acceleration);
-  ASSERT_TRUE(g->run(grid, {}, whole).ok());
   ASSERT_TRUE(f->run(grid, {Level::acceleration, drivers}, lender).ok());
   expect_in_outputs(lender, drivers, Level::acceleration, whole.all);
 }
 
 TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
   const auto f = make(), g = make();
-  Everything whole(grid.instants);
   Lender lender(grid.instants, {7}, Level::position);
-  ASSERT_TRUE(g->run(grid, {}, whole).ok());
+  everything_of(*g, grid);
   ASSERT_TRUE(f->run(grid, {Level::acceleration, std::vector{7}}, lender).ok());
   EXPECT_TRUE(are_at_one_instant(*f, *g));
   for (int i = 0; i < 3; ++i) {
@@ -167,8 +160,7 @@ TEST(Outputs, AreWrittenByThreads) {
   for (const std::string id :
        {"group_symbolic_explicit/segments:4", "group_symbolic_explicit/lanes:4"}) {
     const auto serial = formulated(id, truck()), parallel = formulated(id + "/threads:2", truck());
-    Everything whole(long_grid.instants);
-    ASSERT_TRUE(serial->run(long_grid, {}, whole).ok());
+    const Everything whole = everything_of(*serial, long_grid);
     for (const Level level : {Level::velocity, Level::acceleration}) {
       Lender lender(long_grid.instants, some, level);
       ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, lender).ok());

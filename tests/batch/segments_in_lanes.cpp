@@ -37,13 +37,8 @@ TEST(SegmentsInLanes, SolveWhatStepsSolve) {
     for (const Settings& settings : every_kind())
       for (const auto& [m, grid] : all) {
         const auto by_steps = formulated(id, m), lanes = formulated(id, m, settings);
-        Everything expected(grid.instants), actual(grid.instants);
-        const Summary a = by_steps->run(grid, {}, expected), b = lanes->run(grid, {}, actual);
-        ASSERT_TRUE(a.ok() && b.ok()) << m.name;
-        EXPECT_EQ(b.instants, grid.instants) << m.name;
-        EXPECT_LT(b.residual, 1e-10) << m.name;
+        const Everything actual = expect_same_motion(*lanes, *by_steps, grid, m.name);
         EXPECT_TRUE(std::ranges::is_sorted(actual.order)) << m.name;
-        expect_same(actual, expected, m.name);
       }
 }
 
@@ -56,14 +51,13 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
     const auto f = formulated("group_symbolic_explicit", m, GetParam()),
                g = formulated("group_symbolic_explicit", m);
     const TimeGrid grid = time_grid(3, 0.01);
-    Everything whole(grid.instants), some(grid.instants), expected(grid.instants);
-    ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
+    const Everything whole = expect_same_motion(*f, *g, grid, std::string(c.name));
     EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0) << c.name;
     EXPECT_EQ(whole.order.size(), static_cast<std::size_t>(grid.instants));
     EXPECT_TRUE(std::ranges::is_sorted(whole.order));
-    expect_same(whole, expected, std::string(c.name));
 
     const std::vector<int> asked{1, m.coordinates() - 1};
+    Everything some(grid.instants);
     ASSERT_TRUE(f->run(grid, {Level::velocity, asked}, some).ok());
     for (int i = 0; i < grid.instants; ++i)
       for (const int k : {1, m.coordinates() - 1, m.coordinates() + 1})
@@ -75,8 +69,7 @@ TEST_P(OnTheCases, OutputsHoldWhatIsRequested) {
   const Model m = truck_model(2);
   const auto f = formulated("group_symbolic_explicit", m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);  // the last segment is shorter
-  Everything whole(grid.instants);
-  ASSERT_TRUE(f->run(grid, {}, whole).ok());
+  const Everything whole = everything_of(*f, grid);
   for (const Level level : {Level::position, Level::velocity, Level::acceleration})
     for (const std::vector<int>& some :
          {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50}}) {
@@ -93,8 +86,7 @@ TEST_P(OnTheCases, OutputsOfSeveralInstantsAreBorrowedAtOnce) {
   const TimeGrid grid = time_grid(3, 0.01);
   const std::vector<int> some{7, 3};
   const int lanes = GetParam().segments, length = (grid.instants + lanes - 1) / lanes;
-  Everything whole(grid.instants);
-  ASSERT_TRUE(f->run(grid, {}, whole).ok());
+  const Everything whole = everything_of(*f, grid);
   for (const int steps : {1, 3, length, 2 * length}) {
     Lender lender(grid.instants, some, Level::velocity, lanes * steps);
     ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
@@ -123,8 +115,8 @@ TEST(SegmentsInLanes, LeaveTheLastInstantToStepOnFrom) {
   const auto f = formulated("group_symbolic_explicit/segments:4", m),
              g = formulated("group_symbolic_explicit", m);
   const TimeGrid grid = time_grid(2, 0.01);
-  Everything observer(grid.instants), other(grid.instants);
-  ASSERT_TRUE(f->run(grid, {}, observer).ok() && g->run(grid, {}, other).ok());
+  everything_of(*f, grid);
+  everything_of(*g, grid);
   expect_to_step_on_alike(*f, *g, 2);
 }
 
@@ -132,10 +124,8 @@ TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const Model m = truck_model(1);
   const auto f = formulated("group_symbolic_explicit/segments:4", m);
   const TimeGrid grid = time_grid(0.2, 0.01);
-  Everything observer(grid.instants);
-  ASSERT_TRUE(f->run(grid, {}, observer).ok());
+  EXPECT_EQ(everything_of(*f, grid).order.size(), static_cast<std::size_t>(grid.instants));
   EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1);
-  EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants));
 }
 
 TEST(SegmentsInLanes, FailAsStepsFail) {
@@ -164,9 +154,7 @@ TEST(SegmentsInLanes, ThatGiveUpLeaveNoTrace) {
     borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
   TimeStepping f(m, std::move(borrowed), Settings{}, std::make_unique<Reluctant>());
   const TimeGrid grid = time_grid(1, 0.01);
-  Everything actual(grid.instants), expected(grid.instants);
-  ASSERT_TRUE(f.run(grid, {}, actual).ok() && g->run(grid, {}, expected).ok());
-  expect_same(actual, expected, "reluctant");
+  expect_same_motion(f, *g, grid, "reluctant");
   Lender lender(grid.instants, {7}, Level::position);
   ASSERT_TRUE(f.run(grid, {.coordinates = std::vector{7}}, lender).ok());
   EXPECT_EQ(lender.restarts, 1);

@@ -46,13 +46,7 @@ void compare(const Model& m, const TimeGrid& of_scene, const std::string& id, in
   const std::string parallel_id = id + "/threads:" + std::to_string(threads);
   const auto serial = formulated(id, m), parallel = formulated(parallel_id, m);
   const TimeGrid grid = worth_three_threads(of_scene, *serial);
-  Everything expected(grid.instants), actual(grid.instants);
-  const Summary a = serial->run(grid, {}, expected), b = parallel->run(grid, {}, actual);
-  ASSERT_TRUE(a.ok() && b.ok()) << m.name << " " << parallel_id;
-  EXPECT_EQ(b.instants, grid.instants) << m.name;
-  EXPECT_EQ(b.time, a.time) << m.name;
-  EXPECT_LT(b.residual, 1e-10) << m.name;
-  expect_same(actual, expected, m.name + " " + parallel_id);
+  expect_same_motion(*parallel, *serial, grid, m.name + " " + parallel_id);
 }
 
 TEST(SegmentsOnThreads, SolvesWhatOneThreadSolves) {
@@ -117,8 +111,8 @@ TEST(SegmentsOnThreads, LeavesTheLastInstantToStepOnFrom) {
   const auto f = formulated("group_symbolic_explicit/threads:2", m),
              g = formulated("group_symbolic_explicit", m);
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
-  Everything observer(grid.instants);
-  ASSERT_TRUE(f->run(grid, {}, observer).ok() && g->assemble(2).ok());
+  everything_of(*f, grid);
+  ASSERT_TRUE(g->assemble(2).ok());
   expect_to_step_on_alike(*f, *g, 2);
 }
 
@@ -127,9 +121,7 @@ TEST(SegmentsOnThreads, LeavesOutWhatNobodyAsksFor) {
   const Model m = truck_model(2);
   const auto f = formulated("group_symbolic_explicit/threads:2", m);
   f->solve_only(std::vector(m.coordinates(), Level::position));
-  const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
-  Everything observer(grid.instants);
-  ASSERT_TRUE(f->run(grid, {}, observer).ok());
+  everything_of(*f, worth_three_threads(time_grid(2, 0.01), *f));
   for (const DefinedPart& part : parts_of(*f))
     for (const int k : part.definition.unknowns) EXPECT_EQ(f->qdd()[k], 0) << k;
 }

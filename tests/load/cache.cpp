@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include "formulations/model/partition.h"
-#include "formulations/motion/internals.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::cache_test {

@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "formulations/model/partition.h"
-#include "formulations/motion/internals.h"
 #include "formulations/runtime/descriptor.h"
 #include "formulations/runtime/program.h"
 #include "tests/load/loading.h"

@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "formulations/motion/internals.h"
 #include "formulations/verification/run/checked_run.h"
 #include "tests/everything.h"
 #include "tests/load/closed_forms.h"
@@ -85,21 +84,9 @@ class Couplings : public Loading, public testing::WithParamInterface<Coupled> {
     }
   }
 
-  std::unique_ptr<Formulation> made(const std::string& id, KernelTable& table) {
-    const Configuration c = parse_id(id, {.tolerance = 1e-14});
-    if (c.variant->evaluation == Evaluation::symbolic) {
-      EXPECT_EQ(load(table, id).problem, "") << id;
-    }
-    auto f = make_formulation(*c.variant, model_, c.settings, table);
-    EXPECT_TRUE(std::ranges::all_of(parts_of(*f), &DefinedPart::as_named)) << id;
-    return f;
-  }
-
   /// Compares a run that is not checked.
   void compare_run(const std::string& id, KernelTable& table) {
-    const auto f = made(id, table);
-    Everything found(scene_.grid.instants);
-    EXPECT_TRUE(f->run(scene_.grid, {}, found).ok()) << id;
+    const Everything found = everything_of(*made(id, table, exact), scene_.grid);
     const std::size_t n = static_cast<std::size_t>(model_.coordinates());
     for (int i = 0; i < scene_.grid.instants; ++i) {
       const std::span<const double> all = found.all[i];
@@ -108,6 +95,7 @@ class Couplings : public Loading, public testing::WithParamInterface<Coupled> {
     }
   }
 
+  static constexpr Settings exact{.tolerance = 1e-14};
   std::vector<Values> exact_;
   std::map<std::string, std::array<double, 3>> scale_;  // largest of a motion, at least 1
 };
@@ -118,7 +106,7 @@ TEST_P(Couplings, KeepTheClosedForm) {
        {"global_automatic_klu", "group_automatic_lapack", "block_automatic_eigen",
         "global_symbolic_klu", "group_symbolic_lapack", "group_symbolic_inlined",
         "group_symbolic_explicit", "block_symbolic_inlined", "block_symbolic_explicit"}) {
-    const auto f = made(id, table);
+    const auto f = made(id, table, exact);
     CheckOptions options;
     int rows = 0, flagged = 0;
     options.checked = [&](const CheckedInstant& i) {

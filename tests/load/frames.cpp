@@ -75,18 +75,12 @@ TEST_P(Frames, RoughlyDrawnMoveAsDrawnExactly) {
   model_ = make_model(scene_);
   const Model exact = make_model(drawn);
   KernelTable table;
-  const auto made = [&](const Model& m, const std::string& id) {
-    const Configuration c = parse_id(id, {.tolerance = 1e-14});
-    return make_formulation(*c.variant, m, c.settings, table);
-  };
-  Everything expected(drawn.grid.instants);
-  ASSERT_TRUE(made(exact, "group_automatic_lapack")->run(drawn.grid, {}, expected).ok());
+  const Settings settings{.tolerance = 1e-14};
+  const Everything expected =
+      everything_of(*formulated("group_automatic_lapack", exact, settings), drawn.grid);
   for (const std::string id : {"global_automatic_klu", "group_automatic_lapack",
                                "global_symbolic_klu", "group_symbolic_inlined"}) {
-    if (id.find("symbolic") != std::string::npos) {
-      ASSERT_EQ(load(table, id).problem, "") << id;
-    }
-    const auto f = made(model_, id);
+    const auto f = made(id, table, settings);
     int flagged = 0;
     CheckOptions options;
     options.checked = [&](const CheckedInstant& i) { flagged += i.flag.has_value(); };

@@ -14,6 +14,7 @@
 #include "formulations/equations/kernel_table.h"
 #include "formulations/id.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/motion/internals.h"
 #include "formulations/runtime/own_kernels.h"
 #include "tests/own_mechanism.h"
 #include "tests/started.h"
@@ -62,6 +63,19 @@ class Loading : public InFolder {
   GenerationOutcome load() {
     KernelTable table;
     return load(table);
+  }
+  /// Makes the formulation of an id with generated code where it needs some, and no part stands in
+  /// for another. base: settings that the id does not name.
+  std::unique_ptr<Formulation> made(const std::string& id, KernelTable& table,
+                                    const Settings& base = {}) {
+    const Configuration c = parse_id(id, base);
+    EXPECT_EQ(load(table, id).problem, "") << id;
+    auto f = make_formulation(*c.variant, model_, c.settings, table);
+    EXPECT_TRUE(is_as_named(*f)) << id;
+    return f;
+  }
+  static bool is_as_named(const Formulation& f) {
+    return std::ranges::all_of(parts_of(f), &DefinedPart::as_named);
   }
 
   Scene scene_ = parse_scene(swinging_plates(1, one_second), "plates", {});

@@ -2,17 +2,12 @@
 
 #include "formulations/batch/batch_part.h"
 #include "formulations/model/partition.h"
-#include "formulations/motion/internals.h"
 #include "formulations/parts/explicit_part.h"
 #include "tests/everything.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::own_kernels_test {
 namespace {
-
-bool is_as_named(const Formulation& f) {
-  return std::ranges::all_of(parts_of(f), &DefinedPart::as_named);
-}
 
 template <class P>
 bool has(const Formulation& f) {
@@ -24,15 +19,10 @@ bool has(const Formulation& f) {
 struct OwnKernelsTest : Loading {
   /// With code that was made for it, against automatic equations.
   std::unique_ptr<Formulation> compare(const std::string& id) {
-    const Configuration c = parse_id(id, exact);
-    const GenerationOutcome own = load(table_, id);
-    EXPECT_EQ(own.problem, "") << id;
-    auto f = make_formulation(*c.variant, model_, c.settings, table_);
-    EXPECT_TRUE(is_as_named(*f)) << id;
+    auto f = made(id, table_, exact);
     const auto reference = make_formulation(find_variant("group_automatic_eigen"), model_, exact);
-    Everything found(scene_.grid.instants), expected(scene_.grid.instants);
-    EXPECT_TRUE(f->run(scene_.grid, {}, found).ok()) << id;
-    EXPECT_TRUE(reference->run(scene_.grid, {}, expected).ok());
+    const Everything found = everything_of(*f, scene_.grid),
+                     expected = everything_of(*reference, scene_.grid);
     for (int i = 0; i < scene_.grid.instants; ++i)
       EXPECT_LT(max_relative_difference(found.all[i], expected.all[i]), 1e-10) << id << ' ' << i;
     return f;

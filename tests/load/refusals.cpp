@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "formulations/motion/internals.h"
 #include "formulations/verification/condition.h"
 #include "tests/formulated.h"
 #include "tests/load/loading.h"

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "cases/mechanism/builder.h"
-#include "formulations/motion/internals.h"
 #include "formulations/verification/run/checked_run.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
@@ -59,20 +58,13 @@ class Rails : public Loading {
 
 TEST_F(Rails, AreSolvedAtOnceAsOneByOne) {
   KernelTable table;
-  const auto run = [&](const std::string& id, int parts, Everything& found) {
-    const Configuration c = parse_id(id);
-    EXPECT_EQ(load(table, id).problem, "") << id;
-    const auto f = make_formulation(*c.variant, model_, c.settings, table);
-    EXPECT_TRUE(f->run(scene_.grid, {}, found).ok()) << id;
-    EXPECT_EQ(static_cast<int>(parts_of(*f).size()), parts) << id;
-  };
-  Everything expected(scene_.grid.instants);
-  const std::string id = "group_symbolic_explicit";
-  run(id, count, expected);
+  const auto one_by_one = made("group_symbolic_explicit", table);
+  EXPECT_EQ(std::ssize(parts_of(*one_by_one)), count);
   for (const int lanes : lanes_here()) {
-    Everything found(scene_.grid.instants);
-    run(id + "/lanes:" + std::to_string(lanes), 2, found);
-    expect_same(found, expected, id + "/lanes:" + std::to_string(lanes));
+    const std::string id = "group_symbolic_explicit/lanes:" + std::to_string(lanes);
+    const auto at_once = made(id, table);
+    EXPECT_EQ(parts_of(*at_once).size(), 2u) << id;
+    expect_same_motion(*at_once, *one_by_one, scene_.grid, id);
   }
 }
 
