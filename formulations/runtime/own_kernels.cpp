@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "cases/mechanism/names.h"
 #include "formulations/codegen/emit/library_source.h"
@@ -111,10 +110,8 @@ GenerationOutcome add_generated_code(KernelTable& table, const Variant& v, const
   const int lanes = std::max(settings.lanes, settings.segments);
   const LibraryContents contents{v.is_explicit(), has_lanes(lanes) ? lanes : 1};
   try {
-    WantedTypes wanted = wanted_types(v, contents, m, grid, table);
-    told.parts_too_large = wanted.parts_too_large;
-    told.types = std::move(wanted.uses);
-    if (!wanted.types.empty()) table.add(make_library(wanted.types, contents, compile_time, told));
+    const std::vector<SampledType> types = wanted_types(v, contents, m, grid, table, told);
+    if (!types.empty()) table.add(make_library(types, contents, compile_time, told));
   } catch (const std::exception& error) {
     told.problem = error.what();
   }

@@ -109,31 +109,32 @@ std::vector<PartDefinition> parts_refused(const Variant& v, const Model& m, cons
 
 }  // namespace
 
-WantedTypes wanted_types(const Variant& v, LibraryContents contents, const Model& m,
-                         const TimeGrid& grid, const KernelTable& table) {
-  WantedTypes wanted;
+std::vector<SampledType> wanted_types(const Variant& v, LibraryContents contents, const Model& m,
+                                      const TimeGrid& grid, const KernelTable& table,
+                                      GenerationOutcome& told) {
   std::vector<PartDefinition> parts = parts_without_code(v, contents, m, table);
   std::ranges::move(parts_refused(v, m, grid, table), std::back_inserter(parts));
-  wanted.parts_too_large = static_cast<int>(std::erase_if(
-      parts, [](const PartDefinition& part) { return part.unknowns.size() > max_unknowns; }));
-  if (parts.empty()) return wanted;
+  const std::size_t too_large = std::erase_if(
+      parts, [](const PartDefinition& part) { return part.unknowns.size() > max_unknowns; });
 
-  const std::vector<std::vector<double>> states = sample_motion(m, grid);
-  if (states.empty()) throw Unavailable("the mechanism cannot be assembled");
-  std::vector<SampledType>& types = wanted.types;
+  std::vector<std::vector<double>> states;
+  if (!parts.empty()) states = sample_motion(m, grid);
+  if (!parts.empty() && states.empty()) throw Unavailable("the mechanism cannot be assembled");
+  told.parts_too_large = static_cast<int>(too_large);
+  std::vector<SampledType> types;
   for (const PartDefinition& part : parts) {
     SampledType& type = generate::add_part(m, part, states, types);
     if (type.name.empty()) {
       type.name = "type_" + std::to_string(types.size() - 1);
       type.type = generate::without_names(std::move(type.type));
-      wanted.uses.push_back(
+      told.types.push_back(
           {m.groups[part.groups.front()].name, static_cast<int>(part.unknowns.size())});
     }
     type.samples.resize(std::min(type.samples.size(), enough_samples));
     type.pivot_samples.resize(std::min(type.pivot_samples.size(), enough_for_pivots));
-    ++wanted.uses[&type - types.data()].parts;
+    ++told.types[&type - types.data()].parts;
   }
-  return wanted;
+  return types;
 }
 
 }  // namespace desmo::load

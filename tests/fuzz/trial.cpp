@@ -137,11 +137,12 @@ void rest_where_measured(Model& mechanism) {
 void check_code(const Variant& variant, const Model& mechanism, const TimeGrid& grid) {
   const generate::LibraryContents contents{variant.is_explicit(), variant.is_explicit() ? 4 : 1};
   try {
-    const load::WantedTypes wanted =
-        load::wanted_types(variant, contents, mechanism, grid, KernelTable::built_in());
-    const std::string source = generate::library_source(wanted.types, contents);
-    if (source.empty() != wanted.types.empty())
-      throw Finding("code: none for any type", wanted.types.front().type.fingerprint);
+    GenerationOutcome told;
+    const std::vector<generate::SampledType> types =
+        load::wanted_types(variant, contents, mechanism, grid, KernelTable::built_in(), told);
+    const std::string source = generate::library_source(types, contents);
+    if (source.empty() != types.empty())
+      throw Finding("code: none for any type", types.front().type.fingerprint);
   } catch (const load::Unavailable&) {
   }
 }
