@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "formulations/codegen/closed_forms/sphere_and_planes.h"
 #include "formulations/codegen/order/closed_form.h"
 #include "formulations/codegen/order/tearing.h"
 #include "formulations/codegen/record/expression.h"
@@ -78,11 +79,6 @@ class ClosedForms : public testing::TestWithParam<unsigned> {
   }
 };
 
-Expr dot(const std::vector<Expr>& a, const std::vector<Expr>& b) {
-  Expr sum = a[0] * b[0];
-  for (std::size_t i = 1; i < a.size(); ++i) sum = sum + a[i] * b[i];
-  return sum;
-}
 std::vector<Expr> minus(const std::vector<Expr>& a, const std::vector<Expr>& b) {
   std::vector<Expr> d;
   for (std::size_t i = 0; i < a.size(); ++i) d.push_back(a[i] - b[i]);

@@ -1,5 +1,6 @@
 // Closed forms of couplings by tables: cams, an indexing table, and a rail.
 
+#include <Eigen/LU>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -10,36 +11,30 @@
 namespace desmo::load::closed_forms {
 namespace {
 
-/// The spline through a table, from its moments m = f″ at the knots by elimination: natural, or
-/// closed, with the rise of a table that repeats.
+/// The spline through a table, from its moments m = f″ at the knots: natural, or closed, with the
+/// rise of a table that repeats.
 class Interpolation {
  public:
   Interpolation(std::vector<Real> at, std::vector<Real> z, bool closed)
       : at_(std::move(at)), z_(std::move(z)), closed_(closed) {
-    const std::size_t n = at_.size() - 1, rows = n + 1;
-    std::vector<std::vector<Real>> a(rows, std::vector<Real>(rows + 1, 0));
+    const std::size_t n = at_.size() - 1;
+    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> a;
+    a.setZero(n + 1, n + 1);
+    m_.setZero(n + 1);
     const auto add = [&](std::size_t row, std::size_t i, bool at_end, int sign) {
       const Real h = at_[i + 1] - at_[i], slope = (z_[i + 1] - z_[i]) / h;
-      a[row][i] += (at_end ? 1 : 2) * h;
-      a[row][i + 1] += (at_end ? 2 : 1) * h;
-      a[row][rows] += sign * 6 * slope;
+      a(row, i) += (at_end ? 1 : 2) * h;
+      a(row, i + 1) += (at_end ? 2 : 1) * h;
+      m_[row] += sign * 6 * slope;
     };
     for (std::size_t i = 1; i < n; ++i) add(i, i - 1, true, -1), add(i, i, false, 1);
     if (closed) {
       add(0, n - 1, true, -1), add(0, 0, false, 1);
-      a[n][0] = 1, a[n][n] = -1;
+      a(n, 0) = 1, a(n, n) = -1;
     } else {
-      a[0][0] = a[n][n] = 1;
+      a(0, 0) = a(n, n) = 1;
     }
-    for (std::size_t k = 0; k < rows; ++k) {
-      std::size_t pivot = k;
-      for (std::size_t i = k; i < rows; ++i)
-        if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-      std::swap(a[k], a[pivot]);
-      for (std::size_t i = 0; i < rows; ++i)
-        for (std::size_t j = rows + 1; i != k && j-- > k;) a[i][j] -= a[i][k] / a[k][k] * a[k][j];
-    }
-    for (std::size_t k = 0; k < rows; ++k) m_.push_back(a[k][rows] / a[k][k]);
+    m_ = a.partialPivLu().solve(m_).eval();
   }
 
   Jet operator()(Jet x) const {
@@ -56,7 +51,8 @@ class Interpolation {
   }
 
  private:
-  std::vector<Real> at_, z_, m_;
+  std::vector<Real> at_, z_;
+  Eigen::Matrix<Real, Eigen::Dynamic, 1> m_;
   bool closed_;
 };
 
