@@ -125,15 +125,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Parameter{"truck_suspension_block", truck_model, Partition::block}),
     [](const auto& info) { return std::string(info.param.name); });
 
-TEST(Kernels, OneServesEveryGroupOfItsType) {
-  const Model m = truck_model(3);
-  const std::vector<PartDefinition> groups = make_partition(m, Partition::group);
-  const auto kernel = [&](int g) { return bind_kernel(m, groups[g]).value().kernel; };
-  EXPECT_EQ(kernel(2), kernel(3));   // left and right
-  EXPECT_EQ(kernel(1), kernel(11));  // all axles
-  EXPECT_NE(kernel(1), kernel(2));
-}
-
 TEST(Kernels, AreMissingVisibly) {
   Model m;
   m.name = "other";

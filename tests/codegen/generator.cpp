@@ -20,8 +20,10 @@ TEST(PartTypes, AreEqualForTwinsAndDifferOtherwise) {
       if (m.groups[part.groups.front()].name == name) return describe_type(m, part).fingerprint;
     return std::string("none");
   };
+  EXPECT_EQ(fingerprint("axle1/SG-I"), fingerprint("axle2/SG-I"));
   EXPECT_EQ(fingerprint("axle1/SG-II"), fingerprint("axle2/SG-III"));
   EXPECT_EQ(fingerprint("axle1/SG-IV"), fingerprint("axle2/SG-V"));
+  EXPECT_NE(fingerprint("axle1/SG-I"), fingerprint("axle1/SG-II"));
   EXPECT_NE(fingerprint("axle1/SG-II"), fingerprint("axle1/SG-IV"));
   EXPECT_EQ(fingerprint("axle1/SG-II").find("axle"), std::string::npos);  // never by name
 }
