@@ -59,49 +59,19 @@ Batch::Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
   for (std::size_t l = 0; l < lanes_; ++l)
     places_.push_back(places_in(members_of(subsystem_in(l)), first, of_first).value());
 
-  std::set<int> unknowns, unwrapped;
-  const std::set<int> read = add_parts(kernels, first, of_first, unknowns, unwrapped);
-  std::vector<int> starts = gather(read, unknowns, kinds);
-  unknowns_.assign(unknowns.begin(), unknowns.end());
-  std::ranges::set_union(unknowns_, driven_, std::back_inserter(own_));
-  std::erase_if(starts, [&](int n) { return unwrapped.contains(n); });
-  state_ = BatchState(of_first.size(), lanes_, guess, starts, {unwrapped.begin(), unwrapped.end()});
-  residuals2_.resize(parts_.size() * max_lanes);
-  bind({std::vector<bool>(kinds.size(), true), {}, Level::acceleration});
-}
-
-/// Makes the parts of the batch. Returns the numbers that they read before any of them has written
-/// these; adds those that they solve, and angles that they unwrap.
-std::set<int> Batch::add_parts(const SubsystemKernels& kernels,
-                               std::span<const ExplicitPart* const> first,
-                               std::span<const int> of_first, std::set<int>& unknowns,
-                               std::set<int>& unwrapped) {
-  std::set<int> read;
-  for (std::size_t j = 0; j < kernels.size(); ++j) {
-    std::vector<ExplicitPart*> members;
-    for (std::size_t l = 0; l < lanes_; ++l) members.push_back(subsystem_in(l)[j].get());
-    std::vector<int> in;
-    for (const int place : first[j]->places()) in.push_back(position_in(of_first, place));
-    for (const int i : kernels[j]->read)
-      if (!unknowns.contains(in[i])) read.insert(in[i]);
-    for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
-    for (const int i : first[j]->kernel().angles) unwrapped.insert(in[i]);
-    parts_.emplace_back(*kernels[j], std::move(members), std::move(in));
-  }
-  return read;
-}
-
-/// Prepares what a step gathers from the state, by the origin of each number that is read. Returns
-/// the unknowns from whose predictions a step starts.
-std::vector<int> Batch::gather(const std::set<int>& read, const std::set<int>& unknowns,
-                               const std::vector<StateKind>& kinds) {
-  std::vector<int> once, moving, starts;
-  for (const int n : read) {
+  const std::vector<Use> uses = add_parts(kernels, first, of_first);
+  std::vector<int> once, moving, starts, predicted, unwrapped;
+  for (int n = 0; n < static_cast<int>(uses.size()); ++n) {
+    const auto [is_read, is_unknown, is_unwrapped] = uses[n];
     const auto all_are = [&](StateKind kind) {
       return std::ranges::all_of(
           places_, [&](const std::vector<int>& of_lane) { return kinds[of_lane[n]] == kind; });
     };
-    (unknowns.contains(n)           ? starts
+    if (is_unknown) unknowns_.push_back(n);
+    if (is_unwrapped) unwrapped.push_back(n);
+    if (!is_read) continue;
+    if (is_unknown && !is_unwrapped) predicted.push_back(n);
+    (is_unknown                     ? starts
      : all_are(StateKind::constant) ? once
      : all_are(StateKind::driven)   ? driven_
                                     : moving)
@@ -111,7 +81,29 @@ std::vector<int> Batch::gather(const std::set<int>& read, const std::set<int>& u
   moving_ = Gather(moving, places_);
   undriven_ = Gather(driven_, places_);
   starts_ = Gather(starts, places_);
-  return starts;
+  std::ranges::set_union(unknowns_, driven_, std::back_inserter(own_));
+  state_ = BatchState(of_first.size(), lanes_, guess, predicted, std::move(unwrapped));
+  residuals2_.resize(parts_.size() * max_lanes);
+  bind({std::vector<bool>(kinds.size(), true), {}, Level::acceleration});
+}
+
+/// Makes the parts of the batch. Returns what they do with each number.
+std::vector<Batch::Use> Batch::add_parts(const SubsystemKernels& kernels,
+                                         std::span<const ExplicitPart* const> first,
+                                         std::span<const int> of_first) {
+  std::vector<Use> uses(of_first.size());
+  for (std::size_t j = 0; j < kernels.size(); ++j) {
+    std::vector<ExplicitPart*> members;
+    for (std::size_t l = 0; l < lanes_; ++l) members.push_back(subsystem_in(l)[j].get());
+    std::vector<int> in;
+    for (const int place : first[j]->places()) in.push_back(position_in(of_first, place));
+    for (const int i : kernels[j]->read)
+      if (!uses[in[i]].is_unknown) uses[in[i]].is_read = true;
+    for (const int i : kernels[j]->unknowns) uses[in[i]].is_unknown = true;
+    for (const int i : first[j]->kernel().angles) uses[in[i]].is_unwrapped = true;
+    parts_.emplace_back(*kernels[j], std::move(members), std::move(in));
+  }
+  return uses;
 }
 
 std::vector<int> Batch::drivers() const {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <memory>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -94,14 +93,18 @@ class Batch {
   void restore(std::size_t subsystem, std::span<double> q) const;
 
  private:
+  /// What the parts do with a number.
+  struct Use {
+    bool is_read = false;  // before any of them has written it
+    bool is_unknown = false, is_unwrapped = false;
+  };
+
   Subsystem& subsystem_in(std::size_t lane) const {
     return subsystems_[lane < subsystems_.size() ? lane : 0];
   }
-  std::set<int> add_parts(const SubsystemKernels& kernels,
-                          std::span<const ExplicitPart* const> first, std::span<const int> of_first,
-                          std::set<int>& unknowns, std::set<int>& unwrapped);
-  std::vector<int> gather(const std::set<int>& read, const std::set<int>& unknowns,
-                          const std::vector<StateKind>& kinds);
+  std::vector<Use> add_parts(const SubsystemKernels& kernels,
+                             std::span<const ExplicitPart* const> first,
+                             std::span<const int> of_first);
   Scatter targets(std::span<const int> numbers, std::span<int> places) const;
   template <std::size_t lanes>
   void write_drivers(MotionRow row);
