@@ -48,7 +48,7 @@ class ClosedForms : public testing::TestWithParam<unsigned> {
     ASSERT_TRUE(form);
     EXPECT_EQ(form->rule, rule);
     for (std::size_t i = 0; i < form->values.size(); ++i) expect_equal(form->values[i], task.x[i]);
-    for (const SizeMonitor& m : form->sizes)
+    for (const SizeMonitor& m : form->monitors.sizes)
       for (int s = 0; s < samples; ++s)
         EXPECT_GT(m.value.samples()[s], m.bound * m.against.samples()[s]);
 

@@ -17,7 +17,7 @@ std::optional<ClosedForm> solve_angle(const Task& task) {
   ClosedForm form = angle_by_bearing("angle modulo half a turn", {b, -a}, radius2);
   form.bearing = {branch * b, -(branch * a)};
   const Expr ma = magnitude(a), mb = magnitude(b);
-  form.sizes.push_back({radius2, 1e-12, ma * ma + mb * mb});
+  form.monitors.sizes.push_back({radius2, 1e-12, ma * ma + mb * mb});
   form.roots.push_back({branch, pivot});
   return form;
 }

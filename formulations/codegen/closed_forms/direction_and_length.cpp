@@ -111,7 +111,7 @@ std::optional<ClosedForm> solve_direction_and_length(const Task& task) {
   form.values[s] = value;
   for (const Along& a : along) form.values[a.direction] = a.w * inverse;
   form.cost = 4;
-  form.sizes.push_back({w2, 1e-12, size});
+  form.monitors.sizes.push_back({w2, 1e-12, size});
 
   // Along: scale (s ḋ + ṡ d) = b; unit: 2 d·ḋ = b.
   std::vector<Expr> d;

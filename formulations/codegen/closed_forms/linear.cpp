@@ -42,7 +42,8 @@ std::optional<ClosedForm> solve_linear(const Task& task) {
     const Expr pivot = matrix[0].at(0), reciprocal = Expr(1) / pivot;
     form.values = {right[0] * reciprocal};
     form.cost = pivot.moves() ? 2 : 0;
-    if (pivot.moves()) form.sizes.push_back(pivot_size(task.equations[0], task.x[0], pivot));
+    if (pivot.moves())
+      form.monitors.sizes.push_back(pivot_size(task.equations[0], task.x[0], pivot));
     rates_by_equations(form, task.equations, [reciprocal](const std::vector<Expr>& b) {
       return std::vector<Expr>{b[0] * reciprocal};
     });
@@ -51,8 +52,8 @@ std::optional<ClosedForm> solve_linear(const Task& task) {
   try {
     const Elimination elimination(matrix);
     form.values = elimination.solve(right);
-    form.pivots = elimination.monitors();
-    form.cost = 3 * static_cast<int>(form.pivots.size());
+    form.monitors.pivots = elimination.monitors();
+    form.cost = 3 * static_cast<int>(form.monitors.pivots.size());
     rates_by_equations(form, task.equations,
                        [elimination](const std::vector<Expr>& b) { return elimination.solve(b); });
   } catch (const std::invalid_argument&) {

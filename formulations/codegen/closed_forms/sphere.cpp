@@ -150,7 +150,7 @@ std::optional<ClosedForm> solve_sphere(const Task& task) {
   }
   if (g.y.size() == 1) form.consequences.emplace_back(g.y[0] * g.y[0], discriminant);
   form.cost = 2 * discriminant.moves() + 2 * g.w2.moves();
-  form.sizes = monitors(g, discriminant);
+  form.monitors.sizes = monitors(g, discriminant);
   rates_by_equations(form, task.equations, [rates](const Vector& b) { return rates.solve(b); });
   return form;
 }

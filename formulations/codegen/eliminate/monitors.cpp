@@ -2,29 +2,25 @@
 
 namespace desmo::generate {
 
-std::vector<Expr> monitored(const std::vector<PivotMonitor>& monitors) {
+std::vector<Expr> monitored(const Monitors& monitors) {
   std::vector<Expr> result;
-  for (const PivotMonitor& m : monitors)
-    for (const auto* list : {&m.magnified, &m.against})
-      for (const PivotMonitor::Bound& bound : *list) result.push_back(bound.value);
-  for (const PivotMonitor& m : monitors) result.push_back(m.pivot);
-  return result;
-}
-
-std::vector<Expr> monitored(const std::vector<SizeMonitor>& monitors) {
-  std::vector<Expr> result;
-  for (const SizeMonitor& m : monitors) {
+  for (const SizeMonitor& m : monitors.sizes) {
     result.push_back(m.value);
     result.push_back(m.bound * m.against);
   }
+  for (const PivotMonitor& m : monitors.pivots)
+    for (const auto* list : {&m.magnified, &m.against})
+      for (const PivotMonitor::Bound& bound : *list) result.push_back(bound.value);
+  for (const PivotMonitor& m : monitors.pivots) result.push_back(m.pivot);
   return result;
 }
 
-std::vector<std::string> conditions(const Emitter& emitter,
-                                    const std::vector<PivotMonitor>& monitors) {
+std::vector<std::string> conditions(const Emitter& emitter, const Monitors& monitors) {
   const std::string& functions = emitter.style().functions;
   std::vector<std::string> result;
-  for (const PivotMonitor& m : monitors) {
+  for (const SizeMonitor& m : monitors.sizes)
+    result.push_back("(" + emitter.text(m.value) + " > " + emitter.text(m.bound * m.against) + ")");
+  for (const PivotMonitor& m : monitors.pivots) {
     for (const auto& [multiplier, bound] : m.magnified)
       result.push_back("(" + functions + "abs(" + emitter.text(multiplier) + ") < " +
                        literal(bound) + ")");
@@ -32,14 +28,6 @@ std::vector<std::string> conditions(const Emitter& emitter,
       result.push_back("(" + functions + "abs(" + emitter.text(m.pivot) + ") > " + literal(bound) +
                        " * " + functions + "abs(" + emitter.text(above) + "))");
   }
-  return result;
-}
-
-std::vector<std::string> conditions(const Emitter& emitter,
-                                    const std::vector<SizeMonitor>& monitors) {
-  std::vector<std::string> result;
-  for (const SizeMonitor& m : monitors)
-    result.push_back("(" + emitter.text(m.value) + " > " + emitter.text(m.bound * m.against) + ")");
   return result;
 }
 

@@ -43,11 +43,9 @@ class CoreSystem {
   }
 
   /// The conditions under which a solution is trusted.
-  void add_monitors(SectionMotion& motion) const {
-    if (adjugate_)
-      motion.sizes = {{abs(adjugate_->determinant()), 1e-6, adjugate_->magnitude()}};
-    else
-      motion.pivots = elimination_->monitors();
+  Monitors monitors() const {
+    if (adjugate_) return {{{abs(adjugate_->determinant()), 1e-6, adjugate_->magnitude()}}, {}};
+    return {{}, elimination_->monitors()};
   }
 
  private:
@@ -89,7 +87,7 @@ class Differentiator {
     const Vector scales = take_factors(matrix);
     const CoreSystem core(matrix);
     motion.increments = core.solve(scaled(s.residuals, scales));
-    core.add_monitors(motion);
+    motion.monitors = core.monitors();
 
     const std::vector<int> unknowns = unknowns_of(s);
     const auto solve = [&](Level level, const Vector& named) {

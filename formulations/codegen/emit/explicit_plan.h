@@ -13,9 +13,8 @@ namespace desmo::generate {
 /// The Newton–Raphson increments and the rates of a section of the explicit order (see
 /// OrderSection).
 struct SectionMotion {
-  std::vector<Expr> increments;      ///< Δτ of the torn unknowns, to be subtracted
-  std::vector<PivotMonitor> pivots;  ///< monitors of the core's elimination
-  std::vector<SizeMonitor> sizes;    ///< monitor of its determinant, for a core of two unknowns
+  std::vector<Expr> increments;  ///< Δτ of the torn unknowns, to be subtracted
+  Monitors monitors;             ///< of the core's elimination or, for two unknowns, determinant
   /// Rates of the torn, then of the defined unknowns, by earlier rates.
   std::vector<Expr> velocities, accelerations;
 };

@@ -134,7 +134,7 @@ class SolveWriter {
     // Before it ends, for rates share what these are written with.
     for (std::size_t k = 0; k < s.torn.size(); ++k)
       emitter_.define("step" + number + "_" + std::to_string(k), motion.increments[k]);
-    emitter_.prepare(monitored(motion.pivots));
+    emitter_.prepare(monitored({{}, motion.monitors.pivots}));
 
     out_ << "\n  // Core: " << names_of(plan_.type, s.torn) << "\n";
     for (const int i : s.torn)
@@ -182,17 +182,13 @@ class SolveWriter {
 
   /// Divisors and square roots of a section, against what they are made of.
   void add_monitors(std::size_t index) {
-    const auto add = [&](const auto& monitors) {
+    const auto add = [&](const Monitors& monitors) {
       emitter_.prepare(monitored(monitors));
       for (const std::string& c : conditions(emitter_, monitors))
         out_ << "  sound &= " << c << ";\n";
     };
-    for (const Definition& d : plan_.order[index].definitions) {
-      add(d.form.sizes);
-      add(d.form.pivots);
-    }
-    add(plan_.motion[index].sizes);
-    add(plan_.motion[index].pivots);
+    for (const Definition& d : plan_.order[index].definitions) add(d.form.monitors);
+    add(plan_.motion[index].monitors);
   }
 
   void rates(std::size_t index, const std::string& array, const std::string& level,

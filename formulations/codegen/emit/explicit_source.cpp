@@ -148,12 +148,10 @@ std::vector<Expr> ExplicitPlan::position(std::size_t section) const {
   for (const Definition& d : order[section].definitions) {
     append(all, d.form.values);
     if (d.form.bearing) append(all, {d.form.bearing->x, d.form.bearing->y});
-    append(all, monitored(d.form.sizes));
-    append(all, monitored(d.form.pivots));
+    append(all, monitored(d.form.monitors));
   }
-  append(all, monitored(motion[section].sizes));
   append(all, motion[section].increments);
-  append(all, monitored(motion[section].pivots));
+  append(all, monitored(motion[section].monitors));
   return all;
 }
 

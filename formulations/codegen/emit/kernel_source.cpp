@@ -136,9 +136,10 @@ class KernelWriter {
 
   void rates(std::size_t order) {
     const Elimination& elimination = orders_[order];
+    const Monitors monitors{{}, elimination.monitors()};
     // Velocities of the unknowns become expressions of the known, and enter γ as such.
     const Expressions velocity = elimination.solve(known_product(g_.qd));
-    const Expressions watched = monitored(elimination.monitors());
+    const Expressions watched = monitored(monitors);
     Expressions acceleration_right = known_product(g_.qdd);
     for (int r = 0; r < type_.rows(); ++r)
       acceleration_right[r] = acceleration_right[r] - g_.gamma[r];
@@ -150,7 +151,7 @@ class KernelWriter {
     load(first, "const double");
     Emitter emitter(out_, "  ", concatenate({watched, velocity, acceleration}));
     emitter.prepare(first);
-    out_ << "  if (!(" << all_of(conditions(emitter, elimination.monitors())) << ")) return "
+    out_ << "  if (!(" << all_of(conditions(emitter, monitors)) << ")) return "
          << (is_last(order) ? "false" : name_of("rates", order + 1) + "(q, qd, qdd, in, c)")
          << ";\n";
     for (std::size_t j = 0; j < velocity.size(); ++j) {

@@ -25,6 +25,12 @@ struct SizeMonitor {
   Expr against;
 };
 
+/// All conditions for trusting a closed form, or the linear system of a core.
+struct Monitors {
+  std::vector<SizeMonitor> sizes;
+  std::vector<PivotMonitor> pivots;
+};
+
 /// The solution of a few equations for as many unknowns without iteration.
 struct ClosedForm {
   std::string rule;  ///< name for comments and reports: "two circles"
@@ -37,8 +43,7 @@ struct ClosedForm {
   std::optional<Bearing> bearing;
 
   std::vector<Root> roots;
-  std::vector<SizeMonitor> sizes;
-  std::vector<PivotMonitor> pivots;
+  Monitors monitors;
   int cost = 0;  ///< about two per square root or division
   /// Expressions that the values simplify, with their values, such as the square of a square root.
   std::vector<std::pair<Expr, Expr>> consequences;
