@@ -8,12 +8,8 @@ foreach(header IN ITEMS cases/mechanism/level.h formulations/constraints/table.h
     formulations/equations/kernel_library.h formulations/equations/elementary.h
     formulations/equations/turned_angle.h formulations/equations/lanes.h)
   get_filename_component(name ${header} NAME_WE)
-  set(for_lanes false)
-  if(name STREQUAL "lanes")
-    set(for_lanes true)
-  endif()
   desmo_embed(${name}_header ${PROJECT_SOURCE_DIR}/${header})
-  string(APPEND DESMO_HEADER_TABLE "    {view(${name}_header), ${for_lanes}},\n")
+  string(APPEND DESMO_HEADER_TABLE "    {${name}_header, sizeof ${name}_header},\n")
 endforeach()
 
 file(GLOB_RECURSE decisive CONFIGURE_DEPENDS

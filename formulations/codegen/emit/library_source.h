@@ -15,15 +15,10 @@ struct LibraryContents {
   int lanes = 1;  ///< lanes of explicit kernels for batches; 1: scalar kernels only
 };
 
-/// A header of desmo that generated kernels need. The program contains its text, so that it can
+/// Returns the texts of the headers of desmo that generated kernels need, each after those it
+/// includes; only code for batches needs the last one. The program contains them, so that it can
 /// compile generated code wherever it is installed.
-struct KernelHeader {
-  std::string_view text;
-  bool for_lanes;  ///< needed only by code for batches
-};
-
-/// Returns the headers, each after those it includes.
-std::span<const KernelHeader> kernel_headers();
+std::span<const std::string_view> kernel_headers();
 
 /// Returns the C++ source of a library of kernels (see KernelLibrary). It includes only headers of
 /// the standard library; it contains the text of desmo's. A kernel that cannot be written is
