@@ -108,11 +108,10 @@ double max_ratio(Expr a, Expr b, const SampleNumbers& at) {
 /// type point different ways; a single sample is left to the monitors.
 constexpr double min_share = 0.9;
 
-/// Where an elimination was before its first pivot that is not sound.
+/// An elimination, and what is left of its rows, before its first pivot that is not sound.
 struct Mark {
   Rows rows;
-  std::size_t steps, monitors;
-  std::vector<bool> is_poor;
+  Elimination elimination;
 };
 
 std::vector<int> columns_of(const Rows& rows) {
@@ -151,11 +150,9 @@ Elimination::Elimination(Rows rows, SampleNumbers at, Unsound unsound) : at_(std
     if (pivot.row < 0) throw std::invalid_argument("the Jacobian is structurally singular");
     const std::size_t open = n - steps_.size();
     if (!pivot.is_sound && !mark && open >= Adjugate::least && open <= Adjugate::most)
-      mark = {rows, steps_.size(), monitors_.size(), is_poor_};
+      mark.emplace(Mark{rows, *this});
     if (mark && pivot.size.share < min_share) {
-      steps_.resize(mark->steps);
-      monitors_.resize(mark->monitors);
-      is_poor_ = mark->is_poor;
+      *this = std::move(mark->elimination);
       solve_last_by_adjugate(mark->rows);
       break;
     }
