@@ -63,17 +63,15 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
   return {grid.time(begin), grid.step, end - begin, grid.steps_per_interval};
 }
 
-}  // namespace
-
 /// State that the threads share.
-struct SegmentsOnThreads::Shared {
+struct Shared {
   std::mutex mutex{};                // of the observer
   std::atomic<bool> stopped{false};  // by it
 };
 
 /// Hands instants of a segment on as those of the whole motion: to the thread's own observer, or
 /// to one that all share, several instants at a time.
-class SegmentsOnThreads::SegmentObserver final : public Observer {
+class SegmentObserver final : public Observer {
  public:
   SegmentObserver(Observer& all, int thread, Shared& shared, const TimeGrid& grid, int begin)
       : own_(all.of_thread(thread)),
@@ -131,6 +129,8 @@ class SegmentsOnThreads::SegmentObserver final : public Observer {
   std::vector<Instant> waiting_;
   std::vector<int> instants_;  // for which memory is borrowed
 };
+
+}  // namespace
 
 SegmentsOnThreads::SegmentsOnThreads(std::vector<std::unique_ptr<TimeStepping>> workers,
                                      int min_instants)

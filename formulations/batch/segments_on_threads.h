@@ -27,9 +27,6 @@ class SegmentsOnThreads final : public SegmentExecutor {
   int segments(int instants) const;
 
  private:
-  struct Shared;
-  class SegmentObserver;
-
   /// A segment, and what became of it.
   struct Segment {
     int begin = 0, end = 0;        // instants of the grid
