@@ -15,18 +15,6 @@ namespace {
 /// Positions of parts in the order of solution.
 using Positions = std::vector<int>;
 
-/// Returns several parts as one.
-PartDefinition join(const std::vector<DefinedPart>& parts) {
-  PartDefinition all;
-  all.constant = parts.front().definition.constant;
-  for (const DefinedPart& p : parts) all.append(p.definition);
-  std::ranges::sort(all.groups);
-  all.groups.erase(std::ranges::unique(all.groups).begin(), all.groups.end());
-  std::ranges::sort(all.unknowns);
-  std::ranges::sort(all.equations);
-  return all;
-}
-
 class BatchMaker {
  public:
   BatchMaker(const Model& model, std::vector<DefinedPart> parts, const std::vector<int>& type_ends,
@@ -37,7 +25,8 @@ class BatchMaker {
         guess_(settings.guess),
         table_(table),
         kinds_(model.state_size(), StateKind::constant) {
-    for (const int end : type_ends) range_of_.resize(end, static_cast<int>(ranges_++));
+    for (int range = 0; range < static_cast<int>(type_ends.size()); ++range)
+      range_of_.resize(type_ends[range], range);
     std::fill_n(kinds_.begin(), model.coordinates(), StateKind::solved);
     for (const DefinedPart& part : parts_)
       if (part.definition.constant)
@@ -51,8 +40,7 @@ class BatchMaker {
     Positions left;
     for (int i = 0; i < size(); ++i)
       if (parts_[i].definition.constant) left.push_back(i);
-    std::vector<std::vector<Positions>> all_subsystems = sorted_by_kind(subsystems());
-    for (std::vector<Positions>& subsystems : all_subsystems) {
+    for (const std::vector<Positions>& subsystems : alike_subsystems()) {
       std::span<const Positions> rest = subsystems;
       for (const std::size_t together : {subsystems.size(), subsystems.size() / lanes_ * lanes_})
         if (gains(subsystems, together)) {
@@ -74,8 +62,8 @@ class BatchMaker {
     return dynamic_cast<const ExplicitPart*>(parts_[i].solver.get());
   }
 
-  /// Moving parts that are connected by what they need of each other.
-  std::vector<Positions> subsystems() const {
+  /// Moving parts that are connected by what they need of each other, the alike ones together.
+  std::vector<std::vector<Positions>> alike_subsystems() const {
     DisjointSets linked(parts_.size());
     Positions owner(model_.state_size(), -1);
     for (int i = 0; i < size(); ++i) {
@@ -88,9 +76,13 @@ class BatchMaker {
     std::map<int, Positions> subsystems;
     for (int i = 0; i < size(); ++i)
       if (!parts_[i].definition.constant) subsystems[linked.find(i)].push_back(i);
-    std::vector<Positions> result;
-    for (auto& [number, subsystem] : subsystems) result.push_back(std::move(subsystem));
-    return result;
+    std::vector<std::vector<Positions>> kinds;
+    for (const auto& [number, subsystem] : subsystems) {
+      const auto kind = std::ranges::find_if(
+          kinds, [&](const auto& alike) { return are_alike(alike.front(), subsystem); });
+      (kind != kinds.end() ? *kind : kinds.emplace_back()).push_back(subsystem);
+    }
+    return kinds;
   }
 
   bool are_alike(const Positions& a, const Positions& b) const {
@@ -99,19 +91,6 @@ class BatchMaker {
     for (const int i : b) of_b.push_back(explicit_part(i));
     return std::ranges::find(of_a, nullptr) == of_a.end() &&
            std::ranges::find(of_b, nullptr) == of_b.end() && desmo::are_alike(of_a, of_b);
-  }
-
-  std::vector<std::vector<Positions>> sorted_by_kind(std::vector<Positions> subsystems) const {
-    std::vector<std::vector<Positions>> kinds;
-    for (Positions& subsystem : subsystems) {
-      const auto kind = std::ranges::find_if(
-          kinds, [&](const auto& subsystems) { return are_alike(subsystems.front(), subsystem); });
-      if (kind != kinds.end())
-        kind->push_back(std::move(subsystem));
-      else
-        kinds.push_back({std::move(subsystem)});
-    }
-    return kinds;
   }
 
   /// The kernels for each part of a subsystem, by numbers of lanes for which there are all.
@@ -144,27 +123,31 @@ class BatchMaker {
     return by_subsystem <= by_type;
   }
 
-  /// The subsystems as one part.
+  /// Puts the subsystems as one part.
   void put(std::span<const Positions> subsystems) {
-    std::vector<DefinedPart> taken;
     std::vector<Subsystem> members;
     std::vector<SubsystemKernels> of_subsystem = kernels(subsystems.front());
-    double tolerance = 0;
-    bool as_named = true;
+    DefinedPart all;
+    PartDefinition& definition = all.definition;
+    definition.constant = parts_[subsystems.front().front()].definition.constant;
     for (const Positions& subsystem : subsystems) {
       members.emplace_back();
       for (const int i : subsystem) {
-        members.back().emplace_back(static_cast<ExplicitPart*>(parts_[i].solver.release()));
-        tolerance = std::hypot(tolerance, parts_[i].tolerance);
-        as_named = as_named && parts_[i].as_named;
-        taken.push_back(std::move(parts_[i]));
+        DefinedPart& part = parts_[i];
+        members.back().emplace_back(static_cast<ExplicitPart*>(part.solver.release()));
+        definition.append(part.definition);
+        all.as_named = all.as_named && part.as_named;
+        all.tolerance = std::hypot(all.tolerance, part.tolerance);
       }
     }
-    result_.push_back({.definition = join(taken),
-                       .solver = std::make_unique<BatchPart>(std::move(of_subsystem),
-                                                             std::move(members), kinds_, guess_),
-                       .as_named = as_named,
-                       .tolerance = tolerance});
+    std::ranges::sort(definition.groups);
+    definition.groups.erase(std::ranges::unique(definition.groups).begin(),
+                            definition.groups.end());
+    std::ranges::sort(definition.unknowns);
+    std::ranges::sort(definition.equations);
+    all.solver =
+        std::make_unique<BatchPart>(std::move(of_subsystem), std::move(members), kinds_, guess_);
+    result_.push_back(std::move(all));
   }
 
   /// Puts ranges of one type together where there is code, the others one by one, after what is put
@@ -196,8 +179,7 @@ class BatchMaker {
   const int lanes_;
   const Guess guess_;
   const KernelTable& table_;
-  std::vector<int> range_of_;  // by part
-  std::size_t ranges_ = 0;
+  std::vector<int> range_of_;     // by part
   std::vector<StateKind> kinds_;  // of each position in the state
   std::vector<DefinedPart> result_;
 };
