@@ -9,7 +9,6 @@
 #include <iterator>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "cases/generators/cases.h"
@@ -105,20 +104,6 @@ class Pieces : public ::testing::Test {
     std::vector<double> z, zd, zdd;
   };
 
-  State solved() const {
-    State s;
-    const auto size = static_cast<std::size_t>(model_.state_size());
-    const auto put = [&](std::span<const double> from, std::vector<double>& to) {
-      to.assign(from.begin(), from.end());
-      to.resize(size, 0);
-    };
-    put(reference_->q(), s.q);
-    put(reference_->qd(), s.qd);
-    put(reference_->qdd(), s.qdd);
-    std::ranges::copy(model_.fixed_values, s.q.begin() + model_.coordinates());
-    return s;
-  }
-
   /// Four copies, of one of which the code refuses the last part: that one alone is solved by other
   /// parts, and rightly.
   void refuse_last_part(const std::vector<std::vector<std::size_t>>& copies) {
@@ -152,7 +137,7 @@ class Pieces : public ::testing::Test {
     BatchPart together({kernels}, std::move(members), kinds(), Guess::previous);
 
     ASSERT_TRUE(reference_->assemble(0).ok());
-    State s = solved();
+    State s = stepping_of(*reference_).state();
     const State expected = s;
     for (int i = 0; i < 3; ++i) {
       if (i > 0)  // found again, and not left as they were
@@ -225,7 +210,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   read[there] = true;
   together.bind({read, {}, Level::acceleration});
   ASSERT_TRUE(reference_->assemble(0).ok());
-  State s = solved();
+  State s = stepping_of(*reference_).state();
   const State expected = s;
   for (int i = 0; i < 2; ++i)
     ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::solved);
