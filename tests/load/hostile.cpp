@@ -31,8 +31,13 @@ Model renamed(Model m, std::string_view name) {
 using Hostile = Loading;
 
 TEST_F(Hostile, NamesDoNotGetIntoCodeOrItsName) {
+  const Model plain = model_;
+  model_ = renamed(plain, evil);
   ASSERT_EQ(load().problem, "");
-  model_ = renamed(std::move(model_), evil);
+  EXPECT_EQ(compilations(), 1);
+  EXPECT_FALSE(fs::exists(folder_ / "pwned"));
+  EXPECT_FALSE(fs::exists(cache() / "pwned"));
+  model_ = plain;
   const GenerationOutcome own = load();
   EXPECT_EQ(own.problem, "");
   EXPECT_FALSE(own.compiled) << "it is the same code";
@@ -44,14 +49,6 @@ TEST_F(Hostile, NamesDoNotGetIntoCodeOrItsName) {
   const std::string source = text_of(cached(".cpp").at(0));
   for (const char* text : {"pwned", "passwd", "?\?/", "theta", "beta"})
     EXPECT_EQ(source.find(text), std::string::npos) << text;
-}
-
-TEST_F(Hostile, NamesAreHarmlessWhereNothingIsCachedEither) {
-  model_ = renamed(std::move(model_), evil);
-  EXPECT_EQ(load().problem, "");
-  EXPECT_EQ(compilations(), 1);
-  EXPECT_FALSE(fs::exists(folder_ / "pwned"));
-  EXPECT_FALSE(fs::exists(cache() / "pwned"));
 }
 
 TEST_F(Hostile, ValuesThatAreNoNumbersDoNoHarm) {
