@@ -6,15 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "cases/generators/cases.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
-#include "formulations/model/constrain.h"
-#include "formulations/model/part_type.h"
 #include "formulations/model/partition.h"
-#include "formulations/motion/internals.h"
-#include "formulations/variants.h"
-#include "formulations/verification/reference/reference.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
@@ -124,24 +118,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Parameter{"truck_suspension_group", truck_model, Partition::group},
                     Parameter{"truck_suspension_block", truck_model, Partition::block}),
     [](const auto& info) { return std::string(info.param.name); });
-
-TEST(Kernels, AreMissingVisibly) {
-  Model m;
-  m.name = "other";
-  m.add_group("lonely", {"1"});
-  const std::array<double, 2> at{1, 1};
-  const EntityId p = m.add(EntityKind::point, "p", at, 0);
-  const EntityId v = m.add(EntityKind::point, "v", at, 0);
-  const EntityId a = m.add_fixed(EntityKind::point, "a", std::array{0.0, 0.0});
-  constrain<Length<2>>(m, 0, "to a", {a, p}, {4});
-  constrain<Length<2>>(m, 0, "to v", {v, p}, {4});
-  constrain<Rigid<2, 0>>(m, 0, "place", {v, a}, {});
-  const PartDefinition part = make_partition(m, Partition::group).front();
-  EXPECT_EQ(KernelTable::built_in().find_kernel(describe_type(m, part).fingerprint), nullptr);
-  EXPECT_FALSE(bind_kernel(m, part));
-  const auto f = make_formulation(find_variant("group_symbolic_eigen"), m);
-  EXPECT_FALSE(parts_of(*f).front().as_named);
-}
 
 TEST(Partition, RefusesAGroupThatNeedsALaterOne) {
   Model m = four_bar_model(2);
