@@ -49,21 +49,17 @@ bool choose(Model& m, const GroupSystem& s, const MatrixXd& all) {
   return true;
 }
 
-bool has_others(const Model& m, GroupId g) {
-  return !m.groups[g].constant && std::ranges::any_of(m.constraints, [g](const Constraint& c) {
-    return c.group == g && c.left_out != 0;
-  });
-}
-
 }  // namespace
 
 std::unique_ptr<const Model> with_chosen_equations(const Model& model, std::span<const double> q) {
+  if (!has_other_equations(model)) return nullptr;
   auto chosen = std::make_unique<Model>(model);
   const std::vector<double> state = model.state_of(q);
   Lineariser lineariser(model);
   bool is_other = false;
   for (const GroupSystem& s : group_systems(model)) {
-    if (s.unknowns == 0 || !has_others(model, s.group)) continue;
+    const bool has_others = std::ssize(s.rows) > s.unknowns;
+    if (s.unknowns == 0 || model.groups[s.group].constant || !has_others) continue;
     const MatrixXd all = lineariser.at(state, s).jacobian.leftCols(s.unknowns);
     if (all.allFinite() && choose(*chosen, s, all)) is_other = true;
   }

@@ -22,8 +22,7 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
                                 " does not exist; the model has " +
                                 std::to_string(model.degrees_of_freedom()));
   // Equations that modelling keeps may be dependent at the start.
-  const std::unique_ptr<const Model> chosen =
-      has_other_equations(model) ? with_chosen_equations(model, q) : nullptr;
+  const std::unique_ptr<const Model> chosen = with_chosen_equations(model, q);
   const Model& m = chosen ? *chosen : model;
   std::vector<double> state = m.state_of(q);
   SolutionCurve curve(m, driver);

@@ -49,7 +49,6 @@ DriverSweep::DriverSweep(const Model& m, int driver, Point start, double directi
 /// Goes on by other equations of overconstrained groups where those kept become dependent, though
 /// all are not. Returns whether it does; the point is then one of their curve.
 bool DriverSweep::choose_equations(Point& point) {
-  if (!has_other_equations(model())) return false;
   auto chosen = with_chosen_equations(
       model(), std::span(point.state).first(static_cast<std::size_t>(model().coordinates())));
   if (!chosen) return false;

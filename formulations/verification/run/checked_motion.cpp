@@ -189,7 +189,6 @@ void CheckedMotion::go_back() {
 /// Takes other equations of overconstrained groups, where those that are kept are nearly dependent
 /// at positions q. Returns false where there are none that are better.
 bool CheckedMotion::choose_other_equations(std::span<const double> q) {
-  if (!has_other_equations(m_)) return false;
   auto chosen = with_chosen_equations(follower_->model, q);
   if (!chosen) return false;
   auto other = std::make_unique<Follower>(std::move(chosen), m_, levels_);
