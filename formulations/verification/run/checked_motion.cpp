@@ -83,53 +83,52 @@ bool CheckedMotion::is_on_step(const Instant& instant) const {
 }
 
 const CheckedInstant& CheckedMotion::check(const Instant& solved) {
-  keep_last();
-  // What is regular by other equations is no change point.
-  for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
-    result_ = {};
-    elsewhere_ = false;
-    const RefinedInstant& r = follower_->refinement.refine(solved);
-    const RefinedInstant* const found = r.proven ? &r : nullptr;
-    if (reach(solved, found, may_pass) && (may_pass || !is_led_astray())) break;
-    if (!may_pass) {
-      if (is_led_astray()) go_back();
-      choose_other_equations(follows() ? follower_->path.present().values.position : solved.q);
-      continue;
-    }
-    if (!found) {
-      deliver_unproven(solved, r);
-      break;
-    }
-    // The instant is proven, but no proven path leads to it: its branch is unknown. The motion
-    // starts anew from it.
-    if (!lost_)
-      lost_ = {.kind = RowFlag::Kind::branch,
-               .after = step_.time,
-               .before = solved.time,
-               .group = step_.group,
-               .out_of_tests = step_.out_of_tests};
-    point_.reset();
-    // Where tests ran out once they would in each step: the path does not begin again.
-    on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(r, levels_));
-    deliver(r);
-    break;
-  }
-  complete_flag();
+  take(solved, true);
   return result_;
 }
 
 const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
-  elsewhere_ = true;
+  return take(wanted, false) ? &result_ : nullptr;
+}
+
+/// Makes an instant the result, which a formulation has solved or not. Returns false where it has
+/// not, and the motion does not lead there.
+bool CheckedMotion::take(const Instant& at, bool is_solved) {
   keep_last();
+  // What is regular by other equations is no change point.
   for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
     result_ = {};
-    if (reach(wanted, nullptr, may_pass) && (may_pass || !is_led_astray())) break;
-    if (may_pass || !follows()) return nullptr;
-    if (is_led_astray()) go_back();
-    choose_other_equations(follower_->path.present().values.position);
+    elsewhere_ = !is_solved;
+    const RefinedInstant* const refined = is_solved ? &follower_->refinement.refine(at) : nullptr;
+    const RefinedInstant* const found = refined && refined->proven ? refined : nullptr;
+    if (reach(at, found, may_pass) && (may_pass || !is_led_astray())) break;
+    if (!may_pass && (is_solved || follows())) {
+      if (is_led_astray()) {  // what was found since the present check began is forgotten
+        return_to_last();
+        follower_->left_out.take_between();
+      }
+      choose_other_equations(follows() ? follower_->path.present().values.position : at.q);
+      continue;
+    }
+    if (!is_solved) return false;
+    if (found) {
+      // The instant is proven, but no proven path leads to it: its branch is unknown. The motion
+      // starts anew from it.
+      if (!lost_)
+        lost_ = {.kind = RowFlag::Kind::branch,
+                 .after = step_.time,
+                 .before = at.time,
+                 .group = step_.group,
+                 .out_of_tests = step_.out_of_tests};
+      point_.reset();
+      // Where tests ran out once they would in each step: the path does not begin again.
+      on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(*found, levels_));
+    }
+    deliver(*refined);
+    break;
   }
   complete_flag();
-  return &result_;
+  return true;
 }
 
 /// Follows the motion to an instant, through change points, and makes it the result, or the end
@@ -178,12 +177,6 @@ bool CheckedMotion::is_led_astray() const {
   std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
   if (!misfit && left_out.between()) misfit = left_out.between()->misfit;
   return last_.on_path && !last_.point && misfit && left_out.is_contradiction(*misfit);
-}
-
-/// Returns to where the present check began, and forgets what was found since.
-void CheckedMotion::go_back() {
-  return_to_last();
-  follower_->left_out.take_between();
 }
 
 /// Takes other equations of overconstrained groups, where those that are kept are nearly dependent
@@ -250,11 +243,6 @@ bool CheckedMotion::deliver_point(const Instant& at) {
                   .before = point_->before,
                   .group = step_.group};
   return true;
-}
-
-void CheckedMotion::deliver_unproven(const Instant& solved, const RefinedInstant& r) {
-  deliver(r);
-  result_.instant = solved;
 }
 
 /// Flags the result where its branch is unknown.

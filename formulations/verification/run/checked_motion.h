@@ -65,14 +65,13 @@ class CheckedMotion {
 
   /// Returns whether the path begins at the last proven instant.
   bool follows() const { return on_path_ && !point_; }
+  bool take(const Instant& at, bool is_solved);
   bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);
   bool choose_other_equations(std::span<const double> q);
   bool is_led_astray() const;
-  void go_back();
   void deliver(const RefinedInstant& refined);
   void deliver_path(const Instant& at);
   bool deliver_point(const Instant& at);
-  void deliver_unproven(const Instant& solved, const RefinedInstant& refined);
   void complete_flag();
   void keep_last();
 
