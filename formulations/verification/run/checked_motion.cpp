@@ -9,12 +9,12 @@
 
 namespace desmo {
 
-CheckedMotion::Follower::Follower(std::unique_ptr<const Model> c, const Model& m,
-                                  std::span<const Level> levels)
+Follower::Follower(std::unique_ptr<const Model> c, const Model& m, std::span<const Level> levels,
+                   int budget)
     : chosen(std::move(c)),
       model(chosen ? *chosen : m),
       refinement(model, levels),
-      path(model),
+      path(model, budget),
       left_out(model) {
   if (left_out.any())
     path.ask_about_steps([this](const PathProof& step) { return left_out.look_along(step); });
@@ -42,8 +42,7 @@ void CheckedMotion::begin(double time) {
   if (start_ != FoundStart::Stage::reached) blocked_at_ = start.q;
   first_flag_.reset();
   if (!start.passed.empty() || start.point)
-    first_flag_ = {
-        .kind = RowFlag::Kind::crossing, .after = time, .before = time, .group = start.group};
+    first_flag_ = start_flag(RowFlag::Kind::crossing, start, time);
   point_ = start.point;
   if (point_) {
     on_path_ = true;
@@ -54,12 +53,7 @@ void CheckedMotion::begin(double time) {
     };
     on_path_ = begins() || (choose_other_equations(start.q) && begins());
   }
-  if (!on_path_)
-    lost_ = {.kind = RowFlag::Kind::branch,
-             .after = time,
-             .before = time,
-             .group = start.group,
-             .out_of_tests = start.out_of_tests};
+  if (!on_path_) lost_ = start_flag(RowFlag::Kind::branch, start, time);
 }
 
 void CheckedMotion::keep_last() {
@@ -255,6 +249,15 @@ void CheckedMotion::complete_flag() {
   if (first_flag_ && !result_.flag) result_.flag = first_flag_;
   first_flag_.reset();
   if (result_.flag) result_.flag->time = result_.instant.time;
+}
+
+RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time) {
+  return {.kind = kind,
+          .time = time,
+          .after = time,
+          .before = time,
+          .group = start.group,
+          .out_of_tests = start.out_of_tests};
 }
 
 std::optional<RowFlag> misfit_flag(const Model& m, LeftOutEquations& left_out,

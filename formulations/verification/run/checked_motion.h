@@ -14,6 +14,23 @@
 
 namespace desmo {
 
+/// What follows a motion, with one choice of equations.
+struct Follower {
+  /// - chosen: equations that were chosen anew; null: the model's
+  /// - model, levels: of CheckedMotion
+  /// - budget: of BranchPath
+  Follower(std::unique_ptr<const Model> chosen, const Model& model, std::span<const Level> levels,
+           int budget = BranchPath::max_tests);
+  Follower(const Follower&) = delete;
+  Follower& operator=(const Follower&) = delete;
+
+  std::unique_ptr<const Model> chosen;
+  const Model& model;
+  Refinement refinement;
+  BranchPath path;
+  LeftOutEquations left_out;
+};
+
 /// The motion of a checked run, without the formulation that solves it: corrects instants, follows
 /// the steps between them, and says what is proven of each.
 class CheckedMotion {
@@ -51,18 +68,6 @@ class CheckedMotion {
   bool is_elsewhere() const { return elsewhere_; }
 
  private:
-  /// Follower of the motion, with one choice of equations.
-  struct Follower {
-    Follower(std::unique_ptr<const Model> chosen, const Model& model,
-             std::span<const Level> levels);
-
-    std::unique_ptr<const Model> chosen;  ///< equations that were chosen anew; null: the model's
-    const Model& model;
-    Refinement refinement;
-    BranchPath path;
-    LeftOutEquations left_out;
-  };
-
   /// Returns whether the path begins at the last proven instant.
   bool follows() const { return on_path_ && !point_; }
   bool take(const Instant& at, bool is_solved);
@@ -98,6 +103,9 @@ class CheckedMotion {
   CheckedInstant result_;
   bool elsewhere_ = false;
 };
+
+/// Returns the flag of a first row [s]: of a crossing, or of an unknown branch, on the way to it.
+RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time);
 
 /// Returns the flag, but for its row's time, of a row where an equation that was left out does not
 /// hold, or does not on the way from the last row; nothing where all do. What left_out has noted on

@@ -8,10 +8,6 @@
 #include "cases/mechanism/formatted.h"
 #include "formulations/motion/diagnosis.h"
 #include "formulations/motion/internals.h"
-#include "formulations/verification/branch/branch_path.h"
-#include "formulations/verification/branch/left_out_equations.h"
-#include "formulations/verification/branch/start.h"
-#include "formulations/verification/certificate/refinement.h"
 #include "formulations/verification/run/checked_motion.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/row_motions.h"
@@ -24,11 +20,8 @@ struct LiveRun::Checks {
   RowMotions motions;
   std::vector<Level> levels;  // of each coordinate
   std::optional<RunningScales> scales{};
-  std::optional<Refinement> refinement{};
-  std::optional<BranchPath> path{};
-  std::optional<LeftOutEquations> left_out{};
-  InstantCopy begin{};  // the last proven row
-  std::vector<double> zeros{};
+  std::optional<Follower> follower{};
+  InstantCopy begin{};            // the last proven row
   std::optional<RowFlag> lost{};  // since that row the branch is unknown
 };
 
@@ -66,15 +59,9 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
     if (level <= options.level) good_[level].resize(n);
   }
   checks_->begin = InstantCopy(n);
-  checks_->zeros.resize(n);
-  if (options.check == CheckMode::proof) {
-    checks_->refinement.emplace(checks_->motions.model(), checks_->levels);
-    checks_->path.emplace(checks_->motions.model(), options.max_sub_steps + 1);
-    LeftOutEquations& left_out = checks_->left_out.emplace(checks_->motions.model());
-    if (left_out.any())
-      checks_->path->ask_about_steps(
-          [&left_out](const PathProof& step) { return left_out.look_along(step); });
-  }
+  if (options.check == CheckMode::proof)
+    checks_->follower.emplace(nullptr, checks_->motions.model(), checks_->levels,
+                              options.max_sub_steps + 1);
   restart();
 }
 
@@ -166,7 +153,7 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
     else if (c.lost)
       summary.flag = c.lost;
     else if (const std::optional<RowFlag> flag =
-                 misfit_flag(formulation_.model(), *c.left_out, *found, row.time, &row))
+                 misfit_flag(formulation_.model(), c.follower->left_out, *found, row.time, &row))
       summary.flag = flag;
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
@@ -184,23 +171,15 @@ const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
   c.lost.reset();
   const FoundStart way = find_start(c.motions.model(), 0);
   if (way.stage == FoundStart::Stage::reached) {
-    const PerLevel<std::span<const double>> values{way.q, c.zeros, c.zeros};
-    const RefinedInstant& found = c.refinement->refine(instant_of(0, values, options_.level));
-    if (!way.passed.empty())
-      summary.flag = {.kind = RowFlag::Kind::crossing,
-                      .time = row.time,
-                      .after = row.time,
-                      .before = row.time,
-                      .group = way.group};
+    const std::vector<double> zeros(way.q.size());
+    const RefinedInstant& found =
+        c.follower->refinement.refine(instant_of(0, {way.q, zeros, zeros}, options_.level));
+    if (!way.passed.empty()) summary.flag = start_flag(RowFlag::Kind::crossing, way, row.time);
     if (found.proven) return return_to(row.time, found, summary);
   } else {
-    c.lost = {.kind = RowFlag::Kind::branch,
-              .after = row.time,
-              .before = row.time,
-              .group = way.group,
-              .out_of_tests = way.out_of_tests};
+    c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
   }
-  return summary.status == Status::solved ? &c.refinement->refine(solved(0)) : nullptr;
+  return summary.status == Status::solved ? &c.follower->refinement.refine(solved(0)) : nullptr;
 }
 
 /// Takes what the formulation has found after rows without a proof. On which branch it is, nobody
@@ -209,7 +188,7 @@ const RefinedInstant* LiveRun::go_on_lost(const LiveRow& row, const LiveSummary&
   Checks& c = *checks_;
   if (summary.status != Status::solved) return nullptr;
   if (!c.lost) c.lost = {.kind = RowFlag::Kind::branch, .after = time_, .before = row.time};
-  return &c.refinement->refine(solved(0));
+  return &c.follower->refinement.refine(solved(0));
 }
 
 /// Follows the motion from the last proven row to this one. Where the formulation is elsewhere, or
@@ -217,11 +196,12 @@ const RefinedInstant* LiveRun::go_on_lost(const LiveRow& row, const LiveSummary&
 const RefinedInstant* LiveRun::follow(const LiveRow& row, double begin, LiveSummary& summary) {
   Checks& c = *checks_;
   const bool is_solved = summary.status == Status::solved;
-  const RefinedInstant* found = is_solved ? &c.refinement->refine(solved(0)) : nullptr;
+  const RefinedInstant* found = is_solved ? &c.follower->refinement.refine(solved(0)) : nullptr;
   c.begin.time = begin;
-  if (c.path->start_at(c.begin.view(c.levels)))
+  BranchPath& path = c.follower->path;
+  if (path.start_at(c.begin.view(c.levels)))
     summary.path =
-        found && found->proven ? c.path->follow(certified(*found, c.levels)) : c.path->go_to(0);
+        found && found->proven ? path.follow(certified(*found, c.levels)) : path.go_to(0);
   summary.path.time += row.time;
   if (summary.path.end == PathEnd::stuck) {
     if (summary.group < 0) summary.group = summary.path.group;
@@ -230,8 +210,8 @@ const RefinedInstant* LiveRun::follow(const LiveRow& row, double begin, LiveSumm
     return nullptr;
   }
   if (summary.path.end == PathEnd::same && found && found->proven) return found;
-  const PerLevel<std::span<const double>>& end = c.path->present().values;
-  return return_to(row.time, c.refinement->refine(instant_of(0, end, options_.level)), summary);
+  const Instant end = instant_of(0, path.present().values, options_.level);
+  return return_to(row.time, c.follower->refinement.refine(end), summary);
 }
 
 /// Makes a refined instant the row's result. The formulation continues from its positions.
@@ -285,7 +265,8 @@ LiveRun::Obstacle LiveRun::explain() const {
   const Settings& settings = formulation_.settings();
   const Culprit culprit = find_culprit(m, groups, state, settings);
   const std::span<const double> followed_to =
-      checks_->path ? checks_->path->present().values.position : std::span<const double>();
+      checks_->follower ? checks_->follower->path.present().values.position
+                        : std::span<const double>();
   return {culprit.group, culprit.constraint, find_assembly_error(m, state, settings),
           find_table_lock(m, culprit.constraint, followed_to)};
 }
