@@ -9,7 +9,6 @@
 #include "formulations/motion/internals.h"
 #include "formulations/verification/run/checked_motion.h"
 #include "formulations/verification/run/gap_search.h"
-#include "formulations/verification/run/kept_instants.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/running_scales.h"
 
@@ -36,8 +35,10 @@ class CheckedRun final : Observer {
         scales_(formulation.model(), grid),
         output_(request, formulation.model().coordinates()),
         next_(observer),
-        waiting_(options.mode == CheckMode::sample ? options.sample - 1 : 0,
-                 formulation.model().coordinates()) {}
+        memory_(options.mode == CheckMode::sample ? options.sample - 1 : 0,
+                InstantCopy(formulation.model().coordinates())) {
+    waiting_.reserve(memory_.size());
+  }
 
   CheckedSummary operator()() {
     motion_.begin(grid_.time(0));
@@ -63,20 +64,21 @@ class CheckedRun final : Observer {
  private:
   Flow observe(const Instant& instant) noexcept override {
     if (waits(instant.index)) {
-      waiting_.add(instant);
+      wait(instant);
       return Flow::go_on;
     }
     if (waiting_.empty()) return check(instant);
     const CheckedInstant& end = motion_.check(instant);
     bool holds = !end.flag && !motion_.is_elsewhere();
-    for (int i = 0; holds && i < waiting_.size(); ++i) holds = motion_.is_on_step(waiting_[i]);
+    holds = holds &&
+            std::ranges::all_of(waiting_, [&](const Instant& i) { return motion_.is_on_step(i); });
     if (!holds) {  // one by one
       motion_.return_to_last();
       return check_waiting() == Flow::stop ? Flow::stop : check(instant);
     }
     Flow flow = Flow::go_on;
-    for (int i = 0; flow == Flow::go_on && i < waiting_.size(); ++i)
-      flow = hand_on({.instant = waiting_[i]});
+    for (const Instant& i : waiting_)
+      if (flow == Flow::go_on) flow = hand_on({.instant = i});
     waiting_.clear();
     return flow == Flow::go_on ? hand_on(end) : flow;
   }
@@ -85,6 +87,16 @@ class CheckedRun final : Observer {
   bool waits(int index) const {
     return options_.mode == CheckMode::sample && index % options_.sample != 0 &&
            index + 1 < grid_.instants;
+  }
+
+  /// Keeps a copy of an instant until a later one is checked.
+  void wait(const Instant& instant) {
+    InstantCopy& copy = memory_[waiting_.size()];
+    copy.assign({.values = {instant.q, instant.qd, instant.qdd}});
+    Instant& kept = waiting_.emplace_back(instant);
+    kept.q = copy.values.position;
+    kept.qd = copy.values.velocity;
+    kept.qdd = copy.values.acceleration;
   }
 
   Flow check(const Instant& instant) {
@@ -96,7 +108,8 @@ class CheckedRun final : Observer {
 
   Flow check_waiting() {
     Flow flow = Flow::go_on;
-    for (int i = 0; flow == Flow::go_on && i < waiting_.size(); ++i) flow = check(waiting_[i]);
+    for (const Instant& i : waiting_)
+      if (flow == Flow::go_on) flow = check(i);
     waiting_.clear();
     return flow;
   }
@@ -188,11 +201,11 @@ class CheckedRun final : Observer {
   /// Solves the rows that are left, each by a step from the one before, with a stride, too: none is
   /// interpolated where the motion was hard to follow. from: whether the first one is assembled.
   void go_on(From from) {
-    while (tried_ + waiting_.size() < grid_.instants && summary_.ok() && !summary_.refused &&
-           !summary_.stopped) {
+    const auto next = [&] { return tried_ + static_cast<int>(waiting_.size()); };
+    while (next() < grid_.instants && summary_.ok() && !summary_.refused && !summary_.stopped) {
       if (std::exchange(elsewhere_, false))
         stepping_of(formulation_).start_at(last_, summary_.time);  // where the last row is
-      const int index = tried_ + waiting_.size();
+      const int index = next();
       const double t = grid_.time(index);
       const bool is_step = std::exchange(from, From::last) == From::last;
       Formulation& f = formulation_;
@@ -239,7 +252,8 @@ class CheckedRun final : Observer {
   RunningScales scales_;
   const OutputWriter output_;
   Observer& next_;
-  KeptInstants waiting_;  // CheckMode::sample: rows since the last one that was checked
+  std::vector<InstantCopy> memory_;  // of those that wait
+  std::vector<Instant> waiting_;     // CheckMode::sample: rows since the last one that was checked
   CheckedSummary summary_;
   PerLevel<double> length_{}, rotation_{};  // largest radii of proven rows
   double max_residual_ = 0;
