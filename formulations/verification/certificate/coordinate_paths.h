@@ -4,9 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "formulations/model/model.h"
+#include "formulations/verification/certificate/certified_instant.h"
 #include "formulations/verification/certificate/hermite.h"
 #include "formulations/verification/certificate/lane_numbers.h"
-#include "formulations/verification/certificate/path_proof.h"
 
 namespace desmo {
 

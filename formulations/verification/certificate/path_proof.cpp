@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "formulations/verification/certificate/block_schedule.h"
-#include "formulations/verification/certificate/coordinate_paths.h"
-#include "formulations/verification/certificate/path_equations.h"
 #include "formulations/verification/certificate/trial_box.h"
 
 namespace desmo {
@@ -30,50 +28,8 @@ std::optional<double> first_knot(const Model& m, double from, double to) {
   return first;
 }
 
-/// The tube of one step after the other.
-class PathProof::Tube {
- public:
-  Tube(const Model& model, std::shared_ptr<BlockSchedule> schedule);
-
-  PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
-
-  std::span<const double> radius() const { return radius_; }
-  double centre(int i, double time) const { return value_at(path(i), paths_.span().s(time)); }
-  const Quintic<double>& path(int i) const { return paths_[i].path; }
-  double time_at(double s) const { return paths_.span().time(s); }
-
- private:
-  using Value = PathEquations::Value;
-  using Slope = PathEquations::Slope;
-
-  void gather(const BlockBatch& batch, const PathEquations& equations);
-  void add_homotopy(const BlockBatch& batch);
-  void find_image(const BlockBatch& batch, const PathEquations& equations);
-  void contract(BlockBatch& batch, const PathEquations& equations);
-  LaneMask prove(BlockBatch& batch, const PathEquations& equations);
-
-  const Model& m_;
-  std::shared_ptr<BlockSchedule> schedule_;
-  std::vector<PathEquations> equations_;  // of each batch, in their order
-  CoordinatePaths paths_;
-  std::vector<double> radius_;  // of each coordinate, where the tube is proven
-
-  // Of the present batch.
-  std::vector<Value> states_, phi_;
-  std::vector<Slope> slopes_;
-  std::vector<LaneNumbers> curved_;       // what slopes_ lack of states_
-  std::vector<LaneNumbers> errors_;       // δ of the inputs (m)
-  std::vector<LaneNumbers> gaps_;         // of the unknowns (n)
-  std::vector<LaneNumbers> image_;        // −Y Φ − Y Φ_h δ (n)
-  std::vector<LaneNumbers> uncertainty_;  // of the equations (n)
-  std::vector<LaneNumbers> trial_;        // radii of X (n)
-  std::vector<LaneNumbers> contracted_;   // (I − Y Φ_φ) X (n)
-  Preconditioner preconditioner_;
-  const Preconditioner* y_ = nullptr;
-};
-
-PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
-    : m_(m), schedule_(std::move(schedule)), paths_(m), radius_(m.coordinates()) {
+PathProof::PathProof(const Model& m, const Certifier& certifier)
+    : m_(m), schedule_(certifier.schedule()), paths_(m), radius_(m.coordinates()) {
   for (const CertificationStep& step : schedule_->steps)
     for (const BlockBatch& batch : step.batches) equations_.emplace_back(m, batch);
   const auto& [n, width, states, columns] = schedule_->largest;
@@ -85,7 +41,7 @@ PathProof::Tube::Tube(const Model& m, std::shared_ptr<BlockSchedule> schedule)
 }
 
 /// Takes the paths and errors that a batch reads.
-void PathProof::Tube::gather(const BlockBatch& b, const PathEquations& equations) {
+void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
   const CoordinatePath* const rows = &paths_[0];
@@ -125,7 +81,7 @@ void PathProof::Tube::gather(const BlockBatch& b, const PathEquations& equations
 }
 
 /// Makes Φ − (1 − t) Φ₀ of Φ along the path.
-void PathProof::Tube::add_homotopy(const BlockBatch& b) {
+void PathProof::add_homotopy(const BlockBatch& b) {
   Value time(paths_.span().middle), one(1);
   time.c[1] = paths_.span().half;
   for (int r = 0; r < b.equations.shape().unknowns; ++r) {
@@ -136,7 +92,7 @@ void PathProof::Tube::add_homotopy(const BlockBatch& b) {
 }
 
 /// Bounds −Y Φ − Y Φ_h δ for all s.
-void PathProof::Tube::find_image(const BlockBatch& b, const PathEquations& equations) {
+void PathProof::find_image(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns, m = shape.inputs;
   equations.residual(states_.data(), phi_.data());
@@ -157,7 +113,7 @@ void PathProof::Tube::find_image(const BlockBatch& b, const PathEquations& equat
 }
 
 /// Bounds (I − Y Φ_φ(X)) X for the radii of X.
-void PathProof::Tube::contract(BlockBatch& b, const PathEquations& equations) {
+void PathProof::contract(BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
   if (!shape.linear) {
@@ -169,7 +125,7 @@ void PathProof::Tube::contract(BlockBatch& b, const PathEquations& equations) {
 }
 
 /// Returns in which lanes the tube of the batch is proven, and writes its radii there.
-LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
+LaneMask PathProof::prove(BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
   gather(b, equations);
@@ -199,7 +155,7 @@ LaneMask PathProof::Tube::prove(BlockBatch& b, const PathEquations& equations) {
   return proven;
 }
 
-PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
+PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
   if (first_knot(m_, from.time, to.time)) return {};
   paths_.find(from, to);
   std::ranges::fill(radius_, INFINITY);
@@ -217,18 +173,10 @@ PathCertificate PathProof::Tube::prove(const CertifiedInstant& from, const Certi
   return {.proven = true};
 }
 
-PathProof::PathProof(const Model& model, const Certifier& certifier)
-    : tube_(std::make_unique<Tube>(model, certifier.schedule())) {}
-PathProof::~PathProof() = default;
-
-PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
-  return tube_->prove(from, to);
-}
-std::span<const double> PathProof::radius() const { return tube_->radius(); }
 double PathProof::centre(int coordinate, double time) const {
-  return tube_->centre(coordinate, time);
+  return value_at(path(coordinate), paths_.span().s(time));
 }
-const Quintic<double>& PathProof::path(int coordinate) const { return tube_->path(coordinate); }
-double PathProof::time_at(double s) const { return tube_->time_at(s); }
+
+double PathProof::time_at(double s) const { return paths_.span().time(s); }
 
 }  // namespace desmo

@@ -5,46 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
 #include "formulations/verification/certificate/certificate.h"
-#include "formulations/verification/certificate/hermite.h"
+#include "formulations/verification/certificate/coordinate_paths.h"
+#include "formulations/verification/certificate/path_equations.h"
+#include "formulations/verification/certificate/preconditioner.h"
 
 namespace desmo {
-
-/// An instant whose positions are certified.
-struct CertifiedInstant {
-  double time = 0;                             ///< [s]
-  PerLevel<std::span<const double>> values{};  ///< all coordinates; empty above the levels it has
-  std::span<const double> radius{};            ///< of the positions (Certificate::radius)
-  std::span<const Level>
-      levels{};  ///< up to which each coordinate is solved; empty: as far as values
-};
-
-/// A copy of a certified instant, in memory of its own.
-struct InstantCopy {
-  double time = 0;                         ///< [s]
-  PerLevel<std::vector<double>> values{};  ///< (coordinates), or empty
-  std::vector<double> radius{};            ///< of the positions (coordinates), or empty
-
-  InstantCopy() = default;
-  /// Takes memory for all levels.
-  explicit InstantCopy(int coordinates) : radius(coordinates) {
-    for (const Level level : all_levels) values[level].resize(coordinates);
-  }
-
-  /// Copies an instant, no view of this, but for its levels. Takes memory at most the first time.
-  void assign(const CertifiedInstant& instant) {
-    time = instant.time;
-    for (const Level level : all_levels)
-      values[level].assign(instant.values[level].begin(), instant.values[level].end());
-    radius.assign(instant.radius.begin(), instant.radius.end());
-  }
-  /// Returns the instant, which is valid until the copy changes. levels: as in CertifiedInstant.
-  CertifiedInstant view(std::span<const Level> levels = {}) const {
-    return {time, {values.position, values.velocity, values.acceleration}, radius, levels};
-  }
-};
 
 /// What is proven of the motion between two instants.
 struct PathCertificate {
@@ -84,7 +51,6 @@ class PathProof {
   /// Allocates everything. Shares the blocks of the model, and of a homotopy, with a certifier, so
   /// that one thread at a time may use both. The model must outlive this.
   PathProof(const Model& model, const Certifier& certifier);
-  ~PathProof();
 
   /// Proves the step between two instants of the model's motions, from.time < to.time. A step that
   /// contains a knot of a spline has no proof, since its driver is no polynomial. Allocates
@@ -92,16 +58,41 @@ class PathProof {
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
 
   /// Returns the radius of the tube of each coordinate after a proof.
-  std::span<const double> radius() const;
+  std::span<const double> radius() const { return radius_; }
   /// Returns the tube's centre line at a time, up to rounding.
   double centre(int coordinate, double time) const;
   /// Returns the tube's centre line as a polynomial of s, and the time at s [s].
-  const Quintic<double>& path(int coordinate) const;
+  const Quintic<double>& path(int coordinate) const { return paths_[coordinate].path; }
   double time_at(double s) const;
 
  private:
-  class Tube;
-  std::unique_ptr<Tube> tube_;
+  using Value = PathEquations::Value;
+  using Slope = PathEquations::Slope;
+
+  void gather(const BlockBatch& batch, const PathEquations& equations);
+  void add_homotopy(const BlockBatch& batch);
+  void find_image(const BlockBatch& batch, const PathEquations& equations);
+  void contract(BlockBatch& batch, const PathEquations& equations);
+  LaneMask prove(BlockBatch& batch, const PathEquations& equations);
+
+  const Model& m_;
+  std::shared_ptr<BlockSchedule> schedule_;
+  std::vector<PathEquations> equations_;  // of each batch, in their order
+  CoordinatePaths paths_;
+  std::vector<double> radius_;  // of each coordinate, where the tube is proven
+
+  // Of the present batch.
+  std::vector<Value> states_, phi_;
+  std::vector<Slope> slopes_;
+  std::vector<LaneNumbers> curved_;       // what slopes_ lack of states_
+  std::vector<LaneNumbers> errors_;       // δ of the inputs (m)
+  std::vector<LaneNumbers> gaps_;         // of the unknowns (n)
+  std::vector<LaneNumbers> image_;        // −Y Φ − Y Φ_h δ (n)
+  std::vector<LaneNumbers> uncertainty_;  // of the equations (n)
+  std::vector<LaneNumbers> trial_;        // radii of X (n)
+  std::vector<LaneNumbers> contracted_;   // (I − Y Φ_φ) X (n)
+  Preconditioner preconditioner_;
+  const Preconditioner* y_ = nullptr;
 };
 
 }  // namespace desmo

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/base/per_level.h"
+
+namespace desmo {
+
+/// An instant whose positions are certified.
+struct CertifiedInstant {
+  double time = 0;                             ///< [s]
+  PerLevel<std::span<const double>> values{};  ///< all coordinates; empty above the levels it has
+  std::span<const double> radius{};            ///< of the positions (Certificate::radius)
+  std::span<const Level>
+      levels{};  ///< up to which each coordinate is solved; empty: as far as values
+};
+
+/// A copy of a certified instant, in memory of its own.
+struct InstantCopy {
+  double time = 0;                         ///< [s]
+  PerLevel<std::vector<double>> values{};  ///< (coordinates), or empty
+  std::vector<double> radius{};            ///< of the positions (coordinates), or empty
+
+  InstantCopy() = default;
+  /// Takes memory for all levels.
+  explicit InstantCopy(int coordinates) : radius(coordinates) {
+    for (const Level level : all_levels) values[level].resize(coordinates);
+  }
+
+  /// Copies an instant, no view of this, but for its levels. Takes memory at most the first time.
+  void assign(const CertifiedInstant& instant) {
+    time = instant.time;
+    for (const Level level : all_levels)
+      values[level].assign(instant.values[level].begin(), instant.values[level].end());
+    radius.assign(instant.radius.begin(), instant.radius.end());
+  }
+  /// Returns the instant, which is valid until the copy changes. levels: as in CertifiedInstant.
+  CertifiedInstant view(std::span<const Level> levels = {}) const {
+    return {time, {values.position, values.velocity, values.acceleration}, radius, levels};
+  }
+};
+
+}  // namespace desmo
