@@ -76,18 +76,14 @@ bool Departure::has_corner(double near, double far) const {
   if (line_.count() == 1) return false;
   const double first = time_at(near), second = time_at(far);
   if (second == infinity) return true;  // there is too little to see
-  const std::vector<double> z = drivers_at(m_, first).position;
+  const std::vector<double> z = drivers_at(m_, first).position,
+                            far_off = drivers_at(m_, second).position;
   double rounding = 0;
   for (std::size_t k = 0; k < z.size(); ++k)
     rounding += 4 * Interval::unit * std::abs(z[k]) / line_.magnitudes[k];
-  const double off = line_.distance(z, line_.arc(z));
-  return off > rounding && off / near > sine(second) / 2;
-}
-
-/// Returns the sine of the angle between the line and the way to the drivers.
-double Departure::sine(double time) const {
-  const std::vector<double> z = drivers_at(m_, time).position;
-  return line_.distance(z, line_.arc(z)) / line_.distance(z, 0);
+  const double off = line_.distance(z, line_.arc(z)),
+               sine = line_.distance(far_off, line_.arc(far_off)) / line_.distance(far_off, 0);
+  return off > rounding && off / near > sine / 2;
 }
 
 }  // namespace desmo

@@ -33,8 +33,6 @@ class Departure {
   bool has_corner(double near, double far) const;
 
  private:
-  double sine(double time) const;
-
   const Model& m_;
   const DriverLine& line_;
   double start_;

@@ -137,24 +137,20 @@ bool PassedPoint::move_line_to(const Model& m, std::span<const double> z) {
     if (!line.counts(k)) to.origin[k] = z[k];
   if (to.origin == line.origin) return true;
   const Model straight = with_drivers_on(to, m);
-  Refinement refinement(straight);
-  std::array<PerLevel<std::vector<double>>, 2> ends;
+  BranchPath path(straight);
+  std::array<InstantCopy, 2> ends;
   for (const int side : {0, 1}) {
     const double s = side ? width : -width;
     std::vector<double> q;
     for (const Quintic<double>& p : polynomials) q.push_back(value_at(p, side ? 1. : -1.));
     if (!lead(m, line.at(s), to.at(s), q)) return false;
-    const std::vector<double> no_rates(q.size());
-    const RefinedInstant& r = refinement.refine(instant_of(s, {q, no_rates, no_rates}));
-    if (!r.proven) return false;
-    ends[side].position.assign(r.instant.q.begin(), r.instant.q.end());
-    ends[side].velocity.assign(r.instant.qd.begin(), r.instant.qd.end());
-    ends[side].acceleration.assign(r.instant.qdd.begin(), r.instant.qdd.end());
+    if (!path.start_at({s, {q, {}, {}}, {}})) return false;
+    ends[side].assign(path.present());
   }
   for (int i = 0; i < m.coordinates(); ++i) {
-    const auto end = [&](const PerLevel<std::vector<double>>& x) {
-      return EndValues<double>{x.position[i], x.velocity[i] * width,
-                               x.acceleration[i] * (width * width)};
+    const auto end = [&](const InstantCopy& x) {
+      const auto& [q, qd, qdd] = x.values;
+      return EndValues<double>{q[i], qd[i] * width, qdd[i] * (width * width)};
     };
     polynomials[i] = hermite(end(ends[0]), end(ends[1]), Level::acceleration);
   }
