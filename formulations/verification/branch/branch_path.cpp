@@ -38,9 +38,9 @@ void BranchPath::keep(const RefinedInstant& r) {
   present_ = memory_.view();
 }
 
-/// Makes an instant the present one. Rates that it does not have are found first: they are linear,
-/// so corrections lead to them from anywhere.
-bool BranchPath::take(const CertifiedInstant& instant) {
+/// Rates that an instant does not have are found first: they are linear, so corrections lead to
+/// them from anywhere.
+bool BranchPath::start_at(const CertifiedInstant& instant) {
   bool complete = true;
   for (const Level level : all_levels) {
     const std::span<const double> given = instant.values[level];
@@ -63,8 +63,6 @@ bool BranchPath::take(const CertifiedInstant& instant) {
   if (refined.proven) keep(refined);
   return refined.proven;
 }
-
-bool BranchPath::start_at(const CertifiedInstant& instant) { return take(instant); }
 
 /// Finds the solution near Taylor's polynomial of the present instant.
 const RefinedInstant& BranchPath::predict(double time) {
@@ -138,7 +136,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
         result.time = time;
         // Else the rates of an instant that is proven are lost in rounding: the next step begins
         // with what is known here.
-        if (take(*to)) result.end = PathEnd::same;
+        if (start_at(*to)) result.end = PathEnd::same;
         return result;
       }
       if (tries_whole) {

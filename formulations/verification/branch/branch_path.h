@@ -63,7 +63,6 @@ class BranchPath {
   FollowedStep go(double time, const CertifiedInstant* to);
   PathCertificate prove(const CertifiedInstant& to);
   double up_to_knot(double time) const;
-  bool take(const CertifiedInstant& instant);
   void keep(const RefinedInstant& refined);
   const RefinedInstant& predict(double time);
 
