@@ -11,10 +11,7 @@
 namespace desmo {
 
 BlockDeterminants::BlockDeterminants(const Model& m)
-    : m_(m),
-      blocks_(make_partition(m, Partition::block)),
-      logs_(blocks_.size()),
-      signs_(blocks_.size()) {
+    : m_(m), blocks_(make_partition(m, Partition::block)) {
   const std::vector<double> lengths = CharacteristicLengths(m).of_coordinates();
   for (const PartDefinition& block : blocks_) {
     double log = 0;
@@ -23,21 +20,18 @@ BlockDeterminants::BlockDeterminants(const Model& m)
   }
 }
 
-bool BlockDeterminants::evaluate(std::span<const double> state) {
-  WideState<double> at(m_.state_size());
-  std::ranges::copy(state, at.q.begin());
-  std::vector<double> logs;
-  std::vector<signed char> signs;
+Determinants BlockDeterminants::at(std::span<const double> state) const {
+  WideState<double> wide(m_.state_size());
+  std::ranges::copy(state, wide.q.begin());
+  Determinants all;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    PartSystem<double> system(m_, blocks_[b], at);
+    PartSystem<double> system(m_, blocks_[b], wide);
     const auto determinant = DenseLu(std::move(system.jacobian), system.n).determinant();
-    logs.push_back(determinant.log + unit_[b]);
-    signs.push_back(static_cast<signed char>(determinant.sign));
-    if (!std::isfinite(logs.back())) return false;
+    all.logs.push_back(determinant.log + unit_[b]);
+    all.signs.push_back(static_cast<signed char>(determinant.sign));
+    if (!std::isfinite(all.logs.back())) return {};
   }
-  logs_ = std::move(logs);
-  signs_ = std::move(signs);
-  return true;
+  return all;
 }
 
 }  // namespace desmo

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "formulations/verification/range/singular_points.h"
 
@@ -17,19 +18,15 @@ constexpr double touching = 1e-5;  // a distance in which a determinant counts a
 
 }  // namespace
 
-std::optional<DoubleRoot> DoubleRootSearch::add(const Point& point, double length) {
+std::optional<DoubleRoot> DoubleRootSearch::add(const Point& point, const Determinants& there,
+                                                double length) {
   since_ += length;
   // The middle of three points tells nothing where it lies next to one of them.
   if (last_.size() > 1 && since_ < last_.back().length / 2) return {};
-  Sample sample{point, std::exchange(since_, 0), {}, {}};
-  sample.signs.assign(determinants_.signs().begin(), determinants_.signs().end());
-  for (int b = 0; b < determinants_.blocks(); ++b)
-    sample.roots.push_back(std::exp(determinants_.log(b) / 2));
-  last_.push_back(std::move(sample));
+  last_.push_back({point, std::exchange(since_, 0), there});
   if (last_.size() < 3) return {};
   std::optional<DoubleRoot> found;
-  for (std::size_t b = 0; b < last_[1].roots.size() && !found; ++b) {
-    const int block = static_cast<int>(b);
+  for (int block = 0; block < std::ssize(there.signs) && !found; ++block) {
     if (!may_have_root(block)) continue;
     if (const auto value = value_of_root(block, least(block)))
       found = DoubleRoot{*value, determinants_.group(block)};
@@ -42,7 +39,7 @@ std::optional<DoubleRoot> DoubleRootSearch::add(const Point& point, double lengt
 /// with its sign changed.
 bool DoubleRootSearch::may_have_root(int block) const {
   constexpr double bent = 0.3;
-  const double a = last_[0].roots[block], b = last_[1].roots[block], c = last_[2].roots[block],
+  const double a = last_[0].root(block), b = last_[1].root(block), c = last_[2].root(block),
                share = last_[1].length / (last_[1].length + last_[2].length),
                line = share * c - (1 - share) * a;
   return b <= a && b <= c && std::min(std::abs(b - line), std::abs(b + line)) < bent * (a + c);
@@ -51,7 +48,8 @@ bool DoubleRootSearch::may_have_root(int block) const {
 /// Returns √|det| a distance from the middle point; 0 where no position is found.
 double DoubleRootSearch::root_at(int block, double distance) {
   const std::optional<Point> p = curve_.step(last_[1].point, distance);
-  return p && determinants_.evaluate(p->state) ? std::exp(determinants_.log(block) / 2) : 0;
+  const Determinants there = p ? determinants_.at(p->state) : Determinants{};
+  return there.empty() ? 0 : std::exp(there.logs[block] / 2);
 }
 
 /// Returns the distance from the middle point at which a determinant is least, by golden section.
@@ -82,9 +80,10 @@ std::optional<double> DoubleRootSearch::value_of_root(int block, double about) {
     for (const int i : {-3, -2, -1, 1, 2, 3}) {
       const double distance = about + i * wide;
       const std::optional<Point> p = curve_.step(last_[1].point, distance);
-      if (!p || !determinants_.evaluate(p->state)) break;
-      if (determinants_.signs()[block] != last_[1].signs[block]) break;  // another branch
-      determinants.push_back(std::exp(determinants_.log(block)));
+      const Determinants there = p ? determinants_.at(p->state) : Determinants{};
+      if (there.empty()) break;
+      if (there.signs[block] != last_[1].determinants.signs[block]) break;  // another branch
+      determinants.push_back(std::exp(there.logs[block]));
       roots.push_back(std::copysign(std::sqrt(determinants.back()), i));
       distances.push_back(distance);
       values.push_back(curve_.value(*p));

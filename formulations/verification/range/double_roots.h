@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "formulations/verification/range/block_determinants.h"
@@ -21,7 +21,7 @@ struct DoubleRoot {
 class DoubleRootSearch {
  public:
   /// Both must outlive the search.
-  DoubleRootSearch(SolutionCurve& curve, BlockDeterminants& determinants)
+  DoubleRootSearch(SolutionCurve& curve, const BlockDeterminants& determinants)
       : curve_(curve), determinants_(determinants) {}
 
   void restart() {
@@ -29,17 +29,19 @@ class DoubleRootSearch {
     since_ = 0;
   }
 
-  /// Adds the point that lies a length after the last one, where the caller has evaluated the
-  /// determinants; they are elsewhere afterwards. No determinant has changed its sign since the
-  /// last point. Returns the first double root around that, to 1e-9 rad or characteristic lengths.
-  std::optional<DoubleRoot> add(const SolutionCurve::Point& point, double length);
+  /// Adds the point that lies a length after the last one, and its determinants, none of which is
+  /// zero or has changed its sign since then. Returns the first double root around the last point,
+  /// to 1e-9 rad or characteristic lengths.
+  std::optional<DoubleRoot> add(const SolutionCurve::Point& point, const Determinants& there,
+                                double length);
 
  private:
   struct Sample {
     SolutionCurve::Point point;
-    double length;              // since the one before
-    std::vector<double> roots;  // √|det| of every block
-    std::vector<signed char> signs;
+    double length;  // since the one before
+    Determinants determinants;
+
+    double root(int block) const { return std::exp(determinants.logs[block] / 2); }  // √|det|
   };
 
   bool may_have_root(int block) const;
@@ -48,7 +50,7 @@ class DoubleRootSearch {
   std::optional<double> value_of_root(int block, double about);
 
   SolutionCurve& curve_;
-  BlockDeterminants& determinants_;
+  const BlockDeterminants& determinants_;
   std::vector<Sample> last_;  // three at most
   double since_ = 0;          // length since the last of them
 };

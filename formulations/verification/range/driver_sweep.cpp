@@ -62,16 +62,11 @@ bool DriverSweep::choose_equations(Point& point) {
   return true;
 }
 
-/// Returns the signs of the determinants of all blocks; none where one is singular.
-DriverSweep::Signs DriverSweep::signs(const Point& point) {
-  if (!followed_->determinants.evaluate(point.state)) return {};
-  return {followed_->determinants.signs().begin(), followed_->determinants.signs().end()};
-}
-
-std::vector<int> DriverSweep::changed_blocks(const Signs& before, const Signs& after) const {
+std::vector<int> DriverSweep::changed_blocks(const Determinants& before,
+                                             const Determinants& after) {
   std::vector<int> changed;
-  for (std::size_t b = 0; b < std::min(before.size(), after.size()); ++b)
-    if (before[b] != after[b]) changed.push_back(static_cast<int>(b));
+  for (std::size_t b = 0; b < std::min(before.signs.size(), after.signs.size()); ++b)
+    if (before.signs[b] != after.signs[b]) changed.push_back(static_cast<int>(b));
   return changed;
 }
 
@@ -154,8 +149,9 @@ std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point&
 
 /// Looks for a double root around the last point. What lies before the start is of the sweep in
 /// the other direction.
-void DriverSweep::look_for_double_root(const Point& next, double length) {
-  if (const std::optional<DoubleRoot> root = followed_->double_roots.add(next, length))
+void DriverSweep::look_for_double_root(const Point& next, const Determinants& there,
+                                       double length) {
+  if (const std::optional<DoubleRoot> root = followed_->double_roots.add(next, there, length))
     if (direction_ * (root->value - curve().value(start_)) > -same * curve().scale() &&
         (change_points_.empty() ||
          std::abs(change_points_.back().value - root->value) > same * curve().scale()))
@@ -175,11 +171,12 @@ std::optional<RangeEnd> DriverSweep::run_after_dead_point() {
 RangeEnd DriverSweep::run_from(Point point) {
   double length = first_step;
   followed_->double_roots.restart();
-  Signs before = signs(point);
+  Determinants before = determinants(point);
   const std::optional<Point> behind = curve().step(point, -length);
-  if (!before.empty() && behind && behind->sign == point.sign && signs(*behind) == before)
-    look_for_double_root(*behind, length);
-  if (before = signs(point); !before.empty()) look_for_double_root(point, length);
+  if (!before.empty() && behind && behind->sign == point.sign)
+    if (const Determinants there = determinants(*behind); there.signs == before.signs)
+      look_for_double_root(*behind, there, length);
+  if (!before.empty()) look_for_double_root(point, before, length);
   double since = 0;         // the last point that was looked at
   EarlierPoint far{point};  // the last one from which more than a locking_arc was gone
   for (int step = 0; step < max_steps; ++step) {
@@ -214,7 +211,7 @@ RangeEnd DriverSweep::run_from(Point point) {
       if (again()) continue;
       return stuck_at(point, far);
     }
-    const Signs after = signs(*next);
+    const Determinants after = determinants(*next);
     const std::vector<int> changed = changed_blocks(before, after);
     const bool crosses = next->sign != point.sign || !changed.empty();
     if (crosses) {
@@ -234,10 +231,11 @@ RangeEnd DriverSweep::run_from(Point point) {
     }
     since += length;
     if (crosses) followed_->double_roots.restart();
-    if (!after.empty() && !crosses) look_for_double_root(*next, std::exchange(since, 0));
+    if (!after.empty() && !crosses) look_for_double_root(*next, after, std::exchange(since, 0));
     if (std::optional<RangeEnd> turned = after_turns(point, *next)) {
-      if (const std::optional<Point> p = curve().step(*next, length); p && signs(*p) == after)
-        look_for_double_root(*p, length);
+      if (const std::optional<Point> p = curve().step(*next, length); p && !after.empty())
+        if (const Determinants there = determinants(*p); there.signs == after.signs)
+          look_for_double_root(*p, there, length);
       return *std::move(turned);
     }
     if (!after.empty()) before = after;
@@ -245,7 +243,7 @@ RangeEnd DriverSweep::run_from(Point point) {
     far.arc += length;
     point = *std::move(next);
     if (choose_equations(point)) {
-      before = signs(point);
+      before = determinants(point);
       followed_->double_roots.restart();
     }
     length = crosses ? first_step : std::min(max_step, 1.5 * length);

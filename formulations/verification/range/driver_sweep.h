@@ -32,12 +32,10 @@ class DriverSweep {
   const std::vector<ChangePoint>& change_points() const { return change_points_; }
 
  private:
-  using Signs = std::vector<signed char>;
-
   RangeEnd run_from(Point point);
-  Signs signs(const Point& point);
-  void look_for_double_root(const Point& next, double length);
-  std::vector<int> changed_blocks(const Signs& before, const Signs& after) const;
+  Determinants determinants(const Point& p) const { return followed_->determinants.at(p.state); }
+  void look_for_double_root(const Point& next, const Determinants& there, double length);
+  static std::vector<int> changed_blocks(const Determinants& before, const Determinants& after);
   double forward(const Point& p) const { return direction_ * p.speed(); }
   bool is_violated(const Point& point) const;
   bool is_start(const Point& point) const;
