@@ -10,18 +10,6 @@ namespace {
 /// What unknowns do at least of what drivers do, before they have been seen.
 constexpr double min_scale = 0.01;
 
-/// The largest of drivers at one level, of lengths or of rotations.
-struct Largest {
-  double velocity = 0, acceleration = 0;
-
-  /// What is no number will end the motion before it.
-  void take(double v, double a) {
-    if (!std::isfinite(v) || !std::isfinite(a)) return;
-    velocity = std::max(velocity, std::abs(v));
-    acceleration = std::max(acceleration, std::abs(a));
-  }
-};
-
 }  // namespace
 
 RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
@@ -30,12 +18,15 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
   for (const Entity& e : m.entities)
     if (!e.fixed) moving_.push_back({e.first, e.size, is_length(e.kind)});
   const double size = nominal_size(m);
-  Largest length, rotation;
+  PerLevel<double> length, rotation;  // the largest of drivers
   for (const Driver& d : m.drivers)
     for (int i = 0; i < std::max(1, grid.instants); ++i) {
       const MotionSample<double> z = sample(d.motion, grid.time(i));
-      (is_length(m.entities[d.coordinate].kind) ? length : rotation)
-          .take(z.velocity, z.acceleration);
+      // What is no number will end the motion before it.
+      if (!std::isfinite(z.velocity) || !std::isfinite(z.acceleration)) continue;
+      PerLevel<double>& most = is_length(m.entities[d.coordinate].kind) ? length : rotation;
+      most.velocity = std::max(most.velocity, std::abs(z.velocity));
+      most.acceleration = std::max(most.acceleration, std::abs(z.acceleration));
     }
   seen_.length = {size, std::max(length.velocity, min_scale * size * rotation.velocity),
                   std::max(length.acceleration, min_scale * size * rotation.acceleration)};
