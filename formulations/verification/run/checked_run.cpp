@@ -234,8 +234,7 @@ class CheckedRun final : Observer {
   /// Goes from the instant that failed to the first that can be assembled again. Returns whether
   /// there is one.
   bool pass_gap() {
-    const auto [gap, again] =
-        find_gap(formulation_, grid_, tried_, summary_, summary_.assembly_error);
+    const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_);
     summary_.gaps.push_back(gap);
     withdraw_failure();
     tried_ = again;

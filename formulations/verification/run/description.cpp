@@ -37,18 +37,11 @@ std::string flags_of(const CheckedSummary& s) {
 }  // namespace
 
 std::string_view word_of(const RowFlag& flag) {
-  switch (flag.kind) {
-    case RowFlag::Kind::unproven:
-      return "unproven";
-    case RowFlag::Kind::branch:
-      return "branch";
-    case RowFlag::Kind::misfit:
-      return "misfit";
-    case RowFlag::Kind::crossing:
-    case RowFlag::Kind::on_point:
-      break;
-  }
-  return "crossing";
+  using enum RowFlag::Kind;
+  return flag.kind == unproven ? "unproven"
+         : flag.kind == branch ? "branch"
+         : flag.kind == misfit ? "misfit"
+                               : "crossing";
 }
 
 std::string describe(const CheckedSummary& s, const Model& m) {

@@ -20,8 +20,7 @@ struct FoundGap {
 /// Finds the ends of a gap. Leaves the formulation at a position near its end.
 /// - failed: the grid instant that could not be assembled
 /// - failure: the summary of the run, which ended there
-/// - assembly_error: its own
 FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,
-                  const BasicSummary& failure, const std::optional<AssemblyError>& assembly_error);
+                  const CheckedSummary& failure);
 
 }  // namespace desmo
