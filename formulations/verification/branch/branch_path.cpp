@@ -100,9 +100,11 @@ double BranchPath::up_to_knot(double time) const {
 }
 
 bool BranchPath::contains(double time, std::span<const double> q,
-                          std::span<const double> slack) const {
-  for (int i = 0; i < m_.coordinates(); ++i)
-    if (!(std::abs(q[i] - path_.centre(i, time)) <= path_.radius()[i] + slack[i])) return false;
+                          std::span<const double> tolerances, double count) const {
+  for (int i = 0; i < m_.coordinates(); ++i) {
+    const double slack = count * tolerances[i];
+    if (!(std::abs(q[i] - path_.centre(i, time)) <= path_.radius()[i] + slack)) return false;
+  }
   return true;
 }
 

@@ -53,8 +53,9 @@ class BranchPath {
   FollowedStep go_to(double time);
 
   /// Returns whether positions lie in the tube of the last step, which was proven at the first try,
-  /// or no farther from it than `slack` (coordinates) says.
-  bool contains(double time, std::span<const double> q, std::span<const double> slack) const;
+  /// or no farther from it than so many tolerances (coordinates).
+  bool contains(double time, std::span<const double> q, std::span<const double> tolerances,
+                double count) const;
 
   /// Returns the instant where the next step begins, up to its accelerations.
   const CertifiedInstant& present() const { return present_; }

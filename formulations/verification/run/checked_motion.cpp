@@ -25,8 +25,7 @@ CheckedMotion::CheckedMotion(const Model& m, std::span<const Level> levels, doub
       levels_(levels),
       follower_(std::make_unique<Follower>(nullptr, m, levels)),
       no_rates_(m.coordinates(), NAN),
-      tolerances_(natural_magnitudes(m)),
-      slack_(tolerances_) {
+      tolerances_(natural_magnitudes(m)) {
   for (double& t : tolerances_) t *= tolerance;
 }
 
@@ -34,26 +33,23 @@ void CheckedMotion::begin(double time) {
   point_.reset();
   lost_.reset();
   on_path_ = false;
-  const FoundStart start = find_start(m_, time);
+  start_ = find_start(m_, time);
   if (follower_->chosen) follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
-  step_ = {.time = time, .group = start.group};
-  start_ = start.point ? FoundStart::Stage::reached : start.stage;
-  blocked_at_.clear();
-  if (start_ != FoundStart::Stage::reached) blocked_at_ = start.q;
+  step_ = {.time = time, .group = start_.group};
   first_flag_.reset();
-  if (!start.passed.empty() || start.point)
-    first_flag_ = start_flag(RowFlag::Kind::crossing, start, time);
-  point_ = start.point;
+  if (!start_.passed.empty() || start_.point)
+    first_flag_ = start_flag(RowFlag::Kind::crossing, start_, time);
+  point_ = start_.point;
   if (point_) {
     on_path_ = true;
-  } else if (start.stage == FoundStart::Stage::reached) {
+  } else if (start_.stage == FoundStart::Stage::reached) {
     const auto begins = [&] {
-      const RefinedInstant& r = follower_->refinement.refine(instant_of(time, {start.q}));
+      const RefinedInstant& r = follower_->refinement.refine(instant_of(time, {start_.q}));
       return r.proven && follower_->path.start_at(certified(r));
     };
-    on_path_ = begins() || (choose_other_equations(start.q) && begins());
+    on_path_ = begins() || (choose_other_equations(start_.q) && begins());
   }
-  if (!on_path_) lost_ = start_flag(RowFlag::Kind::branch, start, time);
+  if (!on_path_) lost_ = start_flag(RowFlag::Kind::branch, start_, time);
 }
 
 void CheckedMotion::keep_last() {
@@ -72,8 +68,7 @@ void CheckedMotion::return_to_last() {
 bool CheckedMotion::is_on_step(const Instant& instant) const {
   if (step_.end != PathEnd::same || step_.sub_steps != 1) return false;
   // So far may a position be from the exact one that meets the tolerance of the equations.
-  for (std::size_t i = 0; i < slack_.size(); ++i) slack_[i] = result_.condition * tolerances_[i];
-  return follower_->path.contains(instant.time, instant.q, slack_);
+  return follower_->path.contains(instant.time, instant.q, tolerances_, result_.condition);
 }
 
 const CheckedInstant& CheckedMotion::check(const Instant& solved) {

@@ -57,11 +57,15 @@ class CheckedMotion {
 
   /// Returns the positions up to which the motion was followed from the drawing.
   std::span<const double> followed_to() const {
-    return follows() ? follower_->path.present().values.position : blocked_at_;
+    if (follows()) return follower_->path.present().values.position;
+    if (start() == FoundStart::Stage::reached) return {};
+    return start_.q;
   }
 
   /// Returns where the way from the drawing is blocked, if it is.
-  FoundStart::Stage start() const { return start_; }
+  FoundStart::Stage start() const {
+    return start_.point ? FoundStart::Stage::reached : start_.stage;
+  }
 
   /// Returns whether the last instant is another than the one that was handed in: the formulation
   /// is elsewhere.
@@ -90,8 +94,7 @@ class CheckedMotion {
     std::shared_ptr<PassedPoint> point;
     std::optional<RowFlag> lost;
   } last_;
-  FoundStart::Stage start_ = FoundStart::Stage::reached;
-  std::vector<double> blocked_at_;      // positions on the way from the drawing; empty: reached
+  FoundStart start_;
   bool on_path_ = false;                // the branch is known
   FollowedStep step_;                   // the last one
   std::optional<RowFlag> lost_;         // since then the branch is unknown
@@ -99,7 +102,6 @@ class CheckedMotion {
   std::shared_ptr<PassedPoint> point_;  // beyond it the path has not begun
   std::vector<double> on_point_, no_rates_;
   std::vector<double> tolerances_;  // of each coordinate
-  mutable std::vector<double> slack_;
   CheckedInstant result_;
   bool elsewhere_ = false;
 };
