@@ -93,30 +93,24 @@ Interval LeftOutEquations::residual(const Equation& equation, std::span<const do
   return phi;
 }
 
-bool LeftOutEquations::holds(const Equation& equation, std::span<const double> q,
-                             std::span<const double> radius) const {
-  const Interval phi = residual(equation, q, radius);
-  return !(std::abs(phi.mid) > phi.radius);
-}
-
 std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
                                               const LiveRow* drivers) {
   const std::span<const double> q = refined.instant.q;
-  const auto all_hold = [&](std::span<const double> radius) {
-    return std::ranges::all_of(equations_, [&](const Equation& e) { return holds(e, q, radius); });
+  const auto fails = [](const Interval& phi) { return std::abs(phi.mid) > phi.radius; };
+  const auto fails_here = [&](const Equation& e) {
+    return fails(residual(e, q, refined.radius.position));
   };
-  if (!refined.proven || all_hold(refined.radius.position)) return {};
+  if (!refined.proven || std::ranges::none_of(equations_, fails_here)) return {};
   const std::span<const double> known = radius(refined.instant, drivers);
   std::ranges::copy(q, state_.begin());
   std::optional<Misfit> worst;
   double largest = 0;  // of misfits over lengths
   for (std::size_t i = 0; i < equations_.size(); ++i) {
     const Equation& e = equations_[i];
-    if (holds(e, q, known)) continue;
-    const double phi = residual(e, q, known).mid;
-    if (!(relative(i, phi) > largest)) continue;
-    largest = relative(i, phi);
-    worst = misfit_of(m_, e.constraint, e.row, phi, state_);
+    const Interval phi = residual(e, q, known);
+    if (!fails(phi) || !(relative(i, phi.mid) > largest)) continue;
+    largest = relative(i, phi.mid);
+    worst = misfit_of(m_, e.constraint, e.row, phi.mid, state_);
   }
   return worst;
 }

@@ -77,8 +77,6 @@ class LeftOutEquations {
   void go_to(const PathProof& step, double s);
   double worst_place(std::size_t i, const PathProof& step);
   bool is_told_at(std::size_t i, const PathProof& step, double s);
-  bool holds(const Equation& equation, std::span<const double> q,
-             std::span<const double> radius) const;
 
   const Model& m_;
   Model varied_;
