@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <vector>
@@ -49,8 +50,7 @@ TEST(CertifiedCondition, IsAboutThatOfTheWholeSystem) {
 TEST(CertifiedCondition, GrowsTowardsADeadPoint) {
   for (const double distance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
-    const double t = 0;
-    const ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+    const ReferenceInstant s = double_solution(m, std::array{0.0}).front();
     const Certificate c = certified(m, s);
     EXPECT_EQ(m.groups[c.worst_conditioned].name, "dyad1/SG-I");
     EXPECT_NEAR(c.condition * std::sqrt(distance), 2.6, 0.1) << distance;
@@ -73,8 +73,7 @@ TEST(CertifiedCondition, DoesNotDependOnTheUnitOfLength) {
   std::vector<double> condition;
   for (const double factor : {1.0, 1000.0}) {
     const Model m = make_model(enlarged(scene, factor));
-    const double t = 0.01;
-    condition.push_back(certified(m, double_solution(m, std::span(&t, 1)).front()).condition);
+    condition.push_back(certified(m, double_solution(m, std::array{0.01}).front()).condition);
   }
   EXPECT_NEAR(condition[1] / condition[0], 1, 1e-6);
 }

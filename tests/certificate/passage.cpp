@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -300,8 +301,7 @@ TEST(Passage, IsToldByTheFall) {
   StraightCrossing crossing(m, path.present(), std::span(&direction, 1));
   for (const int level : {4, 5, 6}) {
     const double driver = crossing.line().at(crossing.distance(level))[0];
-    const double time = -1;
-    const auto right = double_solution(touching_branches(driver), std::span(&time, 1)).front().q;
+    const auto right = double_solution(touching_branches(driver), std::array{-1.0}).front().q;
     const double other = crossing.fall(level, on_other_branch(m, right, "dyad1/C", "dyad2"));
     std::cout << other << '\n';
     EXPECT_GT(other, 3.2);

@@ -116,13 +116,12 @@ TEST(Refinement, FindsRatesFromPositionsAlone) {
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
     const Model m = make_model(scene);
-    const double t = scene.grid.start;
-    const ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+    const ReferenceInstant s = double_solution(m, std::array{scene.grid.start}).front();
     const std::vector<double> zeros(m.coordinates());
     Refinement from_all(m), from_zeros(m);
     const RefinedInstant &all = from_all.refine(instant_of(s)),
                          &found = from_zeros.refine(
-                             {.index = 0, .time = t, .q = s.q, .qd = zeros, .qdd = zeros});
+                             {.index = 0, .time = s.time, .q = s.q, .qd = zeros, .qdd = zeros});
     EXPECT_LE(all.passes, 2) << l.name;
     for (int i = 0; i < m.coordinates(); ++i) {
       EXPECT_LE(found.radius.velocity[i], 4 * all.radius.velocity[i] + 1e-15) << l.name << i;
@@ -167,8 +166,7 @@ TEST(Refinement, TakesThePassesThatAreSeen) {
   for (const auto& [distance, off, passes] :
        {Start{1, 7e-9, 2}, Start{1, 4.4e-5, 2}, Start{1e-4, 3e-11, 1}}) {
     const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
-    const double t = 0;
-    const ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+    const ReferenceInstant s = double_solution(m, std::array{0.0}).front();
     Refinement refinement(m);
     const double best = largest(refinement.refine(instant_of(s)).radius.acceleration);
     const ReferenceInstant start = moved(m, s, off);
@@ -192,8 +190,7 @@ TEST(Refinement, TakesPassesWhileNewtonsMethodConverges) {
   for (const Level level : all_levels) EXPECT_LE(largest(r.radius[level]), 1e-15);
 
   const Model near = locking_four_bar(Polynomial{{dead_point - 1e-12, 1}});
-  const double t = 0;
-  const ReferenceInstant s = double_solution(near, std::span(&t, 1)).front();
+  const ReferenceInstant s = double_solution(near, std::array{0.0}).front();
   EXPECT_LE(Refinement(near).refine(instant_of(s)).passes, 2);
 }
 
@@ -201,8 +198,7 @@ TEST(Refinement, TakesPassesWhileNewtonsMethodConverges) {
 /// each pass, the first one has none.
 TEST(Refinement, FindsPositionsThatAreFarOff) {
   const Model m = locking_four_bar(Polynomial{{dead_point - 1, 1}});
-  const double t = 0;
-  const auto exact = reference_solution(m, std::span(&t, 1), Precision::quadruple);
+  const auto exact = reference_solution(m, std::array{0.0}, Precision::quadruple);
   const ReferenceInstant far = moved(m, exact.front(), 0.2);
   Refinement refinement(m);
   Errors errors;
@@ -215,9 +211,8 @@ TEST(Refinement, FindsPositionsThatAreFarOff) {
 TEST(Refinement, HoldsUpToADeadPoint) {
   for (const double distance : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
-    const double t = 0;
-    const auto exact = reference_solution(m, std::span(&t, 1), Precision::quadruple);
-    const auto solved = double_solution(m, std::span(&t, 1));
+    const auto exact = reference_solution(m, std::array{0.0}, Precision::quadruple);
+    const auto solved = double_solution(m, std::array{0.0});
     Refinement refinement(m);
     const RefinedInstant& r = refinement.refine(instant_of(solved.front()));
     EXPECT_TRUE(r.proven) << distance;
@@ -268,8 +263,7 @@ TEST(Refinement, MakesAllFormulationsEqual) {
 TEST(Refinement, CorrectsPositionsWhereAMotionRests) {
   Model m = make_model(library_scene("slider_crank"));
   m.drivers[0].motion = HarmonicSum{0.5, {{0.3, std::numbers::pi / 2, 0}}};
-  const double t = 1;
-  ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+  ReferenceInstant s = double_solution(m, std::array{1.0}).front();
   for (double& q : s.q) q += 1e-3;
   Refinement refinement(m);
   const RefinedInstant& r = refinement.refine(instant_of(s));
@@ -300,8 +294,7 @@ TEST(ProofFailure, SaysWhy) {
   EXPECT_EQ(failure_of(locked, {0, locked.estimate, zero, zero}), ProofFailure::singular);
 
   const Model m = make_model(library_scene("slider_crank"));
-  const double t = 0.1;
-  ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+  ReferenceInstant s = double_solution(m, std::array{0.1}).front();
   EXPECT_EQ(failure_of(m, s), ProofFailure::none);
   s.q[m.entities[m.find("phi")].first] += 1.5;
   EXPECT_EQ(failure_of(m, s), ProofFailure::budget);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -30,8 +31,7 @@ TEST(CertificateNearADeadPoint, IsWiderOrGivenUp) {
   int proven = 0, given_up = 0;
   for (const double distance : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-14, 1e-15}) {
     const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
-    const double t = 0;
-    const auto exact = reference_solution(m, std::span(&t, 1), Precision::quadruple);
+    const auto exact = reference_solution(m, std::array{0.0}, Precision::quadruple);
     Certifier certifier(m);
     std::mt19937 generator(1);
     for (const double noise : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
@@ -122,19 +122,19 @@ TEST(CertificateOfWrongNumbers, HoldsOrIsGivenUp) {
 TEST(CertificateOfWrongNumbers, IsGivenUpWhereTheyAreNotFinite) {
   const Scene scene = library_scene("slider_crank");
   const Model m = make_model(scene);
-  const double t = 0.1;
-  const auto solved = double_solution(m, std::span(&t, 1));
+  const auto solved = double_solution(m, std::array{0.1});
   Certifier certifier(m);
   for (int i = 0; i < m.coordinates(); ++i) {
     ReferenceInstant broken = solved.front();
     broken.q[i] = NAN;
     EXPECT_FALSE(
-        certifier.certify({.index = 0, .time = t, .q = broken.q, .qd = {}, .qdd = {}}).proven)
+        certifier.certify({.index = 0, .time = broken.time, .q = broken.q, .qd = {}, .qdd = {}})
+            .proven)
         << i;
     broken = solved.front();
     broken.qd[i] = INFINITY;
-    const Certificate c =
-        certifier.certify({.index = 0, .time = t, .q = broken.q, .qd = broken.qd, .qdd = {}});
+    const Certificate c = certifier.certify(
+        {.index = 0, .time = broken.time, .q = broken.q, .qd = broken.qd, .qdd = {}});
     EXPECT_FALSE(c.proven) << i;
     for (const double radius : c.radius.position) EXPECT_TRUE(std::isfinite(radius));
   }
@@ -145,8 +145,7 @@ TEST(CertificateOfAPlan, EndsAtTheLevelsThatAreSolved) {
   const Model whole = make_model(scene);
   const std::vector<Output> asked{{whole.constraints.back().operands.front(), Level::velocity}};
   const Plan plan = make_plan(whole, asked);
-  const double t = 0.1;
-  ReferenceInstant s = double_solution(plan.model, std::span(&t, 1)).front();
+  ReferenceInstant s = double_solution(plan.model, std::array{0.1}).front();
   const std::vector<bool> driven = independent_coordinates(plan.model);
   for (int i = 0; i < plan.model.coordinates(); ++i)
     if (!driven[i]) s.qdd[i] = NAN;  // nobody has solved them
@@ -162,20 +161,20 @@ TEST(CertificateOfAPlan, EndsAtTheLevelsThatAreSolved) {
 TEST(CertificateOfLiveDrivers, CountsThemAsExact) {
   const Scene scene = library_scene("slider_crank");
   const Model m = make_model(scene);
-  const double t = 0.1;
-  const ReferenceInstant s = double_solution(m, std::span(&t, 1)).front();
+  const ReferenceInstant s = double_solution(m, std::array{0.1}).front();
   const Instant instant = instant_of(s);
   const int driven = m.entities[m.drivers.front().coordinate].first;
   const std::vector<double> z{s.q[driven]}, zd{s.qd[driven]}, zdd{s.qdd[driven]};
   Certifier certifier(m);
-  const Certificate c = certifier.certify(instant, {t, z, zd, zdd});
+  const Certificate c = certifier.certify(instant, {s.time, z, zd, zdd});
   EXPECT_TRUE(c.proven);
   EXPECT_LT(c.radius.position[driven], 1e-100);
   const std::vector<double> other{z[0] + 1e-6};
-  EXPECT_NEAR(certifier.certify(instant, {t, other, zd, zdd}).radius.position[driven], 1e-6, 1e-15);
+  EXPECT_NEAR(certifier.certify(instant, {s.time, other, zd, zdd}).radius.position[driven], 1e-6,
+              1e-15);
   EXPECT_TRUE(certifier.certify(instant).proven);
   const std::vector<double> nowhere{NAN};
-  EXPECT_FALSE(certifier.certify(instant, {t, nowhere, zd, zdd}).proven);
+  EXPECT_FALSE(certifier.certify(instant, {s.time, nowhere, zd, zdd}).proven);
 }
 
 }  // namespace
