@@ -23,13 +23,13 @@ FollowedStep follow(const Model& m, const ReferenceInstant& from, const Referenc
                     std::vector<double>* end = nullptr) {
   Refinement refinement(m);
   BranchPath path(m);
-  const auto certified = [&](const ReferenceInstant& s) -> CertifiedInstant {
+  const auto refined = [&](const ReferenceInstant& s) {
     const RefinedInstant& r = refinement.refine(instant_of(s));
     EXPECT_TRUE(r.proven) << m.name;
-    return {s.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
+    return certified(r);
   };
-  EXPECT_TRUE(path.start_at(certified(from))) << m.name;
-  const FollowedStep step = path.follow(certified(to));
+  EXPECT_TRUE(path.start_at(refined(from))) << m.name;
+  const FollowedStep step = path.follow(refined(to));
   if (end)
     end->assign(path.present().values.position.begin(), path.present().values.position.end());
   return step;
@@ -80,19 +80,13 @@ TEST(BranchPath, FollowsLongSteps) {
   }
 }
 
-TEST(BranchPath, GoesFromKnotToKnot) {
+TEST(BranchPath, GoesFromKnotToKnotAndBack) {
   Model m = make_model(library_scene("slider_crank"));
   m.drivers[0].motion = make_spline({0, 1, 1.01, 2}, {0.5, 0.7, 0.71, 0.3}, SplineEnds::natural);
   const auto solved = double_solution(m, std::vector{0.98, 1.03});
-  const FollowedStep step = follow(m, solved[0], solved[1]);
-  EXPECT_EQ(step.end, PathEnd::same);
-  EXPECT_EQ(step.sub_steps, 3);
-}
-
-TEST(BranchPath, GoesBack) {
-  Model m = make_model(library_scene("slider_crank"));
-  m.drivers[0].motion = make_spline({0, 1, 1.01, 2}, {0.5, 0.7, 0.71, 0.3}, SplineEnds::natural);
-  const auto solved = double_solution(m, std::vector{0.98, 1.03});
+  const FollowedStep on = follow(m, solved[0], solved[1]);
+  EXPECT_EQ(on.end, PathEnd::same);
+  EXPECT_EQ(on.sub_steps, 3);
   BranchPath path(m);
   ASSERT_TRUE(path.start_at({1.03, {solved[1].q, {}, {}}, {}}));
   const FollowedStep step = path.go_to(0.98);
@@ -122,10 +116,8 @@ TEST(BranchPath, StopsAtADeadPoint) {
   const double locks = dead_point - std::numbers::pi / 3;
   const auto solved = double_solution(m, std::vector{0.0, locks - 0.1});
   Refinement refinement(m);
-  const RefinedInstant& r = refinement.refine(instant_of(solved[1]));
   BranchPath path(m);
-  ASSERT_TRUE(path.start_at(
-      {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position}));
+  ASSERT_TRUE(path.start_at(certified(refinement.refine(instant_of(solved[1])))));
   const FollowedStep step = path.go_to(locks + 0.1);
   std::cout << step.tests << " tests, to " << locks - step.time << " s\n";
   EXPECT_EQ(step.end, PathEnd::stuck);

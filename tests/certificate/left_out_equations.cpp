@@ -167,10 +167,10 @@ TEST(LeftOutEquations, AreToldAlongStepsThatAreShortEnough) {
   path.ask_about_steps([&](const PathProof& step) { return is_told = left_out.look_along(step); });
   for (const double step : {0.6, 0.85}) {
     const auto ends = double_solution(m, std::vector{0., step});
-    const auto refined = [&](const ReferenceInstant& s) -> CertifiedInstant {
+    const auto refined = [&](const ReferenceInstant& s) {
       const RefinedInstant& r = refinement.refine(instant_of(s));
       EXPECT_TRUE(r.proven);
-      return {s.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position};
+      return certified(r);
     };
     ASSERT_TRUE(path.start_at(refined(ends[0])));
     const FollowedStep followed = path.follow(refined(ends[1]));

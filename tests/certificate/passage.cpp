@@ -165,9 +165,7 @@ TEST(Passage, ContinuesSmoothly) {
     const DrawnScene scene(generator);
     SCOPED_TRACE(std::to_string(i) + ' ' + way.name);
     const Model m = scene.model(way.motion(scene.bars.point, scene.sign));
-    BranchPath path(m);
-    ASSERT_TRUE(start(m, -1, path));
-    ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
+    StuckPath path(m, -1, 1);
     std::optional<PassedPoint> point = pass_change_point(m, path.present());
     if (!point) continue;
     ++passed;
@@ -191,9 +189,7 @@ TEST(Passage, BeginsOnThePoint) {
                                     : Motion(Polynomial{{point, 0, 0.7 * away}});
     const double direction = 0.7 * scene.sign;
     const Model drawn = scene.model(Polynomial{{point, direction}}), m = scene.model(motion);
-    BranchPath path(drawn);
-    ASSERT_TRUE(start(drawn, -1, path));
-    ASSERT_EQ(path.go_to(0).end, PathEnd::stuck);
+    StuckPath path(drawn, -1, 0);
     auto passage = pass_change_point(m, path.present(), std::span(&direction, 1), 0);
     if (!passage) continue;
     ++passed;
@@ -209,9 +205,7 @@ TEST(Passage, EndsOnThePoint) {
   const double point = scene.bars.point, direction = scene.sign;
   const Model drawn = scene.model(Polynomial{{point, 0.7 * direction}});
   const Model rests = scene.model(Polynomial{{point}});
-  BranchPath path(drawn);
-  ASSERT_TRUE(start(drawn, -1, path));
-  ASSERT_EQ(path.go_to(0).end, PathEnd::stuck);
+  StuckPath path(drawn, -1, 0);
   auto passage = pass_change_point(rests, path.present(), std::span(&direction, 1), 0);
   ASSERT_TRUE(passage);
   EXPECT_EQ(passage->before, INFINITY);
@@ -226,9 +220,7 @@ TEST(Passage, StopsAtADeadPoint) {
     Model m = locking_four_bar();
     ASSERT_GT(locks, 0.5);
     m.drivers[0].motion = Polynomial{{pi / 3, 1}};
-    BranchPath path(m);
-    ASSERT_TRUE(start(m, 0, path));
-    ASSERT_EQ(path.go_to(locks + 0.1).end, PathEnd::stuck);
+    StuckPath path(m, 0, locks + 0.1);
     m.drivers[0].motion = motion;
     const double direction = 1;
     EXPECT_FALSE(pass_change_point(m, path.present(), std::span(&direction, 1), 0));
@@ -237,9 +229,7 @@ TEST(Passage, StopsAtADeadPoint) {
 
 TEST(Passage, LeadsOnBesideOtherBranches) {
   const Model m = make_model(scene_file("scott_russell"));
-  BranchPath path(m);
-  ASSERT_TRUE(start(m, 0, path));
-  ASSERT_EQ(path.go_to(5).end, PathEnd::stuck);
+  StuckPath path(m, 0, 5);
   auto point = pass_change_point(m, path.present());
   ASSERT_TRUE(point);
   EXPECT_NEAR(point->time, 2, 1e-6);
@@ -274,9 +264,7 @@ TEST(Passage, IsToldByTheFall) {
     const DrawnScene scene(generator);
     SCOPED_TRACE(i);
     const Model m = scene.model(Polynomial{{scene.bars.point, 0.7 * scene.sign}});
-    BranchPath path(m);
-    ASSERT_TRUE(start(m, -1, path));
-    ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
+    StuckPath path(m, -1, 1);
     StraightCrossing crossing(m, path.present(), std::span(&scene.sign, 1));
     ASSERT_TRUE(crossing.find());
     int level = 0;
@@ -295,9 +283,7 @@ TEST(Passage, IsToldByTheFall) {
   // Branches that touch differ in the second derivative only.
   const double direction = 1;
   const Model m = touching_branches(0);
-  BranchPath path(m);
-  ASSERT_TRUE(start(m, -1, path));
-  ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
+  StuckPath path(m, -1, 1);
   StraightCrossing crossing(m, path.present(), std::span(&direction, 1));
   for (const int level : {4, 5, 6}) {
     const double driver = crossing.line().at(crossing.distance(level))[0];

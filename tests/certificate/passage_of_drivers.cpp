@@ -48,9 +48,7 @@ double skew(const Model& m, std::span<const double> q) {
 
 TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
   const Model both = on_arm(Polynomial{{0, 0.3, 0.2}}, Polynomial{{0, 1, 0.2}});
-  BranchPath path(both);
-  ASSERT_TRUE(start(both, -1, path));
-  ASSERT_EQ(path.go_to(1).end, PathEnd::stuck);
+  StuckPath path(both, -1, 1);
   auto point = pass_change_point(both, path.present());
   ASSERT_TRUE(point);
   EXPECT_LE(skew(both, point->positions(both, 0)), 1e-12);
@@ -60,9 +58,7 @@ TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
 
   // Both drivers rest on the point, and the arm turns on while the crank turns back.
   const Model back = on_arm(Polynomial{{0.343, 0, 0, 1}}, Polynomial{{0.343, 0, -1.3, 1}});
-  BranchPath returning(back);
-  ASSERT_TRUE(start(back, -0.7, returning));
-  ASSERT_EQ(returning.go_to(0.7).end, PathEnd::stuck);
+  StuckPath returning(back, -0.7, 0.7);
   const auto turn = pass_change_point(back, returning.present());
   ASSERT_TRUE(turn);
   ASSERT_TRUE(returning.start_at(turn->beyond()));
@@ -70,9 +66,7 @@ TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
   EXPECT_LE(skew(back, returning.present().values.position), 1e-12);
 
   const Model first = on_arm(Polynomial{{0}}, Polynomial{{0, 1}});
-  BranchPath arriving(first);
-  ASSERT_TRUE(start(first, -0.7, arriving));
-  ASSERT_EQ(arriving.go_to(0).end, PathEnd::stuck);
+  StuckPath arriving(first, -0.7, 0);
   const std::vector<double> direction{0, 1};
   EXPECT_TRUE(pass_change_point(first, arriving.present(), direction, 0));
   const Model corner = on_arm(Polynomial{{0, 0.5}}, Polynomial{{0, 1.2}});
@@ -84,15 +78,11 @@ TEST(Passage, FollowsSeveralDriversUnlessTheyTurnACorner) {
 TEST(Passage, TellsACornerFromRounding) {
   for (const double rate : {0.3, 0.7, -0.45}) {
     const Model straight = on_arm(Polynomial{{0, rate}}, Polynomial{{0, 0.9}});
-    BranchPath path(straight);
-    ASSERT_TRUE(start(straight, -0.6, path));
-    ASSERT_EQ(path.go_to(0.6).end, PathEnd::stuck);
+    StuckPath path(straight, -0.6, 0.6);
     EXPECT_TRUE(pass_change_point(straight, path.present())) << rate;
   }
   const Model first = on_arm(Polynomial{{1000}}, Polynomial{{1000, 1}});
-  BranchPath arriving(first);
-  ASSERT_TRUE(start(first, -0.6, arriving));
-  ASSERT_EQ(arriving.go_to(0).end, PathEnd::stuck);
+  StuckPath arriving(first, -0.6, 0);
   const std::vector<double> direction{0, 1};
   const Model corner = on_arm(Polynomial{{1000, 4e-7}}, Polynomial{{1000, 1.2}});
   EXPECT_FALSE(pass_change_point(corner, arriving.present(), direction, 0));

@@ -1,6 +1,8 @@
 // Starts of paths, and what tells whether the drawing leads to constant drivers.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,6 +24,14 @@ inline bool start(const Model& m, double time, BranchPath& path) {
   const ReferenceInstant s = double_solution(m, std::span(&time, 1)).front();
   return path.start_at({time, {s.q, {}, {}}, {}});
 }
+
+/// A path that begins at the model's estimate at a time, and is stuck on the way to another one.
+struct StuckPath : BranchPath {
+  StuckPath(const Model& m, double from, double to) : BranchPath(m) {
+    EXPECT_TRUE(start(m, from, *this)) << m.name;
+    EXPECT_EQ(go_to(to).end, PathEnd::stuck) << m.name;
+  }
+};
 
 /// Returns the largest drawn coordinate.
 inline double drawn_size(const Model& m) {
