@@ -70,6 +70,13 @@ BlockBatch::Member member(int k, const Dyad& dyad) {
   return made;
 }
 
+/// Returns tables of so many rows.
+PerLevel<ErrorTable> tables_of(int rows) {
+  PerLevel<ErrorTable> errors;
+  for (const Level level : all_levels) errors[level].rows.resize(rows);
+  return errors;
+}
+
 TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -82,8 +89,7 @@ TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
       std::vector<BlockBatch::Member> members;
       for (int k = 0; k < 2; ++k) members.push_back(member(k, dyads[k]));
       BlockBatch batch(members, {1, 1, 1, 1}, 0);
-      PerLevel<ErrorTable> errors;
-      errors.position.rows.resize(12);
+      PerLevel<ErrorTable> errors = tables_of(12);
       for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 2; ++i) {
           errors.position.rows[2 * k + i].delivered = p[i] + 1e-12 * uniform(generator);
@@ -129,11 +135,8 @@ TEST(BlockProof, CountsRoundingOfWhatLowerLevelsAdd) {
   const std::array<double, 6> delivered{0.25, 0, 0, 1, -1, 0}, error{0, s, lost, lost, lost, -s},
       rates{1, 1, 1, 0, 1, 1};
   BlockBatch batch(std::vector{product_of_vectors(0.25)}, std::vector<double>(6, 1), 0);
-  PerLevel<ErrorTable> errors;
+  PerLevel<ErrorTable> errors = tables_of(6);
   std::array<Exact, 6> exact;
-  for (ErrorTable* e : {&errors.position, &errors.velocity}) {
-    e->rows.resize(6);
-  }
   for (int i = 0; i < 6; ++i) {
     errors.position.rows[i] = {delivered[i], error[i], 0, std::abs(error[i])};
     errors.velocity.rows[i].delivered = rates[i];
@@ -157,10 +160,7 @@ TEST(BlockProof, CountsWhatErrorsOfRatesAddToThemselves) {
   int proven = 0;
   for (int percent = 5; percent < 100; percent += 5) {
     BlockBatch batch(std::vector{product_of_vectors(1)}, std::vector<double>(6, 1), 0);
-    PerLevel<ErrorTable> errors;
-    for (ErrorTable* e : {&errors.position, &errors.velocity}) {
-      e->rows.resize(6);
-    }
+    PerLevel<ErrorTable> errors = tables_of(6);
     for (int i = 0; i < 6; ++i) {
       errors.position.rows[i].delivered = delivered[i];
       errors.velocity.rows[i].delivered = rates[i];
@@ -192,8 +192,7 @@ TEST(BlockProof, KeepsWhatIsProvenInOneLane) {
       made.block.states = made.block.coordinates = made.rows;
     }
     BlockBatch batch(members, std::vector<double>(12, 1), 0);
-    PerLevel<ErrorTable> errors;
-    errors.position.rows.resize(12);
+    PerLevel<ErrorTable> errors = tables_of(12);
     for (int k = 0; k < lanes; ++k) {
       errors.position.rows[6 * k].delivered = delivered[k];
       errors.position.rows[6 * k + 3].delivered = 1;
@@ -220,10 +219,9 @@ TEST(BlockProof, HandsErrorsOn) {
     BlockBatch::Member member = product_of_vectors(1);
     for (int& row : member.rows) row += rows;
     BlockBatch batch(std::vector{member}, std::vector<double>(rows, 1), columns);
-    PerLevel<ErrorTable> errors;
+    PerLevel<ErrorTable> errors = tables_of(2 * rows);
     for (const Level level : all_levels) {
       ErrorTable& e = errors[level];
-      e.rows.resize(2 * rows);
       e.generators.resize(rows * columns);
       e.columns = columns;
       e.first_lent = rows;
@@ -268,9 +266,8 @@ TEST(BlockProof, CountsRoundingOfManySymbols) {
   BlockBatch::Member member = product_of_vectors(0);  // u₁ + u₂ = 0
   for (int& row : member.rows) row += rows;
   BlockBatch batch(std::vector{member}, std::vector<double>(rows, 1), columns);
-  PerLevel<ErrorTable> errors;
+  PerLevel<ErrorTable> errors = tables_of(2 * rows);
   ErrorTable& e = errors.position;
-  e.rows.resize(2 * rows);
   e.generators.resize(rows * columns);
   e.columns = columns;
   e.first_lent = rows;
@@ -293,9 +290,8 @@ TEST(BlockProof, HoldsUsualErrorsInTheFirstX) {
   const Dyad dyad{{Point{0, 0}, Point{0, 1e-4}}, {1, 0}};
   const BlockBatch::Member made = member(0, dyad);
   BlockBatch batch(std::span(&made, 1), {1, 1}, 0);
-  PerLevel<ErrorTable> errors;
+  PerLevel<ErrorTable> errors = tables_of(8);
   ErrorTable& e = errors.position;
-  e.rows.resize(8);
   for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(2);
   e.rows[0].delivered = 1;
   e.rows[1].delivered = 4e-12;
@@ -316,9 +312,8 @@ TEST(BlockProof, HoldsUsualErrorsInTheFirstX) {
 TEST(BlockProof, SaysWhatMostOfAnErrorComesFrom) {
   const auto failure = [](double off, double unknown, double product) {
     BlockBatch batch(std::vector{product_of_vectors(product)}, std::vector<double>(6, 1), 0);
-    PerLevel<ErrorTable> errors;
+    PerLevel<ErrorTable> errors = tables_of(6);
     ErrorTable& e = errors.position;
-    e.rows.resize(6);
     for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(6);
     e.rows[0].delivered = 1;
     e.rows[3] = {1, off, unknown, off + unknown};

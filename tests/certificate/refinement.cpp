@@ -84,31 +84,22 @@ ReferenceInstant moved(const Model& m, ReferenceInstant instant, double off) {
   return instant;
 }
 
-TEST(Refinement, IsRightToTheLastDigits) {
+void expect_last_digits(const Scene& scene, bool in_single = false) {
   const int count = DESMO_SANITIZED ? 2 : 20;
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
-    const Errors errors = refine_all(make_model(scene), sampled(scene.grid, count));
-    EXPECT_EQ(errors.proven, count) << l.name;
-    for (const Level level : all_levels) EXPECT_LE(errors.share[level], 1) << l.name;
-  }
-  for (const Case& definition : cases()) {
-    const Scene scene = make_scene(definition, definition.sizes.front());
-    const Errors errors = refine_all(make_model(scene), sampled(scene.grid, count));
-    EXPECT_EQ(errors.proven, count) << definition.name;
-    for (const Level level : all_levels) EXPECT_LE(errors.share[level], 1) << definition.name;
-  }
+  const Errors errors = refine_all(make_model(scene), sampled(scene.grid, count), in_single);
+  EXPECT_EQ(errors.proven, count) << scene.mechanism.name;
+  for (const Level level : all_levels) EXPECT_LE(errors.share[level], 1) << scene.mechanism.name;
+}
+
+TEST(Refinement, IsRightToTheLastDigits) {
+  for (const LibraryMechanism& l : library()) expect_last_digits(library_scene(l.name));
+  for (const Case& definition : cases())
+    expect_last_digits(make_scene(definition, definition.sizes.front()));
 }
 
 /// Errors of single precision leave others of their square, which a second pass takes off.
 TEST(Refinement, IsRightToTheLastDigitsFromSinglePrecision) {
-  const int count = DESMO_SANITIZED ? 2 : 20;
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
-    const Errors errors = refine_all(make_model(scene), sampled(scene.grid, count), true);
-    EXPECT_EQ(errors.proven, count) << l.name;
-    for (const Level level : all_levels) EXPECT_LE(errors.share[level], 1) << l.name;
-  }
+  for (const LibraryMechanism& l : library()) expect_last_digits(library_scene(l.name), true);
 }
 
 /// Rates are linear, and found from zeros: also where nothing accelerates, or lengths alone do.
