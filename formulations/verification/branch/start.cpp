@@ -57,76 +57,59 @@ std::vector<int> free_angles(const Model& m) {
   return angles;
 }
 
-/// A way from 0 to 1, in whichever equations of overconstrained groups lead on.
-class Way {
- public:
-  Way(const Model& m, InitialResidual initial) : model_(&m), initial_(initial) {
-    path_ = std::make_unique<BranchPath>(m, BranchPath::max_tests, initial);
-  }
-
-  bool start_at(const CertifiedInstant& at) { return begun_ = path_->start_at(at); }
-
-  /// Chooses other equations at a place. Returns whether the way goes on by them.
-  bool choose(double share, std::span<const double> q) {
-    auto chosen = with_chosen_equations(*model_, q);
-    if (!chosen) return false;
-    auto path = std::make_unique<BranchPath>(*chosen, BranchPath::max_tests, initial_);
-    if (!path->start_at({share, {q, {}, {}}})) return false;
-    path_ = std::move(path);
-    chosen_ = std::move(chosen);
-    model_ = chosen_.get();
-    return begun_ = true;
-  }
-
-  const Model& model() const { return *model_; }
-  BranchPath& path() { return *path_; }
-  bool begun() const { return begun_; }
-
- private:
-  const Model* model_;
-  const InitialResidual initial_;
-  std::unique_ptr<const Model> chosen_;
-  std::unique_ptr<BranchPath> path_;
-  bool begun_ = false;
-};
-
 /// Follows a way from 0 to 1. found: begins at its positions, which are overwritten by the last
 /// proven ones. What is regular by other equations of an overconstrained group is no change point,
 /// so these are tried first. Each round goes on from another place, or passes a change point, or is
 /// the last one; and each counts as a test at least.
 FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, FoundStart& found) {
-  Way way(m, initial);
+  std::unique_ptr<const Model> chosen;  // other equations, by which the way goes on; null: none
+  auto path = std::make_unique<BranchPath>(m, BranchPath::max_tests, initial);
+  const auto model = [&]() -> const Model& { return chosen ? *chosen : m; };
+  const auto choose = [&] {
+    auto other = with_chosen_equations(model(), found.q);
+    if (!other) return false;
+    auto on = std::make_unique<BranchPath>(*other, BranchPath::max_tests, initial);
+    if (!on->start_at({found.share, {found.q, {}, {}}})) return false;
+    path = std::move(on);
+    chosen = std::move(other);
+    return true;
+  };
+  const auto take_positions = [&] {
+    const std::span<const double> q = path->present().values.position;
+    found.q.assign(q.begin(), q.end());
+  };
   FollowedStep step;
   int tests = 0;
   double chosen_at = -1;  // share at which other equations were asked for
-  const auto take_positions = [&] {
-    const std::span<const double> q = way.path().present().values.position;
-    found.q.assign(q.begin(), q.end());
-  };
   found.share = 0;
-  way.start_at({0, {found.q, {}, {}}});
+  bool begun = path->start_at({0, {found.q, {}, {}}});
   while (true) {
-    if (way.begun()) {
-      step = way.path().go_to(1);
+    if (begun) {
+      step = path->go_to(1);
       tests += std::max(1, step.tests);
       take_positions();
-      found.share = way.path().present().time;
+      found.share = path->present().time;
       if (step.end == PathEnd::same) break;
     }
     if (tests >= BranchPath::max_tests) break;
     const bool is_asked = std::exchange(chosen_at, found.share) == found.share;
-    if (!is_asked && way.choose(found.share, found.q)) continue;
-    if (!way.begun() || !may_pass) break;
+    if (!is_asked && choose()) {
+      begun = true;
+      continue;
+    }
+    if (!begun || !may_pass) break;
     const std::optional<PassedPoint> point =
-        pass_change_point(way.model(), way.path().present(), step.group);
-    if (!point || !(point->before < 1) || !way.start_at(point->beyond())) break;
+        pass_change_point(model(), path->present(), step.group);
+    if (!point || !(point->before < 1)) break;
+    begun = path->start_at(point->beyond());
+    if (!begun) break;
     found.passed.push_back(point->time);
   }
   step.tests = tests;
   step.out_of_tests = step.end == PathEnd::stuck && tests >= BranchPath::max_tests;
-  if (way.begun()) found.group = step.group;
+  if (begun) found.group = step.group;
   // The last step may have ended with digits to correct.
-  if (step.end == PathEnd::same && way.path().start_at({1, {found.q, {}, {}}})) take_positions();
+  if (step.end == PathEnd::same && path->start_at({1, {found.q, {}, {}}})) take_positions();
   return step;
 }
 
