@@ -131,9 +131,8 @@ Instant LiveRun::solved(double time) const {
 void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   const double begin = c.motions.lead_to(row);
-  const RefinedInstant* found = c.motions.has_begun() ? follow(row, begin, summary)
-                                : has_position_       ? go_on_lost(row, summary)
-                                                      : start(row, summary);
+  const RefinedInstant* found =
+      c.motions.has_begun() ? follow(row, begin, summary) : start(row, summary);
   if (!found) return;
   summary.condition = found->last.condition;
   c.scales->take(found->instant);
@@ -164,31 +163,28 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   if (summary.flag) summary.flag->time = row.time;
 }
 
-/// Goes from the drawing to the first row. Where no way leads there, the answer is what the
-/// formulation has found; null: it has found nothing, either.
+/// Goes to a row that no proven one comes before, the first one from the drawing. Where no way
+/// leads there, and after rows without a proof, the answer is what the formulation has found; null:
+/// it has found nothing, either.
 const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
-  c.lost.reset();
-  const FoundStart way = find_start(c.motions.model(), 0);
-  if (way.stage == FoundStart::Stage::reached) {
-    const std::vector<double> zeros(way.q.size());
-    const RefinedInstant& found =
-        c.follower->refinement.refine(instant_of(0, {way.q, zeros, zeros}, options_.level));
-    if (!way.passed.empty()) summary.flag = start_flag(RowFlag::Kind::crossing, way, row.time);
-    if (found.proven) return return_to(row.time, found, summary);
-  } else {
-    c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
+  const bool is_solved = summary.status == Status::solved;
+  if (!has_position_) {
+    c.lost.reset();
+    const FoundStart way = find_start(c.motions.model(), 0);
+    if (way.stage == FoundStart::Stage::reached) {
+      const std::vector<double> zeros(way.q.size());
+      const RefinedInstant& found =
+          c.follower->refinement.refine(instant_of(0, {way.q, zeros, zeros}, options_.level));
+      if (!way.passed.empty()) summary.flag = start_flag(RowFlag::Kind::crossing, way, row.time);
+      if (found.proven) return return_to(row.time, found, summary);
+    } else {
+      c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
+    }
+  } else if (is_solved && !c.lost) {  // on which branch that is, nobody knows
+    c.lost = {.kind = RowFlag::Kind::branch, .after = time_, .before = row.time};
   }
-  return summary.status == Status::solved ? &c.follower->refinement.refine(solved(0)) : nullptr;
-}
-
-/// Takes what the formulation has found after rows without a proof. On which branch it is, nobody
-/// knows.
-const RefinedInstant* LiveRun::go_on_lost(const LiveRow& row, const LiveSummary& summary) {
-  Checks& c = *checks_;
-  if (summary.status != Status::solved) return nullptr;
-  if (!c.lost) c.lost = {.kind = RowFlag::Kind::branch, .after = time_, .before = row.time};
-  return &c.follower->refinement.refine(solved(0));
+  return is_solved ? &c.follower->refinement.refine(solved(0)) : nullptr;
 }
 
 /// Follows the motion from the last proven row to this one. Where the formulation is elsewhere, or

@@ -142,7 +142,6 @@ class LiveRun {
   Instant solved(double time) const;
   void check(const LiveRow& row, LiveSummary& summary);
   const RefinedInstant* start(const LiveRow& row, LiveSummary& summary);
-  const RefinedInstant* go_on_lost(const LiveRow& row, const LiveSummary& summary);
   const RefinedInstant* follow(const LiveRow& row, double begin, LiveSummary& summary);
   const RefinedInstant* return_to(double time, const RefinedInstant& found, LiveSummary& summary);
   void keep(double time, const Instant& instant);
