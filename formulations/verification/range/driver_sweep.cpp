@@ -196,18 +196,14 @@ RangeEnd DriverSweep::run_from(Point point) {
       }
     }
     if (!next) return stuck_at(point, far);
-    if (forward(*next) <= 0) {
-      // Signs of B do not change at a dead point: a step across a gap is not one.
-      if (next->sign == point.sign)
-        if (auto dead =
-                find_dead_point(model(), curve(), point, far, length, direction_, accuracy)) {
-          turned_ = std::move(dead->after);
-          return std::move(dead->end);
-        }
-      if (again()) continue;
-      return stuck_at(point, far);
-    }
-    if (turns_twice(point, *next, length)) {
+    const bool turns = forward(*next) <= 0;
+    // Signs of B do not change at a dead point: a step across a gap is not one.
+    if (turns && next->sign == point.sign)
+      if (auto dead = find_dead_point(model(), curve(), point, far, length, direction_, accuracy)) {
+        turned_ = std::move(dead->after);
+        return std::move(dead->end);
+      }
+    if (turns || turns_twice(point, *next, length)) {
       if (again()) continue;
       return stuck_at(point, far);
     }
