@@ -83,9 +83,8 @@ TEST(StartFromRoughDrawing, KeepsTheHomotopysEquations) {
   const WholeSystem system(m);
   std::mt19937 generator(3);
   roughen(m, std::normal_distribution<double>(0, 0.02), generator);
-  std::vector<double> drawn = m.estimate, residual(system.rows());
-  drawn.insert(drawn.end(), m.fixed_values.begin(), m.fixed_values.end());
-  system.residual<double>(drawn, residual);
+  std::vector<double> residual(system.rows());
+  system.residual<double>(m.state_of(m.estimate), residual);
   std::vector<std::vector<double>> initial;
   int next = 0;
   for (const Constraint& c : m.constraints) {

@@ -23,8 +23,8 @@ double last_pivot(const Eigen::MatrixXd& rows) {
 
 /// Returns by how much the smallest pivot of all equations of a mechanism's largest group is more
 /// than that of the equations that are kept.
-double gain(const Model& m, std::vector<double> state) {
-  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+double gain(const Model& m, const std::vector<double>& q) {
+  const std::vector<double> state = m.state_of(q);
   Lineariser lineariser(m);
   double most = 0;
   for (const GroupSystem& s : group_systems(m)) {

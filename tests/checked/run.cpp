@@ -286,9 +286,7 @@ TEST(Gaps, AreFoundAtLateTimes) {
 
 TEST(Gaps, AreNotWhereAPositionExists) {
   const Model m = locking_four_bar(Polynomial{{dead_point}});
-  std::vector<double> state = m.estimate;
-  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
-  EXPECT_FALSE(find_assembly_error(m, state, {}));
+  EXPECT_FALSE(find_assembly_error(m, m.state_of(m.estimate), {}));
 }
 
 }  // namespace
