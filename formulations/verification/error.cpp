@@ -16,18 +16,6 @@ std::vector<Output> everything(const Model& m) {
 
 }  // namespace
 
-void ErrorSum::add(double error) {
-  max_ = std::max(max_, error);
-  squares_ += error * error;
-  ++compared_;
-}
-
-LevelError ErrorSum::result() const {
-  if (compared_ == 0) return {};
-  return {max_, std::isinf(max_) ? max_ : std::sqrt(squares_ / static_cast<double>(compared_)),
-          compared_};
-}
-
 ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> reference,
                            const Scales& scales)
     : ErrorMeasure(m, reference, scales, everything(m)) {}
@@ -48,7 +36,7 @@ Flow ErrorMeasure::observe(const Instant& instant) noexcept {
   while (next_ < reference_.size() && reference_[next_].time < instant.time) ++next_;
   if (next_ == reference_.size() || reference_[next_].time != instant.time) return Flow::go_on;
   const ReferenceInstant& r = reference_[next_++];
-  ++instants_;
+  ++so_far_.instants;
   compare(Level::position, instant.q, r.q, r.remainder.q);
   compare(Level::velocity, instant.qd, r.qd, r.remainder.qd);
   compare(Level::acceleration, instant.qdd, r.qdd, r.remainder.qdd);
@@ -67,14 +55,20 @@ void ErrorMeasure::compare(Level level, std::span<const double> found,
       const double error = relative(difference, o.scale[level]);
       squares += error * error;
     }
-    sums_[level].add(std::sqrt(squares));
+    LevelError& sum = so_far_[level];
+    const double error = std::sqrt(squares);  // no NaN: relative() returns none
+    sum.max = std::max(sum.max, error);
+    sum.rms += error * error;
+    ++sum.compared;
   }
 }
 
 SolutionError ErrorMeasure::error() const {
-  SolutionError e;
-  for (const Level level : all_levels) e[level] = sums_[level].result();
-  e.instants = instants_;
+  SolutionError e = so_far_;
+  for (const Level level : all_levels) {
+    auto& [max, rms, compared] = e[level];
+    if (compared > 0) rms = std::isinf(max) ? max : std::sqrt(rms / static_cast<double>(compared));
+  }
   return e;
 }
 

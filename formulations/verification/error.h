@@ -23,17 +23,6 @@ struct SolutionError : PerLevel<LevelError> {
   int instants = 0;  ///< instants compared
 };
 
-/// Accumulates maximum and root mean square of errors at one level.
-class ErrorSum {
- public:
-  void add(double error);  ///< error must not be NaN; relative() returns none
-  LevelError result() const;
-
- private:
-  double max_ = 0, squares_ = 0;
-  long compared_ = 0;
-};
-
 /// Observer that compares the instants of a run (Formulation::run) with a reference. Instants that
 /// the reference does not have are skipped. No heap memory is allocated.
 ///
@@ -71,9 +60,8 @@ class ErrorMeasure final : public Observer {
 
   std::span<const ReferenceInstant> reference_;
   std::vector<Compared> compared_;
-  int instants_ = 0;
   std::size_t next_ = 0;  // index of the next reference instant
-  PerLevel<ErrorSum> sums_;
+  SolutionError so_far_;  // with sums of squares in place of their roots
 };
 
 }  // namespace desmo
