@@ -18,18 +18,18 @@ constexpr double touching = 1e-5;  // a distance in which a determinant counts a
 
 }  // namespace
 
-std::optional<DoubleRoot> DoubleRootSearch::add(const Point& point, const Determinants& there,
-                                                double length) {
+std::optional<ChangePoint> DoubleRootSearch::add(const Point& point, const Determinants& there,
+                                                 double length) {
   since_ += length;
   // The middle of three points tells nothing where it lies next to one of them.
   if (last_.size() > 1 && since_ < last_.back().length / 2) return {};
   last_.push_back({point, std::exchange(since_, 0), there});
   if (last_.size() < 3) return {};
-  std::optional<DoubleRoot> found;
+  std::optional<ChangePoint> found;
   for (int block = 0; block < std::ssize(there.signs) && !found; ++block) {
     if (!may_have_root(block)) continue;
     if (const auto value = value_of_root(block, least(block)))
-      found = DoubleRoot{*value, determinants_.group(block)};
+      found = ChangePoint{*value, determinants_.group(block), true};
   }
   last_.erase(last_.begin());
   return found;

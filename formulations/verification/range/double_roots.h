@@ -5,19 +5,15 @@
 #include <vector>
 
 #include "formulations/verification/range/block_determinants.h"
+#include "formulations/verification/range/driver_range.h"
 #include "formulations/verification/range/solution_curve.h"
 
 namespace desmo {
 
-/// Double root of a determinant: a singular position at which it does not change its sign.
-struct DoubleRoot {
-  double value;  ///< the driver's
-  GroupId group;
-};
-
 /// A search for double roots of the determinants of irreducible blocks, point by point along a
-/// curve. There the square root of a determinant changes its sign like a line: of three points in a
-/// row the middle one tells whether it may. An evaluation costs a step.
+/// curve: for singular positions at which none changes its sign. There the square root of a
+/// determinant changes its sign like a line: of three points in a row the middle one tells whether
+/// it may. An evaluation costs a step.
 class DoubleRootSearch {
  public:
   /// Both must outlive the search.
@@ -32,8 +28,8 @@ class DoubleRootSearch {
   /// Adds the point that lies a length after the last one, and its determinants, none of which is
   /// zero or has changed its sign since then. Returns the first double root around the last point,
   /// to 1e-9 rad or characteristic lengths.
-  std::optional<DoubleRoot> add(const SolutionCurve::Point& point, const Determinants& there,
-                                double length);
+  std::optional<ChangePoint> add(const SolutionCurve::Point& point, const Determinants& there,
+                                 double length);
 
  private:
   struct Sample {

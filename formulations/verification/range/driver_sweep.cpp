@@ -151,11 +151,11 @@ std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point&
 /// the other direction.
 void DriverSweep::look_for_double_root(const Point& next, const Determinants& there,
                                        double length) {
-  if (const std::optional<DoubleRoot> root = followed_->double_roots.add(next, there, length))
+  if (const std::optional<ChangePoint> root = followed_->double_roots.add(next, there, length))
     if (direction_ * (root->value - curve().value(start_)) > -same * curve().scale() &&
         (change_points_.empty() ||
          std::abs(change_points_.back().value - root->value) > same * curve().scale()))
-      change_points_.push_back({root->value, root->group, true});
+      change_points_.push_back(*root);
 }
 
 RangeEnd DriverSweep::run() {
