@@ -167,8 +167,6 @@ TEST(ChangePoints, ShowInTheConditionNextToThem) {
   EXPECT_GT(s.condition, 1e6);
 }
 
-/// Drawn folded, Bennett's linkage keeps equations that are regular there. Drawn elsewhere it keeps
-/// others, which are not.
 /// Bennett's linkage, drawn on the other side of where the equations that are kept for that drawing
 /// are singular and all equations are not. No row is wrong without a flag.
 TEST(ChangePoints, OfKeptEquationsAloneLeadNobodyAstray) {
