@@ -1,5 +1,6 @@
-#include <algorithm>
-#include <utility>
+#include <array>
+#include <string>
+#include <vector>
 
 #include "cases/numbers/space.h"
 #include "formulations/modelling/equations/equation_writer.h"
@@ -46,18 +47,14 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
     w.derive<PlanarRelation<false, false>>(Origin::body, r.name, {r.target, w.vector(d.vector)}, c);
 }
 
-/// Calls f<T>() with T = terms, up to Most.
-template <int Most, class F>
-void with_terms(std::size_t terms, F&& f) {
-  [&]<int... T>(std::integer_sequence<int, T...>) {
-    ((terms == T ? f.template operator()<T>() : void()), ...);
-  }
-  (std::make_integer_sequence<int, Most + 1>{});
-}
-
 /// A line ends at the sum of itself and the origin, so that its term is its end and takes as
 /// much away from the origin.
 void relate_in_space(EquationWriter& w, const Relation& r) {
+  static constexpr std::array rigid{kind_index<Rigid<3, 0>>(), kind_index<Rigid<3, 1>>(),
+                                    kind_index<Rigid<3, 2>>(), kind_index<Rigid<3, 3>>()};
+  static constexpr std::array combination{
+      kind_index<Combination<3, 1>>(), kind_index<Combination<3, 2>>(),
+      kind_index<Combination<3, 3>>(), kind_index<Combination<3, 4>>()};
   const Basis& basis = r.body.basis;
   const std::vector<Derived> c = coefficients_in_space(w.mechanism, r.body, r.offset, r.magnitude);
   Derived of_origin = r.is_point() ? 1 : 0;
@@ -74,27 +71,17 @@ void relate_in_space(EquationWriter& w, const Relation& r) {
     terms.push_back(d.is_line() ? w.point(d.to) : w.vector(d.vector));
     coefficients.push_back(c[k]);
   }
-  if (r.is_point() && !has_lines)
-    return with_terms<3>(terms.size(), [&]<int T>() {
-      std::array<EntityId, T + 2> operands{r.target, w.point(basis.origin)};
-      std::array<Derived, T> values{};
-      std::copy_n(terms.begin(), T, operands.begin() + 2);
-      std::copy_n(coefficients.begin(), T, values.begin());
-      w.derive<Rigid<3, T>>(Origin::body, r.name, operands, values);
-    });
+  if (r.is_point() && !has_lines) {
+    terms.insert(terms.begin(), {r.target, w.point(basis.origin)});
+    return w.derive(Origin::body, r.name, rigid[coefficients.size()], terms, coefficients);
+  }
   if (!is_rounding(of_origin.value, 1)) {
     terms.insert(terms.begin(), w.point(basis.origin));
     coefficients.insert(coefficients.begin(), of_origin);
   }
-  with_terms<4>(terms.size(), [&]<int T>() {
-    if constexpr (T > 0) {
-      std::array<EntityId, T + 1> operands{r.target};
-      std::array<Derived, T> values{};
-      std::copy_n(terms.begin(), T, operands.begin() + 1);
-      std::copy_n(coefficients.begin(), T, values.begin());
-      w.derive<Combination<3, T>>(Origin::body, r.name, operands, values);
-    }
-  });
+  if (terms.empty()) return;
+  terms.insert(terms.begin(), r.target);
+  w.derive(Origin::body, r.name, combination[coefficients.size() - 1], terms, coefficients);
 }
 
 void relate(EquationWriter& w, const Relation& r) {

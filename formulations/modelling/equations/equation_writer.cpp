@@ -92,11 +92,18 @@ Candidates EquationWriter::release() {
   return {std::move(m), std::move(origins)};
 }
 
-void EquationWriter::add(Origin origin, Constraint made) {
-  made.group = no_position;
-  for (const EntityId e : made.operands)
+void EquationWriter::constrain(Origin origin, std::string name, int kind,
+                               std::span<const EntityId> operands,
+                               std::span<const Derived> dimensions, int derives) {
+  Constraint made{std::move(name), kind, {operands.begin(), operands.end()}, {}, no_position};
+  made.derives = derives;
+  for (const EntityId e : operands)
     made.group = std::max(made.group, coordinates_.model.entities.at(e).group);
   if (made.group < 0) return;
+  for (const Derived& d : dimensions) {
+    made.constants.push_back(d.value);
+    made.remainders.push_back(d.remainder());
+  }
   coordinates_.model.add(std::move(made));
   origins_.push_back(origin);
 }

@@ -41,8 +41,10 @@ class EquationWriter {
   /// is another one where the mechanism has that.
   EntityId add_variable(EntityKind kind, std::string name, std::span<const double> start, int body);
 
-  /// Adds an equation to the last group that solves for one of its operands. Adds nothing when all
-  /// operands are fixed.
+  /// Adds an equation of a kind, by its position, to the last group that solves for one of its
+  /// operands. Adds nothing when all operands are fixed.
+  void constrain(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
+                 std::span<const Derived> dimensions, int derives = no_position);
   template <class Kind>
   void constrain(Origin origin, std::string name,
                  const std::array<EntityId, Kind::operand_sizes.size()>& operands,
@@ -50,23 +52,16 @@ class EquationWriter {
     constrain(origin, std::move(name), kind_index<Kind>(), operands, dimensions);
   }
   /// Adds an equation that is explicit in an operand: a derivation, unless coordinates are natural.
+  void derive(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
+              std::span<const Derived> dimensions, int operand = 0) {
+    constrain(origin, std::move(name), kind, operands, dimensions,
+              coordinates_.model.modelling == Modelling::natural ? no_position : operand);
+  }
   template <class Kind>
   void derive(Origin origin, std::string name,
               const std::array<EntityId, Kind::operand_sizes.size()>& operands,
               const std::array<Derived, Kind::constants>& dimensions, int operand = 0) {
-    constrain(origin, std::move(name), kind_index<Kind>(), operands, dimensions,
-              coordinates_.model.modelling == Modelling::natural ? no_position : operand);
-  }
-  /// Adds an equation of a kind by its position, with as many dimensions as it reads.
-  void constrain(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
-                 std::span<const Derived> dimensions, int derives = no_position) {
-    Constraint made{std::move(name), kind, {operands.begin(), operands.end()}, {}, 0};
-    made.derives = derives;
-    for (const Derived& d : dimensions) {
-      made.constants.push_back(d.value);
-      made.remainders.push_back(d.remainder());
-    }
-    add(origin, std::move(made));
+    derive(origin, std::move(name), kind_index<Kind>(), operands, dimensions, operand);
   }
 
   /// Records the first scalar product of two directions. Returns whether this one needs an
@@ -80,8 +75,6 @@ class EquationWriter {
   Candidates release();
 
  private:
-  void add(Origin origin, Constraint constraint);
-
   using Key = std::array<int, 3>;
   Coordinates coordinates_;
   std::vector<Origin> origins_;  // source of each constraint
