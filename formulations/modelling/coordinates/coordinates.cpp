@@ -39,20 +39,6 @@ std::string common_prefix(const std::vector<std::string>& names) {
   return slash == std::string::npos ? "" : prefix.substr(0, slash + 1);
 }
 
-/// A generator of the paper's group names: SG-I, SG-II, …. The common prefix of the bodies' names,
-/// up to a "/", precedes the name: "axle1/SG-I".
-class GroupNames {
- public:
-  /// Returns the next name for a group with these bodies (at least one).
-  std::string next(const std::vector<std::string>& bodies) {
-    const std::string prefix = common_prefix(bodies);
-    return prefix + "SG-" + roman(++numbers_[prefix]);
-  }
-
- private:
-  std::map<std::string, int> numbers_;  // by prefix
-};
-
 using nominal::Vec;
 
 class Modeller {
@@ -130,8 +116,10 @@ class Modeller {
     }
   }
 
+  /// Groups are named as in the paper, SG-I, SG-II, …, after the common prefix of their bodies'
+  /// names: "axle1/SG-I".
   void add_groups() {
-    GroupNames names;
+    std::map<std::string, int> numbers;  // by prefix
     for (std::size_t position = 0; position < structure_.groups.size(); ++position) {
       const StructuralGroup& group = structure_.groups[position];
       std::vector<int> order;
@@ -140,8 +128,8 @@ class Modeller {
       std::ranges::sort(order);
       std::vector<std::string> bodies;
       for (const int b : order) bodies.push_back(d_.bodies[b].name);
-      const std::string name = names.next(bodies);
-      const GroupId g = m_.add_group(name, std::move(bodies));
+      const std::string prefix = common_prefix(bodies);
+      const GroupId g = m_.add_group(prefix + "SG-" + roman(++numbers[prefix]), std::move(bodies));
       for (const int a : group.after) m_.groups[g].after.push_back(constant_groups_ + a);
       for (const int b : order) add_entities(b, static_cast<int>(position), g);
       for (const int c : measured_by_[position]) {
