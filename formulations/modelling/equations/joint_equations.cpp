@@ -15,14 +15,15 @@ std::array<Derived, Kind::constants> kept(const EquationWriter& w, const Mechani
   return measured<Kind>(w.mechanism, magnitude, operands);
 }
 
-/// What slides stays at the same offset from the line along which it does.
-void keep_offset(EquationWriter& w, const Mechanism::Joint& j) {
-  w.constrain<Offset>(Origin::joint, j.name + ": offset",
-                      {w.vector(j.vectors[0]), w.point(j.points[0]), w.point(j.points[1])},
-                      kept<Offset>(w, j, w.reach, [&](const auto& drawing) {
-                        return std::array{drawing.vector(j.vectors[0]), drawing.point(j.points[0]),
-                                          drawing.point(j.points[1])};
-                      }));
+/// Keeps what slides at the same offset from the line along which it does, in the plane, or at the
+/// same distance from the plane through the first point.
+template <class Kind>
+void keep_off(EquationWriter& w, const Mechanism::Joint& j, const char* what) {
+  const int u = j.vectors[0], p = j.points[0], q = j.points[1];
+  w.constrain<Kind>(Origin::joint, j.name + what, {w.vector(u), w.point(p), w.point(q)},
+                    kept<Kind>(w, j, w.reach, [&](const auto& drawing) {
+                      return std::array{drawing.vector(u), drawing.point(p), drawing.point(q)};
+                    }));
 }
 
 /// The axes of a universal joint stay at the same angle.
@@ -36,17 +37,6 @@ void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
                         {w.vector(a.vector), w.vector(b.vector)}, product);
 }
 
-/// The second point stays at the same distance from the plane through the first.
-void keep_distance(EquationWriter& w, const Mechanism::Joint& j) {
-  w.constrain<Projection<3>>(Origin::joint, j.name + ": distance from the plane",
-                             {w.vector(j.vectors[0]), w.point(j.points[0]), w.point(j.points[1])},
-                             kept<Projection<3>>(w, j, w.reach, [&](const auto& drawing) {
-                               return std::array{drawing.vector(j.vectors[0]),
-                                                 drawing.point(j.points[0]),
-                                                 drawing.point(j.points[1])};
-                             }));
-}
-
 }  // namespace
 
 void write_joint_equations(EquationWriter& w) {
@@ -56,9 +46,10 @@ void write_joint_equations(EquationWriter& w) {
         (w.framed && w.framed->tree.is_of_tree[i]))
       continue;
     if (w.mechanism.dimension == 2) {
-      if (slides(j.type) && (w.framed || !declares_distance(w.mechanism, j))) keep_offset(w, j);
+      if (slides(j.type) && (w.framed || !declares_distance(w.mechanism, j)))
+        keep_off<Offset>(w, j, ": offset");
     } else if (find_joint_form(j.type, 3)->in_plane) {
-      keep_distance(w, j);
+      keep_off<Projection<3>>(w, j, ": distance from the plane");
     } else if (j.type == Mechanism::JointType::universal) {
       keep_angle(w, j);
     }
