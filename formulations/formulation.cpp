@@ -1,9 +1,9 @@
 #include "formulations/formulation.h"
 
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
+#include "cases/mechanism/formatted.h"
 #include "formulations/motion/internals.h"
 
 namespace desmo {
@@ -47,17 +47,13 @@ double Formulation::value(const std::string& name, Level level) const {
 }
 
 std::string describe(const Summary& s, const Model& m) {
-  char text[160];
-  if (s.ok()) {
-    std::snprintf(text, sizeof text, "converged: %ld instants, %ld iterations, residual %.2e",
-                  s.instants, s.iterations, s.residual);
-    return text;
-  }
+  if (s.ok())
+    return formatted("converged: %ld instants, %ld iterations, residual %.2e", s.instants,
+                     s.iterations, s.residual);
   const char* reason = s.status == Status::singular        ? "singular Jacobian"
                        : s.status == Status::not_converged ? "no convergence"
                                                            : "the equations are not finite";
-  std::snprintf(text, sizeof text, "%s at t = %.9g s, residual %.2e", reason, s.time, s.residual);
-  std::string result = text;
+  std::string result = formatted("%s at t = %.9g s, residual %.2e", reason, s.time, s.residual);
   if (s.group >= 0) result += ", group '" + m.groups[s.group].name + "'";
   if (s.constraint >= 0) {
     const Constraint& c = m.constraints[s.constraint];

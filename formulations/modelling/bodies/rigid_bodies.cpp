@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/disjoint_sets.h"
+#include "cases/mechanism/formatted.h"
 #include "cases/numbers/space.h"
 #include "formulations/modelling/bodies/drawing.h"
 
@@ -83,13 +83,12 @@ constexpr double shortest = 1e-152, longest = 1e152;
 
 void require_representable(double length, const std::string& body) {
   if (length == 0 || !std::isfinite(length) || (length >= shortest && length <= longest)) return;
-  char text[120];
-  std::snprintf(
-      text, sizeof text,
-      "': the square of a length of %.0e on it is beyond double precision; choose another "
-      "unit of length",
-      length);
-  throw std::invalid_argument("body '" + body + text);
+  throw std::invalid_argument(
+      "body '" + body +
+      formatted(
+          "': the square of a length of %.0e on it is beyond double precision; choose another "
+          "unit of length",
+          length));
 }
 
 /// Lists what bodies carry, each once, one rigid body after the other.
