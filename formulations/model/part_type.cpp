@@ -17,11 +17,6 @@ std::string local_name(const std::string& name) {
   return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-std::string component_name(const Entity& e, int component) {
-  if (e.size == 1) return local_name(e.name);
-  return local_name(e.name) + "." + component_letters(e.kind)[component];
-}
-
 }  // namespace
 
 PartType describe_type(const Model& m, const PartDefinition& part) {
@@ -41,7 +36,7 @@ PartType describe_type(const Model& m, const PartDefinition& part) {
       own.rows.push_back(part.equations[i].row);
       type.row_names.push_back(local_name(c.name));
     }
-    visit_kind(c.kind, [&](auto kind) { type.fingerprint += kind.name; });
+    type.fingerprint += constraint_kind_name(c.kind);
     if (static_cast<int>(own.rows.size()) < rows(c))
       for (const int row : own.rows) type.fingerprint += "." + std::to_string(row);
     type.fingerprint += '(';
@@ -50,7 +45,8 @@ PartType describe_type(const Model& m, const PartDefinition& part) {
       const auto [it, is_new] = first_input.try_emplace(id, static_cast<int>(type.inputs.size()));
       for (int k = 0; k < e.size; ++k) {
         if (is_new)
-          type.inputs.push_back({component_name(e, k), role(e, k), m.state_index(id) + k});
+          type.inputs.push_back(
+              {local_name(coordinate_name(m, id, e.first + k)), role(e, k), m.state_index(id) + k});
         type.fingerprint += "ukf"[static_cast<int>(role(e, k))];
       }
       own.operands.push_back(it->second);

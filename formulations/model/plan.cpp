@@ -158,8 +158,7 @@ std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
   for (const Output& output : outputs) is_output[output.entity] = true;
   const std::vector<EntityId> owner = entity_of_coordinate(whole);
   WideState<double> drawn(whole.state_size());
-  std::ranges::copy(whole.estimate, drawn.q.begin());
-  std::ranges::copy(whole.fixed_values, drawn.q.begin() + whole.coordinates());
+  drawn.q = whole.state_of(whole.estimate);
   for (std::size_t b = 0; b < up.blocks.size(); ++b) {
     Plan::GroupUse& use = uses[up.blocks[b].groups.front()];
     const int n = static_cast<int>(up.blocks[b].unknowns.size());
