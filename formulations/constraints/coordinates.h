@@ -60,11 +60,10 @@ struct Coupling : LinearKind<1> {
 /// dimensions {u, k, b} and the numbers of its table (table.h). Functions take f about an argument
 /// ξ in place of the table (constants_at()): c = {u, k, b, ξ, a₀ … a₃} with f = a₀ + a₁ τ + a₂ τ² +
 /// a₃ τ³ and τ = k s₂ − ξ.
-struct TableCoupling {
+struct TableCoupling : NonlinearKind<1> {
   static constexpr std::string_view name = "coupling_by_table";
   static constexpr std::array operand_sizes{1, 1};
-  static constexpr int constants = 8, rows = 1, entries = 2;
-  static constexpr bool linear = false;
+  static constexpr int constants = 8, entries = 2;
   static constexpr int table = 3;  ///< position of the table among a constraint's numbers
 
   template <class S>
@@ -109,11 +108,10 @@ struct TableCoupling {
 /// Distance s of points a, b: ‖b − a‖² − s² = 0. Operands a, b, s. It holds for −s as well, and
 /// does not determine ṡ at s = 0.
 template <int D>
-struct Distance {
+struct Distance : NonlinearKind<1> {
   static constexpr std::string_view name = D == 2 ? "distance2" : "distance3";
   static constexpr std::array operand_sizes{D, D, 1};
-  static constexpr int constants = 0, rows = 1, entries = 2 * D + 1;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 2 * D + 1;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -140,7 +138,7 @@ struct Distance {
 /// cos φ z·w − Sign sin φ x·w = 0. Operands x, z, then w, a vector or (Line) the points a, b
 /// with w = b − a, then φ. It holds modulo π; the initial estimate picks the branch.
 template <int Sign, bool Line>
-struct FrameAngle {
+struct FrameAngle : NonlinearKind<1> {
   static_assert(Sign == 1 || Sign == -1);
   static constexpr std::string_view name =
       Sign < 0 ? (Line ? "frame_angle" : "frame_angle_of_vector")
@@ -148,8 +146,7 @@ struct FrameAngle {
   /// Index of operand φ.
   static constexpr int angle = 2 + vec::direction_operands<Line>;
   static constexpr auto operand_sizes = vec::sizes_and_scalar<angle>(3);
-  static constexpr int constants = 0, rows = 1, entries = 3 * angle + 1;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 3 * angle + 1;
 
   template <class S>
   static void residual(const S* const* q, const S*, S* phi) {

@@ -13,11 +13,10 @@ namespace desmo {
 
 /// Distance along a vector: b − a − s d = 0, D equations. Operands a, b, d, s.
 template <int D>
-struct Along {
+struct Along : NonlinearKind<D> {
   static constexpr std::string_view name = D == 2 ? "along2" : "along3";
   static constexpr std::array operand_sizes{D, D, D, 1};
-  static constexpr int constants = 0, rows = D, entries = 4 * D;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 4 * D;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -40,11 +39,10 @@ struct Along {
 
 /// Planar point p at a constant distance, to the left when positive, from the line through o along
 /// the unit vector u: u × (p − o) − c = 0. Operands u, o, p; c = {distance}.
-struct Offset {
+struct Offset : NonlinearKind<1> {
   static constexpr std::string_view name = "offset";
   static constexpr std::array operand_sizes{2, 2, 2};
-  static constexpr int constants = 1, rows = 1, entries = 6;
-  static constexpr bool linear = false;
+  static constexpr int constants = 1, entries = 6;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {

@@ -13,11 +13,10 @@ namespace desmo {
 
 /// Angle θ of a plane line from the x axis: b − a − L (cos θ, sin θ) = 0, two equations.
 /// Operands a, b, θ; c = {L}.
-struct PlanarAngle {
+struct PlanarAngle : NonlinearKind<2> {
   static constexpr std::string_view name = "planar_angle";
   static constexpr std::array operand_sizes{2, 2, 1};
-  static constexpr int constants = 1, rows = 2, entries = 6;
-  static constexpr bool linear = false;
+  static constexpr int constants = 1, entries = 6;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
@@ -51,11 +50,10 @@ struct PlanarAngle {
 
 /// Angle θ of a plane unit vector from the x axis: u − (cos θ, sin θ) = 0, two equations. Operands
 /// u, θ. It makes u a unit vector, too.
-struct PlanarDirection {
+struct PlanarDirection : NonlinearKind<2> {
   static constexpr std::string_view name = "planar_direction";
   static constexpr std::array operand_sizes{2, 1};
-  static constexpr int constants = 0, rows = 2, entries = 4;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 4;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -161,18 +159,17 @@ struct AngleOperands {
 /// Angle θ of a plane direction d from a direction e, counter-clockwise: d − r R(θ) e = 0, two
 /// equations. R(θ) turns by θ; c = {r}, the constant ratio ‖d‖/‖e‖.
 template <Between between>
-struct PlanarTurn : vec::AngleOperands<between> {
+struct PlanarTurn : NonlinearKind<2>, vec::AngleOperands<between> {
   using Operands = vec::AngleOperands<between>;
   using Operands::theta;
   static constexpr std::string_view name = std::array<std::string_view, 5>{
       "planar_turn_vector_from_vector", "planar_turn_vector_from_segment",
       "planar_turn_segment_from_vector", "planar_turn_segment_from_segment",
       "planar_turn_at_point"}[static_cast<int>(between)];
-  static constexpr int constants = 1, rows = 2;
+  static constexpr int constants = 1;
   static constexpr int entries =
       2 * ((Operands::of_line ? 2 : 1) + (Operands::from_line ? 4 : 2) + 1) -
       (Operands::at_point ? 2 : 0);
-  static constexpr bool linear = false;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {

@@ -12,11 +12,10 @@ namespace desmo {
 
 /// Points a, b at constant distance: ‖b − a‖² − L² = 0.   c = {L²}
 template <int D>
-struct Length {
+struct Length : NonlinearKind<1> {
   static constexpr std::string_view name = D == 2 ? "length2" : "length3";
   static constexpr std::array operand_sizes{D, D};
-  static constexpr int constants = 1, rows = 1, entries = 2 * D;
-  static constexpr bool linear = false;
+  static constexpr int constants = 1, entries = 2 * D;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
@@ -45,11 +44,10 @@ struct Length {
 
 /// Unit vector u: u·u − 1 = 0. With D = 4, the norm of Euler parameters.
 template <int D>
-struct Unit {
+struct Unit : NonlinearKind<1> {
   static constexpr std::string_view name = D == 2 ? "unit2" : D == 3 ? "unit3" : "unit4";
   static constexpr std::array operand_sizes{D};
-  static constexpr int constants = 0, rows = 1, entries = D;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = D;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -67,11 +65,10 @@ struct Unit {
 
 /// Vectors u, v at a constant angle: u·v − c = 0.   c = {cosine of the angle}
 template <int D>
-struct Dot {
+struct Dot : NonlinearKind<1> {
   static constexpr std::string_view name = D == 2 ? "dot2" : "dot3";
   static constexpr std::array operand_sizes{D, D};
-  static constexpr int constants = 1, rows = 1, entries = 2 * D;
-  static constexpr bool linear = false;
+  static constexpr int constants = 1, entries = 2 * D;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
@@ -96,11 +93,10 @@ struct Dot {
 
 /// Vector u and points a, b with constant projection: u·(b − a) − c = 0.   c = {projection}
 template <int D>
-struct Projection {
+struct Projection : NonlinearKind<1> {
   static constexpr std::string_view name = D == 2 ? "projection2" : "projection3";
   static constexpr std::array operand_sizes{D, D, D};
-  static constexpr int constants = 1, rows = 1, entries = 3 * D;
-  static constexpr bool linear = false;
+  static constexpr int constants = 1, entries = 3 * D;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {

@@ -49,12 +49,11 @@ std::array<S, 3> euler_axis(const S* e, const S* d) {
 /// Vector v, the direction Sign f turned by θ towards g: v − Sign cos θ f − sin θ g = 0. Operands
 /// v, f, g, θ.
 template <int Sign>
-struct Turned {
+struct Turned : NonlinearKind<3> {
   static_assert(Sign == 1 || Sign == -1);
   static constexpr std::string_view name = Sign > 0 ? "turned" : "turned_opposite";
   static constexpr std::array operand_sizes{3, 3, 3, 1};
-  static constexpr int constants = 0, rows = 3, entries = 12;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 12;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -84,11 +83,10 @@ struct Turned {
 };
 
 /// Vector w, the product of two others: w − u × v = 0. Operands w, u, v.
-struct Cross {
+struct Cross : NonlinearKind<3> {
   static constexpr std::string_view name = "cross";
   static constexpr std::array operand_sizes{3, 3, 3};
-  static constexpr int constants = 0, rows = 3, entries = 15;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 15;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -116,11 +114,10 @@ struct Cross {
 /// Axis k of a frame that Euler parameters turn from the axes of space: x − a_k(e) = 0. Operands x,
 /// e.
 template <int k>
-struct EulerAxis {
+struct EulerAxis : NonlinearKind<3> {
   static constexpr std::string_view name = k == 0 ? "euler_axis_x" : "euler_axis_y";
   static constexpr std::array operand_sizes{3, 4};
-  static constexpr int constants = 0, rows = 3, entries = 15;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 15;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -145,11 +142,10 @@ struct EulerAxis {
 /// Axis k of a frame that Euler parameters turn from a triad: x − [X Y Z] a_k(e) = 0. Operands x,
 /// X, Y, Z, e.
 template <int k>
-struct EulerAxisOn {
+struct EulerAxisOn : NonlinearKind<3> {
   static constexpr std::string_view name = k == 0 ? "euler_axis_x_on" : "euler_axis_y_on";
   static constexpr std::array operand_sizes{3, 3, 3, 3, 4};
-  static constexpr int constants = 0, rows = 3, entries = 24;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 24;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {

@@ -18,11 +18,10 @@ namespace desmo {
 
 /// Distance s from a to b along the unit vector u: u·(b − a) − s = 0. Operands a, b, u, s.
 template <int D>
-struct Reach {
+struct Reach : NonlinearKind<1> {
   static constexpr std::string_view name = D == 2 ? "reach2" : "reach3";
   static constexpr std::array operand_sizes{D, D, D, 1};
-  static constexpr int constants = 0, rows = 1, entries = 3 * D + 1;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 3 * D + 1;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -77,12 +76,11 @@ struct Parallel {
 /// Angle θ of a plane direction d from the x axis: (cos θ, sin θ) × d = 0. Operands d, θ. The
 /// direction is a vector or, with Line, the points a, b with d = b − a. It holds modulo π.
 template <bool Line>
-struct PlanarBearing {
+struct PlanarBearing : NonlinearKind<1> {
   static constexpr std::string_view name = Line ? "planar_bearing" : "planar_bearing_of_vector";
   static constexpr int theta = vec::direction_operands<Line>;
   static constexpr auto operand_sizes = vec::sizes_and_scalar<theta>(2);
-  static constexpr int constants = 0, rows = 1, entries = 2 * theta + 1;
-  static constexpr bool linear = false;
+  static constexpr int constants = 0, entries = 2 * theta + 1;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -113,15 +111,14 @@ struct PlanarBearing {
 /// Angle θ of a plane direction d from a direction e, counter-clockwise: r R(θ) e × d = 0.
 /// Operands, r and R(θ) as in PlanarTurn; c = {r}. It holds modulo π.
 template <Between between>
-struct PlanarBearingFrom : vec::AngleOperands<between> {
+struct PlanarBearingFrom : NonlinearKind<1>, vec::AngleOperands<between> {
   using Operands = vec::AngleOperands<between>;
   using Operands::theta;
   static constexpr std::string_view name = std::array<std::string_view, 5>{
       "planar_bearing_vector_from_vector", "planar_bearing_vector_from_segment",
       "planar_bearing_segment_from_vector", "planar_bearing_segment_from_segment",
       "planar_bearing_at_point"}[static_cast<int>(between)];
-  static constexpr int constants = 1, rows = 1, entries = 2 * theta + 1;
-  static constexpr bool linear = false;
+  static constexpr int constants = 1, entries = 2 * theta + 1;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {

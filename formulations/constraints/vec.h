@@ -82,4 +82,11 @@ struct LinearKind {
   }
 };
 
+/// The common part of all others.
+template <int Rows>
+struct NonlinearKind {
+  static constexpr int rows = Rows;
+  static constexpr bool linear = false;
+};
+
 }  // namespace desmo
