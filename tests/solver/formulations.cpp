@@ -164,14 +164,5 @@ TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
 INSTANTIATE_TEST_SUITE_P(Table, EveryFormulation, testing::ValuesIn(tested_variants()),
                          EveryVariant::name);
 
-TEST(Variants, TableHoldsEveryPointOfTheDesign) {
-  for (const char* id : {"global_automatic_klu", "global_symbolic_klu", "group_automatic_lapack",
-                         "group_symbolic_lapack", "group_symbolic_eigen", "group_symbolic_inlined",
-                         "group_symbolic_explicit", "block_automatic_klu", "block_symbolic_inlined",
-                         "block_symbolic_explicit"})
-    EXPECT_EQ(find_variant(id).id, id);
-  EXPECT_THROW(find_variant("group_symbolic_ma57"), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace desmo::formulations_test
