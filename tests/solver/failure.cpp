@@ -133,15 +133,6 @@ TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
   }
 }
 
-TEST(Settings, ThatCannotEndAreRefused) {
-  const Model m = four_bar_model(1);
-  const Variant& v = variants().front();
-  EXPECT_THROW(make_formulation(v, m, Settings{0, 25}), std::invalid_argument);
-  EXPECT_THROW(make_formulation(v, m, Settings{NAN, 25}), std::invalid_argument);
-  EXPECT_THROW(make_formulation(v, m, Settings{1e-10, 0}), std::invalid_argument);
-  EXPECT_THROW(make_formulation(v, m, Settings{.fixed_iterations = -1}), std::invalid_argument);
-}
-
 INSTANTIATE_TEST_SUITE_P(Table, EveryFailure, testing::ValuesIn(tested_variants()),
                          EveryVariant::name);
 

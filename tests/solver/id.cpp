@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "tests/contains.h"
@@ -106,14 +107,18 @@ TEST(Id, SaysWhatIsWrong) {
     EXPECT_CONTAINS(refusal([&] { parse_id(id); }), message) << id;
 }
 
-TEST(Id, WhatIsNotApplicableIsNotMade) {
+TEST(Settings, ThatAreNotOfferedOrCannotEndAreRefused) {
   const Model m = four_bar_model(1);
-  for (const Settings& wrong : {Settings{.stride = 65}, {.threads = 0}, {.lanes = 4}})
-    EXPECT_THROW(make_formulation(find_variant("group_symbolic_klu"), m, wrong),
+  for (const Settings& wrong : {Settings{.stride = 65},
+                                {.threads = 0},
+                                {.lanes = 4},
+                                {.jacobian = JacobianUpdate::step},
+                                {.tolerance = 0},
+                                {.tolerance = NAN},
+                                {.max_iterations = 0},
+                                {.fixed_iterations = -1}})
+    EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, wrong),
                  std::invalid_argument);
-  EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m,
-                                {.jacobian = JacobianUpdate::step}),
-               std::invalid_argument);
 }
 
 }  // namespace
