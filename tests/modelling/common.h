@@ -41,8 +41,7 @@ inline std::vector<Stated> equations_of(const Model& m, GroupId g) {
   std::vector<Stated> result;
   for (const Constraint& c : m.constraints) {
     if (c.group != g || kept_rows(c) == 0) continue;
-    Stated s{{}, {}, c.constants};
-    visit_kind(c.kind, [&](auto kind) { s.kind = kind.name; });
+    Stated s{std::string(constraint_kind_name(c.kind)), {}, c.constants};
     for (const EntityId e : c.operands) s.operands.push_back(m.entities[e].name);
     result.push_back(canonical(std::move(s)));
   }

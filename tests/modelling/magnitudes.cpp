@@ -27,11 +27,7 @@ Model in_unit(Model m, double unit) {
   };
   for (const Entity& e : m.entities) stretch(e, e.fixed ? m.fixed_values : m.estimate);
   for (Constraint& c : m.constraints) {
-    const std::string name = [&] {
-      std::string found;
-      visit_kind(c.kind, [&](auto kind) { found = kind.name; });
-      return found;
-    }();
+    const std::string_view name = constraint_kind_name(c.kind);
     const auto has = [&](const char* start) { return name.starts_with(start); };
     const bool of_point = m.entities[c.operands.front()].kind == EntityKind::point;
     const double by = has("length") ? unit * unit

@@ -13,15 +13,12 @@
 #include "bench/experiments/paper/case_candidate.h"
 #include "formulations/algebra/coinhsl.h"
 #include "formulations/id.h"
+#include "tests/contains.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::ma27_test {
 namespace {
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Formulations by MA27, in a process that finds the library (see tests/CMakeLists.txt).
 class Ma27 : public testing::Test {
@@ -84,8 +81,8 @@ TEST(CoinHsl, SaysWhatALibraryDoesNotServeFor) {
   for (const auto& [file, reason] : libraries) {
     const Absence absence = load_coinhsl(file).absence;
     EXPECT_TRUE(absence.faulty) << file;
-    EXPECT_TRUE(says(absence.reason, file)) << absence.reason;
-    EXPECT_TRUE(says(absence.reason, reason)) << absence.reason;
+    EXPECT_CONTAINS(absence.reason, file);
+    EXPECT_CONTAINS(absence.reason, reason);
   }
 }
 
@@ -99,7 +96,7 @@ TEST(CoinHsl, IsLookedForByItsUsualNames) {
   }
   EXPECT_FALSE(usual.absence.faulty) << usual.absence.reason;
   for (const char* name : {"libcoinhsl.so", "libhsl.so", coinhsl_variable})
-    EXPECT_TRUE(says(usual.absence.reason, name)) << usual.absence.reason;
+    EXPECT_CONTAINS(usual.absence.reason, name);
 }
 
 }  // namespace
