@@ -7,15 +7,6 @@
 
 namespace desmo {
 
-namespace {
-
-void clear_rates(State& state) {
-  std::ranges::fill(state.qd, 0.0);
-  std::ranges::fill(state.qdd, 0.0);
-}
-
-}  // namespace
-
 Summary TimeStepping::do_step(double t, Level level) {
   set_read_outside({});
   return assemble_or_step(t, level);
@@ -46,13 +37,20 @@ Summary TimeStepping::do_assemble(double t, Level level) {
   return assemble_from_estimate(t, level);
 }
 
+/// Makes positions q those of both instants, at rest; forgets what was solved.
+void TimeStepping::begin_at(std::span<const double> q) {
+  for (State* s : {&now_.state, &before_.state}) {
+    std::ranges::copy(q.first(std::min(q.size(), s->q.size())), s->q.begin());
+    std::ranges::copy(model().fixed_values, s->q.begin() + model().coordinates());
+    std::ranges::fill(s->qd, 0.0);
+    std::ranges::fill(s->qdd, 0.0);
+  }
+  forget();
+}
+
 Summary TimeStepping::assemble_from_estimate(double t, Level level) {
   State &state = now_.state, &last = before_.state;
-  std::ranges::copy(model().estimate, state.q.begin());
-  std::ranges::copy(model().fixed_values, state.q.begin() + model().coordinates());
-  for (State* s : {&state, &last}) clear_rates(*s);
-  std::ranges::copy(state.q, last.q.begin());
-  forget();
+  begin_at(model().estimate);
   assembled_ = false;
   failure_.part = -1;
   const PartSequence::Result constant = sequence_.solve_constant(state, last.q, level);
@@ -103,12 +101,7 @@ ContinuationEnd TimeStepping::lead_drivers_to(double t) {
 bool TimeStepping::start_at(std::span<const double> q, double t) {
   set_read_outside({});
   State &state = now_.state, &last = before_.state;
-  for (State* s : {&state, &last}) {
-    std::ranges::copy(q.first(std::min(q.size(), s->q.size())), s->q.begin());
-    std::ranges::copy(model().fixed_values, s->q.begin() + model().coordinates());
-    clear_rates(*s);
-  }
-  forget();
+  begin_at(q);
   assembled_ = lead_drivers_to(t) == ContinuationEnd::reached;
   if (!assembled_) return false;
   now_.time = t;
