@@ -271,11 +271,6 @@ JudgedPositions assembled(const Model& m, std::vector<GroupSystem>& systems,
   return positions;
 }
 
-/// Returns whether a group follows its drivers.
-bool follows(const GroupSystem& s, const JudgedJacobians& jacobians) {
-  return mobility(s, jacobians) >= s.drivers();
-}
-
 }  // namespace
 
 JudgedPositions assemble_positions(const Model& m, std::vector<GroupSystem>& systems,
@@ -287,7 +282,8 @@ JudgedPositions assemble_positions(const Model& m, std::vector<GroupSystem>& sys
     const JudgedJacobians jacobians = judged_jacobians(s, positions, linearisers);
     GroupSystem nearly = s;
     nearly.dependent_below = max_misfit;
-    if (follows(s, jacobians) || !follows(nearly, jacobians)) continue;
+    if (mobility(s, jacobians) >= s.drivers() || mobility(nearly, jacobians) < s.drivers())
+      continue;
     s = nearly;
     again = true;
   }
