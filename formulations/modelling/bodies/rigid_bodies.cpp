@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/disjoint_sets.h"
@@ -91,19 +90,15 @@ void require_representable(double length, const std::string& body) {
           length));
 }
 
-/// Lists what bodies carry, each once, one rigid body after the other.
-class Carried {
- public:
-  explicit Carried(std::size_t count) : last_(count, -1) {}
-
-  void add(const std::vector<int>& carried, int rigid_body, std::vector<int>& list) {
-    for (const int x : carried)
-      if (std::exchange(last_[x], rigid_body) != rigid_body) list.push_back(x);
+/// Lists what a body of a rigid body carries, each once, and the rigid body with each.
+void list_carried(const std::vector<int>& carried, int rigid_body, std::vector<int>& list,
+                  std::vector<std::vector<int>>& carriers) {
+  for (const int x : carried) {
+    if (!carriers[x].empty() && carriers[x].back() == rigid_body) continue;
+    carriers[x].push_back(rigid_body);
+    list.push_back(x);
   }
-
- private:
-  std::vector<int> last_;  // rigid body that each was listed for
-};
+}
 
 /// For each body the first of those that it moves with.
 std::vector<int> merge_fixed(const Mechanism& d) {
@@ -218,17 +213,14 @@ RigidBodies find_rigid_bodies(const Mechanism& d) {
   }
   rigid.of_point.resize(d.points.size());
   rigid.of_vector.resize(d.vectors.size());
-  Carried points(d.points.size()), vectors(d.vectors.size());
   for (int r = 0; r < static_cast<int>(rigid.list.size()); ++r) {
     RigidBody& body = rigid.list[r];
     for (const int b : body.bodies) {
       const Mechanism::Body& part = d.bodies[b];
-      points.add(part.points, r, body.points);
-      vectors.add(part.vectors, r, body.vectors);
+      list_carried(part.points, r, body.points, rigid.of_point);
+      list_carried(part.vectors, r, body.vectors, rigid.of_vector);
     }
     find_shape(d, body);
-    for (const int p : body.points) rigid.of_point[p].push_back(r);
-    for (const int v : body.vectors) rigid.of_vector[v].push_back(r);
     if (r == 0) continue;
     body.basis = choose_basis(d, body);
     require_same_hand(d, body);
