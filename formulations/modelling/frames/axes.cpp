@@ -57,19 +57,18 @@ std::array<Exact, 3> AxisMaker::own_axes(int body) const {
   return {x, y, cross(x, y)};
 }
 
-int AxisMaker::axis(int body, const Exact& direction, const std::string& name) {
+int AxisMaker::axis(int body, const Exact& direction, const char* what) {
   for (const int v : framed_.frames[body].axes)
     if (v >= 0 && are_same(own(body, v), direction)) return v;
   for (const int v : framed_.rigid.list[body].vectors)
     if (framed_.deriving_vector[v] == body && are_same(own(body, v), direction)) return v;
-  return add_vector(body, direction, name);
+  return add_vector(body, direction, what);
 }
 
 std::pair<int, int> AxisMaker::normals(int body, int vector) {
   const auto [at, is_new] = normals_.try_emplace({body, vector});
   if (!is_new) return at->second;
   const Exact u = own(body, vector);
-  const std::string name = framed_.mechanism.bodies[framed_.rigid.list[body].bodies.front()].name;
   // An axis of the frame that is normal to u; or what is normal to u of the one farthest from it.
   std::array<Exact, 3> axes = own_axes(body);
   for (std::size_t k = 0; k < axes.size(); ++k)
@@ -78,16 +77,16 @@ std::pair<int, int> AxisMaker::normals(int body, int vector) {
   for (const Exact& axis : axes)
     if (std::abs(dot(axis, u).value) < std::abs(dot(n, u).value)) n = axis;
   if (!are_normal(n, u)) n = unit(across(n, u));
-  const int first = axis(body, n, name + "/normal");
-  return at->second = {first, axis(body, cross(u, n), name + "/normal")};
+  const int first = axis(body, n, "normal");
+  return at->second = {first, axis(body, cross(u, n), "normal")};
 }
 
-int AxisMaker::add_vector(int body, const Exact& own, const std::string& name) {
+int AxisMaker::add_vector(int body, const Exact& own, const char* what) {
   Mechanism& d = framed_.mechanism;
   RigidBody& rigid = framed_.rigid.list[body];
   const int v = static_cast<int>(d.vectors.size());
   Mechanism::Vector& made = d.vectors.emplace_back();
-  made.name = unique(name);
+  made.name = unique_name(body, what);
   const Exact along = drawn(body, own);
   for (int i = 0; i < 3; ++i) {
     const Derived x = along[i].rounded();
@@ -102,11 +101,12 @@ int AxisMaker::add_vector(int body, const Exact& own, const std::string& name) {
   return v;
 }
 
-int AxisMaker::add_point(int body, int place, const std::string& name) {
+int AxisMaker::add_point(int body, int place, const char* what) {
   Mechanism& d = framed_.mechanism;
   RigidBody& rigid = framed_.rigid.list[body];
   const int p = static_cast<int>(d.points.size());
-  d.points.push_back({unique(name), d.points[place].position, d.points[place].remainder});
+  d.points.push_back(
+      {unique_name(body, what), d.points[place].position, d.points[place].remainder});
   d.bodies[rigid.bodies.front()].points.push_back(p);
   rigid.points.push_back(p);
   if (rigid.has_shape()) rigid.own_points[p] = rigid.own_points.at(place);
@@ -138,8 +138,10 @@ Exact AxisMaker::drawn(int body, const Exact& own) const {
   return result;
 }
 
-std::string AxisMaker::unique(std::string name) {
-  const std::string base = name;
+std::string AxisMaker::unique_name(int body, const char* what) {
+  const int first = framed_.rigid.list[body].bodies.front();
+  const std::string base = framed_.mechanism.bodies[first].name + "/" + what;
+  std::string name = base;
   for (int n = 2; !names_.insert(name).second; ++n) name = base + " " + std::to_string(n);
   return name;
 }

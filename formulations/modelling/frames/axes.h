@@ -34,20 +34,20 @@ class AxisMaker {
   std::array<Exact, 3> own_axes(int body) const;
 
   /// Returns an axis of the body's frame, or a vector that the body derives, with a direction. Adds
-  /// one, with the name or a similar one, where there is none.
-  int axis(int body, const Exact& direction, const std::string& name);
+  /// one, named `<body>/<what>` or similarly, where there is none.
+  int axis(int body, const Exact& direction, const char* what);
 
   /// Returns the indices of n₁ and n₂ = u × n₁, at right angles to each other and to u, a `vector`
   /// of the body. Adds those that the body has not.
   std::pair<int, int> normals(int body, int vector);
 
   /// Adds a point to a body, in the place of another one.
-  int add_point(int body, int place, const std::string& name);
+  int add_point(int body, int place, const char* what);
 
  private:
-  int add_vector(int body, const Exact& own, const std::string& name);
+  int add_vector(int body, const Exact& own, const char* what);
   Exact drawn(int body, const Exact& own) const;
-  std::string unique(std::string name);
+  std::string unique_name(int body, const char* what);
 
   FramedMechanism& framed_;
   std::set<std::string> names_;

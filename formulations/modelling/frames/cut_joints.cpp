@@ -16,10 +16,6 @@ namespace desmo {
 
 namespace {
 
-std::string normal_name(const FramedMechanism& framed, int r) {
-  return framed.mechanism.bodies[framed.rigid.list[r].bodies.front()].name + "/normal";
-}
-
 /// The sine between two shared vectors above which the second one tells more than the first.
 constexpr double min_sine = 1e-6;
 
@@ -38,7 +34,7 @@ void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
     const AxisMaker::Exact u = axes.own(r, v);
     const auto before = std::ranges::find(closed, other, &std::pair<int, int>::first);
     if (framed.mechanism.dimension == 2) {
-      framed.vectors.push_back({v, axes.axis(r, cross({0, 0, 1}, u), normal_name(framed, r))});
+      framed.vectors.push_back({v, axes.axis(r, cross({0, 0, 1}, u), "normal")});
     } else if (before == closed.end()) {
       const auto [first, second] = axes.normals(r, v);
       framed.vectors.push_back({v, first});
@@ -46,7 +42,7 @@ void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
     } else {
       const AxisMaker::Exact normal = cross(axes.own(r, before->second), u);
       if (!(sqrt(dot(normal, normal)).value > min_sine)) continue;
-      framed.vectors.push_back({v, axes.axis(r, unit(normal), normal_name(framed, r))});
+      framed.vectors.push_back({v, axes.axis(r, unit(normal), "normal")});
     }
     closed.emplace_back(other, v);
   }

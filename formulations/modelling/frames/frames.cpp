@@ -53,10 +53,6 @@ class FramePlanner {
     return basis;
   }
 
-  std::string name(int r, const char* what) const {
-    return d_.bodies[rigid_.list[r].bodies.front()].name + "/" + what;
-  }
-
   // ---- Frames, joint by joint of the tree ----
 
   void plan_frame(int r) {
@@ -89,7 +85,7 @@ class FramePlanner {
     const TreeJoint& hanging = framed_.tree.hanging[r];
     const bool moves = hanging.joint >= 0 && slides(d_.joints[hanging.joint].type);
     framed_.frames[r].origin = of_its_own || (moves && framed_.deriving[point] != r)
-                                   ? axes_.add_point(r, point, name(r, "origin"))
+                                   ? axes_.add_point(r, point, "origin")
                                    : point;
   }
 
@@ -112,10 +108,10 @@ class FramePlanner {
       from = d_.coordinates[frame.angle].from;
     }
     if (from.is_given())
-      frame.from = axes_.axis(parent, unit(axes_.own(parent, from)), name(parent, "axis"));
+      frame.from = axes_.axis(parent, unit(axes_.own(parent, from)), "axis");
     else if (parent != 0)
       frame.from = framed_.frames[parent].axes[0];
-    frame.axes[0] = axes_.axis(r, unit(axes_.own(r, lead)), name(r, "x"));
+    frame.axes[0] = axes_.axis(r, unit(axes_.own(r, lead)), "x");
     frame.first_angle = bearing(frame.axes[0]) - (frame.from < 0 ? 0 : bearing(frame.from));
   }
 
@@ -141,8 +137,7 @@ class FramePlanner {
       std::tie(frame.from, frame.towards) = axes_.normals(parent, u);
     }
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
-    frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, cross(axis, lead), name(r, "y")),
-                  u};
+    frame.axes = {axes_.axis(r, lead, "x"), axes_.axis(r, cross(axis, lead), "y"), u};
     const Vec &x = direction(frame.axes[0]), &f = direction(frame.from),
               &g = direction(frame.towards);
     frame.first_angle = std::atan2(dot(x, g), frame.opposite ? -dot(x, f) : dot(x, f));
@@ -156,8 +151,8 @@ class FramePlanner {
     const Exact axis = axes_.own(r, b);
     Exact lead = nearest_to_normal(r, axis);
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
-    frame.axes = {axes_.axis(r, lead, name(r, "x")), axes_.axis(r, cross(axis, lead), name(r, "y")),
-                  axes_.axis(r, axis, name(r, "z"))};
+    frame.axes = {axes_.axis(r, lead, "x"), axes_.axis(r, cross(axis, lead), "y"),
+                  axes_.axis(r, axis, "z")};
     const Vec &of_parent = direction(a), &of_body = direction(frame.axes[2]),
               &x = direction(frame.axes[0]);
     frame.first_angle =
@@ -175,8 +170,7 @@ class FramePlanner {
     DerivedFrame& frame = framed_.frames[r];
     const std::array<Exact, 3> own = axes_.own_axes(r);
     static constexpr std::array names{"x", "y", "z"};
-    for (int k = 0; k < (is_plane_ ? 1 : 3); ++k)
-      frame.axes[k] = axes_.axis(r, own[k], name(r, names[k]));
+    for (int k = 0; k < (is_plane_ ? 1 : 3); ++k) frame.axes[k] = axes_.axis(r, own[k], names[k]);
     if (is_plane_) return;
     const bool is_free = framed_.tree.hanging[r].joint < 0;
     const std::array<int, 3> parent =
@@ -197,7 +191,7 @@ class FramePlanner {
     std::array<int, 3>& axes = framed_.frames[r].axes;
     static constexpr std::array names{"x", "y", "z"};
     for (int k = 0; r == 0 && k < (is_plane_ ? 1 : 3); ++k)
-      if (axes[k] < 0) axes[k] = axes_.axis(0, axes_.own_axes(0)[k], name(0, names[k]));
+      if (axes[k] < 0) axes[k] = axes_.axis(0, axes_.own_axes(0)[k], names[k]);
     return axes;
   }
 
