@@ -191,13 +191,6 @@ Level Plan::level() const {
   return highest;
 }
 
-std::vector<GroupId> Plan::unseen_groups() const {
-  std::vector<GroupId> unseen;
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    if (groups[g].may_lock) unseen.push_back(static_cast<GroupId>(g));
-  return unseen;
-}
-
 Plan make_plan(const Model& whole, std::span<const Output> outputs, PlanExtent extent) {
   std::vector<Output> everything;
   if (outputs.empty()) {

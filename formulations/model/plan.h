@@ -23,7 +23,9 @@ struct Plan {
     int unknowns = 0, kept_unknowns = 0;  ///< unknowns of the group, and those still solved for
     int blocks = 0, kept_blocks = 0;      ///< irreducible blocks, and those still solved
     Level level = Level::position;        ///< highest level that is needed of it
-    bool may_lock = false;  ///< a dropped block may have no solution, whatever the kept ones have
+    /// A dropped block, whose positions nobody looks at, may have no solution, whatever the kept
+    /// ones have.
+    bool may_lock = false;
     std::vector<std::string> kept, dropped;  ///< names of its entities
     /// Name of the requested entity for which the first entity is kept that was not requested
     /// itself; empty: all that is kept was requested.
@@ -37,9 +39,6 @@ struct Plan {
 
   /// Returns the highest level of the outputs.
   Level level() const;
-  /// Returns the groups of the whole model whose positions nobody looks at, in all or in part,
-  /// though they might lock: what is kept cannot be where they do.
-  std::vector<GroupId> unseen_groups() const;
 };
 
 /// Extent of a plan: what it solves besides what its outputs need.

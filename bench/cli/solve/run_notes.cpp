@@ -98,9 +98,10 @@ std::string note_on_steps(const Formulation& f) {
 
 std::string note_on_unseen(const Plan& plan, const Model& whole) {
   std::vector<std::string> groups;
-  for (const GroupId g : plan.unseen_groups())
-    groups.push_back("group '" + whole.groups[g].name + "' (" +
-                     enumerate(whole.groups[g].bodies, names_shown) + ")");
+  for (std::size_t g = 0; g < plan.groups.size(); ++g)
+    if (plan.groups[g].may_lock)
+      groups.push_back("group '" + whole.groups[g].name + "' (" +
+                       enumerate(whole.groups[g].bodies, names_shown) + ")");
   if (groups.empty()) return "";
   return "note: nobody looked at " + enumerate(groups, names_shown) +
          ", which the request does not need: what moves may lock there (--check mechanism looks)\n";
