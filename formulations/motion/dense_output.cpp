@@ -7,21 +7,12 @@
 
 namespace desmo {
 
-namespace {
-
-std::vector<IndexRange> requested_ranges(const Request& request, int coordinates) {
-  if (request.coordinates.empty()) return {{0, coordinates}};
-  return ranges_of(request.coordinates);
-}
-
-}  // namespace
-
 DenseOutput::DenseOutput(const TimeGrid& grid, int stride, const Request& request, int coordinates,
                          Observer& observer)
     : grid_(grid),
       stride_(stride),
       level_(request.level),
-      ranges_(requested_ranges(request, coordinates)),
+      ranges_(ranges_of(requested_coordinates(request, coordinates))),
       output_(request, coordinates),
       observer_(observer) {
   for (State* s : {&last_, &between_})
