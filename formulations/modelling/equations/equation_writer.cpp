@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 
 #include "formulations/model/derivations.h"
@@ -114,12 +115,6 @@ bool is_rounding(double value, double magnitude) {
 
 namespace {
 
-Candidates candidates_of(EquationWriter w) {
-  Candidates candidates = w.mechanism.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
-  keep_derivations(candidates.model);
-  return candidates;
-}
-
 /// What was added to a mechanism serves the model alone.
 void mark_internal(Coordinates& coordinates, const Mechanism& d) {
   const auto mark = [&](const std::vector<EntityId>& entities, std::size_t own) {
@@ -136,16 +131,16 @@ void mark_internal(Coordinates& coordinates, const Mechanism& d) {
 
 Candidates make_candidates(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
                            const std::vector<Motion>& motions, Modelling modelling) {
-  if (!has_frames(modelling)) {
-    return candidates_of(
-        EquationWriter(d, rigid, make_coordinates(d, rigid, structure, motions, modelling)));
-  }
-  const FramedMechanism framed = put_frames(d, rigid, structure, modelling);
-  Coordinates coordinates =
-      make_coordinates(framed.mechanism, framed.rigid, structure, motions, modelling);
+  std::optional<FramedMechanism> framed;
+  if (has_frames(modelling)) framed = put_frames(d, rigid, structure, modelling);
+  const Mechanism& mechanism = framed ? framed->mechanism : d;
+  const RigidBodies& bodies = framed ? framed->rigid : rigid;
+  Coordinates coordinates = make_coordinates(mechanism, bodies, structure, motions, modelling);
   mark_internal(coordinates, d);
-  return candidates_of(
-      EquationWriter(framed.mechanism, framed.rigid, std::move(coordinates), &framed));
+  EquationWriter w(mechanism, bodies, std::move(coordinates), framed ? &*framed : nullptr);
+  Candidates candidates = d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
+  keep_derivations(candidates.model);
+  return candidates;
 }
 
 }  // namespace desmo

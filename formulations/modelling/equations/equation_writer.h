@@ -20,7 +20,7 @@ class EquationWriter {
   /// Takes over the coordinates. mechanism, rigid and framed must outlive the writer. framed: null
   /// where bodies have no frames.
   EquationWriter(const Mechanism& mechanism, const RigidBodies& rigid, Coordinates coordinates,
-                 const FramedMechanism* framed = nullptr);
+                 const FramedMechanism* framed);
 
   const Mechanism& mechanism;
   const RigidBodies& rigid;
