@@ -2,12 +2,11 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
-#include "formulations/constraints/constraints.h"
 #include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/incidence.h"
 #include "formulations/model/scales.h"
 
 namespace desmo {
@@ -79,16 +78,11 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
   for (int c = s.first_constraint; c < s.end_constraint; ++c) {
     const Constraint& constraint = m_.constraints[c];
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      std::array<const double*, Kind::operand_sizes.size()> x;
-      std::array<int, Kind::operand_sizes.size()> first;
-      for (std::size_t k = 0; k < x.size(); ++k) {
-        first[k] = m_.state_index(constraint.operands[k]);
-        x[k] = state.data() + first[k];
-      }
+      const auto x = operands_of<Kind>(m_, constraint, state.data());
       const auto numbers = constants_at<Kind>(constraint.constants.data(), x.data());
       Kind::residual(x.data(), numbers.data(), &phi[row]);
       Kind::jacobian(x.data(), numbers.data(), [&](int r, int operand, int i, double value) {
-        const int at = first[operand] + i;
+        const int at = m_.state_index(constraint.operands[operand]) + i;
         const double scaled = value * scale_[at];
         rounding[row + r] += ulps * std::abs(value * state[at]);
         if (column_[at] >= 0)
