@@ -8,14 +8,6 @@
 
 namespace desmo {
 
-namespace {
-
-std::span<const double> coordinates(const Model& m, const std::vector<double>& values) {
-  return {values.data(), static_cast<std::size_t>(m.coordinates())};
-}
-
-}  // namespace
-
 PartCounts part_counts(const Formulation& f) {
   PartCounts sum;
   for (const DefinedPart& part : parts_of(f)) sum += part.solver->counts();
@@ -30,13 +22,13 @@ void Formulation::solve_only(std::span<const Level> needed) {
 }
 
 std::span<const double> Formulation::q() const {
-  return coordinates(model_, stepping_of(*this).state().q);
+  return std::span(stepping_of(*this).state().q).first(model_.coordinates());
 }
 std::span<const double> Formulation::qd() const {
-  return coordinates(model_, stepping_of(*this).state().qd);
+  return std::span(stepping_of(*this).state().qd).first(model_.coordinates());
 }
 std::span<const double> Formulation::qdd() const {
-  return coordinates(model_, stepping_of(*this).state().qdd);
+  return std::span(stepping_of(*this).state().qdd).first(model_.coordinates());
 }
 
 double Formulation::value(const std::string& name, Level level) const {
