@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "formulations/model/constrain.h"
+#include "formulations/constraints/constraints.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/reference/reference.h"
@@ -26,8 +26,8 @@ struct Dyad {
     const EntityId a = m.add_fixed(EntityKind::point, "A", std::array{0.0, 0.0});
     const EntityId b = m.add_fixed(EntityKind::point, "B", std::array{2 * q[0], 0.0});
     const EntityId c = m.add(EntityKind::point, "C", q, g);
-    constrain<Length<2>>(m, g, "left", {a, c}, {1});
-    constrain<Length<2>>(m, g, "right", {b, c}, {1});
+    m.add({"left", kind_index<Length<2>>(), {a, c}, {1}, g});
+    m.add({"right", kind_index<Length<2>>(), {b, c}, {1}, g});
   }
 };
 

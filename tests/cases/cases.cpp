@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formulations/model/constrain.h"
+#include "formulations/constraints/constraints.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
 #include "tests/refusal.h"
@@ -122,7 +122,7 @@ TEST_F(Broken, OverConstrained) {
   const EntityId p = m.add(EntityKind::point, "p", zero, 0);
   const EntityId o = m.add_fixed(EntityKind::point, "o", zero);
   for (int i = 0; i < 3; ++i)
-    constrain<Length<2>>(m, 0, "length " + std::to_string(i), {o, p}, {1});
+    m.add({"length " + std::to_string(i), kind_index<Length<2>>(), {o, p}, {1}, 0});
   expect_message("over-constrained");
 }
 
@@ -140,8 +140,8 @@ TEST_F(Broken, NotFinite) {
 TEST_F(Broken, WrongOperandsAndDrivers) {
   const EntityId p = m.add(EntityKind::point, "p", zero, 0);
   const EntityId s = m.add(EntityKind::angle, "s", std::array{0.0}, 0);
-  EXPECT_THROW(constrain<Length<2>>(m, 0, "length", {p, s}, {1}), std::invalid_argument);
-  EXPECT_THROW(constrain<Length<2>>(m, 0, "length", {p, p}, {NAN}), std::invalid_argument);
+  EXPECT_THROW(m.add({"length", kind_index<Length<2>>(), {p, s}, {1}, 0}), std::invalid_argument);
+  EXPECT_THROW(m.add({"length", kind_index<Length<2>>(), {p, p}, {NAN}, 0}), std::invalid_argument);
   EXPECT_THROW(m.drive(p, Polynomial{}), std::invalid_argument);
   EXPECT_THROW(m.find("q"), std::invalid_argument);
 }

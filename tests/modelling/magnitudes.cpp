@@ -10,7 +10,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "formulations/model/constrain.h"
+#include "formulations/constraints/constraints.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
@@ -54,7 +54,7 @@ Model rod(double length, double from = 0) {
   const GroupId g = m.add_group("rod", {"rod"});
   const EntityId a = m.add_fixed(EntityKind::point, "a", std::array{from, 0.0});
   const EntityId b = m.add(EntityKind::point, "b", std::array{from + length, 0.0}, g);
-  constrain<Length<2>>(m, g, "length", {a, b}, {length * length});
+  m.add({"length", kind_index<Length<2>>(), {a, b}, {length * length}, g});
   return m;
 }
 
@@ -79,8 +79,8 @@ TEST(Magnitudes, AreNeverNothing) {
   const EntityId b = m.add(EntityKind::point, "b", std::array{0.0, 0.0}, g);
   const EntityId c = m.add(EntityKind::point, "c", std::array{2.0, 0.0}, g);
   const EntityId s = m.add(EntityKind::distance, "s", std::array{0.0}, g);
-  constrain<Length<2>>(m, g, "link", {b, c}, {4});
-  constrain<Distance<2>>(m, g, "stroke", {a, b, s});
+  m.add({"link", kind_index<Length<2>>(), {b, c}, {4}, g});
+  m.add({"stroke", kind_index<Distance<2>>(), {a, b, s}, {}, g});
   const double w = weight(m, "stroke");
   EXPECT_GT(w, 1 / (2.0 * 2.0));    // sharper than a link's …
   EXPECT_LT(w, 1e4 / (2.0 * 2.0));  // … but not beyond what rounding lets it meet
