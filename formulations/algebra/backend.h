@@ -20,7 +20,7 @@ struct Absence {
 /// Library that solves linear systems.
 struct Backend {
   std::string_view name;
-  bool dense;
+  bool dense = false;
   /// Makes a solver of systems with this pattern, as the settings say. Throws std::invalid_argument
   /// when the library cannot analyse the pattern.
   std::unique_ptr<LinearSolver> (*make_solver)(const Pattern&, const Settings&);

@@ -110,7 +110,6 @@ class Cholmod final : public LinearSolver {
 extern const Backend cholmod_backend;
 const Backend cholmod_backend{
     .name = "cholmod",
-    .dense = false,
     .make_solver = &make_solver<Cholmod>,
     .version =
         [] {

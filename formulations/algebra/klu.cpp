@@ -8,7 +8,6 @@ namespace desmo {
 extern const Backend klu_backend;
 const Backend klu_backend{
     .name = "klu",
-    .dense = false,
     .make_solver = [](const Pattern& pattern,
                       const Settings& settings) -> std::unique_ptr<LinearSolver> {
       return std::make_unique<KluFactors>(pattern, settings.btf);

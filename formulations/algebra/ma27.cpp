@@ -169,7 +169,6 @@ class Ma27 final : public LinearSolver {
 
 extern const Backend ma27_backend;
 const Backend ma27_backend{.name = "ma27",
-                           .dense = false,
                            .make_solver = &make_solver<Ma27>,
                            .version = [] { return coinhsl().version; },
                            .absence = [] { return coinhsl().absence; }};

@@ -46,7 +46,6 @@ class SparseLu final : public LinearSolver {
 extern const Backend sparselu_backend;
 const Backend sparselu_backend{
     .name = "sparselu",
-    .dense = false,
     .make_solver = &make_solver<SparseLu>,
     .version =
         [] { return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION); },

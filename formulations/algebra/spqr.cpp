@@ -77,7 +77,6 @@ class Spqr final : public LinearSolver {
 extern const Backend spqr_backend;
 const Backend spqr_backend{
     .name = "spqr",
-    .dense = false,
     .make_solver = &make_solver<Spqr>,
     .version =
         [] { return version_text(SPQR_MAIN_VERSION, SPQR_SUB_VERSION, SPQR_SUBSUB_VERSION); },

@@ -64,7 +64,6 @@ class Umfpack final : public LinearSolver {
 
 extern const Backend umfpack_backend;
 const Backend umfpack_backend{.name = "umfpack",
-                              .dense = false,
                               .make_solver = &make_solver<Umfpack>,
                               .version =
                                   [] {
