@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <vector>

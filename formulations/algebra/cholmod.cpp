@@ -4,7 +4,6 @@
 
 #include <cholmod.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "formulations/algebra/backend.h"

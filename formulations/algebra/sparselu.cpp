@@ -3,7 +3,6 @@
 
 #include <Eigen/SparseLU>
 #include <algorithm>
-#include <string>
 
 #include "formulations/algebra/backend.h"
 

@@ -1,6 +1,5 @@
 #include "formulations/model/derivations.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "formulations/base/index_range.h"

@@ -2,8 +2,6 @@
 
 #include <compare>
 #include <memory>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "formulations/base/part.h"

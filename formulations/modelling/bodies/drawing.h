@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "cases/mechanism/drawing.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
 

@@ -3,7 +3,6 @@
 // joint_equations.cpp.
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -1,11 +1,8 @@
 #include "formulations/modelling/frames/frames.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <string>
 #include <tuple>
-#include <utility>
 
 #include "cases/mechanism/joint_forms.h"
 #include "cases/numbers/space.h"

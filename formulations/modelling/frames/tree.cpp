@@ -1,7 +1,6 @@
 #include "formulations/modelling/frames/tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 

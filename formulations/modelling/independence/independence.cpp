@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/scales.h"
