@@ -80,11 +80,11 @@ std::string notes_on(const CheckedSummary& total, const LiveRequest& request) {
 }  // namespace
 
 void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
-                const SeriesFormat& format, OutputFile& output) {
+                OutputFile& output) {
   const Plan& plan = request.plan;
   LiveRun run(formulation, {.level = plan.level(), .levels = plan.levels, .check = request.check});
   DriverRows rows(request.drivers, request.whole, plan.model, plan.level(), request.units);
-  output.write(format.heading(heading));
+  output.write(first_line(heading));
   CheckedSummary total;
   long failed = 0;
   std::string text;
@@ -104,7 +104,7 @@ void solve_live(const LiveRequest& request, Formulation& formulation, const Seri
     text.clear();
     Instant instant{.index = 0, .time = row.time, .q = {}, .qd = {}, .qdd = {}};
     if (is_solved) instant.q = run.q(), instant.qd = run.qd(), instant.qdd = run.qdd();
-    format.append(heading, request.measures.extend(instant), text, outcome_name(s));
+    append_line(heading, request.measures.extend(instant), outcome_name(s), text);
     output.write(text);
     if (is_solved) add(s, run.scales(), total);
   }

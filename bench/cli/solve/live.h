@@ -25,6 +25,6 @@ struct LiveRequest {
 /// CommandError (not_solved) at the first row that fails or, if strict, is flagged. With
 /// past_failures, names them on standard error instead, unless quiet.
 void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
-                const SeriesFormat& format, OutputFile& output);
+                OutputFile& output);
 
 }  // namespace desmo::cli

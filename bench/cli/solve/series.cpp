@@ -83,13 +83,6 @@ void append_time(double time, const TimeGrid& grid, std::string& text) {
   append_number(decimal.value_or(time), text);
 }
 
-void append_word(std::string_view word, std::string& text) {
-  if (word.empty())
-    text += ",null";
-  else
-    text.append(",\"").append(word).append("\"");
-}
-
 /// On a change point there are no rates, and no ratio of them at rest.
 bool is_known(const Column& column, const Instant& instant) {
   return column.coordinate < 0 || (!instant.q.empty() && !std::isnan(column.value(instant)));
@@ -103,73 +96,60 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-class Csv final : public SeriesFormat {
- public:
-  std::string heading(const SeriesHeading& heading) const override {
-    std::string text = "t [s]";
-    for (const Column& c : heading.columns) text += "," + csv_field(c.heading());
-    return text + (heading.remark.empty() ? "" : "," + heading.remark) + "\n";
-  }
-  void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
-              std::string_view remark) const override {
-    append_time(instant.time, heading.grid, text);
-    for (const Column& c : heading.columns) {
-      text += ',';
-      if (is_known(c, instant)) append_number(c.value(instant), text);
-    }
-    if (!heading.remark.empty()) text.append(",").append(remark);
-    text += '\n';
-  }
-};
-
-class JsonLines final : public SeriesFormat {
- public:
-  std::string heading(const SeriesHeading& heading) const override {
-    using Json = nlohmann::ordered_json;
-    Json columns = Json::array({{{"name", "t"}, {"unit", "s"}}});
-    for (const Column& c : heading.columns)
-      columns.push_back({{"name", c.name}, {"unit", c.unit.name}});
-    if (!heading.remark.empty()) columns.push_back({{"name", heading.remark}, {"unit", "-"}});
-    const Json all = {{"format", "desmo-series"},           {"version", 1},
-                      {"mechanism", heading.mechanism},     {"scene", heading.scene},
-                      {"formulation", heading.formulation}, {"columns", columns}};
-    return all.dump() + "\n";
-  }
-  void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
-              std::string_view remark) const override {
-    text += '[';
-    if (std::isfinite(instant.time))
-      append_time(instant.time, heading.grid, text);
-    else
-      text += "null";
-    for (const Column& c : heading.columns) {
-      text += ',';
-      if (is_known(c, instant))
-        append_number(c.value(instant), text);
-      else
-        text += "null";
-    }
-    if (!heading.remark.empty()) append_word(remark, text);
-    text += "]\n";
-  }
-};
+std::string json_heading(const SeriesHeading& heading) {
+  using Json = nlohmann::ordered_json;
+  Json columns = Json::array({{{"name", "t"}, {"unit", "s"}}});
+  for (const Column& c : heading.columns)
+    columns.push_back({{"name", c.name}, {"unit", c.unit.name}});
+  if (!heading.remark.empty()) columns.push_back({{"name", heading.remark}, {"unit", "-"}});
+  const Json all = {{"format", "desmo-series"},           {"version", 1},
+                    {"mechanism", heading.mechanism},     {"scene", heading.scene},
+                    {"formulation", heading.formulation}, {"columns", columns}};
+  return all.dump() + "\n";
+}
 
 }  // namespace
 
-std::unique_ptr<SeriesFormat> series_format(std::string_view name) {
-  if (name == "jsonl") return std::make_unique<JsonLines>();
-  return std::make_unique<Csv>();
+std::string first_line(const SeriesHeading& heading) {
+  if (heading.format == SeriesFormat::jsonl) return json_heading(heading);
+  std::string text = "t [s]";
+  for (const Column& c : heading.columns) text += "," + csv_field(c.heading());
+  return text + (heading.remark.empty() ? "" : "," + heading.remark) + "\n";
 }
 
-SeriesWriter::SeriesWriter(SeriesHeading heading, Measures& measures,
-                           std::unique_ptr<SeriesFormat> format, OutputFile& output,
+void append_line(const SeriesHeading& heading, const Instant& instant, std::string_view remark,
+                 std::string& text) {
+  const bool is_json = heading.format == SeriesFormat::jsonl;
+  const std::string_view missing = is_json ? "null" : "", quote = is_json ? "\"" : "";
+  if (is_json) text += '[';
+  if (is_json && !std::isfinite(instant.time))
+    text += missing;
+  else
+    append_time(instant.time, heading.grid, text);
+  for (const Column& c : heading.columns) {
+    text += ',';
+    if (is_known(c, instant))
+      append_number(c.value(instant), text);
+    else
+      text += missing;
+  }
+  if (!heading.remark.empty()) {
+    text += ',';
+    if (remark.empty())
+      text += missing;
+    else
+      text.append(quote).append(remark).append(quote);
+  }
+  text += is_json ? "]\n" : "\n";
+}
+
+SeriesWriter::SeriesWriter(const SeriesHeading& heading, Measures& measures, OutputFile& output,
                            bench::Progress* progress)
-    : heading_(std::move(heading)),
+    : heading_(heading),
       measures_(measures),
-      format_(std::move(format)),
       output_(output),
       progress_(progress),
-      text_(format_->heading(heading_)) {}
+      text_(first_line(heading)) {}
 
 Flow SeriesWriter::observe(const Instant& solved) noexcept try {
   const Instant instant = measures_.extend(solved);
@@ -184,7 +164,7 @@ Flow SeriesWriter::observe(const Instant& solved) noexcept try {
     overflow_ = overflow_text(c->name, instant.time);
     return Flow::stop;
   }
-  format_->append(heading_, instant, text_, std::exchange(remark_, {}));
+  append_line(heading_, instant, std::exchange(remark_, {}), text_);
   if (text_.size() >= enough_to_write) flush();
   if (progress_) progress_->done();
   return Flow::go_on;

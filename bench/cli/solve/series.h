@@ -2,7 +2,6 @@
 #pragma once
 
 #include <exception>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,36 +13,36 @@
 
 namespace desmo::cli {
 
+/// Text format of a series. Numbers have the fewest digits that read back as the same double.
+enum class SeriesFormat {
+  csv,    ///< names with units in the first line, "t [s],C.x [m],…"
+  jsonl,  ///< an object with mechanism, scene, formulation and columns, then arrays of numbers
+};
+
 /// Properties of a series apart from its numbers.
 struct SeriesHeading {
+  SeriesFormat format;
   std::string mechanism, scene, formulation;
   std::vector<Column> columns;  ///< the time, which comes first, left out
   std::string remark;           ///< name of a last column of words; empty: there is none
   TimeGrid grid{};              ///< whose times are written as they were asked for
 };
 
-/// Text format of a series. Other numbers have the fewest digits that read back as the same double.
-class SeriesFormat {
- public:
-  virtual ~SeriesFormat() = default;
-  virtual std::string heading(const SeriesHeading& heading) const = 0;
-  /// Finite numbers: JSON knows no others. Without positions only what is fixed has a value.
-  virtual void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
-                      std::string_view remark = {}) const = 0;
-};
+/// Returns the first line.
+std::string first_line(const SeriesHeading& heading);
 
-/// Returns a format. "csv" has names with units in the first line, "t [s],C.x [m],…". "jsonl" has
-/// an object with mechanism, scene, formulation and columns, then an array of numbers for each
-/// instant.
-std::unique_ptr<SeriesFormat> series_format(std::string_view name);
+/// Appends the line of an instant, with finite numbers: JSON knows no others. Without positions
+/// only what is fixed has a value.
+void append_line(const SeriesHeading& heading, const Instant& instant, std::string_view remark,
+                 std::string& text);
 
 /// Observer that writes each instant, in blocks of text. It stops the run when the output throws or
 /// a number is not finite.
 class SeriesWriter final : public Observer {
  public:
-  /// measures: those of its columns
-  SeriesWriter(SeriesHeading heading, Measures& measures, std::unique_ptr<SeriesFormat> format,
-               OutputFile& output, bench::Progress* progress);
+  /// heading: outlives the writer; measures: those of its columns
+  SeriesWriter(const SeriesHeading& heading, Measures& measures, OutputFile& output,
+               bench::Progress* progress);
 
   /// Sets the remark on the instant that is observed next; it must outlive that.
   void remark_next(std::string_view remark) { remark_ = remark; }
@@ -55,9 +54,8 @@ class SeriesWriter final : public Observer {
   void flush();
 
  private:
-  SeriesHeading heading_;
+  const SeriesHeading& heading_;
   Measures& measures_;
-  std::unique_ptr<SeriesFormat> format_;
   OutputFile& output_;
   bench::Progress* progress_;
   std::string text_, overflow_;

@@ -31,7 +31,8 @@ namespace {
 constexpr const char* default_formulation = "block_symbolic_inlined";
 
 struct SolveOptions {
-  std::string scene, output, format, formulation, drivers;
+  std::string scene, output, formulation, drivers;
+  std::optional<SeriesFormat> format;
   UnitSystem units = UnitSystem::file;
   bool explain = false, quiet = false, flags = false, strict = false, past_failures = false;
   CheckOptions check;
@@ -39,11 +40,11 @@ struct SolveOptions {
 };
 
 /// Returns the format that is asked for: by --format, or by how the name of the output ends.
-std::string format_name(const SolveOptions& options) {
-  if (!options.format.empty()) return options.format;
+SeriesFormat format_of(const SolveOptions& options) {
+  if (options.format) return *options.format;
   const std::string ending = std::filesystem::path(options.output).extension().string();
-  if (ending.empty() || ending == ".csv") return "csv";
-  if (ending == ".jsonl") return "jsonl";
+  if (ending.empty() || ending == ".csv") return SeriesFormat::csv;
+  if (ending == ".jsonl") return SeriesFormat::jsonl;
   throw CommandError(usage_error, "--output " + desmo::in_quotes(options.output) + ": the ending " +
                                       desmo::in_quotes(ending) +
                                       " is not known; known are .csv and .jsonl (or say --format)");
@@ -114,8 +115,7 @@ std::unique_ptr<Formulation> make_solver(const Task& task, KernelTable& kernels)
   return formulation;
 }
 
-void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading& heading,
-                const SeriesFormat& format) {
+void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading& heading) {
   const SolveOptions& o = task.options;
   if (const std::string reason = unsupported_live_reason(formulation); !reason.empty())
     throw CommandError(usage_error, "--drivers with " + heading.formulation + ": " + reason);
@@ -125,7 +125,7 @@ void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading&
                        "answered at once");
   solve_live({task.input.source, o.drivers, task.whole, task.plan, task.measures, task.input.units,
               o.check.mode, o.strict, o.past_failures, o.quiet},
-             formulation, heading, format, task.output);
+             formulation, heading, task.output);
   task.output.finish();
 }
 
@@ -180,14 +180,12 @@ std::string notes_on(const Task& task, const Formulation& formulation,
               : note_on_proofs(summary, task.plan.level(), m, units, every));
 }
 
-void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading,
-                  std::unique_ptr<SeriesFormat> format) {
+void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading) {
   const TimeGrid& grid = task.input.scene.grid;
   const bool in_the_way = task.output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   std::optional<bench::Progress> progress;
   if (!task.options.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
-  SeriesWriter writer(heading, task.measures, std::move(format), task.output,
-                      progress ? &*progress : nullptr);
+  SeriesWriter writer(heading, task.measures, task.output, progress ? &*progress : nullptr);
   const CheckedSummary summary = run_through(task, formulation, writer);
   progress.reset();
   require_success(task, summary, writer);
@@ -199,8 +197,7 @@ void solve(const SolveOptions& options) {
   if (options.scene == "-" && options.drivers == "-")
     throw CommandError(usage_error,
                        "scene and drivers both on standard input; give a file for one");
-  const std::string format_wanted = format_name(options);
-  std::unique_ptr<SeriesFormat> format = series_format(format_wanted);
+  const SeriesFormat format = format_of(options);
   const Input input = load_scene(options.scene, options.units);
   const Configuration chosen = choose_formulation(options, input);
   protect_input(options.output, input, options.drivers);
@@ -214,18 +211,19 @@ void solve(const SolveOptions& options) {
   const Task task{options, input, chosen, whole, plan, measures, output, named};
   KernelTable kernels;
   const auto formulation = make_solver(task, kernels);
-  const SeriesHeading heading{whole.name,
+  const SeriesHeading heading{format,
+                              whole.name,
                               input.scene.name,
                               id_with(*chosen.variant, chosen.settings),
                               make_columns(plan, measures, input.scene, input.units),
-                              !options.drivers.empty()                    ? "outcome"
-                              : options.flags || format_wanted == "jsonl" ? "flag"
-                                                                          : "",
+                              !options.drivers.empty()                         ? "outcome"
+                              : options.flags || format == SeriesFormat::jsonl ? "flag"
+                                                                               : "",
                               options.drivers.empty() ? input.scene.grid : TimeGrid{}};
   if (options.drivers.empty())
-    solve_motion(task, *formulation, heading, std::move(format));
+    solve_motion(task, *formulation, heading);
   else
-    solve_rows(task, *formulation, heading, *format);
+    solve_rows(task, *formulation, heading);
 }
 
 }  // namespace
@@ -238,12 +236,10 @@ void add_solve(CLI::App& program) {
       ->add_option("-o,--output", options->output,
                    "Write to this file, whole or not at all, instead of standard output")
       ->check(refuse_empty);
-  command
-      ->add_option(
-          "--format", options->format,
-          "csv, or jsonl (JSON lines); by default as the name of the output ends, in .csv or "
-          ".jsonl")
-      ->check(CLI::IsMember({"csv", "jsonl"}));
+  add_choice(*command, "--format", options->format,
+             {{"csv", SeriesFormat::csv}, {"jsonl", SeriesFormat::jsonl}},
+             "csv, or jsonl (JSON lines); by default as the name of the output ends, in .csv or "
+             ".jsonl");
   add_units(*command, options->units);
   command
       ->add_option("--formulation", options->formulation,
