@@ -151,8 +151,9 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
          ": it passes a singular position, where branches meet, and goes on smoothly";
 }
 
-std::string note_on_proofs(const CheckedSummary& s, Level level, const Model& m,
-                           const DisplayUnits& units, int every) {
+std::string note_on_proofs(const CheckedSummary& s, const CheckOptions& check, Level level,
+                           const Model& m, const DisplayUnits& units) {
+  if (check.mode == CheckMode::none) return "note: nothing is proven (--check none)\n";
   std::string scales;
   for (const Level l : all_levels) {
     if (l > level) break;
@@ -160,9 +161,10 @@ std::string note_on_proofs(const CheckedSummary& s, Level level, const Model& m,
               quantity(s.scales.length[l], unit_of(units, EntityKind::point, l), "%.3g") + " or " +
               quantity(s.scales.rotation[l], unit_of(units, EntityKind::angle, l), "%.3g");
   }
-  const std::string proven = every == 1 ? "rows proven"
-                                        : "rows on a proven branch, one in " +
-                                              std::to_string(every) + " to the last digit";
+  const std::string proven = check.mode != CheckMode::sample || check.sample == 1
+                                 ? "rows proven"
+                                 : "rows on a proven branch, one in " +
+                                       std::to_string(check.sample) + " to the last digit";
   return formatted("accuracy: %ld of %ld ", s.instants - s.flagged, s.instants) + proven + "; " +
          describe_radius(s, level) + "; " + scales + '\n' + note_on_flags(s, m, units);
 }

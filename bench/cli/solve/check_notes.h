@@ -11,9 +11,9 @@
 namespace desmo::cli {
 
 /// Returns the accuracy of the results: a line on how many rows are proven, the condition number
-/// and the largest radii, and the lines of note_on_flags(). every: one row in so many has radii.
-std::string note_on_proofs(const CheckedSummary& summary, Level level, const Model& model,
-                           const DisplayUnits& units, int every = 1);
+/// and the largest radii, and the lines of note_on_flags(). check: what was to be proven.
+std::string note_on_proofs(const CheckedSummary& summary, const CheckOptions& check, Level level,
+                           const Model& model, const DisplayUnits& units);
 
 /// Returns lines on the rows that are flagged, the first change point, the largest contradiction
 /// and the number of change points, each if there are any.

@@ -1,11 +1,11 @@
-#include "bench/cli/solve/live.h"
-
+// desmo solve --drivers: a scene whose drivers come row by row.
 #include <algorithm>
 #include <cstdio>
 
 #include "bench/cli/errors.h"
 #include "bench/cli/solve/check_notes.h"
 #include "bench/cli/solve/driver_rows.h"
+#include "bench/cli/solve/task.h"
 #include "bench/cli/text.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/verification/run/live_run.h"
@@ -68,49 +68,51 @@ std::string reason_of(const LiveSummary& s, const LiveRow& row, const LiveRun& r
          "; choose rows that avoid it, or solve without --strict";
 }
 
-std::string notes_on(const CheckedSummary& total, const LiveRequest& request) {
-  const Model& m = request.plan.model;
-  if (total.instants == 0) return "";
-  if (request.quiet) return note_on_flags(total, m, request.units);
-  return request.check == CheckMode::none
-             ? "note: nothing is proven (--check none)\n"
-             : note_on_proofs(total, request.plan.level(), m, request.units);
-}
-
 }  // namespace
 
-void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
-                OutputFile& output) {
-  const Plan& plan = request.plan;
-  LiveRun run(formulation, {.level = plan.level(), .levels = plan.levels, .check = request.check});
-  DriverRows rows(request.drivers, request.whole, plan.model, plan.level(), request.units);
-  output.write(first_line(heading));
+void solve_rows(const Task& task, Formulation& formulation) {
+  const SolveOptions& o = task.options;
+  if (const std::string reason = unsupported_live_reason(formulation); !reason.empty())
+    throw CommandError(usage_error, "--drivers with " + task.heading.formulation + ": " + reason);
+  if (o.check.mode != CheckMode::proof && o.check.mode != CheckMode::none)
+    throw CommandError(usage_error,
+                       "--check with --drivers: proof or none, for each row is "
+                       "answered at once");
+  const Plan& plan = task.plan;
+  const DisplayUnits& units = task.input.units;
+  LiveRun run(formulation, {.level = plan.level(), .levels = plan.levels, .check = o.check.mode});
+  DriverRows rows(o.drivers, task.whole, plan.model, plan.level(), units);
+  task.output.write(first_line(task.heading));
   CheckedSummary total;
   long failed = 0;
   std::string text;
   for (LiveRow row{}; rows.next(row);) {
     const LiveSummary s = run.step(row);
     const bool is_solved = s.outcome() != Outcome::failed;
-    const bool is_good = is_solved && !(request.strict && s.outcome() == Outcome::degraded);
+    const bool is_good = is_solved && !(o.strict && s.outcome() == Outcome::degraded);
     if (!is_good) {
       ++failed;
-      const std::string what = rows.place() + ": " + reason_of(s, row, run, plan, request.units);
-      if (!request.past_failures) {
-        std::fputs(note_on_flags(total, plan.model, request.units).c_str(), stderr);
-        throw CommandError(not_solved, request.source + ": " + what);
+      const std::string what = rows.place() + ": " + reason_of(s, row, run, plan, units);
+      if (!o.past_failures) {
+        std::fputs(note_on_flags(total, plan.model, units).c_str(), stderr);
+        throw CommandError(not_solved, task.input.source + ": " + what);
       }
-      if (!request.quiet) std::fprintf(stderr, "note: %s\n", what.c_str());
+      if (!o.quiet) std::fprintf(stderr, "note: %s\n", what.c_str());
     }
     text.clear();
     Instant instant{.index = 0, .time = row.time, .q = {}, .qd = {}, .qdd = {}};
     if (is_solved) instant.q = run.q(), instant.qd = run.qd(), instant.qdd = run.qdd();
-    append_line(heading, request.measures.extend(instant), outcome_name(s), text);
-    output.write(text);
+    append_line(task.heading, task.measures.extend(instant), outcome_name(s), text);
+    task.output.write(text);
     if (is_solved) add(s, run.scales(), total);
   }
-  std::string note = notes_on(total, request);
+  std::string note;
+  if (total.instants > 0)
+    note = o.quiet ? note_on_flags(total, plan.model, units)
+                   : note_on_proofs(total, o.check, plan.level(), plan.model, units);
   if (failed > 0) note += "accuracy: not solved: " + count(failed, "row") + "\n";
   std::fputs(note.c_str(), stderr);
+  task.output.finish();
 }
 
 }  // namespace desmo::cli

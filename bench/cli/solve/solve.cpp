@@ -12,32 +12,20 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/drawing_notes.h"
 #include "bench/cli/errors.h"
-#include "bench/cli/input.h"
 #include "bench/cli/interruption.h"
-#include "bench/cli/own_code.h"
 #include "bench/cli/solve/check_notes.h"
 #include "bench/cli/solve/check_option.h"
-#include "bench/cli/solve/live.h"
 #include "bench/cli/solve/run_notes.h"
+#include "bench/cli/solve/task.h"
 #include "cases/mechanism/names.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 #include "formulations/verification/run/checked_run.h"
-#include "formulations/verification/run/live_run.h"
 
 namespace desmo::cli {
 namespace {
 
 constexpr const char* default_formulation = "block_symbolic_inlined";
-
-struct SolveOptions {
-  std::string scene, output, formulation, drivers;
-  std::optional<SeriesFormat> format;
-  UnitSystem units = UnitSystem::file;
-  bool explain = false, quiet = false, flags = false, strict = false, past_failures = false;
-  CheckOptions check;
-  GenerationOptions own_code;
-};
 
 /// Returns the format that is asked for: by --format, or by how the name of the output ends.
 SeriesFormat format_of(const SolveOptions& options) {
@@ -90,18 +78,6 @@ PlanExtent extent_of(CheckMode mode) {
                                         : PlanExtent::left_out_equations;
 }
 
-/// What is solved, how, and where the answers go.
-struct Task {
-  const SolveOptions& options;
-  const Input& input;
-  const Configuration& chosen;
-  const Model& whole;
-  const Plan& plan;
-  Measures& measures;
-  OutputFile& output;
-  bool named;  // the formulation is the user's choice, not the program's
-};
-
 /// kernels: receives generated code, and must outlive the formulation.
 std::unique_ptr<Formulation> make_solver(const Task& task, KernelTable& kernels) {
   // For the program's own choice nobody waits for a compiler.
@@ -113,20 +89,6 @@ std::unique_ptr<Formulation> make_solver(const Task& task, KernelTable& kernels)
   formulation->solve_only(task.plan.levels);
   if (!task.options.quiet) say(note_on_code(*formulation, task.named));
   return formulation;
-}
-
-void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading& heading) {
-  const SolveOptions& o = task.options;
-  if (const std::string reason = unsupported_live_reason(formulation); !reason.empty())
-    throw CommandError(usage_error, "--drivers with " + heading.formulation + ": " + reason);
-  if (o.check.mode != CheckMode::proof && o.check.mode != CheckMode::none)
-    throw CommandError(usage_error,
-                       "--check with --drivers: proof or none, for each row is "
-                       "answered at once");
-  solve_live({task.input.source, o.drivers, task.whole, task.plan, task.measures, task.input.units,
-              o.check.mode, o.strict, o.past_failures, o.quiet},
-             formulation, heading, task.output);
-  task.output.finish();
 }
 
 /// Runs through the motion and writes its rows.
@@ -170,22 +132,18 @@ std::string notes_on(const Task& task, const Formulation& formulation,
   const DisplayUnits& units = task.input.units;
   const std::string gaps = note_on_gaps(summary, m, units);
   if (task.options.quiet) return gaps + note_on_flags(summary, m, units);
-  const CheckOptions& check = task.options.check;
-  const int every = check.mode == CheckMode::sample ? check.sample : 1;
   return note_on_tolerance(formulation, task.chosen.settings.tolerance) +
          note_on_refusals(formulation, task.named) + note_on_steps(formulation) + gaps +
          note_on_unseen(task.plan, task.whole) +
-         (check.mode == CheckMode::none
-              ? "note: nothing is proven (--check none)\n"
-              : note_on_proofs(summary, task.plan.level(), m, units, every));
+         note_on_proofs(summary, task.options.check, task.plan.level(), m, units);
 }
 
-void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading) {
+void solve_motion(const Task& task, Formulation& formulation) {
   const TimeGrid& grid = task.input.scene.grid;
   const bool in_the_way = task.output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   std::optional<bench::Progress> progress;
   if (!task.options.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
-  SeriesWriter writer(heading, task.measures, task.output, progress ? &*progress : nullptr);
+  SeriesWriter writer(task.heading, task.measures, task.output, progress ? &*progress : nullptr);
   const CheckedSummary summary = run_through(task, formulation, writer);
   progress.reset();
   require_success(task, summary, writer);
@@ -208,9 +166,6 @@ void solve(const SolveOptions& options) {
   Measures measures(input.scene, plan.model);
   if (options.explain) say(explain(plan, whole));
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
-  const Task task{options, input, chosen, whole, plan, measures, output, named};
-  KernelTable kernels;
-  const auto formulation = make_solver(task, kernels);
   const SeriesHeading heading{format,
                               whole.name,
                               input.scene.name,
@@ -220,10 +175,13 @@ void solve(const SolveOptions& options) {
                               : options.flags || format == SeriesFormat::jsonl ? "flag"
                                                                                : "",
                               options.drivers.empty() ? input.scene.grid : TimeGrid{}};
+  const Task task{options, input, chosen, whole, plan, measures, heading, output, named};
+  KernelTable kernels;
+  const auto formulation = make_solver(task, kernels);
   if (options.drivers.empty())
-    solve_motion(task, *formulation, heading);
+    solve_motion(task, *formulation);
   else
-    solve_rows(task, *formulation, heading);
+    solve_rows(task, *formulation);
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// What `desmo solve` is to do.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bench/cli/input.h"
+#include "bench/cli/own_code.h"
+#include "bench/cli/solve/series.h"
+#include "cases/io/new_files.h"
+#include "formulations/formulation.h"
+#include "formulations/model/plan.h"
+#include "formulations/verification/run/checked_run.h"
+
+namespace desmo::cli {
+
+struct SolveOptions {
+  std::string scene, output, formulation, drivers;
+  std::optional<SeriesFormat> format;
+  UnitSystem units = UnitSystem::file;
+  bool explain = false, quiet = false, flags = false, strict = false, past_failures = false;
+  CheckOptions check;
+  GenerationOptions own_code;
+};
+
+/// What is solved, how, and where the answers go.
+struct Task {
+  const SolveOptions& options;
+  const Input& input;
+  const Configuration& chosen;
+  const Model& whole;  ///< the model of the scene
+  const Plan& plan;    ///< its part that is solved
+  Measures& measures;  ///< of the columns
+  const SeriesHeading& heading;
+  OutputFile& output;
+  bool named;  ///< the formulation is the user's choice, not the program's
+};
+
+/// Answers each row of --drivers at once, with its outcome. Throws what DriverRows and OutputFile
+/// throw, and CommandError: usage_error for what rows cannot have; not_solved at the first row that
+/// fails or, with --strict, is flagged. With --past-failures, names these on standard error
+/// instead, unless quiet.
+void solve_rows(const Task& task, Formulation& formulation);
+
+}  // namespace desmo::cli
