@@ -30,78 +30,6 @@ Start without_motion(ReadMechanism read) {
   return {std::move(read.mechanism), std::move(read.units), {}, {}};
 }
 
-// A library's own scene names its mechanism as any scene does, but does not start from itself.
-enum class LibraryGives { mechanism, scene };
-
-SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder,
-                     LibraryGives gives);
-
-Start from_library(const JsonValue& value, LibraryGives gives) {
-  value.allow({"library"});
-  const LibraryMechanism& found =
-      library()[value["library"].choose("library mechanism", library_names())];
-  const std::string file_name = "library/" + std::string(found.name);
-  const JsonDocument mechanism(found.mechanism, file_name + ".json");
-  NamedFiles none;
-  Start start = without_motion(mechanism_from(mechanism.root(), none));
-  if (gives == LibraryGives::mechanism) return start;
-  const JsonDocument document(found.scene, file_name + ".scene.json");
-  Scene scene = scene_from(document.root(), {}, LibraryGives::mechanism).scene;
-  start.motions = std::move(scene.motions);
-  start.grid = scene.grid;
-  return start;
-}
-
-Start from_generator(const JsonValue& value) {
-  std::vector<std::string_view> names;
-  for (const Case& c : cases()) names.push_back(c.name);
-  const Case& c = cases()[value["generator"].choose("generator", names)];
-  value.allow({"generator", c.unit_name});
-  const JsonValue count = value[c.unit_name];
-  try {
-    Scene scene = c.with_units(count.whole_number(1, max_units));
-    DisplayUnits units{.length = {scene.mechanism.length_unit}};
-    return {std::move(scene.mechanism), std::move(units), std::move(scene.motions), scene.grid};
-  } catch (const std::invalid_argument& error) {
-    count.complain(std::string(error.what()) + "; choose another number");
-  }
-}
-
-ReadMechanism from_file(const JsonValue& value, NamedFiles& files) {
-  const auto [name, text] = files.read_named(value, "mechanism");
-  const JsonDocument document(text, name);
-  NamedFiles own{std::filesystem::path(name).parent_path()};
-  ReadMechanism read = mechanism_from(document.root(), own);
-  files.read.insert(files.read.end(), own.read.begin(), own.read.end());
-  return read;
-}
-
-Start read_start(const JsonValue& value, NamedFiles& files, LibraryGives gives) {
-  if (value.is_string()) return without_motion(from_file(value, files));
-  if (!value.is_object())
-    value.complain(
-        "is no mechanism; give a file name, a mechanism, {\"library\": name} or "
-        "{\"generator\": name}");
-  if (value.find("library")) return from_library(value, gives);
-  if (value.find("generator")) return from_generator(value);
-  return without_motion(mechanism_from(value, files));
-}
-
-// The unit of length goes with that of the mechanism: a free one is no number of metres.
-FileUnits units_of_motion(const JsonValue& root, int version, const DisplayUnits& mechanism) {
-  FileUnits units = read_units(root, {mechanism});
-  if (units.base_length() != mechanism.base_length())
-    root["units"]["length"].complain(
-        mechanism.base_length() == "1"
-            ? "the mechanism's unit of length is '1', any one unit; give '1' here as well"
-            : "the mechanism has lengths in metres; give 'm', 'mm', 'cm' or 'in'");
-  if (version > 1) return units;
-  const auto given = root.find("units");
-  units.length_is_open = mechanism.length.in_si != 1 && !(given && given->find("length"));
-  units.angle_is_open = mechanism.angle.in_si != 1 && !(given && given->find("angle"));
-  return units;
-}
-
 TimeGrid read_time(const JsonValue& value) {
   if (const auto at = value.find("at")) {
     value.allow({"at"});
@@ -130,6 +58,71 @@ TimeGrid read_time(const JsonValue& value) {
   return grid;
 }
 
+Start from_library(const JsonValue& value) {
+  value.allow({"library"});
+  const LibraryMechanism& found =
+      library()[value["library"].choose("library mechanism", library_names())];
+  const std::string file_name = "library/" + std::string(found.name);
+  const JsonDocument mechanism(found.mechanism, file_name + ".json"),
+      scene(found.scene, file_name + ".scene.json");
+  NamedFiles none;
+  Start start = without_motion(mechanism_from(mechanism.root(), none));
+  start.motions = read_motions(scene.root(), start.mechanism,
+                               read_units(scene.root(), {start.units}), none, {});
+  start.grid = read_time(scene.root()["time"]);
+  return start;
+}
+
+Start from_generator(const JsonValue& value) {
+  std::vector<std::string_view> names;
+  for (const Case& c : cases()) names.push_back(c.name);
+  const Case& c = cases()[value["generator"].choose("generator", names)];
+  value.allow({"generator", c.unit_name});
+  const JsonValue count = value[c.unit_name];
+  try {
+    Scene scene = c.with_units(count.whole_number(1, max_units));
+    DisplayUnits units{.length = {scene.mechanism.length_unit}};
+    return {std::move(scene.mechanism), std::move(units), std::move(scene.motions), scene.grid};
+  } catch (const std::invalid_argument& error) {
+    count.complain(std::string(error.what()) + "; choose another number");
+  }
+}
+
+ReadMechanism from_file(const JsonValue& value, NamedFiles& files) {
+  const auto [name, text] = files.read_named(value, "mechanism");
+  const JsonDocument document(text, name);
+  NamedFiles own{std::filesystem::path(name).parent_path()};
+  ReadMechanism read = mechanism_from(document.root(), own);
+  files.read.insert(files.read.end(), own.read.begin(), own.read.end());
+  return read;
+}
+
+Start read_start(const JsonValue& value, NamedFiles& files) {
+  if (value.is_string()) return without_motion(from_file(value, files));
+  if (!value.is_object())
+    value.complain(
+        "is no mechanism; give a file name, a mechanism, {\"library\": name} or "
+        "{\"generator\": name}");
+  if (value.find("library")) return from_library(value);
+  if (value.find("generator")) return from_generator(value);
+  return without_motion(mechanism_from(value, files));
+}
+
+// The unit of length goes with that of the mechanism: a free one is no number of metres.
+FileUnits units_of_motion(const JsonValue& root, int version, const DisplayUnits& mechanism) {
+  FileUnits units = read_units(root, {mechanism});
+  if (units.base_length() != mechanism.base_length())
+    root["units"]["length"].complain(
+        mechanism.base_length() == "1"
+            ? "the mechanism's unit of length is '1', any one unit; give '1' here as well"
+            : "the mechanism has lengths in metres; give 'm', 'mm', 'cm' or 'in'");
+  if (version > 1) return units;
+  const auto given = root.find("units");
+  units.length_is_open = mechanism.length.in_si != 1 && !(given && given->find("length"));
+  units.angle_is_open = mechanism.angle.in_si != 1 && !(given && given->find("angle"));
+  return units;
+}
+
 std::string read_formulation(const JsonValue& value) {
   constexpr const char* allowed =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/:.-";
@@ -146,13 +139,12 @@ double read_tolerance(const JsonValue& value) {
   return tolerance;
 }
 
-SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder,
-                     LibraryGives gives) {
+SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder) {
   const int version = check_format(root, "desmo-scene", latest_version);
   root.allow({"$schema", "format", "version", "name", "mechanism", "units", "motion", "time",
               "request", "formulation", "tolerance"});
   NamedFiles files{folder};
-  Start start = read_start(root["mechanism"], files, gives);
+  Start start = read_start(root["mechanism"], files);
   Scene scene;
   scene.mechanism = std::move(start.mechanism);
   const auto name = root.find("name");
@@ -173,7 +165,7 @@ SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder,
 SceneFile parse_scene_file(std::string_view text, const std::string& file_name,
                            const std::filesystem::path& folder) {
   const JsonDocument document(text, file_name);
-  return scene_from(document.root(), folder, LibraryGives::scene);
+  return scene_from(document.root(), folder);
 }
 
 Scene parse_scene(std::string_view text, const std::string& file_name,
