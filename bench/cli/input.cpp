@@ -12,10 +12,6 @@
 
 #include "bench/cli/errors.h"
 #include "cases/generators/cases.h"
-#include "cases/io/files.h"
-#include "cases/io/json_document.h"
-#include "cases/io/readers.h"
-#include "cases/io/scene_file.h"
 #include "cases/io/text_file.h"
 #include "cases/library/library.h"
 #include "cases/mechanism/names.h"
@@ -52,27 +48,20 @@ Scene at_rest(Mechanism mechanism) {
   return scene;
 }
 
-Input of_scene(Input input, SceneFile file) {
-  input.scene = std::move(file.scene);
-  input.units = std::move(file.units);
-  input.named_files = std::move(file.files);
-  return input;
-}
-
-Input from_text(const std::string& text, const std::string& source, const std::string& file,
-                const std::filesystem::path& folder, bool mechanism_will_do) {
+ReadScene from_text(const std::string& text, const std::string& source,
+                    const std::filesystem::path& folder, bool mechanism_will_do) {
   const JsonDocument document(text, source);
-  const auto format = document.root().find("format");
+  const JsonValue root = document.root();
+  const auto format = root.find("format");
   if (!format || !format->is_string() || format->text() != "desmo-mechanism")
-    return of_scene({source, file, {}, {}, {}}, parse_scene_file(text, source, folder));
+    return scene_from(root, folder);
   if (!mechanism_will_do)
-    throw InputError(source + ": /format: a mechanism says nothing of motion and time; give a " +
-                     "scene that names it (an example: desmo show slider_crank --scene)");
+    format->complain(
+        "a mechanism says nothing of motion and time; give a scene that names it (an example: "
+        "desmo show slider_crank --scene)");
   NamedFiles files{folder};
-  ReadMechanism read = mechanism_from(document.root(), files);
-  Input input{source, file, {}, std::move(read.units), at_rest(std::move(read.mechanism))};
-  input.named_files = std::move(files.read);
-  return input;
+  ReadMechanism read = mechanism_from(root, files);
+  return {at_rest(std::move(read.mechanism)), std::move(read.units), std::move(files.read)};
 }
 
 Input from_file(const std::string& name, bool mechanism_will_do) {
@@ -83,8 +72,8 @@ Input from_file(const std::string& name, bool mechanism_will_do) {
   } catch (const UnreadableFile& error) {
     throw CommandError(unreadable_input, source + ": " + error.what());
   }
-  return from_text(text, source, name, std::filesystem::path(name).parent_path(),
-                   mechanism_will_do);
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+  return {from_text(text, source, folder, mechanism_will_do), source, name};
 }
 
 /// "truck_suspension:5"; none when it is not of that form or no such case exists.
@@ -112,15 +101,19 @@ std::optional<Scene> scalable_case(const std::string& argument) {
 Input load(const std::string& argument, bool mechanism_will_do) {
   if (argument == "-") {
     const std::string source = "standard input";
-    return from_text(read_standard_input(source), source, standard_input, {}, mechanism_will_do);
+    return {from_text(read_standard_input(source), source, {}, mechanism_will_do), source,
+            standard_input};
   }
   if (argument.find_first_of("/.") != std::string::npos)
     return from_file(argument, mechanism_will_do);
-  if (const LibraryMechanism* const found = find_library(argument))
-    return of_scene({argument, "", {}, {}, {}},
-                    parse_scene_file(found->scene, "library/" + argument + ".scene.json", {}));
-  if (std::optional<Scene> scene = scalable_case(argument))
-    return {argument, "", {}, {.length = {scene->mechanism.length_unit}}, std::move(*scene)};
+  if (const LibraryMechanism* const found = find_library(argument)) {
+    const JsonDocument document(found->scene, "library/" + argument + ".scene.json");
+    return {scene_from(document.root(), {}), argument, ""};
+  }
+  if (std::optional<Scene> scene = scalable_case(argument)) {
+    DisplayUnits units{.length = {scene->mechanism.length_unit}};
+    return {{std::move(*scene), std::move(units)}, argument, ""};
+  }
   std::error_code ignored;
   if (std::filesystem::exists(argument, ignored)) return from_file(argument, mechanism_will_do);
   std::vector<std::string_view> names = library_names();
@@ -150,8 +143,7 @@ void protect_input(const std::string& output, const Input& input, const std::str
                                           ", which is read; give another file");
   };
   protect(input.file, "the scene");
-  for (const fs::path& named : input.named_files)
-    protect(named.string(), "a file that the scene names");
+  for (const fs::path& named : input.files) protect(named.string(), "a file that the scene names");
   protect(drivers == "-" ? std::string(standard_input) : drivers, "the file of the drivers");
 }
 

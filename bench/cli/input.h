@@ -1,23 +1,21 @@
 // Input of the commands: a file, standard input, or a name.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "bench/cli/units.h"
-#include "cases/mechanism/scene.h"
+#include "cases/io/readers.h"
 #include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::cli {
 
-struct Input {
+/// A scene; of a mechanism file: with drivers at rest, and no instants. Its units are those in
+/// which numbers are written and read; inside they are in SI units.
+struct Input : ReadScene {
   std::string source;  ///< for messages
   std::string file;    ///< path of what was read, /dev/stdin where that is "-"; empty: none
-  std::vector<std::filesystem::path> named_files;  ///< that it names, and were read
-  DisplayUnits units;  ///< in which its numbers are written and read; inside they are in SI units
-  Scene scene;         ///< for a mechanism file: drivers at rest, no instants
 };
 
 /// Loads a scene. Throws InputError and CommandError (unreadable_input; usage_error for a number of

@@ -116,6 +116,15 @@ std::vector<Mechanism::Coupling> read_couplings(const JsonValue& root, const Mec
                                                 const DisplayUnits& units, const Names& names,
                                                 NamedFiles& files);
 
+/// A scene, and what else its file tells.
+struct ReadScene {
+  Scene scene;
+  DisplayUnits units;  ///< of motions: its own, or those of the mechanism where it names none
+  std::vector<std::filesystem::path> files{};  ///< others that were read: mechanism, tables
+};
+/// folder: a mechanism file and tables are read relative to it.
+ReadScene scene_from(const JsonValue& root, const std::filesystem::path& folder);
+
 // Sections of a scene file:
 
 /// Reads `motion`. Returns one motion for each driven coordinate, in the mechanism's order, in

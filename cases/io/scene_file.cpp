@@ -1,5 +1,3 @@
-#include "cases/io/scene_file.h"
-
 #include <cmath>
 #include <optional>
 
@@ -139,7 +137,9 @@ double read_tolerance(const JsonValue& value) {
   return tolerance;
 }
 
-SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder) {
+}  // namespace
+
+ReadScene scene_from(const JsonValue& root, const std::filesystem::path& folder) {
   const int version = check_format(root, "desmo-scene", latest_version);
   root.allow({"$schema", "format", "version", "name", "mechanism", "units", "motion", "time",
               "request", "formulation", "tolerance"});
@@ -160,17 +160,10 @@ SceneFile scene_from(const JsonValue& root, const std::filesystem::path& folder)
   return {std::move(scene), std::move(units), std::move(files.read)};
 }
 
-}  // namespace
-
-SceneFile parse_scene_file(std::string_view text, const std::string& file_name,
-                           const std::filesystem::path& folder) {
-  const JsonDocument document(text, file_name);
-  return scene_from(document.root(), folder);
-}
-
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   const std::filesystem::path& folder) {
-  return parse_scene_file(text, file_name, folder).scene;
+  const JsonDocument document(text, file_name);
+  return scene_from(document.root(), folder).scene;
 }
 
 Scene read_scene(const std::filesystem::path& file) {
