@@ -9,78 +9,50 @@ namespace {
 using Coordinate = Mechanism::Coordinate;
 using Type = Mechanism::CoordinateType;
 
-class CoordinateReader {
- public:
-  CoordinateReader(int dimension, const DisplayUnits& units, const Names& names)
-      : dimension_(dimension), units_(units), names_(names) {}
-
-  Coordinate read(const JsonValue& value) const {
-    Coordinate c;
-    c.name = checked_name(value, value.key());
-    value.allow({"angle", "distance", "component", "from", "towards", "along", "axis", "estimate"});
-    const auto angle = value.find("angle"), distance = value.find("distance"),
-               component = value.find("component");
-    if (angle.has_value() + distance.has_value() + component.has_value() != 1)
-      value.complain("must measure one thing; give angle, distance or component, one of them");
-    if (angle) read_angle(value, c);
-    if (distance) read_distance(value, c);
-    if (component) read_component(value, c);
-    if (const auto estimate = value.find("estimate"))
-      c.estimate =
-          estimate->number() * (c.type == Type::angle ? units_.angle.in_si : units_.length.in_si);
-    return c;
+void read_angle(const JsonValue& value, int dimension, const Names& names, Coordinate& c) {
+  value.allow({"angle", "from", "towards", "estimate"});
+  c.type = Type::angle;
+  c.of = read_direction(value["angle"], names);
+  if (dimension == 2) {
+    if (const auto towards = value.find("towards"))
+      towards->complain("is for space, this mechanism is plane; leave it out");
+    if (const auto from = value.find("from")) c.from = read_direction(*from, names);
+    return;
   }
+  const JsonValue from = value["from"], towards = value["towards"];
+  std::string_view name = from.text();
+  c.opposite = name.starts_with('-');
+  if (c.opposite) name.remove_prefix(1);
+  c.from.vector = names.vectors.find(from, name);
+  if (towards.text().starts_with('-'))
+    towards.complain(
+        "an opposite such as " + in_quotes(towards.text()) +
+        " is taken by \"from\" alone; give a vector that is declared in that direction");
+  c.towards.vector = names.vectors.find(towards);
+}
 
- private:
-  void read_angle(const JsonValue& value, Coordinate& c) const {
-    value.allow({"angle", "from", "towards", "estimate"});
-    c.type = Type::angle;
-    c.of = read_direction(value["angle"], names_);
-    if (dimension_ == 2) {
-      if (const auto towards = value.find("towards"))
-        towards->complain("is for space, this mechanism is plane; leave it out");
-      if (const auto from = value.find("from")) c.from = read_direction(*from, names_);
-      return;
-    }
-    const JsonValue from = value["from"], towards = value["towards"];
-    std::string_view name = from.text();
-    c.opposite = name.starts_with('-');
-    if (c.opposite) name.remove_prefix(1);
-    c.from.vector = names_.vectors.find(from, name);
-    if (towards.text().starts_with('-'))
-      towards.complain(
-          "an opposite such as " + in_quotes(towards.text()) +
-          " is taken by \"from\" alone; give a vector that is declared in that direction");
-    c.towards.vector = names_.vectors.find(towards);
-  }
+void read_distance(const JsonValue& value, const Names& names, Coordinate& c) {
+  value.allow({"distance", "along", "estimate"});
+  c.type = Type::distance;
+  const auto [from, to] = names.points.find_pair(value["distance"]);
+  c.of.from = from;
+  c.of.to = to;
+  const auto along = value.find("along");
+  if (!along) return;
+  c.type = Type::along;
+  c.vector = names.vectors.find(*along);
+}
 
-  void read_distance(const JsonValue& value, Coordinate& c) const {
-    value.allow({"distance", "along", "estimate"});
-    c.type = Type::distance;
-    const auto [from, to] = names_.points.find_pair(value["distance"]);
-    c.of.from = from;
-    c.of.to = to;
-    const auto along = value.find("along");
-    if (!along) return;
-    c.type = Type::along;
-    c.vector = names_.vectors.find(*along);
-  }
-
-  void read_component(const JsonValue& value, Coordinate& c) const {
-    value.allow({"component", "axis", "estimate"});
-    c.type = Type::component;
-    c.point = names_.points.find(value["component"]);
-    constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
-    const JsonValue axis = value["axis"];
-    c.axis = static_cast<int>(axis.choose("axis", axes));
-    if (c.axis >= dimension_)
-      axis.complain("there is no z in the plane; give 'x' or 'y', or the mechanism dimension 3");
-  }
-
-  int dimension_;
-  const DisplayUnits& units_;
-  const Names& names_;
-};
+void read_component(const JsonValue& value, int dimension, const Names& names, Coordinate& c) {
+  value.allow({"component", "axis", "estimate"});
+  c.type = Type::component;
+  c.point = names.points.find(value["component"]);
+  constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+  const JsonValue axis = value["axis"];
+  c.axis = static_cast<int>(axis.choose("axis", axes));
+  if (c.axis >= dimension)
+    axis.complain("there is no z in the plane; give 'x' or 'y', or the mechanism dimension 3");
+}
 
 void read_drivers(const JsonValue& list, const Names& names, std::vector<Coordinate>& coordinates) {
   for (const JsonValue& value : list.elements()) {
@@ -94,7 +66,20 @@ void read_drivers(const JsonValue& list, const Names& names, std::vector<Coordin
 
 Coordinate read_coordinate(const JsonValue& value, int dimension, const DisplayUnits& units,
                            const Names& names) {
-  return CoordinateReader(dimension, units, names).read(value);
+  Coordinate c;
+  c.name = checked_name(value, value.key());
+  value.allow({"angle", "distance", "component", "from", "towards", "along", "axis", "estimate"});
+  const auto angle = value.find("angle"), distance = value.find("distance"),
+             component = value.find("component");
+  if (angle.has_value() + distance.has_value() + component.has_value() != 1)
+    value.complain("must measure one thing; give angle, distance or component, one of them");
+  if (angle) read_angle(value, dimension, names, c);
+  if (distance) read_distance(value, names, c);
+  if (component) read_component(value, dimension, names, c);
+  if (const auto estimate = value.find("estimate"))
+    c.estimate =
+        estimate->number() * (c.type == Type::angle ? units.angle.in_si : units.length.in_si);
+  return c;
 }
 
 std::vector<Coordinate> read_coordinates(const JsonValue& root, int dimension,
