@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "cases/io/readers.h"
@@ -32,7 +31,7 @@ Coupling by_table(const JsonValue& value, const std::vector<Coordinate>& coordin
             leads = names.coordinates.find(value["of"]);
   TableColumn values = column_of("values", coordinates[follows], units),
               arguments = column_of("at", coordinates[leads], units);
-  const Derived unit = exact_size(values.unit);
+  const DisplayUnit unit = values.unit;  // a heading may name others
   read_table(value, files, coordinates, arguments, values);
   Coupling coupling;
   for (const auto& [c, column] : {std::pair(follows, &values), std::pair(leads, &arguments)})
@@ -41,14 +40,7 @@ Coupling by_table(const JsonValue& value, const std::vector<Coordinate>& coordin
   table.arguments = std::move(arguments.numbers);
   table.values = std::move(values.numbers);
   table.ends = read_ends(value, true);
-  const auto from = value.find("from");
-  if (from && from->is_number()) {
-    table.from = unit * from->number();
-  } else if (from) {
-    constexpr std::array<std::string_view, 1> starts{"drawing"};
-    from->choose("start", starts);
-    table.from.reset();
-  }
+  if (const auto from = value.find("from")) table.from = read_from(*from, unit);
   return coupling;
 }
 

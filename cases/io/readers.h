@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -141,6 +142,9 @@ std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechani
 Motion read_motion(const JsonValue& value, const Mechanism& mechanism,
                    const Mechanism::Coordinate& coordinate, const FileUnits& units,
                    NamedFiles& files);
+
+/// Reads `from`, what a motion or a table starts from. Returns nothing for the drawing.
+std::optional<Derived> read_from(const JsonValue& from, const DisplayUnit& unit);
 
 /// A column of a table: arguments, which ascend, or values.
 struct TableColumn {
