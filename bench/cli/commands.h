@@ -35,28 +35,33 @@ inline void add_scene(CLI::App& command, std::string& scene) {
       ->required();
 }
 
+/// Names of an option's values.
+template <class Value>
+using Choices = std::vector<std::pair<std::string_view, Value>>;
+
+/// Returns the value of that name. Throws CLI::ValidationError, with the nearest names.
+template <class Value>
+Value chosen(const std::string& option, std::string_view name, const Choices<Value>& choices) {
+  std::vector<std::string_view> known;
+  for (const auto& [choice, value] : choices) {
+    if (choice == name) return value;
+    known.push_back(choice);
+  }
+  throw CLI::ValidationError(
+      option, in_quotes(name) + " is none of its values; " + suggestion(name, known));
+}
+
 /// Adds an option whose value has one of these names; `value` must outlive the command.
 template <class Value>
 CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& value,
-                        std::vector<std::pair<std::string_view, Value>> choices,
-                        const std::string& description) {
+                        const Choices<Value>& choices, const std::string& description) {
   std::string names;
   for (const auto& [name, meaning] : choices)
     names += (names.empty() ? "" : "|") + std::string(name);
-  return command
-      .add_option_function<std::string>(
-          option,
-          [option, &value, choices = std::move(choices)](const std::string& given) {
-            std::vector<std::string_view> known;
-            for (const auto& [name, meaning] : choices) {
-              if (name == given) return void(value = meaning);
-              known.push_back(name);
-            }
-            throw CLI::ValidationError(
-                option, in_quotes(given) + " is none of its values; " + suggestion(given, known));
-          },
-          description)
-      ->type_name(names);
+  const auto choose = [option, &value, choices](const std::string& given) {
+    value = chosen(option, given, choices);
+  };
+  return command.add_option_function<std::string>(option, choose, description)->type_name(names);
 }
 
 AddCommand add_list, add_show, add_inspect, add_solve, add_view, add_range, add_tune;

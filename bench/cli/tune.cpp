@@ -149,7 +149,7 @@ void add_tune(CLI::App& program) {
           std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
       ->check(CLI::PositiveNumber);
-  std::vector<std::pair<std::string_view, Level>> levels;
+  Choices<Level> levels;
   for (const Level level : all_levels) levels.emplace_back(bench::level_names[level], level);
   add_choice(*command, "--level", options->level, levels,
              "Which error is meant; position by default");

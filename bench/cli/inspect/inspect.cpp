@@ -1,6 +1,5 @@
 // desmo inspect: the structure of a mechanism.
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -39,14 +38,11 @@ void add_inspect(CLI::App& program) {
                    "Mechanism or scene file, - for standard input, library mechanism, or scalable "
                    "case with its units, such as truck_suspension:5")
       ->required();
-  std::map<std::string, Modelling> kinds;
-  for (const Modelling kind : modelling_kinds) kinds.emplace(name_of(kind), kind);
-  command
-      ->add_option("--coordinates", options->coordinates,
-                   "natural (default), basis, reference or relative: the tree, its variables, the "
-                   "joints that are cut, and what each group solves for")
-      ->transform(CLI::CheckedTransformer(kinds).description(""))
-      ->type_name("KIND");
+  Choices<Modelling> kinds;
+  for (const Modelling kind : modelling_kinds) kinds.emplace_back(name_of(kind), kind);
+  add_choice(*command, "--coordinates", options->coordinates, kinds,
+             "natural (default), basis, reference or relative: the tree, its variables, the joints "
+             "that are cut, and what each group solves for");
   command->add_flag("--json", options->json, "As JSON, with equations and unknowns by name");
   command->footer(
       "Examples:\n"

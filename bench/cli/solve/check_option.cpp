@@ -1,44 +1,30 @@
 #include "bench/cli/solve/check_option.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "cases/mechanism/names.h"
+#include "bench/cli/commands.h"
 
 namespace desmo::cli {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, CheckMode>, 4> modes{
-    {{"proof", CheckMode::proof},
-     {"mechanism", CheckMode::mechanism},
-     {"sample", CheckMode::sample},
-     {"none", CheckMode::none}}};
-
-[[noreturn]] void refuse(const std::string& what) { throw CLI::ValidationError("--check", what); }
-
 void set(CheckOptions& options, const std::string& given) {
   const std::size_t colon = given.find(':');
-  const std::string_view name = std::string_view(given).substr(0, colon);
-  std::vector<std::string_view> known;
-  for (const auto& [mode, meaning] : modes) {
-    known.push_back(mode);
-    if (mode == name) options.mode = meaning;
-  }
-  if (std::ranges::find(known, name) == known.end())
-    refuse(desmo::in_quotes(given) + " is none of its values; " + suggestion(name, known));
+  options.mode = chosen<CheckMode>("--check", std::string_view(given).substr(0, colon),
+                                   {{"proof", CheckMode::proof},
+                                    {"mechanism", CheckMode::mechanism},
+                                    {"sample", CheckMode::sample},
+                                    {"none", CheckMode::none}});
+  const auto refuse = [&](const std::string& what) {
+    throw CLI::ValidationError("--check", desmo::in_quotes(given) + ": " + what);
+  };
   if (colon == std::string::npos) return;
-  if (options.mode != CheckMode::sample)
-    refuse(desmo::in_quotes(given) + ": a number follows sample alone, as in sample:16");
+  if (options.mode != CheckMode::sample) refuse("a number follows sample alone, as in sample:16");
   const char* const end = given.data() + given.size();
   const auto [read, error] = std::from_chars(given.data() + colon + 1, end, options.sample);
   if (error != std::errc() || read != end || options.sample < 1)
-    refuse(desmo::in_quotes(given) + ": the number of rows is a whole number from 1 on");
+    refuse("the number of rows is a whole number from 1 on");
 }
 
 }  // namespace
