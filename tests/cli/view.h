@@ -31,19 +31,19 @@ class View : public Cli {
     if (desmo("view slider_crank") == 69) GTEST_SKIP() << err_;
   }
 
-  /// Returns text that a page carries, by the id of its place.
-  static std::string text_at(const std::string& id, const std::string& page) {
-    const std::size_t at = page.find('>', page.find("id=\"" + id + "\"")) + 1;
+  /// Returns the data that a page carries, as text.
+  static std::string text_in(const std::string& page) {
+    const std::size_t at = page.find('>', page.find("id=\"data\"")) + 1;
     return page.substr(at, page.find("</script>", at) - at);
   }
-  static Json data_of(const std::string& page) { return Json::parse(text_at("data", page)); }
+  static Json data_of(const std::string& page) { return Json::parse(text_in(page)); }
 
   /// Runs a script in node on `data`, which the page of a scene reads; it may draw() them
   /// (drawing.js). Returns the exit code; 127: there is no node.
   int run_on_page_of(const std::string& scene, const std::string& script) {
     desmo("view " + scene + " -o out/page.html");  // fails, and writes the page, where it locks
     const std::string page = text_of(out("page.html"));
-    for (const char* id : {"data", "numbers"}) write(id, text_at(id, page));
+    write("data", text_in(page));
     write(
         "script.mjs",
         std::string("import {readFileSync} from 'node:fs';\n"

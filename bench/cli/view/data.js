@@ -5,7 +5,7 @@ import {add_transmission, interpret} from './mechanism.js';
 // and the positions in the list before which instants are missing (`holes`).
 export function read() {
   const data = JSON.parse(document.getElementById('data').textContent);
-  const bytes = Uint8Array.from(atob(document.getElementById('numbers').textContent), c => c.charCodeAt(0));
+  const bytes = Uint8Array.from(atob(data.numbers), c => c.charCodeAt(0));
   const numbers = new DataView(bytes.buffer);
   data.columns.forEach((column, c) => {
     column.values = Float64Array.from(

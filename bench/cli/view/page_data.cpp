@@ -75,16 +75,17 @@ class Writer {
       if (carried[p]) points_.push_back(m_.find(scene_.mechanism.points[p].name));
   }
 
-  PageData operator()() {
+  std::string operator()() {
     write_about();
     write_geometry();
     write_flags();
     write_plots();
     json_["columns"] = columns_;
-    PageData result{json_.dump(-1, ' ', false, Json::error_handler_t::replace), base64(numbers_)};
-    for (std::size_t at = 0; (at = result.json.find('<', at)) != std::string::npos;)
-      result.json.replace(at, 1, "\\u003c");  // or a text could end the script
-    return result;
+    json_["numbers"] = base64(numbers_);
+    std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
+    for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+      text.replace(at, 1, "\\u003c");  // or a text could end the script
+    return text;
   }
 
  private:
@@ -255,6 +256,6 @@ std::size_t drawn_numbers(const Mechanism& mechanism) {
                  (3 * count(carried_points(mechanism)) + count(drawn_vectors(mechanism)));
 }
 
-PageData page_data(const ShownMotion& motion, int every) { return Writer(motion, every)(); }
+std::string page_data(const ShownMotion& motion, int every) { return Writer(motion, every)(); }
 
 }  // namespace desmo::cli

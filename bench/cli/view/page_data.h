@@ -19,12 +19,6 @@ struct ShownMotion {
   std::string formulation;
 };
 
-/// Data as page.html takes them.
-struct PageData {
-  std::string json;     ///< everything but the columns of numbers, which it names by their places
-  std::string numbers;  ///< base64 of the columns, one after the other, as floats of 32 bits
-};
-
 /// Bytes that a number takes in a page: four, in base64.
 inline constexpr double text_per_number = 16. / 3;
 
@@ -32,9 +26,11 @@ inline constexpr double text_per_number = 16. / 3;
 /// this.
 std::size_t drawn_numbers(const Mechanism& mechanism);
 
-/// Writes every `every`th of the recorded instants, and the last ones before gaps and the end. All
-/// numbers are in the scene's units and have seven digits; so have their differences. The scene's
-/// request is plotted, or else relative coordinates and points, as many as fit.
-PageData page_data(const ShownMotion& motion, int every);
+/// Returns the data as page.html takes them: JSON, with the columns of numbers one after the other
+/// as base64 of floats of 32 bits. It has every `every`th of the recorded instants, and the last
+/// ones before gaps and the end. All numbers are in the scene's units and have seven digits; so
+/// have their differences. The scene's request is plotted, or else relative coordinates and points,
+/// as many as fit.
+std::string page_data(const ShownMotion& motion, int every);
 
 }  // namespace desmo::cli

@@ -39,18 +39,11 @@ void require_page() {
         "or later and npm are installed and packages can be fetched");
 }
 
-/// Puts data in the places that the page has for them.
-std::string fill(const PageData& data) {
-  std::string_view page = page_template;
-  std::string result;
-  for (const auto& [mark, text] :
-       {std::pair<std::string_view, const std::string*>{"@DATA@", &data.json},
-        {"@NUMBERS@", &data.numbers}}) {
-    const std::size_t at = page.find(mark);
-    result.append(page.substr(0, at)).append(*text);
-    page.remove_prefix(at + mark.size());
-  }
-  return result.append(page);
+/// Puts data in the place that the page has for them.
+std::string fill(const std::string& data) {
+  constexpr std::string_view mark = "@DATA@";
+  std::string page(page_template);
+  return page.replace(page.find(mark), mark.size(), data);
 }
 
 [[noreturn]] void refuse_size(const std::string& source, const Model& model) {
