@@ -48,19 +48,14 @@ void sync_folder(const std::string& target) {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string& path, void (*begun)(const std::string&))
-    : path_(path == "-" ? "" : path) {
-  if (path_.empty()) {
+// After another constructor the destructor cleans up where open() throws.
+OutputFile::OutputFile(const std::string& path, void (*begun)(const std::string&)) : OutputFile() {
+  if (path.empty() || path == "-") {
     file_ = STDOUT_FILENO;
     return;
   }
-  try {
-    open(begun);
-  } catch (...) {
-    if (file_ >= 0) ::close(file_);
-    if (!unfinished_.empty()) ::unlink(unfinished_.c_str());
-    throw;
-  }
+  path_ = path;
+  open(begun);
 }
 
 void OutputFile::open(void (*begun)(const std::string&)) {

@@ -41,6 +41,7 @@ class OutputFile {
 
  private:
   friend void write_files(const std::filesystem::path&, const std::vector<struct NewFile>&);
+  OutputFile() = default;
   void open(void (*begun)(const std::string&));
   void close();
   void rename();
