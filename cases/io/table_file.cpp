@@ -9,65 +9,64 @@
 namespace desmo {
 namespace {
 
-class TableFile {
- public:
-  TableFile(const JsonValue& place, NamedFiles::Text file,
-            const std::vector<Mechanism::Coordinate>& coordinates, TableColumn& arguments,
-            TableColumn& values)
-      : place_(place),
-        file_(std::move(file)),
-        coordinates_(coordinates),
-        columns_{&arguments, &values} {}
+struct TableFile {
+  const JsonValue& place;
+  NamedFiles::Text file;
+  const std::vector<Mechanism::Coordinate>& coordinates;
+  std::array<TableColumn*, 2> columns;  // arguments, values
+  long lines = 0;                       // that were read
+  std::size_t width = 0;
+  std::array<std::size_t, 2> at{0, 1};  // of these columns
+  std::vector<std::string_view> fields{};
 
   void read() {
-    std::string_view rest = file_.text;
+    std::string_view rest = file.text;
     while (!rest.empty()) {
       const std::string_view line = rest.substr(0, rest.find('\n'));
       rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-      ++line_;
+      ++lines;
       if (!trimmed(line).empty()) read_line(line);
     }
-    const std::size_t rows = columns_[0]->numbers.size();
+    const std::size_t rows = columns[0]->numbers.size();
     if (rows >= 2) return;
-    line_ = 0;
+    lines = 0;
     fail("has " + std::to_string(rows) + " rows; a table needs 2 or more");
   }
 
- private:
   void read_line(std::string_view line) {
-    split_fields(line, fields_);
+    split_fields(line, fields);
     double ignored;
-    if (width_ == 0) {
-      width_ = fields_.size();
-      if (!to_number(fields_.front(), ignored)) return read_heading();
-      if (width_ != 2)
-        fail("has " + std::to_string(width_) + " columns and no heading; give two, " + name(0) +
+    if (width == 0) {
+      width = fields.size();
+      if (!to_number(fields.front(), ignored)) return read_heading();
+      if (width != 2)
+        fail("has " + std::to_string(width) + " columns and no heading; give two, " + name(0) +
              " and " + name(1) + ", or name them in the first line");
     }
-    if (fields_.size() != width_)
-      fail("has " + std::to_string(fields_.size()) + " columns, where " + std::to_string(width_) +
+    if (fields.size() != width)
+      fail("has " + std::to_string(fields.size()) + " columns, where " + std::to_string(width) +
            " are expected");
-    const std::vector<double>& arguments = columns_[0]->numbers;
-    for (const int i : {0, 1}) columns_[i]->numbers.push_back(number(at_[i]));
+    const std::vector<double>& arguments = columns[0]->numbers;
+    for (const int i : {0, 1}) columns[i]->numbers.push_back(number(at[i]));
     if (arguments.size() > 1 && !(arguments.back() > arguments[arguments.size() - 2]))
       fail("its " + name(0) + " is not above the one before; give ascending ones");
   }
 
   void read_heading() {
     std::vector<std::string_view> names;
-    for (const std::string_view field : fields_) names.push_back(column_heading(field).name);
+    for (const std::string_view field : fields) names.push_back(column_heading(field).name);
     for (const int i : {0, 1}) {
-      const auto found = std::ranges::find(names, columns_[i]->name);
+      const auto found = std::ranges::find(names, columns[i]->name);
       if (found != names.end())
-        at_[i] = static_cast<std::size_t>(found - names.begin());
-      else if (width_ != 2)
-        fail("no column is called " + name(i) + "; " + suggestion(columns_[i]->name, names));
-      else if (names[i] == columns_[1 - i]->name ||
-               std::ranges::count(coordinates_, names[i], &Mechanism::Coordinate::name) > 0)
+        at[i] = static_cast<std::size_t>(found - names.begin());
+      else if (width != 2)
+        fail("no column is called " + name(i) + "; " + suggestion(columns[i]->name, names));
+      else if (names[i] == columns[1 - i]->name ||
+               std::ranges::count(coordinates, names[i], &Mechanism::Coordinate::name) > 0)
         fail("column " + std::to_string(i + 1) + " is called " + in_quotes(names[i]) + ", where " +
              name(i) + " is expected; correct the heading");
     }
-    for (const int i : {0, 1}) read_unit(*columns_[i], column_heading(fields_[at_[i]]));
+    for (const int i : {0, 1}) read_unit(*columns[i], column_heading(fields[at[i]]));
   }
 
   void read_unit(TableColumn& column, const ColumnHeading& heading) const {
@@ -79,30 +78,21 @@ class TableFile {
     column.unit = *unit;
   }
 
-  std::string name(int column) const { return in_quotes(columns_[column]->name); }
+  std::string name(int column) const { return in_quotes(columns[column]->name); }
 
   double number(std::size_t column) const {
     constexpr double max_number = 1e100;
     double value = 0;
-    if (!to_number(fields_[column], value) || !(std::abs(value) <= max_number))
-      fail("column " + std::to_string(column + 1) + ": " + in_quotes(fields_[column]) +
+    if (!to_number(fields[column], value) || !(std::abs(value) <= max_number))
+      fail("column " + std::to_string(column + 1) + ": " + in_quotes(fields[column]) +
            " is not a number up to 1e100");
     return value;
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    place_.complain("the table file '" + printable(file_.name, 300) +
-                    "': " + (line_ > 0 ? "line " + std::to_string(line_) + ": " : "") + what);
+    place.complain("the table file '" + printable(file.name, 300) +
+                   "': " + (lines > 0 ? "line " + std::to_string(lines) + ": " : "") + what);
   }
-
-  const JsonValue& place_;
-  NamedFiles::Text file_;
-  const std::vector<Mechanism::Coordinate>& coordinates_;
-  std::array<TableColumn*, 2> columns_;  // arguments, values
-  long line_ = 0;
-  std::size_t width_ = 0;
-  std::array<std::size_t, 2> at_{0, 1};  // of these columns
-  std::vector<std::string_view> fields_;
 };
 
 void read_lists(const JsonValue& table, TableColumn& arguments, TableColumn& values) {
@@ -137,7 +127,7 @@ void read_table(const JsonValue& value, NamedFiles& files,
   if (!file) return read_lists(value, arguments, values);
   if (value.find(arguments.key) || value.find(values.key))
     value.complain("has a file, and lists as well; give one of them");
-  TableFile(*file, files.read_named(*file, "table"), coordinates, arguments, values).read();
+  TableFile{*file, files.read_named(*file, "table"), coordinates, {&arguments, &values}}.read();
 }
 
 SplineEnds read_ends(const JsonValue& table, bool may_index) {
