@@ -9,56 +9,52 @@
 
 namespace desmo::bench {
 
-VerifiedCandidate::VerifiedCandidate(Key, Candidate& candidate)
-    : candidate_(candidate), windows_(candidate.grid().instants, candidate.clock()) {}
-
-double VerifiedCandidate::time_afresh() {
-  const Clock clock = candidate_.clock();
-  double least = std::numeric_limits<double>::infinity();
-  on_fresh_heap([&] {
-    const Analysis analysis = candidate_.make_analysis(windows_);
-    const double begin = now(clock);
-    do {
-      const double before = now(clock);
-      analysis();
-      least = std::min(least, now(clock) - before);
-    } while (clock == Clock::wall && now(clock) - begin < min_wall_seconds);
-  });
-  return least;
-}
-
 void Candidate::verify(ReferenceCache& references) {
-  if (!std::holds_alternative<Unverified>(state_)) return;
+  if (state_ != State::unverified) return;
   try {
-    if (Checked wrong = check(references, verifying_run_))
-      refuse(*std::move(wrong));
-    else
-      state_.emplace<VerifiedCandidate>(VerifiedCandidate::Key(), *this);
+    check(references, verifying_run_);
+    state_ = State::verified;
+  } catch (const NotRun& e) {
+    leave_out(e.what());
   } catch (const std::exception& e) {
-    refuse(failed(e.what()));
+    end(State::failed, e.what());
   }
 }
 
-void Candidate::measure(const std::function<void(VerifiedCandidate&)>& measurement) {
-  auto* const verified = std::get_if<VerifiedCandidate>(&state_);
-  if (!verified) return;
+void Candidate::measure(const std::function<void()>& work) {
+  if (!is_verified()) return;
   try {
-    measurement(*verified);
+    work();
   } catch (const std::exception& e) {
-    refuse(failed(e.what()));
+    end(State::failed, e.what());
   }
+}
+
+std::optional<double> Candidate::time_afresh() {
+  double least = std::numeric_limits<double>::infinity();
+  measure([&] {
+    on_fresh_heap([&] {
+      const Analysis analysis = make_analysis(windows_);
+      const double begin = now(clock_);
+      do {
+        const double before = now(clock_);
+        analysis();
+        least = std::min(least, now(clock_) - before);
+      } while (clock_ == Clock::wall && now(clock_) - begin < min_wall_seconds);
+    });
+  });
+  return is_verified() ? std::optional(least) : std::nullopt;
+}
+
+void Candidate::add_sample(double seconds) {
+  if (is_verified()) seconds_.push_back(seconds);
 }
 
 void Candidate::add_to(nlohmann::ordered_json&) const {}
 
-std::string Candidate::message() const {
-  const auto* const refusal = std::get_if<Refusal>(&state_);
-  return refusal ? refusal->reason : "";
-}
-
-bool Candidate::is_refused(Refusal::Kind kind) const {
-  const auto* const refusal = std::get_if<Refusal>(&state_);
-  return refusal && refusal->kind == kind;
+void Candidate::end(State state, std::string why) {
+  state_ = state;
+  message_ = std::move(why);
 }
 
 }  // namespace desmo::bench

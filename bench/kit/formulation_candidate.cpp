@@ -56,20 +56,20 @@ Summary FormulationCandidate::run(Formulation& formulation, Observer& observer) 
   return formulation.run(grid(), asked_, observer);
 }
 
-FormulationCandidate::Checked FormulationCandidate::check(ReferenceCache& references,
-                                                          VerifyingRun& found) {
+void FormulationCandidate::check(ReferenceCache& references, VerifyingRun& found) {
   const Model& model = problem_.plan.model;
   const Model& whole = problem_.whole ? *problem_.whole : model;
   found.model = model_digest(whole);
-  if (std::string reason = unavailable_reason(settings()); !reason.empty())
-    return not_run(std::move(reason));
+  if (const std::string reason = unavailable_reason(settings()); !reason.empty())
+    throw NotRun(reason);
+  if (const std::string reason = missing(); !reason.empty()) throw NotRun(reason);
   const std::size_t bytes_before = heap_in_use();
   const double before_setup = cpu_now();
   const auto formulation = make_formulation();
   found.setup_seconds = cpu_now() - before_setup;
   found.bytes = static_cast<long>(heap_in_use() - bytes_before);
-  if (std::string missing = missing_code(*formulation); !missing.empty())
-    return failed(std::move(missing));
+  if (const std::string code = missing_code(*formulation); !code.empty())
+    throw std::runtime_error(code);
 
   const std::span<const ReferenceInstant> own = problem_.reference.instants;
   const auto right = own.empty() ? references.get(whole, grid(), settings().stride) : own;
@@ -80,13 +80,12 @@ FormulationCandidate::Checked FormulationCandidate::check(ReferenceCache& refere
   const Comparison comparison = observer.compare();
   found.errors = comparison.errors;
   found.results = comparison.results;
-  if (!summary.ok()) return failed(describe(summary, model));
+  if (!summary.ok()) throw std::runtime_error(describe(summary, model));
   found.iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
   found.residual = summary.residual;
-  std::string wrong = verification_failure(
+  const std::string wrong = verification_failure(
       found.errors, right.size(), std::max(1.0, problem_.tolerance / Settings{}.tolerance));
-  if (wrong.empty()) return {};
-  return failed(std::move(wrong));
+  if (!wrong.empty()) throw std::runtime_error(wrong);
 }
 
 std::vector<Compared> FormulationCandidate::compared(
@@ -121,9 +120,7 @@ Analysis FormulationCandidate::make_analysis(TimingWindows& windows) const {
 }
 
 void FormulationCandidate::sample_afresh(double duration) {
-  measure([&](VerifiedCandidate& verified) {
-    on_fresh_heap([&] { verified.add_sample(step_seconds(*make_assembled(), duration)); });
-  });
+  measure([&] { on_fresh_heap([&] { add_sample(step_seconds(*make_assembled(), duration)); }); });
 }
 
 double FormulationCandidate::step_seconds(Formulation& formulation, double duration) const {
@@ -141,12 +138,11 @@ double FormulationCandidate::step_seconds(Formulation& formulation, double durat
 }
 
 double FormulationCandidate::min_seconds() const {
-  return is_timed() ? std::ranges::min(verified()->seconds())
-                    : std::numeric_limits<double>::infinity();
+  return is_timed() ? std::ranges::min(seconds()) : std::numeric_limits<double>::infinity();
 }
 
 bool FormulationCandidate::is_sampled(double long_motion_seconds) const {
-  return is_verified() && verified()->seconds().size() >= 2 &&
+  return is_verified() && seconds().size() >= 2 &&
          min_seconds() * grid().instants > long_motion_seconds;
 }
 

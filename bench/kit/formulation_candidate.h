@@ -52,7 +52,10 @@ class FormulationCandidate : public Candidate {
 
   /// Compares with the problem's own reference, where it has one. The allowed difference grows with
   /// a tolerance above the usual one.
-  Checked check(ReferenceCache& references, VerifyingRun& found) override;
+  void check(ReferenceCache& references, VerifyingRun& found) override;
+
+  /// Returns why it is not run here; empty: it is.
+  virtual std::string missing() const { return {}; }
 
   /// Runs the whole motion, which is what is verified and timed; by default without checks.
   virtual Summary run(Formulation& formulation, Observer& observer) const;

@@ -1,6 +1,7 @@
 #include "bench/experiments/accuracy/trial.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -19,10 +20,10 @@ double max_condition(const Problem& problem) {
 Trial::Trial(const Problem& problem, const Configuration& configuration)
     : FormulationCandidate(problem, configuration) {
   if (std::string why = unsupported_reason(variant(), settings()); !why.empty())
-    refuse(not_run(std::move(why)));
+    leave_out(std::move(why));
 }
 
-Trial::Checked Trial::check(bench::ReferenceCache&, bench::VerifyingRun& found) {
+void Trial::check(bench::ReferenceCache&, bench::VerifyingRun& found) {
   const Plan& plan = problem().plan;
   formulation_ = make_formulation();
   const Reference& reference = problem().reference;
@@ -31,14 +32,11 @@ Trial::Checked Trial::check(bench::ReferenceCache&, bench::VerifyingRun& found) 
   error = errors.error();
   found.iterations_per_step =
       static_cast<double>(summary.iterations) / static_cast<double>(std::max(1L, summary.instants));
-  if (summary.ok()) return {};
-  return failed(describe(summary, plan.model));
+  if (!summary.ok()) throw std::runtime_error(describe(summary, plan.model));
 }
 
 void Trial::time(double duration) {
-  measure([&](bench::VerifiedCandidate& verified) {
-    verified.add_sample(step_seconds(*formulation_, duration));
-  });
+  measure([&] { add_sample(step_seconds(*formulation_, duration)); });
 }
 
 }  // namespace desmo::accuracy

@@ -50,15 +50,10 @@ CaseCandidate::CaseCandidate(std::shared_ptr<MeasuredCase> measured, const Timed
       measured_(std::move(measured)),
       check_(c.check) {
   if (std::string reason = too_costly(variant(), coordinates(), options); !reason.empty())
-    refuse(not_run(std::move(reason)));
+    leave_out(std::move(reason));
 }
 
-CaseCandidate::Checked CaseCandidate::check(ReferenceCache& references, VerifyingRun& found) {
-  std::string missing = unavailable_reason(settings());
-  if (missing.empty()) missing = measured_->missing(configuration());
-  if (!missing.empty()) return not_run(std::move(missing));
-  return FormulationCandidate::check(references, found);
-}
+std::string CaseCandidate::missing() const { return measured_->missing(configuration()); }
 
 Summary CaseCandidate::run(Formulation& formulation, Observer& observer) const {
   return run_under_check(formulation, grid(), asked_, observer, check_);
