@@ -33,8 +33,8 @@ class CaseVerification : public testing::Test {
     run.steps[instant].flag = CaseRun::Flag::degraded;
     run.stated[instant]->radius = {bound, bound, bound};
   }
-  ExtremeVerdict verdict() const { return verify(known, run, {}).verdict; }
-  std::string reason() const { return verify(known, run, {}).reason; }
+  ExtremeVerdict verdict() const { return verify(known, run).verdict; }
+  std::string reason() const { return verify(known, run).reason; }
 
   ExtremeCase c = case_of("", usual_chain(1, std::numbers::pi / 3), 1, {0, 0.1, 3});
   KnownCase known;
@@ -43,7 +43,7 @@ class CaseVerification : public testing::Test {
 
 TEST_F(CaseVerification, AnErrorWithinTheBoundIsAsExpected) {
   ran(5e-10);
-  const Verification j = verify(known, run, {});
+  const Verification j = verify(known, run);
   EXPECT_EQ(j.verdict, ExtremeVerdict::as_expected);
   EXPECT_EQ(j.outcome, CaseOutcome::converged);
   ASSERT_TRUE(j.worst);
@@ -95,7 +95,7 @@ TEST_F(CaseVerification, DegradedIsExcusedByConditioningAlone) {
   run.message = "degraded";
   degrade(1, 1e-14);
   EXPECT_EQ(verdict(), ExtremeVerdict::as_expected);
-  EXPECT_EQ(verify(known, run, {}).outcome, CaseOutcome::degraded);
+  EXPECT_EQ(verify(known, run).outcome, CaseOutcome::degraded);
   degrade(1, 1e-9);
   EXPECT_EQ(reason(), "degraded");
 }
@@ -171,14 +171,13 @@ TEST_F(CaseVerification, YardsticksAreOtherAttempts) {
   ran(3e-12);
   CaseRun first = run;
   first.errors[0].assign(3, PerLevel<double>{1e-12, 1e-12, 1e-12});
-  EXPECT_EQ(verify(known, run, {&first, nullptr}).verdict, ExtremeVerdict::as_expected);
+  EXPECT_EQ(verify(known, run, &first).verdict, ExtremeVerdict::as_expected);
   first.steps[1].iterations = 4;
-  EXPECT_EQ(verify(known, run, {&first, nullptr}).reason,
-            "2 iterations where the first case has 4");
+  EXPECT_EQ(verify(known, run, &first).reason, "2 iterations where the first case has 4");
   first.errors[0].assign(3, PerLevel<double>{});
-  EXPECT_EQ(verify(known, run, {&first, nullptr}).verdict, ExtremeVerdict::missed);
+  EXPECT_EQ(verify(known, run, &first).verdict, ExtremeVerdict::missed);
   ran(2e-9);
-  EXPECT_EQ(verify(known, run, {&first, nullptr}).verdict, ExtremeVerdict::defect);
+  EXPECT_EQ(verify(known, run, &first).verdict, ExtremeVerdict::defect);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace {
 using Flag = CaseRun::Flag;
 
 /// Returns the maximum over all answers of the first `count` instants that were compared.
-PerLevel<double> max_errors(const CaseRun& run, std::size_t count) {
+PerLevel<double> max_errors(const CaseRun& run,
+                            std::size_t count = std::numeric_limits<std::size_t>::max()) {
   PerLevel<double> worst;
   for (const auto& of_part : run.errors)
     for (std::size_t i = 0; i < std::min(count, of_part.size()); ++i)
@@ -22,19 +23,12 @@ PerLevel<double> max_errors(const CaseRun& run, std::size_t count) {
   return worst;
 }
 
-PerLevel<double> measured(const KnownCase& known, const CaseRun& run,
-                          const Yardsticks& yardsticks) {
-  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-  switch (known.definition->bound) {
-    case Bound::first_case:
-      return yardsticks.first_case ? max_errors(*yardsticks.first_case, all) : PerLevel<double>{};
-    case Bound::new_pivots:
-      return yardsticks.new_pivots ? max_errors(*yardsticks.new_pivots, all) : PerLevel<double>{};
-    case Bound::first_part:
-      return max_errors(run, known.compared.size() / 2);
-    default:
-      return {};
-  }
+/// Returns the errors that the case's bound multiplies, if it does: of a yardstick, or of the first
+/// half.
+PerLevel<double> measured(const KnownCase& known, const CaseRun& run, const CaseRun* yardstick) {
+  if (known.definition->bound == Bound::first_part)
+    return max_errors(run, known.compared.size() / 2);
+  return yardstick ? max_errors(*yardstick) : PerLevel<double>{};
 }
 
 /// Returns the allowed error of answers `part` at the compared instant `next`: what the case's
@@ -79,8 +73,8 @@ std::string at(const KnownCase& p, std::size_t instant) {
   return formatted("at t = %.9g s", p.definition->scene.grid.time(static_cast<int>(instant)));
 }
 
-WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
-  const PerLevel<double> yardstick = measured(p, a, yardsticks);
+WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const CaseRun* yardstick) {
+  const PerLevel<double> errors = measured(p, a, yardstick);
   WorstErrors found;
   for (std::size_t part = 0; part < a.errors.size(); ++part)
     for (std::size_t next = 0; next < a.errors[part].size(); ++next) {
@@ -93,7 +87,7 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const Yardsticks& ya
         // Nothing is claimed of a number without a radius.
         if (flag == Flag::degraded && !std::isfinite(a.stated[next]->radius[level])) continue;
         const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
-                           allowed_error(p, a, yardstick, level, part, next)};
+                           allowed_error(p, a, errors, level, part, next)};
         WorstError& worst = (*found.worst)[level];
         if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
         if (!(e.error > e.allowed)) continue;

@@ -61,11 +61,11 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
         anew.emplace(&other, run_case(known, {&other, {.tolerance = c.scene.tolerance}}));
       const Configuration tried = configuration(*v, c);
       CaseRun a = run_case(known, tried);
-      const auto before = first.find(v);
-      const Yardsticks yardsticks{before == first.end() ? nullptr : &before->second,
-                                  anew.contains(&other) ? &anew.at(&other) : nullptr};
-      results.push_back({&row, c.name, id_with(*v, tried.settings), verify(known, a, yardsticks)});
-      if (before == first.end()) first.emplace(v, std::move(a));
+      const CaseRun* yardstick = nullptr;
+      if (c.bound == Bound::new_pivots) yardstick = &anew.at(&other);
+      if (c.bound == Bound::first_case && first.contains(v)) yardstick = &first.at(v);
+      results.push_back({&row, c.name, id_with(*v, tried.settings), verify(known, a, yardstick)});
+      first.try_emplace(v, std::move(a));
     }
     if (selection.done) selection.done(1.0 / static_cast<double>(cases.size()));
   }

@@ -119,10 +119,10 @@ bool is_idle(const ModellingResult& modelled, const std::string& body) {
 }
 
 /// Returns what was expected and is not there, although nothing is wrong.
-std::string shortcoming(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
+std::string shortcoming(const KnownCase& p, const CaseRun& a, const CaseRun* yardstick) {
   const ExtremeCase& c = *p.definition;
-  if (c.bound == Bound::first_case && yardsticks.first_case)
-    if (std::string why = other_iterations(a, *yardsticks.first_case); !why.empty()) return why;
+  if (c.bound == Bound::first_case && yardstick)
+    if (std::string why = other_iterations(a, *yardstick); !why.empty()) return why;
   if (c.bound == Bound::estimates)
     if (std::string why = overstated(p, a); !why.empty()) return why;
   if (!c.failing_body.empty() && !is_named(p.modelled->model, a.failed_group, c.failing_body))
@@ -139,7 +139,7 @@ std::string shortcoming(const KnownCase& p, const CaseRun& a, const Yardsticks& 
 
 }  // namespace
 
-Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
+Verification verify(const KnownCase& p, const CaseRun& a, const CaseRun* yardstick) {
   const ExtremeCase& c = *p.definition;
   Verification j;
   j.outcome = a.outcome();
@@ -160,14 +160,14 @@ Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yard
     return j.outcome == CaseOutcome::failed && a.steps.size() == 1
                ? j
                : end(ExtremeVerdict::defect, "numbers for what is no mechanism");
-  const WorstErrors errors = errors_of(p, a, yardsticks);
+  const WorstErrors errors = errors_of(p, a, yardstick);
   j.worst = errors.worst;
   // The gravest first.
   for (auto& [why, verdict] : {std::pair{errors.defect, ExtremeVerdict::defect},
                                {unflagged(p, a), ExtremeVerdict::defect},
                                {needless_flag(p, a), ExtremeVerdict::missed},
                                {errors.inexact, ExtremeVerdict::missed},
-                               {shortcoming(p, a, yardsticks), ExtremeVerdict::missed}})
+                               {shortcoming(p, a, yardstick), ExtremeVerdict::missed}})
     if (!why.empty()) return end(verdict, why);
   return j;
 }

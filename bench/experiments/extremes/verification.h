@@ -13,12 +13,6 @@ struct WorstError {
   double error = 0, floor = 0, allowed = 0;
 };
 
-/// Other runs whose errors bound those of a run: it must not be much worse than they are.
-struct Yardsticks {
-  const CaseRun* first_case = nullptr;  ///< of the row, in the same formulation
-  const CaseRun* new_pivots = nullptr;  ///< this case, with pivots chosen anew
-};
-
 /// The worst of a run's errors, and the first that is wrong, or only more than is allowed.
 struct WorstErrors {
   std::optional<PerLevel<WorstError>> worst;
@@ -26,8 +20,8 @@ struct WorstErrors {
 };
 
 /// Returns the worst of a run's errors and the first above what the case's bound makes of
-/// floors and yardsticks. Numbers on another branch do not count.
-WorstErrors errors_of(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks);
+/// floors and a yardstick (see verify). Numbers on another branch do not count.
+WorstErrors errors_of(const KnownCase& known, const CaseRun& run, const CaseRun* yardstick);
 
 /// Returns an instant, for people: its time, or which start it is.
 std::string at(const KnownCase& known, std::size_t instant);
@@ -51,6 +45,10 @@ struct Verification {
 };
 
 /// Compares a run with what is known of the case.
-Verification verify(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks);
+///
+/// yardstick: the other run that the case's bound names, which this one must not be much worse
+/// than: the row's first case in the same formulation, or this case with pivots chosen anew. Null:
+/// none.
+Verification verify(const KnownCase& known, const CaseRun& run, const CaseRun* yardstick = nullptr);
 
 }  // namespace desmo::extremes
