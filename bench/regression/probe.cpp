@@ -68,42 +68,32 @@ double min_seconds(int repetitions, const Call& call) {
   return least;
 }
 
-/// Times candidates, and makes the slowed one slower on purpose.
-class Timer {
- public:
-  Timer(int instants, std::string slowed, double percent)
-      : instants_(instants), slowed_(std::move(slowed)), percent_(percent) {}
+volatile double control_result;  // so that the kernel is not optimised away
 
-  double time(const std::string& name, int repetitions, int placement) const {
-    if (name == control_name)
-      return min_seconds(repetitions, [] { control_result = control_kernel(); });
-    // The place of the candidate's data in cache lines and pages is luck; it is drawn anew every
-    // time.
-    const std::vector<char> shift(16 * static_cast<std::size_t>(placement));
-    const CandidateName parsed = parse_name(name);
-    const bench::Problem problem = problem_of(parsed, instants_);
-    SteppedFormulation stepped(problem, parsed.id);
-    const int last = stepped.last_instant();
-    const int extra = name == slowed_ ? extra_steps(last, percent_) : 0;
-    return min_seconds(repetitions, [&] {
-      Summary s = stepped.run();
-      if (s.ok() && extra > 0) s = stepped.walk(last - 1, last - extra);
-      if (!s.ok()) throw std::runtime_error(describe(s, problem.plan.model));
-    });
-  }
+/// Returns the least time of an analysis, made slower on purpose by a percentage.
+double time(const std::string& name, int instants, double percent, int repetitions, int placement) {
+  if (name == control_name)
+    return min_seconds(repetitions, [] { control_result = control_kernel(); });
+  // The place of the candidate's data in cache lines and pages is luck; it is drawn anew every
+  // time.
+  const std::vector<char> shift(16 * static_cast<std::size_t>(placement));
+  const CandidateName parsed = parse_name(name);
+  const bench::Problem problem = problem_of(parsed, instants);
+  SteppedFormulation stepped(problem, parsed.id);
+  const int last = stepped.last_instant(), extra = extra_steps(last, percent);
+  return min_seconds(repetitions, [&] {
+    Summary s = stepped.run();
+    if (s.ok() && extra > 0) s = stepped.walk(last - 1, last - extra);
+    if (!s.ok()) throw std::runtime_error(describe(s, problem.plan.model));
+  });
+}
 
- private:
-  static inline volatile double control_result;  // so that the kernel is not optimised away
-
-  int instants_;
-  std::string slowed_;
-  double percent_;
-};
-
-void serve(const Timer& timer) {
+/// slowed: the candidate that is made slower by a percentage; empty: none.
+void serve(int instants, const std::string& slowed, double percent) {
   for (std::string name, repetitions, placement; std::cin >> name >> repetitions >> placement;) {
-    const double seconds = timer.time(name, bench::whole_number(repetitions, 1, max_number),
-                                      bench::whole_number(placement, 0, max_number));
+    const double seconds = time(name, instants, name == slowed ? percent : 0,
+                                bench::whole_number(repetitions, 1, max_number),
+                                bench::whole_number(placement, 0, max_number));
     std::cout << seconds << std::endl;  // the other side waits for it
   }
 }
@@ -121,8 +111,8 @@ int run(std::vector<std::string> arguments) {
               << '\n';
   } else if (command == "time" && (arguments.size() == 2 || arguments.size() == 4)) {
     const bool slowed = arguments.size() == 4;
-    serve(Timer(bench::whole_number(arguments[1], 2, max_number), slowed ? arguments[2] : "",
-                slowed ? bench::whole_number(arguments[3], 0, max_number) : 0));
+    serve(bench::whole_number(arguments[1], 2, max_number), slowed ? arguments[2] : "",
+          slowed ? bench::whole_number(arguments[3], 0, max_number) : 0);
   } else {
     return bench::usage_error;
   }
