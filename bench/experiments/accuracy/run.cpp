@@ -96,8 +96,7 @@ void measure(const AccuracySeries& series, const Problem& problem, int repetitio
 }
 
 void measure_all(const bench::CommonOptions& options, const bench::CommandLine& line) {
-  const std::vector<AccuracySeries> all =
-      matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
+  const std::vector<AccuracySeries> all = make_series(options.quick, std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
   bench::RecordWriter recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions

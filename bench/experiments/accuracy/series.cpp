@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "bench/experiments/accuracy/settings_grid.h"
 #include "bench/kit/variant_costs.h"
@@ -50,81 +52,59 @@ std::vector<Settings> table_settings() {
   return all;
 }
 
-/// Adds configurations, each id once.
-class Adder {
- public:
-  explicit Adder(AccuracySeries& series) : series_(series) {}
-  void operator()(const Variant& variant, const std::vector<Settings>& all) {
-    for (const Settings& settings : all)
-      if (ids_.insert(id_with(variant, settings)).second)
-        series_.configurations.push_back({&variant, settings});
-  }
-
- private:
-  AccuracySeries& series_;
-  std::set<std::string> ids_;
-};
-
 int instants_of(double step) { return static_cast<int>(std::lround(seconds / step)) + 1; }
 
-void add_size(std::vector<AccuracySeries>& all, const Case& c, int coordinates, bool largest) {
-  AccuracySeries usual{&c, coordinates, usual_step, instants_of(usual_step), {}};
-  AccuracySeries dense{&c, coordinates, usual_step, dense_instants, {}};
-  Adder add_usual(usual), add_dense(dense);
-  for (const Variant& v : variants()) {
-    if (bench::is_dense_global(v))
-      add_dense(v, minimal_settings());
-    else
-      add_usual(v, reduced_settings());
-    if (largest && is_tuned(v)) add_usual(v, full_settings(v));
-    if (largest && is_in_table_2(v)) add_usual(v, table_settings());
-  }
-  all.push_back(std::move(usual));
-  all.push_back(std::move(dense));
+/// Returns settings of a formulation at the usual step; none for dense global ones.
+std::vector<Settings> usual_settings(const Variant& v, bool largest) {
+  std::vector<Settings> all;
+  const auto add = [&](const std::vector<Settings>& some) {
+    all.insert(all.end(), some.begin(), some.end());
+  };
+  if (!bench::is_dense_global(v)) add(reduced_settings());
+  if (largest && is_tuned(v)) add(full_settings(v));
+  if (largest && is_in_table_2(v)) add(table_settings());
+  return all;
 }
 
-void add_steps(std::vector<AccuracySeries>& all, const Case& c, int coordinates) {
-  for (const double step : {0.001, 0.002, 0.005, 0.02}) {
-    AccuracySeries series{&c, coordinates, step, instants_of(step), {}};
-    Adder add(series);
-    for (const Variant& v : variants())
-      if (is_in_table_2(v)) add(v, {Settings{}});
-    all.push_back(std::move(series));
-  }
+/// Adds some formulations with the settings of each, if the filter lets them through, to a series
+/// that has none yet, each id once. Adds the series unless it is empty.
+void add(std::vector<AccuracySeries>& all, AccuracySeries series, const std::regex& filter,
+         const auto& formulations, const auto& settings_of) {
+  const std::string place =
+      std::string(series.definition->name) + "/" + std::to_string(series.coordinates) + "/";
+  std::set<std::string> ids;
+  for (const Variant& v : formulations)
+    for (const Settings& settings : settings_of(v))
+      if (const std::string id = id_with(v, settings);
+          ids.insert(id).second && std::regex_search(place + id, filter))
+        series.configurations.push_back({&v, settings});
+  if (!series.configurations.empty()) all.push_back(std::move(series));
 }
 
 }  // namespace
 
-std::vector<AccuracySeries> all_series() {
+std::vector<AccuracySeries> make_series(bool quick, const std::regex& filter) {
+  using Grid = std::vector<Settings>;
   std::vector<AccuracySeries> all;
   for (const Case& c : cases()) {
-    for (const int n : c.sizes) add_size(all, c, n, n == c.sizes.back());
-    add_steps(all, c, c.sizes.back());
+    const int usual_instants = instants_of(usual_step);
+    if (quick) {
+      add(all, {&c, c.sizes.front(), usual_step, usual_instants, {}}, filter,
+          tuned | std::views::transform(find_variant),
+          [](const Variant&) { return reduced_settings(); });
+      continue;
+    }
+    const int largest = c.sizes.back();
+    for (const int n : c.sizes) {
+      add(all, {&c, n, usual_step, usual_instants, {}}, filter, variants(),
+          [&](const Variant& v) { return usual_settings(v, n == largest); });
+      add(all, {&c, n, usual_step, dense_instants, {}}, filter, variants(),
+          [](const Variant& v) { return bench::is_dense_global(v) ? minimal_settings() : Grid{}; });
+    }
+    for (const double step : {0.001, 0.002, 0.005, 0.02})
+      add(all, {&c, largest, step, instants_of(step), {}}, filter, variants(),
+          [](const Variant& v) { return is_in_table_2(v) ? Grid{Settings{}} : Grid{}; });
   }
-  return all;
-}
-
-std::vector<AccuracySeries> quick_series() {
-  std::vector<AccuracySeries> all;
-  for (const Case& c : cases()) {
-    AccuracySeries series{&c, c.sizes.front(), usual_step, instants_of(usual_step), {}};
-    Adder add(series);
-    for (const std::string_view id : tuned) add(find_variant(id), reduced_settings());
-    all.push_back(std::move(series));
-  }
-  return all;
-}
-
-std::vector<AccuracySeries> matching(std::vector<AccuracySeries> all,
-                                     const std::regex& expression) {
-  for (AccuracySeries& series : all) {
-    const std::string place =
-        std::string(series.definition->name) + "/" + std::to_string(series.coordinates) + "/";
-    std::erase_if(series.configurations, [&](const Configuration& c) {
-      return !std::regex_search(place + id_with(*c.variant, c.settings), expression);
-    });
-  }
-  std::erase_if(all, [](const AccuracySeries& series) { return series.configurations.empty(); });
   return all;
 }
 

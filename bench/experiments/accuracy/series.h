@@ -22,13 +22,11 @@ struct AccuracySeries {
 ///   O(n³), with the minimal one and over fewer instants;
 /// - at the largest size of the tables, some formulations with the full grid, and those of the
 ///   paper's Table 2 with each tolerance and guess, and with each time step.
-std::vector<AccuracySeries> all_series();
-
-/// Returns the formulations of the full grid at the smallest size, with the reduced one.
-std::vector<AccuracySeries> quick_series();
-
-/// Returns the series without the configurations in whose <case>/<coordinates>/<id> the expression
-/// is not found; series with none are left out.
-std::vector<AccuracySeries> matching(std::vector<AccuracySeries> all, const std::regex& expression);
+/// In a quick run these are the formulations of the full grid at the smallest size, with the
+/// reduced one.
+///
+/// filter: only configurations in whose <case>/<coordinates>/<id> it is found; series with none are
+/// left out.
+std::vector<AccuracySeries> make_series(bool quick, const std::regex& filter);
 
 }  // namespace desmo::accuracy

@@ -55,8 +55,7 @@ int run(const bench::CommandLine& line) {
                      .repetitions = std::to_string(usual_repetitions)});
   if (!bench::read(parser, line.arguments)) return 0;
 
-  const std::vector<SizeSeries> all =
-      matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
+  const std::vector<SizeSeries> all = make_series(options.quick, std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   bench::RecordWriter recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "bench/kit/problem.h"
 #include "bench/kit/variant_costs.h"
@@ -29,7 +31,6 @@ constexpr std::array coordinates{114,  225,  336,  447,   558,   1002,
 constexpr std::array unknowns{10, 15, 20, 25, 30, 40, 50, 60, 75, 90, 110, 140, 200, 300, 400, 500};
 
 constexpr int quick_coordinates = 336, quick_unknowns = 100;
-constexpr int any_number = 1'000'000;
 
 /// Long enough that entering the segments of a motion costs little compared with solving them.
 constexpr int growth_instants = 401;
@@ -67,28 +68,6 @@ std::optional<Model> needed_by_first(const Model& whole, int count) {
 
 Model largest(const Case& c) { return make_model(make_scene(c, c.sizes.back())); }
 
-/// Each number of unknowns once: the first entities may need more than was asked for.
-void add_break_even(std::vector<SizeSeries>& all, const Case& c, int max_unknowns) {
-  const Model whole = largest(c);
-  int last = 0;
-  for (const int least : unknowns) {
-    if (least > max_unknowns) return;
-    const int found = bench::moving_unknowns(smallest_part(whole, least));
-    if (found != last) all.push_back({Question::break_even, &c, last = found, all_at_once()});
-  }
-}
-
-std::vector<SizeSeries> series_up_to(int max_coordinates, int max_unknowns) {
-  std::vector<SizeSeries> all;
-  for (const Case& c : cases()) {
-    for (const int n : coordinates)
-      if (n <= max_coordinates)
-        all.push_back({Question::growth, &c, n, {growing.begin(), growing.end()}});
-    add_break_even(all, c, max_unknowns);
-  }
-  return all;
-}
-
 }  // namespace
 
 std::string_view name_of(Question question) {
@@ -118,20 +97,27 @@ Model smallest_part(const Model& whole, int min_unknowns) {
   return all ? whole : *needed_by_first(whole, first);
 }
 
-std::vector<SizeSeries> all_series() { return series_up_to(any_number, any_number); }
-
-std::vector<SizeSeries> quick_series() { return series_up_to(quick_coordinates, quick_unknowns); }
-
-std::vector<SizeSeries> matching(std::vector<SizeSeries> all, const std::regex& expression) {
-  for (SizeSeries& series : all) {
-    const std::string place = std::string(name_of(series.question)) + "/" +
-                              std::string(series.definition->name) + "/" +
-                              std::to_string(series.size) + "/";
-    std::erase_if(series.ids, [&](std::string_view id) {
-      return !std::regex_search(place + std::string(id), expression);
-    });
+std::vector<SizeSeries> make_series(bool quick, const std::regex& filter) {
+  std::vector<SizeSeries> all;
+  const auto add = [&](Question question, const Case& c, int size, const auto& ids) {
+    SizeSeries series{question, &c, size, {}};
+    const std::string place = std::string(name_of(question)) + "/" + std::string(c.name) + "/" +
+                              std::to_string(size) + "/";
+    for (const std::string_view id : ids)
+      if (std::regex_search(place + std::string(id), filter)) series.ids.push_back(id);
+    if (!series.ids.empty()) all.push_back(std::move(series));
+  };
+  for (const Case& c : cases()) {
+    for (const int n : coordinates)
+      if (!quick || n <= quick_coordinates) add(Question::growth, c, n, growing);
+    const Model whole = largest(c);
+    int last = 0;  // each number once: the first entities may need more than was asked for
+    for (const int least : unknowns) {
+      if (quick && least > quick_unknowns) break;
+      const int found = bench::moving_unknowns(smallest_part(whole, least));
+      if (found != last) add(Question::break_even, c, last = found, all_at_once());
+    }
   }
-  std::erase_if(all, [](const SizeSeries& series) { return series.ids.empty(); });
   return all;
 }
 

@@ -26,15 +26,11 @@ struct SizeSeries {
 };
 
 /// Returns both cases from the smallest of the paper's sizes to a hundred thousand coordinates, and
-/// with 10 to 500 unknowns.
-std::vector<SizeSeries> all_series();
-
-/// Returns both cases up to 336 coordinates and 100 unknowns.
-std::vector<SizeSeries> quick_series();
-
-/// Returns the series without the formulations in whose <growth|break_even>/<case>/<size>/<id> the
-/// expression is not found; series with none are left out.
-std::vector<SizeSeries> matching(std::vector<SizeSeries> all, const std::regex& expression);
+/// with 10 to 500 unknowns; in a quick run up to 336 coordinates and 100 unknowns.
+///
+/// filter: only formulations in whose <growth|break_even>/<case>/<size>/<id> it is found; series
+/// with none are left out.
+std::vector<SizeSeries> make_series(bool quick = false, const std::regex& filter = std::regex(""));
 
 /// Returns the smallest part of a mechanism that has at least `min_unknowns` unknowns and can be
 /// solved alone: the part that its first entities need. Returns the whole where it has fewer
