@@ -16,12 +16,14 @@ namespace desmo::bench {
 
 /// The run that verifies a candidate: what is found and measured.
 struct VerifyingRun {
-  std::string model{};          ///< digest of the model, of a request's the whole; may be empty
-  std::string results{};        ///< digest of what was compared with the reference, or empty
-  Differences errors{};         ///< from the reference
+  std::string model{};    ///< digest of the model, of a request's the whole; may be empty
+  std::string results{};  ///< digest of what was compared with the reference, or empty
+  Differences errors{};   ///< from the reference, up to `level`
+  Level level = Level::acceleration;
   double setup_seconds = 0;     ///< CPU: analysis, ordering, allocation
   double analysis_seconds = 0;  ///< of the analysis that was verified, by the candidate's clock
-  double iterations_per_step = 0, residual = 0;
+  double iterations_per_step = 0;
+  std::optional<double> residual{};  ///< nothing: not known
   /// Heap memory [bytes] that the formulation keeps, libraries included; a step touches less.
   /// 0: not known.
   long bytes = 0;

@@ -60,6 +60,7 @@ void FormulationCandidate::check(ReferenceCache& references, VerifyingRun& found
   const Model& model = problem_.plan.model;
   const Model& whole = problem_.whole ? *problem_.whole : model;
   found.model = model_digest(whole);
+  found.level = asked_.level;
   if (const std::string reason = unavailable_reason(settings()); !reason.empty())
     throw NotRun(reason);
   if (const std::string reason = missing(); !reason.empty()) throw NotRun(reason);

@@ -3,21 +3,13 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "bench/kit/candidate.h"
-#include "cases/mechanism/level.h"
 
 namespace desmo::paper {
-
-/// Parts of an entry that only some candidates have.
-struct EntryParts {
-  Level level = Level::acceleration;  ///< up to which errors are known
-  bool has_residual = true;
-};
 
 /// Completes an entry of a record's list (results/record.schema.json), which names a candidate:
 /// status, the message unless it is "ok", what was solved, where, with which results, how right it
 /// is, and its times. A candidate without a time has less.
 nlohmann::ordered_json with_measurement(nlohmann::ordered_json entry,
-                                        const bench::Candidate& candidate,
-                                        const EntryParts& parts = {});
+                                        const bench::Candidate& candidate);
 
 }  // namespace desmo::paper

@@ -89,7 +89,7 @@ void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, P
     state.SetIterationTime(*seconds);
   }
   state.counters["iterations/step"] = candidate.verifying_run().iterations_per_step;
-  state.counters["residual"] = candidate.verifying_run().residual;
+  state.counters["residual"] = candidate.verifying_run().residual.value_or(0);
   progress.done(1.0 / repetitions);
 }
 

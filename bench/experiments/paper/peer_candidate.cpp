@@ -111,7 +111,7 @@ void PeerCandidate::add_to(nlohmann::ordered_json& lists) const {
                                              {"library_version", peer_.version()},
                                              {"method", peer_.method},
                                              {"guess", guess_name(peer_.guess)}},
-                                            *this, {.has_residual = false}));
+                                            *this));
 }
 
 std::vector<std::unique_ptr<PeerCandidate>> make_peer_candidates(const Options& options) {

@@ -81,7 +81,7 @@ void RequestCandidate::add_to(nlohmann::ordered_json& lists) const {
                                                 {"level", level_names[request_->plan.level()]},
                                                 {"unknowns", request_->unknowns},
                                                 {"all_unknowns", request_->all_unknowns}},
-                                               *this, {.level = request_->plan.level()}));
+                                               *this));
 }
 
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {

@@ -48,7 +48,7 @@ nlohmann::ordered_json timed_entry(const FormulationCandidate& candidate) {
   j["checked_against"] = problem.checked_against;
   j["verification"] = errors_json(found.errors);
   j["iterations_per_step"] = found.iterations_per_step;
-  j["residual"] = found.residual;
+  j["residual"] = found.residual.value();
   // q, q̇ and q̈
   j["state_bytes"] = 3 * sizeof(double) * static_cast<std::size_t>(problem.plan.model.state_size());
   if (found.bytes > 0) j["bytes"] = found.bytes;
