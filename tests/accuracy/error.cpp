@@ -30,8 +30,12 @@ class SliderCrank : public testing::Test {
     for (const Entity& e : model().entities) moving += !e.fixed;
     return moving;
   }
-  static Instant instant(int index, const ReferenceInstant& r) {
-    return {index, r.time, r.q, r.qd, r.qdd};
+  /// Returns the error of instants of which each is compared with the reference at its time.
+  static SolutionError error_of(std::span<const ReferenceInstant> found,
+                                ErrorMeasure measure = {model(), reference().instants,
+                                                        reference().scales}) {
+    for (const ReferenceInstant& r : found) measure.observe({0, r.time, r.q, r.qd, r.qdd});
+    return measure.error();
   }
 };
 
@@ -55,9 +59,7 @@ TEST_F(SliderCrank, SaysMaximumAndRmsOfAKnownError) {
   wrong[0].qd[first("s")] += 1e-5 * scales.length.velocity;
   wrong[3].qdd[first("phi")] += 1e-4 * scales.rotation.acceleration;
 
-  ErrorMeasure measure(model(), reference().instants, scales);
-  for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
-  const SolutionError e = measure.error();
+  const SolutionError e = error_of(wrong);
   EXPECT_EQ(e.instants, 4);
   const double n = 4.0 * outputs();
   EXPECT_EQ(e.position.compared, 4 * outputs());
@@ -70,36 +72,30 @@ TEST_F(SliderCrank, SaysMaximumAndRmsOfAKnownError) {
 }
 
 TEST_F(SliderCrank, ResolvesWhatRoundingToDoubleLoses) {
-  ErrorMeasure measure(model(), reference().instants, reference().scales);
   double expected = 0;
-  for (int i = 0; i < 4; ++i) {
-    const ReferenceInstant& r = reference().instants[i];
-    measure.observe(instant(i, r));
+  for (const ReferenceInstant& r : reference().instants)
     expected = std::max(expected, std::abs(r.remainder.q[first("phi")]));
-  }
   EXPECT_GT(expected, 0);
-  EXPECT_GE(measure.error().position.max, expected);
-  EXPECT_LT(measure.error().position.max, 4.5e-16);  // half an ulp of θ, of up to 2 π
-  EXPECT_GT(measure.error().velocity.max, 0);
-  EXPECT_LT(measure.error().velocity.max, 2e-16);
+  const SolutionError e = error_of(reference().instants);
+  EXPECT_GE(e.position.max, expected);
+  EXPECT_LT(e.position.max, 4.5e-16);  // half an ulp of θ, of up to 2 π
+  EXPECT_GT(e.velocity.max, 0);
+  EXPECT_LT(e.velocity.max, 2e-16);
 }
 
 TEST_F(SliderCrank, CountsAWholeTurnAsAnError) {
   std::vector<ReferenceInstant> wrong = reference().instants;
   wrong[1].q[first("phi")] += 2 * 3.14159265358979323846;
-  ErrorMeasure measure(model(), reference().instants, reference().scales);
-  measure.observe(instant(1, wrong[1]));
-  EXPECT_NEAR(measure.error().position.max, 6.283, 1e-3);
+  EXPECT_NEAR(error_of(wrong).position.max, 6.283, 1e-3);
 }
 
 TEST_F(SliderCrank, NotANumberIsInfinitelyWrong) {
   std::vector<ReferenceInstant> wrong = reference().instants;
   wrong[0].qd[first("s")] = std::numeric_limits<double>::quiet_NaN();
-  ErrorMeasure measure(model(), reference().instants, reference().scales);
-  for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
-  EXPECT_LT(measure.error().position.max, 1e-15);
-  EXPECT_EQ(measure.error().velocity.max, INFINITY);
-  EXPECT_EQ(measure.error().velocity.rms, INFINITY);
+  const SolutionError e = error_of(wrong);
+  EXPECT_LT(e.position.max, 1e-15);
+  EXPECT_EQ(e.velocity.max, INFINITY);
+  EXPECT_EQ(e.velocity.rms, INFINITY);
 }
 
 TEST_F(SliderCrank, ComparesOnlyWhatIsAskedAndDelivered) {
@@ -110,17 +106,16 @@ TEST_F(SliderCrank, ComparesOnlyWhatIsAskedAndDelivered) {
   }
   const std::vector<Output> asked{{model().find("s"), Level::position},
                                   {model().find("A"), Level::acceleration}};  // A is fixed
-  ErrorMeasure measure(model(), reference().instants, reference().scales, asked);
-  for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
-  EXPECT_EQ(measure.error().position.compared, 4);
-  EXPECT_LT(measure.error().position.max, 1e-15);
-  EXPECT_EQ(measure.error().velocity.compared, 0);
+  const SolutionError e =
+      error_of(wrong, {model(), reference().instants, reference().scales, asked});
+  EXPECT_EQ(e.position.compared, 4);
+  EXPECT_LT(e.position.max, 1e-15);
+  EXPECT_EQ(e.velocity.compared, 0);
 
-  ErrorMeasure positions(model(), reference().instants, reference().scales);
   const ReferenceInstant& r = reference().instants[0];
-  positions.observe({0, r.time, r.q, {}, {}});
-  EXPECT_EQ(positions.error().position.compared, outputs());
-  EXPECT_EQ(positions.error().velocity.compared, 0);
+  const ReferenceInstant positions{r.time, r.q, {}, {}};
+  EXPECT_EQ(error_of({&positions, 1}).position.compared, outputs());
+  EXPECT_EQ(error_of({&positions, 1}).velocity.compared, 0);
 }
 
 TEST_F(SliderCrank, SkipsInstantsThatTheReferenceHasNot) {

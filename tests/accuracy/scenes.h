@@ -1,8 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -12,10 +10,6 @@
 #include "formulations/modelling/modelling.h"
 
 namespace desmo {
-
-inline Scene library_scene(std::string_view name) {
-  return parse_scene(find_library(name)->scene, std::string(name) + ".scene.json", "");
-}
 
 /// Returns the instants that tests go through: all of a motion, or with sanitizers its begin.
 inline TimeGrid tested(TimeGrid grid) {
