@@ -17,10 +17,6 @@ const Vec vertical = Vec::UnitZ();
 Vec about_lateral(const Vec& a) { return {a.z(), 0, -a.x()}; }
 Vec about_vertical(const Vec& a) { return {-a.y(), a.x(), 0}; }
 
-Moving<double> height(const MotionSample<double>& z) {
-  return {z.position, z.velocity, z.acceleration};
-}
-
 }  // namespace
 
 /// The part of the heights of the wheels that depends on neither ψ nor θ.
@@ -62,9 +58,9 @@ Axle::Axle(const Mechanism& d, const std::string& prefix, double tolerance)
 }
 
 /// zL − zR = track sin ρ; all that follows is its differentiation.
-Axle::Roll Axle::roll(const MotionSample<double>& left, const MotionSample<double>& right) const {
+Axle::Roll Axle::roll(const Moving<double>& left, const Moving<double>& right) const {
   Roll roll;
-  roll.sine = (1 / track_) * (height(left) - height(right));
+  roll.sine = (1 / track_) * (left - right);
   const auto& [s, s1, s2] = roll.sine;
   const double c = std::sqrt(1 - s * s);
   if (!(c > 0))
@@ -74,7 +70,7 @@ Axle::Roll Axle::roll(const MotionSample<double>& left, const MotionSample<doubl
   roll.cosine = {c, c1, -(s1 * s1 + c1 * c1 + s * s2) / c};
   roll.rate = s1 / c;
   roll.second_rate = (s2 - c1 * roll.rate) / c;
-  roll.base = height(left) - left_.y() * roll.sine;
+  roll.base = left - left_.y() * roll.sine;
   return roll;
 }
 
@@ -112,10 +108,9 @@ Axle::Closure Axle::closure(const Angles& angles, const Roll& roll) const {
   return at;
 }
 
-int Axle::solve(const MotionSample<double>& left, const MotionSample<double>& right,
-                Angles& angles) {
-  left_height_ = height(left);
-  right_height_ = height(right);
+int Axle::solve(const Moving<double>& left, const Moving<double>& right, Angles& angles) {
+  left_height_ = left;
+  right_height_ = right;
   const Roll roll = this->roll(left, right);
   constexpr int max_iterations = Settings{}.max_iterations;
   for (int iterations = 0;; ++iterations) {

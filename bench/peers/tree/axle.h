@@ -6,7 +6,6 @@
 
 #include "bench/peers/tree/moving.h"
 #include "cases/mechanism/mechanism.h"
-#include "cases/mechanism/motion.h"
 
 namespace desmo::tree {
 
@@ -43,7 +42,7 @@ class Axle {
   /// Solves at the given heights of the wheels, starting from the angles given. They become the
   /// solution's. Returns the iterations. Throws std::runtime_error, naming the axle, when the
   /// heights are out of reach or Newton's method does not close the loops.
-  int solve(const MotionSample<double>& left, const MotionSample<double>& right, Angles& angles);
+  int solve(const Moving<double>& left, const Moving<double>& right, Angles& angles);
 
   /// Returns the pose of the axle at the last solution.
   const Pose& pose() const { return pose_; }
@@ -59,7 +58,7 @@ class Axle {
   struct Roll;
   struct Closure;
 
-  Roll roll(const MotionSample<double>& left, const MotionSample<double>& right) const;
+  Roll roll(const Moving<double>& left, const Moving<double>& right) const;
   Closure closure(const Angles& angles, const Roll& roll) const;
   void solve_rates(const Closure& at, const Roll& roll, Angles& angles);
 

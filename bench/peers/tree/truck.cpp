@@ -83,7 +83,7 @@ class Truck final : public TreePeer {
     int iterations = 0;
     const MotionRow heights = motions_(t);
     const auto height = [&](std::size_t wheel) {
-      return MotionSample<double>{heights.z[wheel], heights.zd[wheel], heights.zdd[wheel]};
+      return Moving<double>{heights.z[wheel], heights.zd[wheel], heights.zdd[wheel]};
     };
     for (std::size_t a = 0; a < suspensions_.size(); ++a) {
       Suspension& s = suspensions_[a];
