@@ -28,7 +28,7 @@ std::vector<std::string> steps_command(const Side& side, const std::string& name
 /// Tells whether the side's desmo_steps knows the candidate: it refuses others as wrong usage.
 bool exists(const Side& side, const std::string& name) {
   std::string output;
-  return run_to_end(bench::fixed_launch(steps_command(side, name, 0)), output) !=
+  return bench::Child(bench::fixed_launch(steps_command(side, name, 0))).finish(output) !=
          bench::usage_error;
 }
 

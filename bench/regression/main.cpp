@@ -43,7 +43,7 @@ struct Options {
 /// Returns what desmo_probe answers.
 std::string asked(const Side& side, std::vector<std::string> question) {
   std::string answer;
-  const int code = run_to_end(side.probe(std::move(question)), answer);
+  const int code = bench::Child(side.probe(std::move(question))).finish(answer);
   if (code != 0)
     throw std::runtime_error(side.folder + "/desmo_probe ended with exit code " +
                              std::to_string(code));

@@ -35,7 +35,7 @@ std::int64_t count_steps(std::vector<std::string> command) {
   Launch launch = valgrind(std::move(command));
   launch.environment.push_back("OPENBLAS_CORETYPE=Haswell");  // that callgrind knows
   std::string log;
-  const int code = run_to_end(launch, log);
+  const int code = Child(launch).finish(log);
   const std::int64_t instructions = collected(log);
   if (code != 0 || instructions <= 0)
     throw std::runtime_error("exit code " + std::to_string(code) + "\n" + log);
@@ -44,7 +44,7 @@ std::int64_t count_steps(std::vector<std::string> command) {
 
 std::string counting_tool() {
   std::string version;
-  if (run_to_end(valgrind({"--version"}), version) != 0) return {};
+  if (Child(valgrind({"--version"})).finish(version) != 0) return {};
   return version.substr(0, version.find('\n')) + ", glibc " + gnu_get_libc_version();
 }
 

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include "formulations/algebra/coinhsl.h"
 
@@ -121,22 +122,14 @@ std::string Child::answer() {
   return text;
 }
 
-std::string Child::finish(int& code) {
+int Child::finish(std::string& output) {
   std::fclose(in_);
   in_ = nullptr;
-  std::string text;
+  output.clear();
   std::array<char, 4096> buffer;
   for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), out_)) > 0;)
-    text.append(buffer.data(), n);
-  code = wait_for(process_);
-  process_ = -1;
-  return text;
-}
-
-int run_to_end(const Launch& launch, std::string& output) {
-  int code = 0;
-  output = Child(launch).finish(code);
-  return code;
+    output.append(buffer.data(), n);
+  return wait_for(std::exchange(process_, -1));
 }
 
 std::vector<int> usable_cores() {

@@ -33,9 +33,9 @@ class Child {
   void say(std::string_view line);
   std::string answer();  ///< the next line, without its end
 
-  /// Closes its input and waits. Returns all that it has still to say; code: receives its exit
-  /// code.
-  std::string finish(int& code);
+  /// Closes its input and waits. Returns its exit code; output: receives all that it has still to
+  /// say.
+  int finish(std::string& output);
 
  private:
   std::string program_;
@@ -46,9 +46,6 @@ class Child {
 /// Returns a program in a fixed environment: PATH, one thread of BLAS, every symbol resolved at the
 /// start, locale C. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries are, are kept.
 Launch fixed_launch(std::vector<std::string> arguments);
-
-/// Runs a program to its end; its standard output goes to `output`. Returns its exit code.
-int run_to_end(const Launch& launch, std::string& output);
 
 /// Returns the cores that this process may use.
 std::vector<int> usable_cores();
