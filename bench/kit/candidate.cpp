@@ -9,10 +9,10 @@
 
 namespace desmo::bench {
 
-void Candidate::verify(ReferenceCache& references) {
+void Candidate::verify() {
   if (state_ != State::unverified) return;
   try {
-    check(references, verifying_run_);
+    check(verifying_run_);
     state_ = State::verified;
   } catch (const NotRun& e) {
     leave_out(e.what());

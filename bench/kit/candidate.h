@@ -56,9 +56,9 @@ class Candidate {
   /// Returns the name of the benchmark: <case>/<coordinates>/<id>, and what else tells it apart.
   virtual std::string name() const = 0;
 
-  /// Solves the whole motion and compares it with a reference, which is made or found in the cache
-  /// unless the candidate brings its own. Does nothing when it was verified or refused before.
-  void verify(ReferenceCache& references);
+  /// Solves the whole motion and compares it with a reference, shared_reference() unless the
+  /// candidate brings its own. Does nothing when it was verified or refused before.
+  void verify();
 
   /// Measures where the time goes, for candidates whose split is shown. Does nothing unless it is
   /// verified.
@@ -103,7 +103,7 @@ class Candidate {
 
   /// Solves the whole motion and compares it with a reference. Fills in what it finds. Throws
   /// NotRun where it is not to be run; what else it throws is a failure.
-  virtual void check(ReferenceCache& references, VerifyingRun& found) = 0;
+  virtual void check(VerifyingRun& found) = 0;
 
   /// Makes the analysis that is timed, and assembles it once. windows: receives its times; outlives
   /// it.

@@ -56,7 +56,7 @@ Summary FormulationCandidate::run(Formulation& formulation, Observer& observer) 
   return formulation.run(grid(), asked_, observer);
 }
 
-void FormulationCandidate::check(ReferenceCache& references, VerifyingRun& found) {
+void FormulationCandidate::check(VerifyingRun& found) {
   const Model& model = problem_.plan.model;
   const Model& whole = problem_.whole ? *problem_.whole : model;
   found.model = model_digest(whole);
@@ -73,7 +73,7 @@ void FormulationCandidate::check(ReferenceCache& references, VerifyingRun& found
     throw std::runtime_error(code);
 
   const std::span<const ReferenceInstant> own = problem_.reference.instants;
-  const auto right = own.empty() ? references.get(whole, grid(), settings().stride) : own;
+  const auto right = own.empty() ? shared_reference(whole, grid(), settings().stride) : own;
   ComparingObserver observer(delivered(), asked_.level, right, compared(right));
   const double start = now(clock());
   const Summary summary = run(*formulation, observer);

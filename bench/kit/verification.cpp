@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "cases/mechanism/formatted.h"
@@ -143,11 +145,12 @@ std::vector<double> spread_times(const TimeGrid& grid, int count) {
   return times;
 }
 
-std::span<const ReferenceInstant> ReferenceCache::get(const Model& m, const TimeGrid& grid,
-                                                      int stride) {
+std::span<const ReferenceInstant> shared_reference(const Model& m, const TimeGrid& grid,
+                                                   int stride) {
+  // By model_digest(), start and step of the grid [s], its instants, and whether it is strided.
+  static std::map<std::tuple<std::string, double, double, int, bool>, Reference> all;
   const bool is_strided = stride > 1;
-  Reference& reference =
-      cache_[{model_digest(m), grid.start, grid.step, grid.instants, is_strided}];
+  Reference& reference = all[{model_digest(m), grid.start, grid.step, grid.instants, is_strided}];
   if (reference.instants.empty()) {
     const int count = std::min(grid.instants, instants_compared);
     std::vector<double> times;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -102,23 +100,11 @@ std::string missing_code(const Formulation& formulation);
 /// stride: nothing that is interpolated would be compared.
 std::vector<double> spread_times(const TimeGrid& grid, int count);
 
-/// Quadruple-precision references at instants spread over a motion, made once for each model and
-/// grid and shared by all formulations.
-class ReferenceCache {
- public:
-  /// Returns the reference of a formulation that solves every stride-th instant (Settings::stride).
-  /// Throws std::runtime_error when there is none: see make_reference and require_agreement.
-  std::span<const ReferenceInstant> get(const Model& model, const TimeGrid& grid, int stride = 1);
-
- private:
-  struct Key {
-    std::string model;   // model_digest()
-    double start, step;  // of the grid [s]
-    int instants;
-    bool is_strided;
-    auto operator<=>(const Key&) const = default;
-  };
-  std::map<Key, Reference> cache_;
-};
+/// Returns the quadruple-precision reference, at instants spread over the motion, of a formulation
+/// that solves every stride-th instant (Settings::stride). It is made once for each model and grid,
+/// shared by all formulations, and kept to the end of the process. Call it from one thread at a
+/// time. Throws std::runtime_error when there is none: see make_reference and require_agreement.
+std::span<const ReferenceInstant> shared_reference(const Model& model, const TimeGrid& grid,
+                                                   int stride = 1);
 
 }  // namespace desmo::bench

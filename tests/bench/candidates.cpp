@@ -69,11 +69,10 @@ TEST(TimingWindows, AreFewerWhenThereAreFewInstants) {
 TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
   Options o;
   o.duration = 2;
-  ReferenceCache references;
   CaseCandidate candidate(measured_case(find_case("truck_suspension"), 114, o),
                           {parse_id("group_symbolic_klu")}, o);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/group_symbolic_klu");
-  candidate.verify(references);
+  candidate.verify();
   const auto sum = [](const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
   };
@@ -125,8 +124,7 @@ TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
     ASSERT_NE(found, candidates.end()) << name;
     CaseCandidate& candidate = **found;
     EXPECT_EQ(candidate.settings().btf, BlockTriangularForm::off);
-    ReferenceCache references;
-    candidate.verify(references);
+    candidate.verify();
     ASSERT_TRUE(candidate.is_verified()) << candidate.message();
     candidate.profile();
     ASSERT_TRUE(candidate.phases()) << name;

@@ -31,10 +31,9 @@ TEST(ParallelSegments, OfSeveralThreadsCountNoWork) {
 TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
   Options options;
   options.duration = 10;
-  ReferenceCache references;
   CaseCandidate candidate(measured_case(find_case("truck_suspension"), 225, options),
                           {parse_id("group_symbolic_explicit/segments:4/threads:2")}, options);
-  candidate.verify(references);
+  candidate.verify();
   ASSERT_TRUE(candidate.is_verified()) << candidate.message();
   EXPECT_EQ(candidate.clock(), Clock::wall);
   candidate.add_sample(candidate.time_afresh().value());

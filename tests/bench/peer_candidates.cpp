@@ -72,7 +72,6 @@ PeerDefinition definition() {
 struct PeerCells : testing::Test {
   PeerCells() { options.duration = 1; }
   Options options;
-  ReferenceCache references;
 };
 
 TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
@@ -80,7 +79,7 @@ TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
   PeerCandidate candidate(measured_case(find_case("truck_suspension"), 114, options), half,
                           options);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/peer:half");
-  candidate.verify(references);
+  candidate.verify();
   ASSERT_TRUE(candidate.is_verified()) << candidate.message();
   EXPECT_EQ(candidate.verifying_run().errors.instants, 51);
   EXPECT_GT(candidate.verifying_run().errors.position, 0);
@@ -93,7 +92,7 @@ TEST_F(PeerCells, FailWithAWrongAnswer) {
   const PeerDefinition wrong = definition<WrongInAcceleration>();
   PeerCandidate candidate(measured_case(find_case("truck_suspension"), 114, options), wrong,
                           options);
-  candidate.verify(references);
+  candidate.verify();
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_NE(candidate.message().find("acceleration"), std::string::npos) << candidate.message();
 }
@@ -101,7 +100,7 @@ TEST_F(PeerCells, FailWithAWrongAnswer) {
 TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
   const PeerDefinition lost = definition<FailsAfterAWhile>();
   PeerCandidate candidate(measured_case(find_case("four_bar"), 114, options), lost, options);
-  candidate.verify(references);
+  candidate.verify();
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_EQ(candidate.message(), "lost its way");
 }
@@ -110,7 +109,7 @@ TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
   options.peer_limit = 1e-9;
   const PeerDefinition half = definition<HalfOfOurs>();
   PeerCandidate candidate(measured_case(find_case("four_bar"), 114, options), half, options);
-  candidate.verify(references);
+  candidate.verify();
   EXPECT_TRUE(candidate.is_not_run());
   EXPECT_NE(candidate.message().find("the whole motion would take"), std::string::npos)
       << candidate.message();

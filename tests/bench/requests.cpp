@@ -25,7 +25,6 @@ struct Requests : testing::Test {
     o.duration = 0.5;
     return o;
   }();
-  ReferenceCache references;
 
   std::shared_ptr<const PlannedRequest> planned(std::string_view name) const {
     for (const RequestScene& r : request_scenes())
@@ -42,7 +41,7 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
     EXPECT_TRUE(
         candidate->name().starts_with("truck_suspension/558/" + candidate->id() + "/request:"))
         << candidate->name();
-    candidate->verify(references);
+    candidate->verify();
     if (candidate->is_not_run()) {  // this processor has not the registers
       EXPECT_EQ(candidate->message(), unavailable_reason(candidate->settings()));
       continue;
@@ -77,7 +76,7 @@ TEST_F(Requests, FailWhereSomethingNeededIsLeftOut) {
   for (int i = 0; i < std::ssize(request->plan.levels); ++i)  // not what its velocity needs
     if (i != request->delivered[0]) request->plan.levels[i] = Level::position;
   RequestCandidate candidate(request, parse_id("group_symbolic_inlined"));
-  candidate.verify(references);
+  candidate.verify();
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_TRUE(candidate.message().starts_with("differs from the reference")) << candidate.message();
   EXPECT_FALSE(candidate.is_timed());
@@ -89,7 +88,7 @@ TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
   scene.motions.front() = HarmonicSum{5, {}};  // out of the axle's reach
   RequestCandidate candidate(std::make_shared<const PlannedRequest>("far", scene, options),
                              parse_id("global_automatic_klu"));
-  candidate.verify(references);
+  candidate.verify();
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_NE(candidate.message(), "");
 }

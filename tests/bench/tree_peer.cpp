@@ -24,7 +24,6 @@ class TreePeersOfCase : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
   const Case& c = find_case(GetParam());
-  bench::ReferenceCache references;
   paper::Options options;
   options.peer_limit = 1e9;
   for (const int n : c.sizes) {
@@ -33,7 +32,7 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
     options.duration = n == c.sizes.front() ? DESMO_TEST_SECONDS : 0.5;
     for (const char* name : names) {
       paper::PeerCandidate candidate(paper::measured_case(c, n, options), find_peer(name), options);
-      candidate.verify(references);
+      candidate.verify();
       EXPECT_TRUE(candidate.is_verified()) << candidate.name() << ": " << candidate.message();
       const Scene scene = make_scene(c, n);
       const Model model = make_model(scene);

@@ -127,19 +127,17 @@ TEST(References, OfStridesHaveInstantsThatAreInterpolated) {
       return std::lround(r.time / grid.step) % 4 != 0;
     });
   };
-  ReferenceCache references;
-  EXPECT_EQ(interpolated(references.get(m, grid)), 0);
-  EXPECT_GT(interpolated(references.get(m, grid, 4)), 20);
+  EXPECT_EQ(interpolated(shared_reference(m, grid)), 0);
+  EXPECT_GT(interpolated(shared_reference(m, grid, 4)), 20);
 }
 
 /// Two models of one name and size may differ in a dimension.
 TEST(References, AreThoseOfTheModel) {
   const TimeGrid grid{0, 0.01, 3};
   Model m = make_model(four_bar(1));
-  ReferenceCache references;
-  const double before = references.get(m, grid).back().q.front();
+  const double before = shared_reference(m, grid).back().q.front();
   for (Driver& driver : m.drivers) driver.motion = Polynomial{{0.1, 2}};
-  EXPECT_NE(references.get(m, grid).back().q.front(), before);
+  EXPECT_NE(shared_reference(m, grid).back().q.front(), before);
 }
 
 }  // namespace

@@ -21,8 +21,6 @@ constexpr double seconds = 0.4;
 
 using bench::make_problem;
 
-bench::ReferenceCache references;  // stays empty: the problems bring their own
-
 Plan whole(const Scene& scene) { return make_plan(make_model(scene), {}); }
 
 Problem problem(const Scene& scene, double duration, int compared) {
@@ -46,7 +44,7 @@ std::set<int> levels(const Problem& problem, const char* id, const std::vector<S
   std::set<int> found;
   for (const Settings& s : some) {
     Trial trial(problem, {&find_variant(id), s});
-    trial.verify(references);
+    trial.verify();
     if (trial.is_verified() && trial.error.position.max < 1)
       found.insert(static_cast<int>(std::floor(std::log10(trial.error.position.max))));
   }
@@ -71,7 +69,7 @@ TEST(Trials, SeeTheErrorBetweenSolvedInstants) {
     double last = 1e-12;  // solved, none has more
     for (const int stride : {1, 2, 4, 8, 16}) {
       Trial trial(p, {&find_variant("group_symbolic_inlined"), {.stride = stride}});
-      trial.verify(references);
+      trial.verify();
       ASSERT_TRUE(trial.is_verified()) << trial.message();
       EXPECT_EQ(trial.error.instants, compared);
       if (stride == 1)
@@ -111,14 +109,14 @@ TEST(Problems, CompareInstantsWhereverTheyStandBetweenSolvedOnes) {
 TEST(Trials, HaveNoTimeWithoutAnError) {
   const Problem p = problem(make_scene(find_case("four_bar"), 114), 0.1, 3);
   Trial refused(p, {&find_variant("global_automatic_klu"), {.lanes = 4}});
-  refused.verify(references);
+  refused.verify();
   refused.time(0);
   EXPECT_TRUE(refused.is_not_run());
   EXPECT_FALSE(refused.is_timed());
   EXPECT_FALSE(refused.message().empty());
 
   Trial failing(p, {&find_variant("global_automatic_klu"), {.max_iterations = 1}});
-  failing.verify(references);
+  failing.verify();
   failing.time(0);
   EXPECT_TRUE(failing.is_failed());
   EXPECT_FALSE(failing.is_timed());
@@ -128,7 +126,7 @@ TEST(Trials, HaveNoTimeWithoutAnError) {
 double error_elsewhere(const Scene& scene, const Configuration& c, Level level) {
   const Problem p = problem(scene, seconds, 47);
   Trial trial(p, c);
-  trial.verify(references);
+  trial.verify();
   EXPECT_TRUE(trial.is_verified()) << trial.message();
   return trial.error[level].max;
 }

@@ -23,8 +23,6 @@ using bench::make_problem;
 using bench::moving_unknowns;
 using bench::Problem;
 
-bench::ReferenceCache references;  // stays empty: the problems bring their own
-
 TimeGrid instants(int count) { return {0, 0.01, count}; }
 
 Problem problem_of(const char* name, int coordinates) {
@@ -39,7 +37,7 @@ TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
                              {.tolerance = problem.tolerance});
   right.sample_afresh(0);
   EXPECT_FALSE(right.is_timed());
-  right.verify(references);
+  right.verify();
   ASSERT_TRUE(right.is_verified()) << right.message();
   EXPECT_EQ(right.verifying_run().errors.instants, 3);
   right.sample_afresh(0);
@@ -54,7 +52,7 @@ TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   // One iteration is not enough; the tolerance is not asked of a fixed number of them.
   FormulationCandidate inexact(problem, "group_symbolic_inlined/iterations:1",
                                {.tolerance = problem.tolerance});
-  inexact.verify(references);
+  inexact.verify();
   inexact.sample_afresh(0);
   EXPECT_FALSE(inexact.is_verified());
   EXPECT_CONTAINS(inexact.message(), "differs from the reference");
@@ -63,7 +61,7 @@ TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   undefined.plan.model.drivers.front().motion = Polynomial{{NAN}};
   FormulationCandidate failing(undefined, "global_automatic_klu",
                                {.tolerance = undefined.tolerance});
-  failing.verify(references);
+  failing.verify();
   EXPECT_CONTAINS(failing.message(), "not finite");
   EXPECT_THROW(FormulationCandidate(problem, "global_automatic_abacus", Settings{}),
                std::invalid_argument);
@@ -75,7 +73,7 @@ TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
   EXPECT_STREQ(problem.checked_against, "double");
   FormulationCandidate candidate(problem, "group_symbolic_inlined",
                                  {.tolerance = problem.tolerance});
-  candidate.verify(references);
+  candidate.verify();
   EXPECT_TRUE(candidate.is_verified()) << candidate.message();
 }
 
@@ -94,7 +92,7 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
       const Problem problem = make_problem(cut, instants(3), 1e-12);
       for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
         FormulationCandidate candidate(problem, id, {.tolerance = problem.tolerance});
-        candidate.verify(references);
+        candidate.verify();
         EXPECT_TRUE(candidate.is_verified())
             << c.name << ' ' << least << ' ' << candidate.message();
       }

@@ -35,11 +35,10 @@ constexpr const char* ids[] = {"global_automatic_ma27", "global_symbolic_ma27",
 TEST_F(Ma27, FormulationsAgreeWithTheQuadrupleReference) {
   paper::Options options;
   options.duration = 0.5;
-  bench::ReferenceCache references;
   for (const Case& c : cases())
     for (const char* id : ids) {
       paper::CaseCandidate cell(paper::measured_case(c, 114, options), {parse_id(id)}, options);
-      cell.verify(references);
+      cell.verify();
       EXPECT_TRUE(cell.is_verified()) << cell.name() << ": " << cell.message();
       EXPECT_EQ(cell.verifying_run().errors.instants, 51) << cell.name();
       EXPECT_LE(cell.verifying_run().errors.position, 1e-9) << cell.name();

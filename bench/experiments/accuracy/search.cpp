@@ -39,7 +39,7 @@ class Searcher {
     for (const Variant* v : formulations())
       for (const Settings& s : full_settings(*v)) add(trials, begin_, *v, s);
     say(std::to_string(trials.size()) + " configurations");
-    for (Trial& t : trials) t.verify(references_);
+    for (Trial& t : trials) t.verify();
     for (Trial& t : trials) t.time(min_sample);
     std::vector<Trial*> hopeful;
     for (Trial& t : trials)
@@ -72,7 +72,7 @@ class Searcher {
     for (const Settings& s : telling_settings()) {
       std::list<Trial> trials;
       for (const Variant* v : all) add(trials, begin_, *v, s);
-      for (Trial& t : trials) t.verify(references_);
+      for (Trial& t : trials) t.verify();
       for (int round = 0; round < 2; ++round)
         for (Trial& t : trials) t.time(min_sample);
       double best = infinity;
@@ -144,7 +144,7 @@ class Searcher {
 
   Trial& try_on_whole(std::list<Trial>& trials, const Trial& on_begin) {
     Trial& trial = trials.emplace_back(whole_, on_begin.configuration());
-    trial.verify(references_);
+    trial.verify();
     trial.time(min_sample);
     return trial;
   }
@@ -183,7 +183,7 @@ class Searcher {
 
   void choose(Trial& best) {
     Trial usual(whole_, {best.configuration().variant, Settings{}});
-    usual.verify(references_);
+    usual.verify();
     for (int round = 0; round < effort_.rounds; ++round) usual.time(min_sample);
     found_.choice = best.configuration();
     found_.error = best.error;
@@ -198,7 +198,6 @@ class Searcher {
   const Problem &whole_, &begin_;
   const Goal& goal_;
   const Effort& effort_;
-  bench::ReferenceCache references_;
   std::vector<Tried> tried_;
   Found found_;
 };

@@ -23,7 +23,7 @@ Trial::Trial(const Problem& problem, const Configuration& configuration)
     leave_out(std::move(why));
 }
 
-void Trial::check(bench::ReferenceCache&, bench::VerifyingRun& found) {
+void Trial::check(bench::VerifyingRun& found) {
   const Plan& plan = problem().plan;
   formulation_ = make_formulation();
   const Reference& reference = problem().reference;

@@ -116,10 +116,9 @@ Json measure(const std::vector<Candidate*>& all, const Console& console, Progres
     progress.clear();
     std::cerr << candidate.name() << ": " << candidate.message() << '\n';
   };
-  ReferenceCache references;
   std::vector<const Candidate*> verified;
   for (Candidate* candidate : all) {
-    const auto verify = [&] { candidate->verify(references); };
+    const auto verify = [&] { candidate->verify(); };
     // The threads that it makes end with the one that it is on: those of a repetition have no
     // others next to them, for which they would have to make room.
     candidate->threads() > 1 ? on_fresh_heap(verify) : verify();

@@ -61,13 +61,13 @@ std::string PeerCandidate::name() const {
          "/peer:" + std::string(peer_.name);
 }
 
-void PeerCandidate::check(ReferenceCache& references, VerifyingRun& found) {
+void PeerCandidate::check(VerifyingRun& found) {
   found.model = model_digest(model());
   const double before_setup = cpu_now();
   const auto solver = peer_.make(measured_->scene, model());
   found.setup_seconds = cpu_now() - before_setup;
 
-  const auto reference = references.get(model(), grid());
+  const auto reference = shared_reference(model(), grid());
   const double start = cpu_now();
   for (int i = 0; i < grid().instants; ++i) {
     solve(*solver, grid(), i);

@@ -17,8 +17,7 @@ constexpr double long_motion_seconds = 1;  // a motion that takes longer has two
 
 bool time_in_turn(std::list<FormulationCandidate>& candidates, int repetitions,
                   std::string_view list) {
-  ReferenceCache references;
-  for (FormulationCandidate& candidate : candidates) candidate.verify(references);
+  for (FormulationCandidate& candidate : candidates) candidate.verify();
   for (int round = 0; round < repetitions; ++round)
     for (FormulationCandidate& candidate : candidates)
       if (!candidate.is_sampled(long_motion_seconds)) candidate.sample_afresh(min_seconds);

@@ -21,7 +21,6 @@ class Peers : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Peers, AgreeWithTheQuadrupleReference) {
-  bench::ReferenceCache references;
   paper::Options options;
   options.duration = std::min(8.0, double{DESMO_TEST_SECONDS});  // the crank turns round
   options.peer_limit = 1e9;
@@ -29,7 +28,7 @@ TEST_P(Peers, AgreeWithTheQuadrupleReference) {
        {std::pair{"four_bar", 114}, {"truck_suspension", 114}, {"truck_suspension", 336}}) {
     paper::PeerCandidate candidate(paper::measured_case(find_case(name), coordinates, options),
                                    peer, options);
-    candidate.verify(references);
+    candidate.verify();
     EXPECT_TRUE(candidate.is_verified()) << candidate.name() << ": " << candidate.message();
     EXPECT_GE(candidate.verifying_run().errors.instants, 51) << candidate.name();
     const Scene scene = make_scene(find_case(name), coordinates);
