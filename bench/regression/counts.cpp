@@ -32,15 +32,6 @@ bool exists(const Side& side, const std::string& name) {
          bench::usage_error;
 }
 
-std::int64_t count(const Side& side, const std::string& name) {
-  try {
-    return bench::count_steps(steps_command(side, name, CountingSettings::steps));
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error("the instructions of " + name + " cannot be counted in " + side.name +
-                             ": " + error.what());
-  }
-}
-
 /// Returns the place of a name in the history's cells. Adds one that is missing.
 std::size_t place_of(const std::string& name, Json& history) {
   Json& known = history["cells"];
@@ -58,7 +49,10 @@ std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
                                     const std::vector<Side>& sides) {
   std::vector<std::int64_t> instructions(names.size() * sides.size());
   bench::count_on_all_cores(instructions.size(), [&](std::size_t i) {
-    instructions[i] = count(sides[i % sides.size()], names[i / sides.size()]);
+    const Side& side = sides[i % sides.size()];
+    const std::string& name = names[i / sides.size()];
+    instructions[i] = bench::count_steps(name + " in " + side.name,
+                                         steps_command(side, name, CountingSettings::steps));
   });
   return instructions;
 }

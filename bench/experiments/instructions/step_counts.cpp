@@ -1,7 +1,6 @@
 #include "bench/experiments/instructions/step_counts.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/checked_run.h"
@@ -52,6 +51,7 @@ std::vector<std::string> counted_ids() {
 void count(StepCount& one, const std::string& desmo_steps) {
   const auto counted = [&](const std::string& id, int taken) {
     return bench::count_steps(
+        one.name(),
         {desmo_steps, one.case_name, std::to_string(one.coordinates), id, std::to_string(taken)});
   };
   const auto step = [&](const std::string& id) {
@@ -91,14 +91,7 @@ std::vector<StepCount> to_be_counted(int coordinates) {
 }
 
 void count(std::vector<StepCount>& all, const std::string& desmo_steps) {
-  bench::count_on_all_cores(all.size(), [&](std::size_t i) {
-    try {
-      count(all[i], desmo_steps);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error("the instructions of " + all[i].name() +
-                               " cannot be counted: " + error.what());
-    }
-  });
+  bench::count_on_all_cores(all.size(), [&](std::size_t i) { count(all[i], desmo_steps); });
 }
 
 }  // namespace desmo::instructions

@@ -29,7 +29,7 @@ std::int64_t collected(const std::string& log) {
 
 }  // namespace
 
-std::int64_t count_steps(std::vector<std::string> command) {
+std::int64_t count_steps(const std::string& of, std::vector<std::string> command) try {
   command.insert(command.begin(), {"--tool=callgrind", "--callgrind-out-file=/dev/null",
                                    "--log-fd=1", "--toggle-collect=desmo_counted_steps"});
   Launch launch = valgrind(std::move(command));
@@ -40,6 +40,8 @@ std::int64_t count_steps(std::vector<std::string> command) {
   if (code != 0 || instructions <= 0)
     throw std::runtime_error("exit code " + std::to_string(code) + "\n" + log);
   return instructions;
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error("the instructions of " + of + " cannot be counted: " + error.what());
 }
 
 std::string counting_tool() {

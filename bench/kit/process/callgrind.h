@@ -10,9 +10,11 @@ namespace desmo::bench {
 
 /// Returns the instructions of desmo_counted_steps in a run of desmo_steps, counted by callgrind in
 /// a fixed environment. callgrind shows every program the same processor, so counts do not depend
-/// on the machine's. command: the program's path and its arguments. Throws std::runtime_error with
-/// the exit code and standard output when they cannot be counted.
-std::int64_t count_steps(std::vector<std::string> command);
+/// on the machine's.
+///
+/// of: what is counted, for errors. command: the program's path and its arguments. Throws
+/// std::runtime_error, naming what is counted, with exit code and standard output when that fails.
+std::int64_t count_steps(const std::string& of, std::vector<std::string> command);
 
 /// Returns what else the counts depend on: "valgrind-3.19.0, glibc 2.36"; empty without valgrind.
 std::string counting_tool();
