@@ -30,10 +30,8 @@ struct Choice {
       *global;  ///< the usual reference with them
 };
 
-}  // namespace
-
-/// Fills in each case: the cheapest that solves every instant, and, where that costs less, the
-/// cheapest of all.
+/// Shows for each of the accuracies and each case the cheapest that solves every instant, and,
+/// where that costs less, the cheapest of all.
 Table accuracy_costs(const Record& record) {
   Table table = headed_table("accuracy_costs");
   for (const std::string& name : drawn_cases(record)) {
@@ -55,8 +53,6 @@ Table accuracy_costs(const Record& record) {
   }
   return table;
 }
-
-namespace {
 
 constexpr double accuracy = 1e-9;
 constexpr std::array updates{"newton", "step", "chord"};  // the last in earlier records only
@@ -104,8 +100,7 @@ void add_case(Table& table, const SeriesKey& series, const Points& points) {
     add("previous", sentence("guesses_and_updates.per_level"), per_level);
 }
 
-}  // namespace
-
+/// Shows guesses × Jacobian updates of the usual formulation.
 Table guesses(const Record& record) {
   Table table = headed_table("guesses_and_updates",
                              {{"tolerance", write_shortest(record.settings.tolerance)}});
@@ -115,8 +110,6 @@ Table guesses(const Record& record) {
   }
   return table;
 }
-
-namespace {
 
 /// Returns a section on what the tightest accuracy costs that both the best and the global
 /// formulation reach in the last case, and what the loosest would save.

@@ -103,8 +103,7 @@ std::optional<Best> best_generated(const Record& record, std::string_view side_b
               over(record, papers_reference(record), *key).speed_up};
 }
 
-}  // namespace
-
+/// Lists the references and the best formulations with the paper's settings and with the best.
 Table best_formulations(const Record& record) {
   Table table = headed_table("best", words_of(record));
   const std::optional<CandidateKey> paper = papers_reference(record), best = best_reference(record);
@@ -124,8 +123,6 @@ Table best_formulations(const Record& record) {
   }
   return table;
 }
-
-namespace {
 
 constexpr std::size_t papers_best = 6;  // TS-TPS_LAP, in `paper_variants`
 

@@ -42,10 +42,8 @@ Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& refer
                   ratio.speed_up->inconclusive() ? inconclusive_mark : "");
 }
 
-}  // namespace
-
-Table every_formulation(const Record& record, const std::string& case_name,
-                        std::int64_t coordinates) {
+Table formulations_at(const Record& record, const std::string& case_name,
+                      std::int64_t coordinates) {
   Table table =
       headed_table("formulations_case",
                    timed_words(record, {{"case", case_name}, {"coordinates", coordinates}}));
@@ -68,6 +66,8 @@ Table every_formulation(const Record& record, const std::string& case_name,
   return table;
 }
 
+}  // namespace
+
 // Other sizes than the paper's largest, or the largest there is, are details.
 Section every_formulation(const Record& record) {
   Section section = headed_section("formulations");
@@ -75,7 +75,7 @@ Section every_formulation(const Record& record) {
     const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
     const bool published = std::ranges::count(sizes, published_sizes().back()) > 0;
     for (const std::int64_t size : sizes) {
-      section.tables.push_back(every_formulation(record, name, size));
+      section.tables.push_back(formulations_at(record, name, size));
       if (size == (published ? published_sizes() : sizes).back()) continue;
       section.tables.back().detail = true;
       section.tables.back().figure.clear();

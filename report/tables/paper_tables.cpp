@@ -52,8 +52,8 @@ Entry published_speed_up_entry(const std::string& row, const Variant& variant,
   return composed("{} ({} %)", {value, "", "", percent});
 }
 
-}  // namespace
-
+/// Shows table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
+/// paper's. Its sizes are the paper's, its four-bar and whatever else was recorded.
 Table cpu_times(const Record& record, std::string_view family) {
   const Sources source = sources(record);
   const char* const solver = family == papers_own ? "table1.ma27_too" : "table1.ma27_in_place";
@@ -82,6 +82,9 @@ Table cpu_times(const Record& record, std::string_view family) {
   return table;
 }
 
+/// Shows table 2 of the paper for one sparse family, which stands in the sparse columns and in the
+/// global reference alike: speed-up and improvement, ours above the paper's, which is marked in or
+/// out of our interval.
 Table speed_ups(const Record& record, std::string_view family) {
   Table table = headed_table(
       "table2",
@@ -114,17 +117,6 @@ Table speed_ups(const Record& record, std::string_view family) {
   return table;
 }
 
-Section paper_tables(const Record& record) {
-  Section section = headed_section("paper");
-  for (const std::string_view family : recorded_families(record, truck_case))
-    section.tables.push_back(speed_ups(record, family));
-  for (const std::string_view family : recorded_families(record))
-    section.tables.push_back(cpu_times(record, family));
-  return section;
-}
-
-namespace {
-
 /// How the paper's own solver is named next to the families.
 constexpr const char* paper_solver = "MA27 (the paper)";
 
@@ -147,6 +139,15 @@ void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
 }
 
 }  // namespace
+
+Section paper_tables(const Record& record) {
+  Section section = headed_section("paper");
+  for (const std::string_view family : recorded_families(record, truck_case))
+    section.tables.push_back(speed_ups(record, family));
+  for (const std::string_view family : recorded_families(record))
+    section.tables.push_back(cpu_times(record, family));
+  return section;
+}
 
 Table figure_of_times(const Record& record) {
   const Sources source = sources(record);

@@ -26,8 +26,7 @@ Entry break_even_entry(const Curve& dense, const Curve& sparse) {
                   {write_fixed(unknowns, 0), write_shortest(low), write_shortest(high)});
 }
 
-}  // namespace
-
+/// Shows from how many unknowns on sparse matrices pay.
 Section dense_or_sparse(const Record& record) {
   std::map<std::string, std::map<std::string, Curve>> cases;  // curves by formulation
   for (Curve& curve : curves_of(record.break_even))
@@ -58,8 +57,6 @@ Section dense_or_sparse(const Record& record) {
   section.tables.push_back(std::move(table));
   return section;
 }
-
-namespace {
 
 constexpr double min_linear = 0.9, max_linear = 1.15;
 
@@ -116,8 +113,7 @@ Table exponents(const std::vector<Curve>& curves) {
   return table;
 }
 
-}  // namespace
-
+/// Returns the data of the figure of growth: a row for each case, formulation and size.
 Table growth_data(const Record& record) {
   Table table = headed_table("growth", {{"cpu", record.machine.cpu}, {"date", record.date}});
   const auto kibibytes = [](std::optional<double> bytes) {
@@ -146,6 +142,7 @@ Table growth_data(const Record& record) {
   return table;
 }
 
+/// Shows whether growth is linear, and up to where.
 Section growth(const Record& record) {
   const std::vector<Curve> curves = curves_of(record.growth);
   std::size_t fitted = 0, linear = 0;
@@ -164,6 +161,8 @@ Section growth(const Record& record) {
   section.tables = {growth_data(record), exponents(curves)};
   return section;
 }
+
+}  // namespace
 
 /// Brings to the front what the sections found: sentences, numbers, figures, and few rows.
 std::vector<Section> size_sections(const Record& record) {

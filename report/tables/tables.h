@@ -21,20 +21,8 @@ namespace desmo::report {
 /// formulations. Puts no number into a sentence where fewer than three repetitions were measured.
 Section answer(const Record& record);
 
-/// Lists the references and the best formulations with the paper's settings and with the best.
-Table best_formulations(const Record& record);
-
 /// Shows tables 1 and 2 of the paper for each sparse family recorded.
 Section paper_tables(const Record& record);
-
-/// Shows table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
-/// paper's. Its sizes are the paper's, its four-bar and whatever else was recorded.
-Table cpu_times(const Record& record, std::string_view family);
-
-/// Shows table 2 of the paper for one sparse family, which stands in the sparse columns and in the
-/// global reference alike: speed-up and improvement, ours above the paper's, which is marked in or
-/// out of our interval.
-Table speed_ups(const Record& record, std::string_view family);
 
 /// Returns the data of figure 5, CPU time over coordinates: a row for each sparse solver and size.
 Table figure_of_times(const Record& record);
@@ -57,27 +45,18 @@ Section peers(const Record& record);
 
 /// Shows everything that was recorded of each case at each size, fastest first.
 Section every_formulation(const Record& record);
-Table every_formulation(const Record& record, const std::string& case_name,
-                        std::int64_t coordinates);
 
 /// Shows where the time of a step goes.
 Table time_split(const Record& record);
 
 // ---- accuracy ----
 
-/// Returns all of the accuracy experiment in sections, the front first. The record has points. The
-/// functions below that take a case need its main series (statistics/selection.h).
+/// Returns all of the accuracy experiment in sections, the front first. The record has points.
 std::vector<Section> accuracy_sections(const Record& record);
 
 /// Returns the data of the work–precision figure of a case at its largest size: every configuration
-/// solved or failed, fastest first.
+/// solved or failed, fastest first. The case has a main series (statistics/selection.h).
 Table work_precision(const Record& record, const std::string& case_name);
-
-/// Shows the cheapest configuration for each of the accuracies, and what it gains.
-Table accuracy_costs(const Record& record);
-
-/// Shows guesses × Jacobian updates of global_automatic_klu at an error of 1e-9.
-Table guesses(const Record& record);
 
 /// Shows table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);
@@ -86,15 +65,6 @@ Table sensitivity(const Record& record);
 
 /// Returns all about time against size, the front first. The record has sizes.
 std::vector<Section> size_sections(const Record& record);
-
-/// Returns the data of the figure of growth: a row for each case, formulation and size.
-Table growth_data(const Record& record);
-
-/// Shows whether growth is linear, and up to where. The record has `growth`.
-Section growth(const Record& record);
-
-/// Shows from how many unknowns on sparse matrices pay. The record has `break_even`.
-Section dense_or_sparse(const Record& record);
 
 /// Shows the paper's comparison in each kind of coordinates, the front first. The record has
 /// `modelled`.

@@ -201,4 +201,8 @@ const Table& table_named(const Document& document, const std::string& name) {
   throw std::runtime_error("no table " + name);
 }
 
+Table table_of(const Json& record, const std::string& name) {
+  return table_named(make_report(record_from(record)), name);
+}
+
 }  // namespace desmo::report

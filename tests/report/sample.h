@@ -109,4 +109,7 @@ void expect_row(const Table& table, const std::vector<std::string>& labels,
 
 const Table& table_named(const Document& document, const std::string& name);
 
+/// Returns a table of a record's report.
+Table table_of(const Json& record, const std::string& name);
+
 }  // namespace desmo::report

@@ -20,7 +20,7 @@ std::vector<std::vector<std::string>> shown(const Table& table) {
 }
 
 TEST(AccuracyCosts, NamesTheCheapestWithinEachError) {
-  const Table table = accuracy_costs(record_from(points_record()));
+  const Table table = table_of(points_record(), "accuracy_costs");
   ASSERT_EQ(table.rows.size(), 8u);  // four errors, two cases
   const Digits asked{"0.001", "1e-06", "1e-09", "1e-12"};
   const std::vector<std::string> expected{klu + "/guess:hermite5/jacobian:step/iterations:1",
@@ -60,7 +60,7 @@ TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
   Json json = points_record();
   json["accuracy"]["points"].push_back(
       solved_point("group_automatic_klu/guess:hermite5", 10, 1e-7));
-  const Table table = accuracy_costs(record_from(json));
+  const Table table = table_of(json, "accuracy_costs");
   const std::vector<std::string> row{"truck_suspension", "225", "1e-06"};
   EXPECT_EQ(entry_at(table, row, "cheapest").shown, "group_automatic_klu/guess:hermite5");
   EXPECT_EQ(entry_at(table, row, over_itself).digits[0], "3.30");  // 33 over 10
@@ -71,8 +71,8 @@ TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
 TEST(AccuracyCosts, ShowWhatInterpolationGainsInARowOfItsOwn) {
   Json json = points_record();
   json["accuracy"]["points"].push_back(solved_point(klu + "/stride:8", 5, 1e-7, 0.4));
-  const Record record = record_from(json);
-  const Table table = accuracy_costs(record), before = accuracy_costs(record_from(points_record()));
+  const Table table = table_of(json, "accuracy_costs"),
+              before = table_of(points_record(), "accuracy_costs");
   ASSERT_EQ(table.rows.size(), before.rows.size() + 2);  // at 1e-3 and 1e-6
   const std::string solved = klu + "/guess:hermite5/jacobian:step/iterations:1";
   const std::vector<std::string> row{"truck_suspension", "225", "1e-06"};
@@ -87,7 +87,7 @@ TEST(AccuracyCosts, SaysWhereNothingHoldsTheError) {
   Json json = points_record();
   for (Json& point : json["accuracy"]["points"])
     if (point["case"] == "four_bar") point["error"]["position"]["max"] = 1e-5;
-  const Table table = accuracy_costs(record_from(json));
+  const Table table = table_of(json, "accuracy_costs");
   const std::vector<std::string> row{"four_bar", "114", "1e-06"};
   expect_row(table, row,
              {{"cheapest", "none"}, {"µs/step", missing_mark}, {over_itself, missing_mark}});
@@ -98,14 +98,13 @@ TEST(AccuracyCosts, OfOneSampleHaveNoInterval) {
   Json json = points_record();
   point_of(json, klu + "/guess:hermite5/jacobian:step/iterations:1")["time_per_step"]["seconds"] = {
       16e-6};
-  const Table table = accuracy_costs(record_from(json));
+  const Table table = table_of(json, "accuracy_costs");
   const std::vector<std::string> row{"truck_suspension", "225", "1e-09"};
   expect_row(table, row, {{"µs/step", "20"}, {over_itself, "2"}});
 }
 
 TEST(Guesses, AreComparedAtEqualErrorAndWithThePapersSettings) {
-  const Record record = record_from(points_record());
-  const Table table = guesses(record);
+  const Table table = table_of(points_record(), "guesses_and_updates");
   EXPECT_EQ(table.rows.size(), 2u * 2 + 1) << "of each guess and update tried, and of no other";
   const std::vector<std::string> reused{"truck_suspension", "225", "hermite5", "step"};
   expect_row(table, reused,
@@ -125,12 +124,12 @@ TEST(Guesses, AreOfEveryInstantSolved) {
   json["accuracy"]["points"].push_back(solved_point(klu + "/stride:2", 5, 1e-12, 1.5));
   json["accuracy"]["points"].push_back(
       solved_point(klu + "/guess:hermite5/jacobian:step/stride:2/tolerance:1e-10", 4, 1e-12, 0.5));
-  const Record record = record_from(json), before = record_from(points_record());
-  EXPECT_EQ(shown(guesses(record)), shown(guesses(before)));
+  const std::string name = "guesses_and_updates";
+  EXPECT_EQ(shown(table_of(json, name)), shown(table_of(points_record(), name)));
 }
 
 TEST(Sensitivity, VariesOneThingAtATime) {
-  const Table table = sensitivity(record_from(points_record()));
+  const Table table = table_of(points_record(), "sensitivity");
   const std::vector<std::string> fine{"klu", "step", "1 ms"}, usual{"klu", "step", "10 ms"};
   EXPECT_EQ(entry_at(table, fine, "TS-TPS_LAP").shown, "0.40 [0.39, 0.41]");
   expect_row(table, usual,
@@ -147,9 +146,8 @@ TEST(Sensitivity, MarksWhatFailed) {
   Json& point = point_of(json, lapack + "/tolerance:1e-6");
   point["status"] = "failed";
   point["message"] = "no convergence at t = 0.01 s";
-  EXPECT_EQ(
-      entry_at(sensitivity(record_from(json)), {"klu", "tolerance", "1e-06"}, "TS-TPS_LAP").shown,
-      failed_mark);
+  expect_row(table_of(json, "sensitivity"), {"klu", "tolerance", "1e-06"},
+             {{"TS-TPS_LAP", failed_mark}});
 }
 
 }  // namespace

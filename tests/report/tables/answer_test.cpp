@@ -110,7 +110,7 @@ TEST(Answer, CountsWhatFailed) {
 }
 
 TEST(Best, ComparesLikeForLike) {
-  const Table table = best_formulations(record_from(record_with_settings()));
+  const Table table = table_of(record_with_settings(), "best");
   EXPECT_EQ(table.rows.size(), 6u);
   expect_row(table, {"global, best settings"},
              {{"like for like", "1.00 reference"}, {"paper's settings", "2.00 …"}});
@@ -127,7 +127,7 @@ TEST(Best, ComparesLikeForLike) {
 // though another run be faster: checked, with an option of the linear solver, in another scalar.
 TEST(Best, IsOfThePapersAlgorithmHoweverFastAnotherRunIs) {
   const Json json = record_with_settings();
-  const Record plain = record_from(json);
+  const Document plain = make_report(record_from(json));
   for (const std::string other :
        {"/check:proof", "/btf:off", "/scalar:float", "/factorisation:per_level",
         "/lanes:4/stride:2", "/not yet known", "/later:1"}) {
@@ -137,17 +137,18 @@ TEST(Best, IsOfThePapersAlgorithmHoweverFastAnotherRunIs) {
                            "global_automatic_klu/guess:adams8/jacobian:step/tolerance:1e-10",
                            "group_symbolic_explicit/guess:adams8/tolerance:1e-10"})
       add_candidate(more, id + other, 0.01);
-    const Record record = record_from(more);
-    EXPECT_EQ(to_csv(best_formulations(record)), to_csv(best_formulations(plain)));
+    const Document document = make_report(record_from(more));
+    EXPECT_EQ(to_csv(table_named(document, "best")), to_csv(table_named(plain, "best")));
+    const std::string every = "formulations_truck_suspension_558";
     const std::vector<std::string> row{"group_symbolic_explicit/guess:hermite5"};
     for (const char* column : {"speed-up", "like for like"})
-      EXPECT_EQ(entry_at(every_formulation(record, truck, 558), row, column).shown,
-                entry_at(every_formulation(plain, truck, 558), row, column).shown);
+      EXPECT_EQ(entry_at(table_named(document, every), row, column).shown,
+                entry_at(table_named(plain, every), row, column).shown);
   }
 }
 
 TEST(Best, LeavesOutWhatWasNotMeasured) {
-  const Table table = best_formulations(record_from(complete_record()));
+  const Table table = table_of(complete_record(), "best");
   for (const auto& row : table.rows)
     EXPECT_TRUE(row.front().shown.ends_with("paper's settings")) << row.front().shown;
 }

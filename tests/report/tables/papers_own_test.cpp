@@ -40,18 +40,17 @@ Json like_the_paper() {
 }
 
 TEST(PapersOwn, StandsFirstAndIsComparedDirectly) {
-  const Record record = record_from(like_the_paper());
-  const Table times = cpu_times(record, papers_own);
-  EXPECT_EQ(times.name, "table1_ma27");
+  const Document document = make_report(record_from(like_the_paper()));
+  const Table& times = table_named(document, "table1_ma27");
   EXPECT_TRUE(says(times.notes, "The paper: MA27, too, MKL's LAPACK"));
   EXPECT_FALSE(says(times.notes, "in place of"));
-  EXPECT_TRUE(says(cpu_times(record, "klu").notes, "The paper: MA27 in place of klu, "));
+  EXPECT_TRUE(says(table_named(document, "table1_klu").notes, "The paper: MA27 in place of klu, "));
   EXPECT_TRUE(entry_at(times, {"558", "ours"}, "TS-G_ma27").has_number());
-  const Table figure = figure_of_speed_ups(record);
+  const Table& figure = table_named(document, "figure6");
   ASSERT_EQ(figure.columns.size(), 6u);
   EXPECT_EQ(figure.columns[1].name, "MA27 (the paper)");
   EXPECT_EQ(figure.columns[2].name, papers_own);
-  EXPECT_CONTAINS(figures(make_report(record))[0].content, "\"ma27\"");
+  EXPECT_CONTAINS(figures(document)[0].content, "\"ma27\"");
 }
 
 TEST(PapersOwn, StandsInTheAnswer) {

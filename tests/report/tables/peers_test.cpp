@@ -43,9 +43,7 @@ Json peers_record() {
   return json;
 }
 
-Table times(const Json& json) {
-  return table_named(make_report(record_from(json)), "peers_truck_suspension");
-}
+Table times(const Json& json) { return table_of(json, "peers_truck_suspension"); }
 
 TEST(Peers, AreMeasuredAgainstOursWithTheSameGuess) {
   const Table table = times(peers_record());

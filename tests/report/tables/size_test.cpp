@@ -9,10 +9,6 @@ namespace {
 
 const std::string in_order = "group_symbolic_explicit", klu = "global_automatic_klu";
 
-Table table_of(const Section& section, const std::string& name) {
-  return table_named({"", {section}}, name);
-}
-
 TEST(Sizes, OfWrongAnswersHaveNoTime) {
   Json json = sizes_record();
   Json& size = json["size"]["growth"][0];
@@ -53,13 +49,13 @@ TEST(Caches, AreThoseThatHoldData) {
 }
 
 TEST(Growth, IsLinearUntilCachesEndIt) {
-  const Section section = growth(record_from(sizes_record()));
-  EXPECT_EQ(section.paragraphs.at(0),
+  const Section front = size_sections(record_from(sizes_record())).at(0);
+  EXPECT_EQ(front.paragraphs.at(0),
             "Up to 10000 coordinates time grows linearly in 1 of 2 pairs of case and formulation.");
-  EXPECT_EQ(section.numbers,
-            (std::vector<std::string>{"linear growth: 1 of 2",
-                                      "a coordinate of a step: 10.0 ns at the least"}));
-  const Table exponents = table_of(section, "growth_exponents");
+  EXPECT_EQ(front.numbers, (std::vector<std::string>{"linear growth: 1 of 2",
+                                                     "a coordinate of a step: 10.0 ns at the least",
+                                                     "sparse pays from 60 unknowns on"}));
+  const Table exponents = table_of(sizes_record(), "growth_exponents");
   const std::vector<std::string> row{"four_bar", in_order};
   EXPECT_EQ(entry_at(exponents, row, "slope").digits.back(), "4");  // 100 000 are not judged
   expect_row(exponents, row, {{"ns/coordinate, least", "10.0 …"}, {"times the least", "2.00"}});
@@ -68,8 +64,7 @@ TEST(Growth, IsLinearUntilCachesEndIt) {
 }
 
 TEST(BreakEven, IsInterpolatedBetweenItsNeighbours) {
-  const Section section = dense_or_sparse(record_from(sizes_record()));
-  const Table table = table_of(section, "break_even");
+  const Table table = table_of(sizes_record(), "break_even");
   expect_row(table, {"four_bar", "klu"},
              {{"lapack", "60 [30, 100]"},
               {"eigen", "42 [30, 100]"},
@@ -78,7 +73,7 @@ TEST(BreakEven, IsInterpolatedBetweenItsNeighbours) {
             "sparse from the smallest, 10");
   EXPECT_EQ(entry_at(table, {"four_bar", "cholmod"}, "lapack").shown, "dense at the largest, 300");
   EXPECT_EQ(entry_at(table, {"four_bar", "klu"}, "the paper, about").shown, "60");
-  EXPECT_EQ(section.paragraphs.at(0),
+  EXPECT_EQ(size_sections(record_from(sizes_record())).at(0).paragraphs.at(1),
             "Sparse matrices are faster than dense ones from 60 unknowns on, by case and solver.");
 }
 
@@ -87,8 +82,7 @@ TEST(BreakEven, OfCurvesThatCrossMoreThanOnceIsAllOfThese) {
   for (Json& entry : json["size"]["break_even"])
     if (entry["id"] == klu && entry["coordinates"] == 10)
       entry["time_per_step"]["seconds"] = {5e-7};  // noise: sparse is the faster here alone
-  expect_row(table_of(dense_or_sparse(record_from(json)), "break_even"), {"four_bar", "klu"},
-             {{"lapack", "60 [10, 100]"}});
+  expect_row(table_of(json, "break_even"), {"four_bar", "klu"}, {{"lapack", "60 [10, 100]"}});
 }
 
 }  // namespace

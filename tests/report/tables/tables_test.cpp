@@ -68,7 +68,7 @@ TEST(PapersTables, ShowMediansAndTheirRatiosAboveThePaper) {
                       {"table2_umfpack", "225", "paper", "TS-TPS_LAP", "3.5 (71.8 %) out"},
                       // An improvement below zero is none: the ratio says how slow.
                       {"table2_klu", "336", "ours", "TS-TPA_LAP", "0.25 [0.25, 0.25]"}});
-  const Table table = cpu_times(record_from(json), "klu");
+  const Table table = table_of(json, "table1_klu");
   EXPECT_EQ(table.columns.size(), 2u + 7);
   EXPECT_TRUE(entry_at(table, {"1002", "ours"}, "FBL-TP").has_number());
   EXPECT_THROW(entry_at(table, {"1002", "paper"}, "FBL-TP"), std::runtime_error);
@@ -76,14 +76,13 @@ TEST(PapersTables, ShowMediansAndTheirRatiosAboveThePaper) {
 
 TEST(PapersTables, ShowNoIntervalOfFewerThanThreeRepetitions) {
   Json json = complete_record();
-  EXPECT_LACKS(speed_ups(record_from(json), "klu").notes[0], "one digit");
+  EXPECT_LACKS(table_of(json, "table2_klu").notes[0], "one digit");
   set_samples(json, 114, "global_automatic_klu", {1.258, 1.3});
   set_samples(json, 225, "global_automatic_klu", {5.499});
   expect_shown(json, {{"table1_klu", "114", "ours", "TS-G_klu", "1"},
                       {"table1_klu", "225", "ours", "TS-G_klu", "5"},
                       {"table2_klu", "114", "ours", "TS-TPA_klu", "40"}});
-  EXPECT_CONTAINS(speed_ups(record_from(json), "klu").notes[0],
-                  "one digit: of one or two repetitions");
+  EXPECT_CONTAINS(table_of(json, "table2_klu").notes[0], "one digit: of one or two repetitions");
 }
 
 TEST(PapersTables, MarkWhatHasNoTime) {
@@ -109,8 +108,7 @@ TEST(PapersTables, ShowUndisturbedTimesAndDivideThem) {
   expect_shown(json, {{"table1_klu", "114", "ours", "TS-G_klu", "4.000 (median 5.000)"},
                       {"table1_klu", "114", "ours", "TS-TPS_klu", "2.000 (median 3.000)"},
                       {"table2_klu", "114", "ours", "TS-TPS_klu", "2.00 [2.00, 2.00] (50.0 %)"}});
-  const Record record = record_from(json);
-  const Table times = cpu_times(record, "klu"), ratios = speed_ups(record, "klu");
+  const Table times = table_of(json, "table1_klu"), ratios = table_of(json, "table2_klu");
   EXPECT_CONTAINS(times.notes[0], "undisturbed time (and median)");
   EXPECT_CONTAINS(ratios.notes[0], "S, the time of TS-G_klu over the variant's [interval]");
   for (const Table& table : {times, ratios})
@@ -127,15 +125,14 @@ TEST(PapersTables, TakeUndisturbedTimesFromSamplesOfWindows) {
                       {"table1_klu", "114", "ours", "TS-TPS_klu", "2.000 (median 2.020)"},
                       {"table2_klu", "114", "ours", "TS-TPS_klu",
                        "2.00 [1.98, 2.50] (50.0 %) inconclusive"}});
-  EXPECT_TRUE(says(cpu_times(record_from(json), "klu").notes, "lower convex envelope"));
+  EXPECT_TRUE(says(table_of(json, "table1_klu").notes, "lower convex envelope"));
 }
 
 TEST(PapersTables, NameTheMotionsThatDiffer) {
   Json json = complete_record();
-  EXPECT_EQ(cpu_times(record_from(json), "klu").notes.size(), 2u);
+  EXPECT_EQ(table_of(json, "table1_klu").notes.size(), 2u);
   set_motion(json, 2);
-  const Record record = record_from(json);
-  const Table table = cpu_times(record, "klu");
+  const Table table = table_of(json, "table1_klu");
   EXPECT_EQ(
       table.title,
       "Table 1 (klu): CPU time in seconds of 2 s of motion (the paper, 30 s), all coordinates");
@@ -143,8 +140,8 @@ TEST(PapersTables, NameTheMotionsThatDiffer) {
   EXPECT_EQ(entry_at(table, {"114", "paper, 30 s"}, "TS-G_klu").shown, "1.258");
   EXPECT_EQ(table.notes.back(),
             "Ours is 2 s of motion, the paper's 30 s: these times are not to be compared.");
-  for (const Table& ratios : {speed_ups(record, "klu"), figure_of_speed_ups(record)})
-    EXPECT_EQ(ratios.notes.back(),
+  for (const char* ratios : {"table2_klu", "figure6"})
+    EXPECT_EQ(table_of(json, ratios).notes.back(),
               "Ours is 2 s of motion, the paper's 30 s: these ratios are of different motions.");
 }
 
@@ -174,7 +171,7 @@ TEST(PapersTables, AverageOverThePapersSizes) {
                 // Of fewer sizes it is not compared.
                 {"table2_cholmod", "mean", "paper", "TS-TPS_cholmod", "1.9 (47.4 %)"}});
   EXPECT_CONTAINS(
-      entry_at(speed_ups(record_from(json), "cholmod"), {"mean", "ours"}, "TS-TPS_cholmod").note,
+      entry_at(table_of(json, "table2_cholmod"), {"mean", "ours"}, "TS-TPS_cholmod").note,
       "incomplete 4/5");
 }
 
@@ -183,7 +180,7 @@ TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
   set_samples(json, 558, "global_automatic_klu", {0.3, 0.2, 0.4});
   set_samples(json, 558, "group_symbolic_inlined", {0.1, 0.1, 0.1});
   fail_candidate(json, truck, 558, "group_symbolic_klu");
-  const Table table = every_formulation(record_from(json), truck, 558);
+  const Table table = table_of(json, "formulations_truck_suspension_558");
   EXPECT_EQ(table.rows.front().front().shown, "group_symbolic_inlined");
   EXPECT_EQ(entry_at(table, {"group_symbolic_inlined"}, "speed-up").shown, "3.00 inconclusive");
   EXPECT_EQ(entry_at(table, {"group_symbolic_inlined"}, "µs/step").shown, "33.32");  // 0.1 s / 3001

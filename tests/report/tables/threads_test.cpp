@@ -65,7 +65,7 @@ TEST(Threads, StandInATableOfTheWallClockAlone) {
 TEST(Threads, HaveNoRatioOverCpuTime) {
   Json json = threads_record();
   json["paper"]["cells"].erase(json["paper"]["cells"].size() - 1);
-  const Table table = table_named(make_report(record_from(json)), "threads_truck_suspension");
+  const Table table = table_of(json, "threads_truck_suspension");
   EXPECT_EQ(entry_at(table, {"114", "everything", hermite_lanes, "2"}, "times one thread").shown,
             "one thread not measured");
   const Record record = record_from(json);
