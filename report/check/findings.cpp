@@ -35,7 +35,7 @@ Pass first_pass(const CheckRecord& check) {
   return pass;
 }
 
-Change change(const Rounds& rounds) { return median_change(log_ratios(rounds.head, rounds.base)); }
+Change change(const Rounds& rounds) { return median_change(rounds.head, rounds.base); }
 
 }  // namespace
 

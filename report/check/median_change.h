@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace desmo::report {
 
@@ -14,21 +13,13 @@ struct Change {
   std::size_t rounds = 0;
 };
 
-/// log(numerator / denominator), round by round, for as many rounds as both have.
-std::vector<double> log_ratios(std::span<const double> numerators,
-                               std::span<const double> denominators);
+/// Returns exp of the median of log(time / old time) over one round or more, with its interval.
+Change median_change(std::span<const double> times, std::span<const double> old_times);
 
-/// The values that a median takes in resamples drawn with replacement, ascending, with the
-/// probability of each. No resample is drawn: of n values in ascending order, the median of a
-/// resample is at most the k-th exactly when a majority of its n draws fall on the first k, which
-/// has a binomial probability (Efron, 1979). With an even n the lower of the two in the middle is
-/// taken.
-struct MedianDistribution {
-  std::vector<double> value, probability;
-};
-MedianDistribution bootstrap_median(std::span<const double> values);
-
-/// Returns exp of the median of one or more logarithms, with its interval.
-Change median_change(std::span<const double> logarithms);
+/// Returns the probability that the median of a resample of n values, drawn with replacement, is at
+/// most the k-th smallest of them. No resample is drawn: that is so exactly when a majority of its
+/// n draws fall on the first k, which has a binomial probability (Efron, 1979). With an even n the
+/// lower of the two in the middle is taken.
+double median_at_most(std::size_t k, std::size_t n);
 
 }  // namespace desmo::report
