@@ -71,14 +71,14 @@ CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline
   return outcome;
 }
 
-std::vector<Pending> pending(const CheckOutcome& found) {
-  std::vector<Pending> all;
+std::vector<std::string> pending(const CheckOutcome& found) {
+  std::vector<std::string> all;
   const auto& control = found.time.control;
   const bool first_unsteady = control && is_unsteady(*control);
   for (const TimeFinding& f : found.time.candidates) {
     if (f.outcome != Finding::unconfirmed && f.outcome != Finding::noisy) continue;
     const bool first = f.outcome == Finding::noisy && (first_unsteady || !f.second);
-    all.push_back({first ? "first" : "second", f.candidate});
+    all.push_back((first ? "first " : "second ") + f.candidate);
   }
   return all;
 }

@@ -44,13 +44,9 @@ struct CheckOutcome {
 /// one tree. With neither, a right head is CheckVerdict::incomparable.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
-/// A measurement that a final verdict still needs.
-struct Pending {
-  std::string pass;  ///< "first" or "second"
-  std::string candidate;
-};
-/// Returns the measurements that could still change the verdict.
-std::vector<Pending> pending(const CheckOutcome& found);
+/// Returns the measurements that could still change the verdict: "first CANDIDATE" or "second
+/// CANDIDATE", by pass.
+std::vector<std::string> pending(const CheckOutcome& found);
 
 /// Returns the verdict with its reasons, a table of times and one of instructions, and a line on
 /// what was measured where.

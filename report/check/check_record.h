@@ -24,7 +24,8 @@ struct Rounds {
 
 /// Instructions of a candidate's counted steps.
 struct Instructions {
-  std::optional<std::int64_t> base, head;
+  std::optional<std::int64_t> base;  ///< none when head was counted alone
+  std::int64_t head = 0;
 };
 
 struct Work {

@@ -35,10 +35,6 @@ Pass first_pass(const CheckRecord& check) {
   return pass;
 }
 
-Change change(const Rounds& rounds) { return median_change(rounds.head, rounds.base); }
-
-}  // namespace
-
 Finding finding_of_time(const Change& first, const std::optional<Change>& second) {
   const int seen = direction(first);
   if (seen == 0) return is_undecided(first) ? Finding::noisy : Finding::same;
@@ -47,14 +43,18 @@ Finding finding_of_time(const Change& first, const std::optional<Change>& second
   return is_undecided(*second) ? Finding::noisy : Finding::refuted;
 }
 
-bool is_unsteady(const Change& control) {
-  return is_wide(control) || beyond(control.ratio, steady_control);
-}
-
 Finding finding_of_work(double percent) {
   if (percent >= alarming_percent) return Finding::regression;
   if (percent <= -alarming_percent) return Finding::improvement;
   return Finding::same;
+}
+
+Change change(const Rounds& rounds) { return median_change(rounds.head, rounds.base); }
+
+}  // namespace
+
+bool is_unsteady(const Change& control) {
+  return is_wide(control) || beyond(control.ratio, steady_control);
 }
 
 TimeFindings find_times(const CheckRecord& check) {
@@ -118,8 +118,8 @@ WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline) {
   for (const auto& [candidate, counts] : check.work->instructions) {
     const auto before = then.instructions.find(candidate);
     if (before == then.instructions.end()) continue;
-    const std::int64_t head = *counts.head,
-                       base = baseline ? *before->second.head : *before->second.base;
+    const std::int64_t head = counts.head,
+                       base = baseline ? before->second.head : *before->second.base;
     const double exact = 100 * (static_cast<double>(head) / static_cast<double>(base) - 1);
     const double percent = std::round(10 * exact) / 10;
     found.candidates.push_back({candidate, base, head, percent, finding_of_work(percent)});

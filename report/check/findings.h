@@ -33,16 +33,9 @@ enum class Finding {
   noisy,        ///< needs more rounds
 };
 
-/// Returns the finding of a time, from its changes in the first pass and, where there was one, the
-/// second.
-Finding finding_of_time(const Change& first, const std::optional<Change>& second);
-
 /// Returns whether the machine, and not what was measured, changed so much that no time can be
 /// judged.
 bool is_unsteady(const Change& control);
-
-/// Returns the finding of a change of instructions in percent, rounded to a tenth.
-Finding finding_of_work(double percent);
 
 struct TimeFinding {
   std::string candidate;

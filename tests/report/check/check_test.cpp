@@ -10,12 +10,6 @@ namespace {
 
 CheckOutcome judged(const Json& json) { return compare_sides(check_from(json)); }
 
-std::vector<std::string> pending_lines(const CheckOutcome& j) {
-  std::vector<std::string> lines;
-  for (const Pending& p : pending(j)) lines.push_back(p.pass + " " + p.candidate);
-  return lines;
-}
-
 // Times of the watched candidate by the factor that head takes longer, in the first pass and, where
 // there is one, the second.
 TEST(Check, JudgesTimesByBothPasses) {
@@ -46,7 +40,7 @@ TEST(Check, JudgesTimesByBothPasses) {
       EXPECT_EQ(f.outcome, f.candidate == watched ? p.finding : Finding::same) << f.candidate;
     std::vector<std::string> expected;
     if (p.is_pending) expected = {std::string("second ") + watched};
-    EXPECT_EQ(pending_lines(j), expected);
+    EXPECT_EQ(pending(j), expected);
   }
 }
 
@@ -63,7 +57,7 @@ TEST(Check, AMedianWithoutItsIntervalIsTooNoisy) {
   EXPECT_GT(j.time.candidates[2].first.ratio, 1.05);
   EXPECT_LT(j.time.candidates[2].first.low, 1.02);
   EXPECT_EQ(j.verdict, CheckVerdict::inconclusive);
-  EXPECT_EQ(pending_lines(j), (std::vector<std::string>{std::string("first ") + watched}));
+  EXPECT_EQ(pending(j), (std::vector<std::string>{std::string("first ") + watched}));
 }
 
 TEST(Check, AControlThatChangesMakesTimesInconclusive) {
@@ -73,7 +67,7 @@ TEST(Check, AControlThatChangesMakesTimesInconclusive) {
   confirm(check, watched, 1.10);
   EXPECT_EQ(judged(check).verdict, CheckVerdict::inconclusive);
   EXPECT_EQ(pending(judged(check)).size(), 3u);
-  EXPECT_EQ(pending(judged(check)).front().pass, "first");
+  EXPECT_TRUE(pending(judged(check)).front().starts_with("first "));
 }
 
 TEST(Check, InstructionsAlarmFromOnePercentOn) {
