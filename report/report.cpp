@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "report/read/readers.h"
 #include "report/statistics/paper.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"

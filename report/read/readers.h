@@ -20,8 +20,22 @@ void read_modelling(Record& record, const RecordValue& experiment);
 void read_instructions(Record& record, const RecordValue& experiment);
 void read_extremes(Record& record, const RecordValue& experiment);
 
-/// Reads all of `record` but version and experiments.
-Record read_environment(const RecordValue& node);
+/// Something that a record may have measured.
+struct Experiment {
+  const char* name;  ///< of its object in the record
+  bool (*is_in)(const Record&);
+  void (*read)(Record&, const RecordValue&);
+};
+
+/// The experiments, in the order of pages.
+inline constexpr Experiment experiments[] = {
+    {"paper", has_paper, read_paper},
+    {"accuracy", [](const Record& r) { return !r.points.empty(); }, read_accuracy},
+    {"size", [](const Record& r) { return !r.growth.empty() || !r.break_even.empty(); },
+     read_sizes},
+    {"modelling", [](const Record& r) { return !r.modelled.empty(); }, read_modelling},
+    {"instructions", [](const Record& r) { return !r.instructions.empty(); }, read_instructions},
+    {"extremes", [](const Record& r) { return !r.extremes.empty(); }, read_extremes}};
 
 // ---- what several experiments have ----
 

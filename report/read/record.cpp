@@ -51,8 +51,7 @@ RecordSettings read_settings(const RecordValue& node) {
   return settings;
 }
 
-}  // namespace
-
+/// Reads all of `record` but version and experiments.
 Record read_environment(const RecordValue& node) {
   const RecordValue blas = node["blas"];
   Record record;
@@ -68,8 +67,6 @@ Record read_environment(const RecordValue& node) {
   record.provenance = node.leaves();
   return record;
 }
-
-namespace {
 
 /// Throws MixedRecord unless all was measured on one machine, and all of a case and size has one
 /// model, and one set of results for each request.
@@ -103,15 +100,6 @@ void require_one_origin(const Record& record) {
   for (const Peer& peer : record.peers) take(key_of(peer), "", peer.solved);
 }
 
-/// The objects of a record, and what reads them.
-constexpr std::pair<const char*, void (*)(Record&, const RecordValue&)> readers[] = {
-    {"paper", read_paper},
-    {"accuracy", read_accuracy},
-    {"size", read_sizes},
-    {"modelling", read_modelling},
-    {"instructions", read_instructions},
-    {"extremes", read_extremes}};
-
 }  // namespace
 
 Record read_record(const RecordValue& root) {
@@ -119,9 +107,9 @@ Record read_record(const RecordValue& root) {
   Record record = read_environment(root["record"]);
   record.version = root["schema_version"].text();
   std::string names;
-  for (const auto& [name, read] : readers) {
-    names += (names.empty() ? "\"" : ", \"") + std::string(name) + "\"";
-    if (const auto measured = root.find(name)) read(record, *measured);
+  for (const Experiment& experiment : experiments) {
+    names += (names.empty() ? "\"" : ", \"") + std::string(experiment.name) + "\"";
+    if (const auto measured = root.find(experiment.name)) experiment.read(record, *measured);
   }
   if (std::ranges::none_of(experiments, [&](const Experiment& e) { return e.is_in(record); }))
     root.complain("nothing was measured: all of " + names + " are missing or empty");

@@ -147,21 +147,6 @@ inline bool has_paper(const Record& record) {
          !record.wall_candidates.empty();
 }
 
-/// Something that a record may have measured.
-struct Experiment {
-  const char* name;
-  bool (*is_in)(const Record&);
-};
-
-/// The experiments, in the order of pages.
-inline constexpr Experiment experiments[] = {
-    {"paper", has_paper},
-    {"accuracy", [](const Record& r) { return !r.points.empty(); }},
-    {"size", [](const Record& r) { return !r.growth.empty() || !r.break_even.empty(); }},
-    {"modelling", [](const Record& r) { return !r.modelled.empty(); }},
-    {"instructions", [](const Record& r) { return !r.instructions.empty(); }},
-    {"extremes", [](const Record& r) { return !r.extremes.empty(); }}};
-
 /// Checks everything the report relies on: the schema's name and major version, required keys,
 /// types, times above zero, the verification of every "ok" candidate and request, as many windows
 /// as it says, nothing given twice, one machine, one model for each case and size with one set of
