@@ -116,9 +116,8 @@ Table work_table(const WorkFindings& work, const Work& counted) {
       "work",
       {{"steps", counted.steps}, {"iterations", counted.iterations}, {"tool", counted.tool}});
   for (const WorkFinding& f : work.candidates)
-    table.rows.push_back({f.candidate, digits_entry(std::to_string(f.base)),
-                          digits_entry(std::to_string(f.head)),
-                          composed("{} %", {write_change(f.percent)}), outcome_word(f.outcome)});
+    table.rows.push_back({f.candidate, f.base, f.head, composed("{} %", {write_change(f.percent)}),
+                          outcome_word(f.outcome)});
   return table;
 }
 

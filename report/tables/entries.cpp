@@ -35,8 +35,6 @@ Entry number_entry(const std::optional<double>& value, int significant) {
   return value ? digits_entry(write_significant(*value, significant)) : note_entry(missing_mark);
 }
 
-Entry count_entry(std::size_t count) { return digits_entry(std::to_string(count)); }
-
 Entry reference_entry() { return composed("{}", {"1.00"}, "reference"); }
 
 Entry instant_entry(const Record& record, const Measured& measured, int significant) {

@@ -22,9 +22,6 @@ void add_note(Entry& entry, const std::string& note);
 /// Writes so many significant digits, or the mark of what is missing.
 Entry number_entry(const std::optional<double>& value, int significant);
 
-/// Writes a number of things in full.
-Entry count_entry(std::size_t count);
-
 /// Returns "1.00 reference", for the candidate that all others are compared with.
 Entry reference_entry();
 

@@ -112,8 +112,8 @@ Section threads(const Record& record) {
       const auto& [coordinates, delivered, analysis, threads] = place;
       const Timing& timing = all.at(key);
       const auto one = all.find(reference_of(key));
-      table.rows.push_back({coordinates, delivered, analysis, digits_entry(std::to_string(threads)),
-                            seconds_entry(timing.time), instant_entry(record, timing.time),
+      table.rows.push_back({coordinates, delivered, analysis, threads, seconds_entry(timing.time),
+                            instant_entry(record, timing.time),
                             one == all.end() ? note_entry(sentence("threads.alone"))
                             : one->first == key
                                 ? reference_entry()

@@ -14,9 +14,8 @@ namespace {
 using Verdict = ExtremeResult::Verdict;
 using Results = std::vector<const ExtremeResult*>;
 
-std::size_t count(const Results& results, Verdict verdict) {
-  return static_cast<std::size_t>(
-      std::ranges::count(results, verdict, [](const ExtremeResult* r) { return r->verdict; }));
+std::int64_t count(const Results& results, Verdict verdict) {
+  return std::ranges::count(results, verdict, [](const ExtremeResult* r) { return r->verdict; });
 }
 
 /// Over all levels and results that were compared.
@@ -30,13 +29,13 @@ std::optional<double> worst_over_floor(const Results& results) {
 }
 
 Entry results_entry(const Results& results) {
-  const std::size_t tried = results.size() - count(results, Verdict::not_applicable);
+  const std::int64_t tried = std::ssize(results) - count(results, Verdict::not_applicable);
   if (tried == 0) return note_entry("n/a");
-  const std::size_t defects = count(results, Verdict::defect),
-                    missed = count(results, Verdict::missed);
+  const std::int64_t defects = count(results, Verdict::defect),
+                     missed = count(results, Verdict::missed);
   const std::string note = defects ? "DEFECT" : missed ? "missed" : "ok";
   Entry e{note, {"", "", ""}, note};
-  if (const std::size_t bad = defects ? defects : missed) {
+  if (const std::int64_t bad = defects ? defects : missed) {
     e.digits[0] = std::to_string(bad);
     e.digits[1] = std::to_string(tried);
     e.shown += " " + e.digits[0] + " of " + e.digits[1];
@@ -51,7 +50,7 @@ Entry results_entry(const Results& results) {
 void add_verdicts(std::vector<Entry>& row, const Results& results) {
   for (const Verdict v :
        {Verdict::as_expected, Verdict::missed, Verdict::defect, Verdict::not_applicable})
-    row.push_back(count_entry(count(results, v)));
+    row.push_back(count(results, v));
 }
 
 /// The first of the worst kind there is.
@@ -88,9 +87,9 @@ std::string name_of(const ExtremeRow& row) { return std::to_string(row.number) +
 std::vector<Section> extremes_sections(const Record& record) {
   Sorted sorted(record);
   const Results& all = sorted.all;
-  const std::size_t defects = count(all, Verdict::defect);
+  const std::int64_t defects = count(all, Verdict::defect);
   const TextValues counts{{"defects", defects},
-                          {"tried", all.size() - count(all, Verdict::not_applicable)},
+                          {"tried", std::ssize(all) - count(all, Verdict::not_applicable)},
                           {"expected", count(all, Verdict::as_expected)},
                           {"missed", count(all, Verdict::missed)}};
   Section front = headed_section("extremes_front", counts),

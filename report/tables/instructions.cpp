@@ -40,9 +40,9 @@ Table instructions_table(const TextValues& place, std::vector<const Counted*> co
   Table table = headed_table("instructions_case", values);
   for (const Counted* counted : counts)
     table.rows.push_back({counted->first.id, paper_name(counted->first),
-                          count_entry(static_cast<std::size_t>(counted->second.instructions)),
+                          counted->second.instructions,
                           times_fewer(reference == counts.end() ? nullptr : *reference, counted),
-                          count_entry(static_cast<std::size_t>(counted->second.steps))});
+                          counted->second.steps});
   return table;
 }
 
@@ -100,8 +100,7 @@ Section history_section(const History& history) {
       if (std::abs(change) <= marked) continue;
       add_note(row.back(), "moved");
       moves.rows.push_back({point.commit, date, point.title, history.candidates[i],
-                            count_entry(static_cast<std::size_t>(before)),
-                            count_entry(static_cast<std::size_t>(count)),
+                            static_cast<std::int64_t>(before), *point.instructions[i],
                             composed("{} %", {percent_of(change)})});
     }
   }

@@ -22,7 +22,7 @@ struct Entry {
   // A text alone, as rows are mostly written.
   Entry(std::string text) : shown(std::move(text)) {}  // NOLINT
   Entry(const char* text) : shown(text) {}             // NOLINT
-  // A whole number in a column of texts: a size.
+  // A whole number, in full: a size, or how many things there are.
   Entry(std::int64_t number) : shown(std::to_string(number)), digits{shown} {}  // NOLINT
   Entry(std::string text, std::vector<std::string> numbers, std::string reservation)
       : shown(std::move(text)), digits(std::move(numbers)), note(std::move(reservation)) {}
