@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,24 +33,12 @@ std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries);
 /// Returns the point where a coordinate costs least; null without points.
 const CurvePoint* cheapest(const Curve& curve);
 
-// ---- break-even ----
-
-/// Unknowns from which on the second of two formulations is the faster.
-struct BreakEven {
-  double unknowns = 0;       ///< interpolated in log t over log n between the neighbours
-  double low = 0, high = 0;  ///< the neighbours; of the first and the last where there are several
+/// A size that two curves have: its unknowns n, and by what the first is slower, d = log(t₁/t₂).
+struct SizeOfBoth {
+  double n, d;
 };
 
-/// Comparison of two curves, over the sizes that both have.
-struct CurveComparison {
-  std::size_t sizes = 0;
-  double smallest = 0, largest = 0;  ///< unknowns; where there are sizes
-  bool second_faster_at_largest = false;
-  /// Empty where one curve is the faster at every size, or the first curve at the largest size.
-  std::optional<BreakEven> break_even;
-};
-
-CurveComparison compare(const Curve& first, const Curve& second);
+std::vector<SizeOfBoth> sizes_of_both(const Curve& first, const Curve& second);
 
 /// At each size the faster of the two; where only one has it, that one.
 Curve faster_of(const Curve& a, const Curve& b);

@@ -1,6 +1,7 @@
 // How the time of a step grows with the number of coordinates, where caches end it, and from how
 // many unknowns on sparse matrices are faster than dense ones.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 
@@ -13,17 +14,30 @@ namespace {
 /// What the paper says: near 60 variables, comparing LAPACK with MA27.
 constexpr const char* published_break_even = "60";
 
-/// "66 [61, 76]"; in words where there is none.
+/// Where d, linear in log n, becomes zero.
+double zero_between(const SizeOfBoth& a, const SizeOfBoth& b) {
+  return a.n * std::pow(b.n / a.n, a.d / (a.d - b.d));
+}
+
+/// "66 [61, 76]": the unknowns from which on sparse matrices are faster, interpolated in log t over
+/// log n, and the sizes before the first crossing and after the last. In words where one curve is
+/// the faster at every size, or the dense one at the largest.
 Entry break_even_entry(const Curve& dense, const Curve& sparse) {
-  const CurveComparison r = compare(dense, sparse);
-  if (r.sizes == 0) return note_entry(missing_mark);
-  if (!r.second_faster_at_largest)
-    return note_entry(sentence("break_even.dense", {{"unknowns", write_shortest(r.largest)}}));
-  if (!r.break_even)
-    return note_entry(sentence("break_even.sparse", {{"unknowns", write_shortest(r.smallest)}}));
-  const auto& [unknowns, low, high] = *r.break_even;
-  return composed("{} [{}, {}]",
-                  {write_fixed(unknowns, 0), write_shortest(low), write_shortest(high)});
+  const std::vector<SizeOfBoth> all = sizes_of_both(dense, sparse);
+  if (all.empty()) return note_entry(missing_mark);
+  const auto in_words = [](const char* name, double n) {
+    return note_entry(sentence(name, {{"unknowns", write_shortest(n)}}));
+  };
+  if (!(all.back().d > 0)) return in_words("break_even.dense", all.back().n);
+  std::string unknowns, low, high;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if ((all[i - 1].d > 0) == (all[i].d > 0)) continue;
+    if (low.empty()) low = write_shortest(all[i - 1].n);
+    unknowns = write_fixed(zero_between(all[i - 1], all[i]), 0);  // the last is the one that holds
+    high = write_shortest(all[i].n);
+  }
+  if (low.empty()) return in_words("break_even.sparse", all.front().n);
+  return composed("{} [{}, {}]", {unknowns, low, high});
 }
 
 /// Shows from how many unknowns on sparse matrices pay.
