@@ -14,12 +14,6 @@
 
 namespace desmo::report {
 
-bool has_samples_of_windows(const Record& record) {
-  return std::ranges::any_of(record.candidates, [](const auto& candidate) {
-    return !candidate.second.time.windows.samples.empty();
-  });
-}
-
 std::string commit_of(const Record& record) {
   return record.commit + (record.dirty ? " " + sentence("common.uncommitted") : "");
 }
@@ -42,8 +36,16 @@ Repetitions repetitions_of(const Record& record) {
   return found;
 }
 
+/// Tells whether nothing was measured often enough for an interval.
 bool is_first_look(const Repetitions& found) {
   return found.most > 0 && found.most < min_for_interval;
+}
+
+/// Tells whether times are taken from samples of timing windows.
+bool has_samples_of_windows(const Record& record) {
+  return std::ranges::any_of(record.candidates, [](const auto& candidate) {
+    return !candidate.second.time.windows.samples.empty();
+  });
 }
 
 std::string definition_of_time(const Record& record, bool with_interval) {
@@ -66,8 +68,6 @@ std::string repetitions(const Record& record) {
 }
 
 }  // namespace
-
-bool is_first_look(const Record& record) { return is_first_look(repetitions_of(record)); }
 
 TextValues timed_words(const Record& record, const TextValues& more) {
   const Repetitions found = repetitions_of(record);
@@ -127,7 +127,7 @@ Section limitations(const Record& record) {
   say(ma27, "with_ma27");
   say(!is_paper || recorded_cases(record).contains(std::string(truck_case)), "truck");
   say(true, "machines");
-  say(!is_first_look(record), "intervals");
+  say(!is_first_look(repetitions_of(record)), "intervals");
   say(true, "errors");
   say(is_unsteady(record.machine), "unsteady");
   say(record.dirty, "dirty");

@@ -8,14 +8,8 @@
 
 namespace desmo::report {
 
-/// Tells whether times are taken from samples of timing windows.
-bool has_samples_of_windows(const Record& record);
-
 /// Returns the commit, and whether there were changes that it does not have.
 std::string commit_of(const Record& record);
-
-/// Tells whether nothing of the paper's experiment was measured often enough for an interval.
-bool is_first_look(const Record& record);
 
 /// Returns what texts about the times of the paper's experiment say, followed by `more`:
 /// - time: "undisturbed time" where the record has timing windows, "median" where it has none

@@ -1,7 +1,6 @@
 // A record of two repetitions, as bench/run --quick makes it: orders of magnitude, said once.
 
 #include "report/formats/formats.h"
-#include "report/tables/record_words.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::first_look_test {
@@ -67,10 +66,7 @@ TEST(FirstLook, SaysOnceWhatItIsAndLeavesOutWhatItCannotShow) {
 }
 
 TEST(FirstLook, IsNoneWithThreeRepetitions) {
-  const Record record = record_from(record_of(3));
-  EXPECT_FALSE(is_first_look(record));
-  EXPECT_TRUE(is_first_look(record_from(record_of(2))));
-  const std::string text = to_terminal(make_report(record));
+  const std::string text = to_terminal(make_report(record_from(record_of(3))));
   for (const char* part : {"What checks cost", "nterval", "inconclusive"})
     EXPECT_GT(count(text, part), 0u) << part;
   EXPECT_EQ(count(text, "A first look: "), 0u);
