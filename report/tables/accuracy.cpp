@@ -84,14 +84,27 @@ bool is_tried(const Points& points, std::string_view update) {
   });
 }
 
+/// "tolerance 1e-6", "2 iterations", "usual tolerance": where steps stop.
+std::string stop_of(const Configuration& c) {
+  std::string text;
+  if (!c.iterations.empty()) text = sentence("costs.iterations", {{"count", c.iterations}});
+  if (!c.tolerance.empty())
+    text += (text.empty() ? "" : ", ") + sentence("costs.tolerance", {{"tolerance", c.tolerance}});
+  return text.empty() ? sentence("costs.usual_stop") : text;
+}
+
 void add_case(Table& table, const SeriesKey& series, const Points& points) {
   const Usual usual(points);
   const auto add = [&](const std::string& guess, const std::string& update,
                        const NamedPoint* best) {
-    table.rows.push_back({series.case_name, series.coordinates, guess, update, stop_entry(best),
-                          error_entry(best), iterations_entry(best), step_time_entry(best),
-                          step_ratio_entry(usual.paper, best),
-                          step_ratio_entry(usual.stopped, best)});
+    const Point* const point = best ? &best->second : nullptr;
+    table.rows.push_back(
+        {series.case_name, series.coordinates, guess, update,
+         point ? stop_of(point->configuration) : sentence("costs.no_stop"),
+         error_entry(point ? point->error.position : std::nullopt),
+         number_entry(point ? std::optional(point->iterations_per_step) : std::nullopt, 3),
+         step_time_entry(best), step_ratio_entry(usual.paper, best),
+         step_ratio_entry(usual.stopped, best)});
   };
   for (const std::string& guess : guesses_of(points))
     for (const char* update : updates)

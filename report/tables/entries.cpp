@@ -122,25 +122,6 @@ Entry error_entry(const std::optional<double>& error) {
   return digits_entry(write(*error, {.scientific = true, .decimals = 1}));
 }
 
-Entry error_entry(const NamedPoint* point) {
-  return error_entry(point ? std::optional(position_error(*point)) : std::nullopt);
-}
-
-Entry iterations_entry(const NamedPoint* point) {
-  return number_entry(point ? std::optional(point->second.iterations_per_step) : std::nullopt, 3);
-}
-
-Entry stop_entry(const NamedPoint* point) {
-  if (!point) return sentence("costs.no_stop");
-  const auto& [iterations, tolerance] =
-      std::pair(point->second.configuration.iterations, point->second.configuration.tolerance);
-  std::string text;
-  if (!iterations.empty()) text = sentence("costs.iterations", {{"count", iterations}});
-  if (!tolerance.empty())
-    text += (text.empty() ? "" : ", ") + sentence("costs.tolerance", {{"tolerance", tolerance}});
-  return text.empty() ? sentence("costs.usual_stop") : text;
-}
-
 Table excerpt(const Table& table, Table head,
               const std::function<bool(const std::vector<Entry>&)>& keep) {
   constexpr std::size_t max_rows = 14;

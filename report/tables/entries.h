@@ -69,10 +69,6 @@ Entry step_time_entry(const std::vector<double>& samples);
 Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant);
 /// "8.0e-10", quantities {error}; of nothing the mark.
 Entry error_entry(const std::optional<double>& error);
-Entry error_entry(const NamedPoint* point);
-Entry iterations_entry(const NamedPoint* point);  ///< quantities {iterations}
-/// "tolerance 1e-6", "2 iterations", "usual tolerance": where its steps stop.
-Entry stop_entry(const NamedPoint* point);
 
 // ---- the few rows of a table that stand in front of an experiment ----
 

@@ -47,11 +47,11 @@ std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
   const bool solved = is_solved(point);
   return {point.first.id,
           family_of(p.configuration),
-          solved ? step_time_entry(&point) : note_entry(failed_mark),
+          solved ? step_time_entry(p.seconds_per_step) : note_entry(failed_mark),
           error_entry(p.error.position),
           error_entry(p.error.velocity),
           error_entry(p.error.acceleration),
-          solved ? iterations_entry(&point) : note_entry(missing_mark),
+          solved ? number_entry(p.iterations_per_step, 3) : note_entry(missing_mark),
           in_front ? "front" : "",
           p.message};
 }
