@@ -1,6 +1,7 @@
 #include "report/statistics/comparability.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "report/statistics/variants.h"
@@ -130,23 +131,19 @@ void compare_measured(Comparison& all, const Record& first, const Record& second
   if (!shared) all.differ("measurements in common", "none", "none");
 }
 
-void compare_work(Comparison& all, const Record& first, const Record& second) {
+}  // namespace
+
+std::vector<Difference> different_work_reason(const Record& first, const Record& second) {
+  Comparison all;
   compare_settings(all, first.settings, second.settings);
   compare_measured(all, first, second);
+  return all.differences;
 }
-
-}  // namespace
 
 std::vector<Difference> why_incomparable(const Record& first, const Record& second) {
   Comparison all;
   compare_environment(all, first, second);
-  compare_work(all, first, second);
-  return all.differences;
-}
-
-std::vector<Difference> different_work_reason(const Record& first, const Record& second) {
-  Comparison all;
-  compare_work(all, first, second);
+  std::ranges::move(different_work_reason(first, second), std::back_inserter(all.differences));
   return all.differences;
 }
 

@@ -88,10 +88,6 @@ const NamedPoint* cheapest(const Points& points, double max_error,
   return best;
 }
 
-const NamedPoint* cheapest(const Points& points, double max_error) {
-  return cheapest(points, max_error, [](const Configuration&) { return true; });
-}
-
 const NamedPoint* cheapest_of_paper(const Points& points, double max_error) {
   return cheapest(points, max_error,
                   [](const Configuration& c) { return c.has_papers_settings(); });

@@ -55,9 +55,9 @@ SpeedUp speed_up(const std::vector<double>& reference, const std::vector<double>
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
 
 /// The fastest of the solved points within an error, of those that `may`; null when there is none.
-const NamedPoint* cheapest(const Points& points, double max_error,
-                           const std::function<bool(const Configuration&)>& may);
-const NamedPoint* cheapest(const Points& points, double max_error);
+const NamedPoint* cheapest(
+    const Points& points, double max_error,
+    const std::function<bool(const Configuration&)>& may = [](const auto&) { return true; });
 
 /// Returns the fastest within an error of positions that has the paper's guess and updates of the
 /// Jacobian, at any tolerance; null when there is none.

@@ -88,12 +88,6 @@ double undisturbed(const Windows& s, std::optional<std::size_t> left_out) {
   return instants * lowest;
 }
 
-double undisturbed_without_best(const Windows& s) {
-  double largest = 0;
-  for (std::size_t r = 0; r < s.samples.size(); ++r) largest = std::max(largest, undisturbed(s, r));
-  return largest;
-}
-
 SampleSummary summarise(std::span<const double> samples, const Windows& windows) {
   std::vector<double> sorted(samples.begin(), samples.end());
   std::sort(sorted.begin(), sorted.end());
@@ -108,7 +102,9 @@ SampleSummary summarise(std::span<const double> samples, const Windows& windows)
                   .without_best = {}};
   if (windows.least.empty()) return s;
   s.value = windows.samples.empty() ? sum(windows.least) : undisturbed(windows);
-  if (windows.samples.size() > 1) s.without_best = undisturbed_without_best(windows);
+  if (windows.samples.size() > 1)
+    for (std::size_t r = 0; r < windows.samples.size(); ++r)
+      s.without_best = std::max(s.without_best.value_or(0), undisturbed(windows, r));
   return s;
 }
 
@@ -166,7 +162,7 @@ std::optional<Slope> fit_slope(std::span<const double> sizes, std::span<const do
     squares += std::pow(y[i] - y_mean - slope * (x[i] - x_mean), 2);
   const double freedom = static_cast<double>(n - 2);
   const double half = student(n - 2) * std::sqrt(squares / freedom / xx);  // t sqrt(s^2 / S_xx)
-  return Slope{.value = slope, .low = slope - half, .high = slope + half, .points = n};
+  return Slope{.value = slope, .low = slope - half, .high = slope + half};
 }
 
 }  // namespace desmo::report

@@ -22,10 +22,6 @@ namespace desmo::report {
 /// - left_out: index of the analysis that is not used
 double undisturbed(const Windows& windows, std::optional<std::size_t> left_out = std::nullopt);
 
-/// Returns the largest undisturbed() over all choices of the analysis left out: the time without
-/// the best analysis. windows: with two samples or more.
-double undisturbed_without_best(const Windows& windows);
-
 /// Repetitions below which there is no interval: two may have been disturbed alike.
 inline constexpr std::size_t min_for_interval = 3;
 
@@ -41,7 +37,8 @@ struct SampleSummary {
   double largest = 0;
   std::size_t count = 0;
   std::vector<double> windows;  ///< the least time of each; may be empty
-  /// The undisturbed time without its best repetition, where the samples of windows are known.
+  /// The undisturbed time without its best repetition, the largest over all choices of the one left
+  /// out; where samples of windows are known, two or more.
   std::optional<double> without_best;
   bool has_interval() const { return count >= min_for_interval; }
   double half_range() const { return (largest - least) / 2; }
@@ -86,7 +83,6 @@ struct Slope {
   double value = 0;
   double low = 0;  ///< 95 % interval of Student's t, n - 2 degrees of freedom
   double high = 0;
-  std::size_t points = 0;
 };
 
 /// Takes one point per size (the median), so that repetitions of a size, which share its deviation

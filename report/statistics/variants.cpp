@@ -28,8 +28,6 @@ bool is_reference(const Configuration& configuration) {
          std::ranges::count(sparse_families, id.substr(begin.size())) > 0;
 }
 
-std::string partition_of(std::string_view id) { return std::string(id.substr(0, id.find('_'))); }
-
 std::string algebra_kind(std::string_view id) {
   const std::string_view base = without_settings(id), name = base.substr(base.rfind('_') + 1);
   if (name == "lapack" || name == "eigen") return "dense";

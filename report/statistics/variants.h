@@ -54,9 +54,6 @@ inline std::string_view without_settings(std::string_view id) { return id.substr
 /// algorithm, whatever the settings of its iteration.
 bool is_reference(const Configuration& configuration);
 
-/// Returns the partition of an id of a formulation: "global".
-std::string partition_of(std::string_view id);
-
 /// Returns how a formulation solves linear systems: "sparse" or "dense", or "generated" code. It
 /// names the dense libraries, as Backend::dense does: the report sees nothing of formulations.
 std::string algebra_kind(std::string_view id);

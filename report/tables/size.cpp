@@ -98,7 +98,7 @@ Entry slope_entry(const Curve& curve) {
   const std::string count = std::to_string(fit.count),
                     gap = curve.failed ? ", a size " + std::string(failed_mark) : "";
   if (!fit.slope) return note_entry(sentence("growth_exponents.too_few", {{"sizes", count}}) + gap);
-  const auto& [slope, low, high, points] = *fit.slope;
+  const auto& [slope, low, high] = *fit.slope;
   const char* const growth = !is_linear(slope)                   ? "not linear"
                              : is_linear(low) && is_linear(high) ? "linear"
                                                                  : "uncertain";

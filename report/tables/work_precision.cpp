@@ -17,7 +17,7 @@ namespace {
 std::string family_of(const Configuration& configuration) {
   if (!configuration.solves_every_instant()) return "interpolated";
   const std::string& id = configuration.formulation;
-  return partition_of(id) + ", " + algebra_kind(id);
+  return id.substr(0, id.find('_')) + ", " + algebra_kind(id);
 }
 
 double seconds_of(const NamedPoint* point) {

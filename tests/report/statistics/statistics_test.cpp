@@ -82,7 +82,6 @@ TEST(Statistics, SlopeIntervalByHand) {
   const double e = std::exp(1.0);
   const auto slope = fit_slope(std::vector{1.0, e, e * e}, std::vector{1.0, e * e, e * e});
   ASSERT_TRUE(slope);
-  EXPECT_EQ(slope->points, 3u);
   EXPECT_NEAR(slope->value, 1, 1e-12);
   EXPECT_NEAR(slope->high - slope->value, 12.706 / std::sqrt(3.0), 1e-9);
   EXPECT_NEAR(slope->value - slope->low, 12.706 / std::sqrt(3.0), 1e-9);
