@@ -161,16 +161,15 @@ TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
   const std::string alone = (folder_ / "alone").string(), both = (folder_ / "both").string(),
                     title = "Speed-ups here and on other machines";
   Json changed = Json::parse(of_other_machine("Other CPU"));
-  const std::string own = data_file("origins.json").string(),
-                    other = write("other.json", changed.dump()),
+  const std::string own = data_file(origins).string(), other = write("other.json", changed.dump()),
                     third = write("third.json", of_other_machine("Third CPU"));
   erase_candidate(changed, truck, 114, "group_symbolic_klu");
   const std::string less = write("less.json", changed.dump());
-  ASSERT_EQ(tables("origins.json", "--out " + alone), 0) << err_;
+  ASSERT_EQ(tables(origins, "--out " + alone), 0) << err_;
   const auto without = files_in(alone);
   EXPECT_EQ(without.count("machines.csv"), 0u);
   EXPECT_LACKS(without.at("report.html"), title);
-  ASSERT_EQ(tables("origins.json",
+  ASSERT_EQ(tables(origins,
                    "--out " + both + " --beside " + own + " " + less + " " + other + " " + third),
             0)
       << err_;
@@ -198,14 +197,14 @@ TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
 
 TEST_F(Program, WhatStandsBesideMeasuredTheSameOnAnotherMachine) {
   const std::string none = "No other machine's record here has speed-ups of the same work";
-  ASSERT_EQ(tables("origins.json", "--all --beside " + data_file("origins.json").string()), 0);
+  ASSERT_EQ(tables(origins, "--all --beside " + data_file(origins).string()), 0);
   EXPECT_CONTAINS(out_, none);
   Json other = Json::parse(of_other_machine("Other CPU"));
   set_motion(other, 3);
   const std::string beside = " --beside " + write("other.json", other.dump());
-  ASSERT_EQ(tables("origins.json", "--all" + beside), 0) << err_;
+  ASSERT_EQ(tables(origins, "--all" + beside), 0) << err_;
   EXPECT_CONTAINS(out_, none);
-  EXPECT_EQ(tables("origins.json", "--table machines" + beside), 64);
+  EXPECT_EQ(tables(origins, "--table machines" + beside), 64);
 }
 
 TEST_F(Program, WritesASiteOfAllRecords) {

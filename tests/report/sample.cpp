@@ -30,7 +30,7 @@ bool says(const std::vector<std::string>& texts, const std::string& part) {
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
 Json structured_record() { return Json::parse(read_text(data_file("structured.json"))); }
-Json origins_record() { return Json::parse(read_text(data_file("origins.json"))); }
+Json origins_record() { return Json::parse(read_text(data_file(origins))); }
 
 Json levels(double position, double velocity, double acceleration) {
   return {{"position", position}, {"velocity", velocity}, {"acceleration", acceleration}};
