@@ -64,6 +64,8 @@ Json& candidate_of(Json& record, const std::string& case_name, int coordinates,
                    const std::string& id);
 void erase_candidate(Json& record, const std::string& case_name, int coordinates,
                      const std::string& id);
+/// Makes a measurement one that failed: "wrong by design".
+void fail(Json& measurement);
 void fail_candidate(Json& record, const std::string& case_name, int coordinates,
                     const std::string& id);
 

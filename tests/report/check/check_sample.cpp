@@ -79,12 +79,7 @@ void confirm(Json& check, const std::string& candidate, double factor) {
   check["second"]["control"] = check["control"];
 }
 
-void fail_head(Json& check, const std::string& name) {
-  Json& candidate = candidate_named(check["head"], name);
-  candidate["status"] = "failed";
-  candidate["message"] = "differs from the quadruple reference";
-  candidate.erase("time");
-}
+void fail_head(Json& check, const std::string& name) { fail(candidate_named(check["head"], name)); }
 
 void leave_out(Json& check, const std::string& side, const std::string& name) {
   Json& candidate = candidate_named(check[side], name);

@@ -154,8 +154,7 @@ TEST(Best, LeavesOutWhatWasNotMeasured) {
 }
 
 bool limits(const Json& json, const std::string& part) {
-  return std::ranges::any_of(limitations(record_from(json)).paragraphs,
-                             [&](const auto& line) { return line.find(part) != line.npos; });
+  return says(limitations(record_from(json)).paragraphs, part);
 }
 
 TEST(Limitations, AreEightAtMostAndHoldOfTheRecord) {

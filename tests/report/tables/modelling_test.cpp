@@ -50,8 +50,7 @@ TEST(ModellingFigure, HasTheFormulations) {
 // A size that failed is no part of a mean, and says so.
 TEST(ModellingTables, HaveNoMeanOfFewerSizes) {
   Json json = modelling_record();
-  json["modelling"]["times"][0]["status"] = "failed";
-  json["modelling"]["times"][0]["message"] = "wrong by design";
+  fail(json["modelling"]["times"][0]);
   const Document document = make_report(record_from(json));
   expect_row(table_named(document, "modelling_ratios"),
              {"truck_suspension", "group, dense, over global CHOLMOD"},

@@ -47,10 +47,7 @@ TEST(OwnScene, BeginsWithWhatGains) {
 
 TEST(OwnScene, WithoutAnyTimeSaysSo) {
   Json json = scene_record();
-  for (Json& candidate : json["paper"]["cells"]) {
-    candidate["status"] = "failed";
-    candidate["message"] = "wrong by design";
-  }
+  for (Json& candidate : json["paper"]["cells"]) fail(candidate);
   const Document document = make_report(record_from(json));
   EXPECT_EQ(document.sections.front().paragraphs.at(0),
             "No formulation that solves everything has a time on one thread.");
