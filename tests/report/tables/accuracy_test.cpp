@@ -4,8 +4,6 @@
 namespace desmo::report::accuracy_test {
 namespace {
 
-using Digits = std::vector<std::string>;
-
 const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack";
 const std::string over_itself = "times as fast as with the paper's settings",
                   over_global = "as global_automatic_klu with them";
@@ -17,24 +15,6 @@ std::vector<std::vector<std::string>> shown(const Table& table) {
     for (const Entry& entry : row) all.back().push_back(entry.shown);
   }
   return all;
-}
-
-TEST(AccuracyCosts, NamesTheCheapestWithinEachError) {
-  const Table table = table_of(points_record(), "accuracy_costs");
-  ASSERT_EQ(table.rows.size(), 8u);  // four errors, two cases
-  const Digits asked{"0.001", "1e-06", "1e-09", "1e-12"};
-  const std::vector<std::string> expected{klu + "/guess:hermite5/jacobian:step/iterations:1",
-                                          klu + "/guess:hermite5/jacobian:step/iterations:1",
-                                          klu + "/guess:hermite5/jacobian:step/iterations:1",
-                                          klu + "/guess:hermite5/tolerance:1e-8"};
-  for (std::size_t i = 0; i < asked.size(); ++i)
-    EXPECT_EQ(entry_at(table, {"truck_suspension", "225", asked[i]}, "cheapest").shown,
-              expected[i]);
-  const std::vector<std::string> row{"truck_suspension", "225", "1e-09"};
-  EXPECT_EQ(entry_at(table, row, "µs/step").digits, (Digits{"16.00", "16.32"}));
-  EXPECT_EQ(entry_at(table, row, over_itself).shown, "2.00 [1.96, 2.04]");
-  EXPECT_EQ(entry_at(table, {"truck_suspension", "225", "1e-12"}, over_global).digits[0],
-            "1.67");  // 40 µs over 24
 }
 
 TEST(AccuracyCosts, StandInASentenceInFront) {

@@ -56,17 +56,6 @@ TEST(Extremes, BeginWithASentenceThatCountsDefects) {
                   .starts_with("No wrong number without a flag in any of 4 results;"));
 }
 
-TEST(Extremes, NameTheReasonOfTheWorst) {
-  const Record record = record_from(extremes_record());
-  const Section section = extremes_sections(record).at(1);
-  const Table &cases = section.tables.at(1), &rows = section.tables.at(0);
-  EXPECT_EQ(entry_at(cases, {"2", "b"}, "example").shown, "klu/tolerance:1e-13: so it is");
-  EXPECT_EQ(entry_at(cases, {"2", "a"}, "example").shown, "");
-  EXPECT_EQ(entry_at(cases, {"2", "b"}, "missed").shown, "1");
-  EXPECT_EQ(entry_at(rows, {"2 dead points"}, "as expected").shown, "2");
-  EXPECT_EQ(entry_at(rows, {"3 singular"}, "expected").shown, "flagged");
-}
-
 TEST(Extremes, ThatSayNothingAreRefused) {
   expect_refusals(
       extremes_record(),

@@ -5,19 +5,6 @@
 namespace desmo::report::instructions_test {
 namespace {
 
-TEST(Instructions, StandFewestFirstBesideTheReference) {
-  const Section section = instructions_sections(record_from(instructions_record())).at(1);
-  ASSERT_EQ(section.tables.size(), 2u);
-  const Table& truck = section.tables.at(1);
-  EXPECT_EQ(truck.name, "instructions_truck_suspension_558");
-  EXPECT_EQ(truck.rows.front().front().shown, "group_symbolic_explicit/lanes:4");
-  expect_row(truck, {"group_symbolic_explicit/lanes:4"},
-             {{"times fewer", "100"}, {"instructions/step", "14000"}});
-  expect_row(truck, {"group_symbolic_lapack"}, {{"times fewer", "0.24"}, {"paper", "TS-TPS_LAP"}});
-  expect_row(truck, {"global_automatic_klu"},
-             {{"paper", "TS-G_klu"}, {"times fewer", "1.00 reference"}});
-}
-
 TEST(Instructions, BeginWithTheFewest) {
   const Section front = instructions_sections(record_from(instructions_record())).at(0);
   EXPECT_EQ(

@@ -1,7 +1,6 @@
 // The paper's comparison in each kind of coordinates: reader, sentences, tables.
 
 #include "report/figures/figures.h"
-#include "report/formats/formats.h"
 #include "report/report.h"
 #include "tests/report/size_sample.h"
 
@@ -15,28 +14,6 @@ TEST(ModellingTimes, ThatSayNothingAreRefused) {
                    {"/modelling/times/0/status", "not_run", ": everything here is run"},
                    {"/modelling/times/1/id", "global_automatic_cholmod", "is given twice"},
                    {"/modelling", {{"times", Json::array()}}, "nothing was measured"}});
-}
-
-TEST(ModellingTables, CompareInEachKindOfCoordinates) {
-  const Document document = make_report(record_from(modelling_record()));
-  const Table ratios = table_named(document, "modelling_ratios");
-  expect_row(ratios, {"truck_suspension", "group, dense, over global CHOLMOD"},
-             {{"natural", "1.50 …"},
-              {"basis", "3.00 …"},
-              {"reference", "4.50 …"},
-              {"relative", "6.00 …"}});
-  expect_row(ratios, {"truck_suspension", "in groups, dense over KLU"}, {{"relative", "0.25 …"}});
-  expect_row(ratios, {"truck_suspension", "group, dense, over global UMFPACK"},
-             {{"natural", missing_mark}, {"relative", missing_mark}});
-  EXPECT_CONTAINS(
-      to_markdown(document),
-      "1.50, 3.00, 4.50 and 6.00 times as fast as all at once with CHOLMOD, —, —, — and "
-      "— as with UMFPACK");
-  expect_row(table_named(document, "modelling_in_short"), {"global_automatic_cholmod"},
-             {{"natural", "223"}, {"relative", "893"}});
-  expect_row(table_named(document, "modelling"),
-             {"truck_suspension", "basis", "group_automatic_klu", "558"},
-             {{"unknowns", "279"}, {"condensation", "3906"}, {"condition", "80"}});
 }
 
 TEST(ModellingFigure, HasTheFormulations) {
