@@ -51,16 +51,6 @@ MeasuredCandidate read_candidate(const RecordValue& node, const RecordSettings& 
   return candidate;
 }
 
-// Only the levels asked were compared.
-std::string request_excess(const RecordValue& verification, const LevelNumbers& allowed) {
-  const auto level = [&](const char* name) {
-    return verification.maybe(name, &RecordValue::not_negative).value_or(0);
-  };
-  const LevelNumbers found{verification["position"].not_negative(), level("velocity"),
-                           level("acceleration")};
-  return excess(found, allowed);
-}
-
 MeasuredRequest read_request(const RecordValue& node, const RecordSettings& settings) {
   const CandidateKey key = read_key(node);
   const RecordValue level = node["level"];
@@ -76,8 +66,13 @@ MeasuredRequest read_request(const RecordValue& node, const RecordSettings& sett
     node["unknowns"].complain("more unknowns than the whole mechanism has");
   if (request.solved.status != Status::ok) return request;
   const RecordValue verification = node["verification"];
-  if (settings.allowed)
-    turn_into_failure(request.solved, request_excess(verification, *settings.allowed));
+  if (!settings.allowed) return request;
+  const auto difference = [&](const char* name) {  // only the levels asked were compared
+    return verification.maybe(name, &RecordValue::not_negative).value_or(0);
+  };
+  turn_into_failure(request.solved, excess({verification["position"].not_negative(),
+                                            difference("velocity"), difference("acceleration")},
+                                           *settings.allowed));
   return request;
 }
 

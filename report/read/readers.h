@@ -65,7 +65,6 @@ LevelNumbers read_levels(const RecordValue& node, double (RecordValue::*read)() 
 
 /// Says what exceeds its limit: "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing
 /// does.
-std::string excess(const std::string& what, double difference, double limit);
 std::string excess(const LevelNumbers& found, const LevelNumbers& allowed);
 
 /// Throws InputError when the clock of a time is another; `what` is measured by it.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "report/read/readers.h"
 #include "report/text/digits.h"
@@ -115,19 +116,16 @@ LevelNumbers read_levels(const RecordValue& node, double (RecordValue::*read)() 
   return {(node["position"].*read)(), (node["velocity"].*read)(), (node["acceleration"].*read)()};
 }
 
-std::string excess(const std::string& what, double difference, double limit) {
-  if (difference <= limit) return {};
-  return sentence("common.more_than_allowed", {{"what", what},
-                                               {"difference", write_shortest(difference)},
-                                               {"limit", write_shortest(limit)}});
-}
-
 std::string excess(const LevelNumbers& found, const LevelNumbers& allowed) {
   std::string text;
-  for (const std::string& one : {excess("position", found.position, allowed.position),
-                                 excess("velocity", found.velocity, allowed.velocity),
-                                 excess("acceleration", found.acceleration, allowed.acceleration)})
-    text += (text.empty() || one.empty() ? "" : "; ") + one;
+  for (const auto& [what, level] : {std::pair{"position", &LevelNumbers::position},
+                                    {"velocity", &LevelNumbers::velocity},
+                                    {"acceleration", &LevelNumbers::acceleration}})
+    if (found.*level > allowed.*level)
+      text += (text.empty() ? "" : "; ") +
+              sentence("common.more_than_allowed", {{"what", what},
+                                                    {"difference", write_shortest(found.*level)},
+                                                    {"limit", write_shortest(allowed.*level)}});
   return text;
 }
 
