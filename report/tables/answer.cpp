@@ -21,13 +21,9 @@ std::string case_in_front(const Record& record) {
 
 /// Tells whether a formulation has the paper's algorithm with lanes, with segments, or with neither
 /// (""), and with no other setting but of its iteration.
-bool is_side_by_side(Configuration c, std::string_view kind) {
-  if (!kind.empty()) {
-    if (c.others.size() != 1 || !c.others.front().starts_with(std::string(kind) + ":"))
-      return false;
-    c.others.clear();
-  }
-  return c.has_papers_algorithm();
+bool is_side_by_side(const Configuration& c, std::string_view kind) {
+  if (kind.empty()) return c.has_papers_algorithm();
+  return c.others.size() == 1 && c.others.front().starts_with(std::string(kind) + ":");
 }
 
 bool has_other_iteration(const std::optional<Configuration>& c) {
