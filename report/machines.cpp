@@ -23,13 +23,13 @@ std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& 
 /// of a figure, and those with the paper's settings.
 std::set<CandidateKey> points_in_front(const Record& record) {
   std::set<CandidateKey> keys;
-  for (const std::string& name : drawn_cases(record)) {
-    const Table drawn = work_precision(record, name);
+  for (const SeriesKey& series : drawn_series(record)) {
+    const Table drawn = work_precision(record, series);
     const auto column = std::ranges::find(drawn.columns, "Pareto", &Column::name);
     for (const auto& row : drawn.rows)
       if (const std::string& id = row.front().shown;
           !has_settings(id) || !row[column - drawn.columns.begin()].shown.empty())
-        keys.insert(timing_key({*main_series(record, name), id}));
+        keys.insert(timing_key({series, id}));
   }
   return keys;
 }

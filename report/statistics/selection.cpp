@@ -5,22 +5,14 @@
 
 namespace desmo::report {
 
-std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name) {
-  std::optional<SeriesKey> found;
-  for (const auto& [key, point] : record.points) {
-    const SeriesKey& series = key.series;
-    if (series.case_name != case_name || series.step_seconds != record.settings.step_seconds)
-      continue;
-    if (!found || *found < series) found = series;
+std::vector<SeriesKey> drawn_series(const Record& record) {
+  std::vector<SeriesKey> all;
+  for (const auto& [key, point] : record.points) {  // in the order of series
+    if (key.series.step_seconds != record.settings.step_seconds) continue;
+    if (all.empty() || all.back().case_name != key.series.case_name) all.emplace_back();
+    all.back() = key.series;
   }
-  return found;
-}
-
-std::vector<std::string> drawn_cases(const Record& record) {
-  std::set<std::string> names;
-  for (const auto& [key, point] : record.points)
-    if (key.series.step_seconds == record.settings.step_seconds) names.insert(key.series.case_name);
-  return {names.begin(), names.end()};
+  return all;
 }
 
 Points points_of(const Record& record, const SeriesKey& series) {

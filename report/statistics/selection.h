@@ -3,7 +3,6 @@
 
 #include <array>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,14 +19,11 @@ using Points = std::vector<const NamedPoint*>;
 /// Errors that answers are wanted within: relative, of position, the largest.
 inline constexpr std::array accuracies{1e-3, 1e-6, 1e-9, 1e-12};
 
-/// Returns the motion that is known best: the one with most instants, at the case's largest size
-/// and the record's own step. Returns nothing when there is none at that step.
-std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name);
+/// Returns of each case the motion that is known best: the one with most instants, at the case's
+/// largest size and the record's own step. Leaves out cases that have none at that step.
+std::vector<SeriesKey> drawn_series(const Record& record);
 
 Points points_of(const Record& record, const SeriesKey& series);
-
-/// Cases with a main series.
-std::vector<std::string> drawn_cases(const Record& record);
 
 /// Returns the points of one formulation, whatever its settings.
 Points of_formulation(const Points& points, std::string_view formulation);

@@ -34,11 +34,10 @@ struct Choice {
 /// where that costs less, the cheapest of all.
 Table accuracy_costs(const Record& record) {
   Table table = headed_table("accuracy_costs");
-  for (const std::string& name : drawn_cases(record)) {
-    const SeriesKey series = *main_series(record, name);
+  for (const SeriesKey& series : drawn_series(record)) {
     const Points points = points_of(record, series), solving = solving_every_instant(points);
     const auto add = [&](double accuracy, const Choice& choice) {
-      table.rows.push_back({name, series.coordinates, write_shortest(accuracy),
+      table.rows.push_back({series.case_name, series.coordinates, write_shortest(accuracy),
                             choice.best ? choice.best->first.id : sentence("costs.none"),
                             step_time_entry(choice.best),
                             step_ratio_entry(choice.same, choice.best),
@@ -117,18 +116,16 @@ void add_case(Table& table, const SeriesKey& series, const Points& points) {
 Table guesses(const Record& record) {
   Table table = headed_table("guesses_and_updates",
                              {{"tolerance", write_shortest(record.settings.tolerance)}});
-  for (const std::string& name : drawn_cases(record)) {
-    const SeriesKey series = *main_series(record, name);
+  for (const SeriesKey& series : drawn_series(record))
     add_case(table, series, points_of(record, series));
-  }
   return table;
 }
 
 /// Returns a section on what the tightest accuracy costs that both the best and the global
 /// formulation reach in the last case, and what the loosest would save.
 Section accuracy_front(const Record& record) {
-  const std::string name = drawn_cases(record).back();
-  const Points points = solving_every_instant(points_of(record, *main_series(record, name)));
+  const SeriesKey series = drawn_series(record).back();
+  const Points points = solving_every_instant(points_of(record, series));
   const TextValue loosest("loosest", write_shortest(accuracies.front()));
   const NamedPoint* const cheapest_of_all = cheapest(points, accuracies.front());
   Section section = headed_section("accuracy", {{"floor", error_entry(max_floor(record)).shown}});
@@ -147,14 +144,14 @@ Section accuracy_front(const Record& record) {
         sentence("accuracy.found", {error,
                                     times,
                                     loosest,
-                                    {"case", name},
+                                    {"case", series.case_name},
                                     {"microseconds", write_significant(1e6 * seconds, 3)},
                                     {"saved", write_fixed(100 * saved, 0)}})};
   }
   section.numbers.erase(section.numbers.begin());  // the index shows the tightest
   const Table costs = accuracy_costs(record);
   section.tables = {
-      work_precision(record, name),
+      work_precision(record, series),
       excerpt(costs, headed_table("accuracy_in_short"), [&](const std::vector<Entry>& row) {
         return is_of_last_case(costs, row) && row[3].shown.find("/stride:") == std::string::npos;
       })};
@@ -166,9 +163,9 @@ Section accuracy_front(const Record& record) {
 std::vector<Section> accuracy_sections(const Record& record) {
   Section others = headed_section("speed_for_accuracy"), costs = headed_section("costs"),
           reuse = headed_section("guesses"), varied = headed_section("table2_varied");
-  std::vector<std::string> cases = drawn_cases(record);
-  cases.pop_back();  // it stands in front
-  for (const std::string& name : cases) others.tables.push_back(work_precision(record, name));
+  std::vector<SeriesKey> drawn = drawn_series(record);
+  drawn.pop_back();  // it stands in front
+  for (const SeriesKey& series : drawn) others.tables.push_back(work_precision(record, series));
   costs.tables = {accuracy_costs(record)};
   reuse.tables = {guesses(record)};
   varied.tables = {sensitivity(record)};

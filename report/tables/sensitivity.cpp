@@ -1,5 +1,6 @@
 // The paper's dimensions, motion and step are not published. Which of its speed-ups depend on what
 // was put in their place?
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -53,11 +54,12 @@ std::vector<Variation> variations(const Record& record) {
   return all;
 }
 
-/// Finds a variant at its case's size of the main series; null when it was not tried.
+/// Finds a variant at the size at which its case is drawn; null when it was not tried.
 const NamedPoint* find_variant(const Record& record, const Variant& variant,
                                std::string_view family, const Variation& variation) {
-  const auto series = main_series(record, variant.case_name);
-  if (!series) return nullptr;
+  const std::vector<SeriesKey> all = drawn_series(record);
+  const auto series = std::ranges::find(all, variant.case_name, &SeriesKey::case_name);
+  if (series == all.end()) return nullptr;
   const CandidateKey key = family_key(variant, series->coordinates, family);
   Configuration wanted = variation.settings;
   wanted.formulation = key.id;

@@ -54,9 +54,9 @@ Table time_split(const Record& record);
 /// Returns all of the accuracy experiment in sections, the front first. The record has points.
 std::vector<Section> accuracy_sections(const Record& record);
 
-/// Returns the data of the work–precision figure of a case at its largest size: every configuration
-/// solved or failed, fastest first. The case has a main series (statistics/selection.h).
-Table work_precision(const Record& record, const std::string& case_name);
+/// Returns the data of the work–precision figure of a motion: every configuration solved or failed,
+/// fastest first.
+Table work_precision(const Record& record, const SeriesKey& series);
 
 /// Shows table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);

@@ -63,11 +63,10 @@ std::int64_t count_of(const Points& points, Point::Status status) {
 
 }  // namespace
 
-Table work_precision(const Record& record, const std::string& case_name) {
-  const SeriesKey series = *main_series(record, case_name);
+Table work_precision(const Record& record, const SeriesKey& series) {
   Points points = points_of(record, series);
   Table table = headed_table("work_precision",
-                             {{"case", case_name},
+                             {{"case", series.case_name},
                               {"coordinates", series.coordinates},
                               {"cpu", record.machine.cpu},
                               {"date", record.date},

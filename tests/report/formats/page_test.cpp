@@ -257,7 +257,7 @@ TEST_F(PageInBrowser, TimeAgainstErrorAnswersToo) {
   EXPECT_EQ(seen["errors"], Json::array());
   expect_nothing_lost(seen, make_report(record_from(points_record())));
   ASSERT_EQ(seen["figures"].size(), 2u);
-  const Table table = work_precision(record_from(points_record()), "truck_suspension");
+  const Table table = table_of(points_record(), "work_precision_truck_suspension");
   expect_answers(seen["figures"][0], table, drawn(table));  // it stands in front
 }
 
