@@ -22,8 +22,7 @@ Json side(int stride) {
   double middle = 0.001;
   for (const Json& candidate : record["paper"]["cells"]) {
     const std::string id = candidate["id"];
-    const bool wanted = candidate["case"] == "truck_suspension" &&
-                        candidate["coordinates"] == 114 &&
+    const bool wanted = candidate["case"] == truck && candidate["coordinates"] == 114 &&
                         (id == "global_automatic_klu" || id == "group_symbolic_klu" ||
                          id == "group_symbolic_inlined");
     if (!wanted) continue;
@@ -34,17 +33,8 @@ Json side(int stride) {
   return record;
 }
 
-std::string name_of(const Json& candidate) {
-  return candidate["case"].get<std::string>() + "/" +
-         std::to_string(candidate["coordinates"].get<int>()) + "/" +
-         candidate["id"].get<std::string>();
-}
-
 Json& candidate_named(Json& record, const std::string& name) {
-  for (Json& candidate : record["paper"]["cells"])
-    if (name_of(candidate) == name) return candidate;
-  ADD_FAILURE() << "no cell " << name;
-  return record["paper"]["cells"][0];
+  return candidate_of(record, truck, 114, name.substr(name.rfind('/') + 1));
 }
 
 }  // namespace
@@ -57,7 +47,8 @@ Json check_sample() {
   check["control"] = {{"base", times(1e-4, 7)}, {"head", times(1e-4, 11)}};
   check["work"] = {{"tool", "valgrind-3.19.0"}, {"steps", 100}, {"iterations", 3}};
   for (const Json& candidate : check["head"]["paper"]["cells"])
-    check["work"]["instructions"][name_of(candidate)] = {{"base", 1'000'000}, {"head", 1'000'000}};
+    check["work"]["instructions"]["truck_suspension/114/" + candidate["id"].get<std::string>()] = {
+        {"base", 1'000'000}, {"head", 1'000'000}};
   return check;
 }
 
