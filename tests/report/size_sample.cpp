@@ -31,8 +31,8 @@ Json timed_size(const std::string& case_name, int coordinates, const std::string
 
 Json sizes_record() {
   Json record = empty_record();
-  record["record"]["machine"]["caches"] = {
-      "L1 Data 10 KiB, shared by 1", "L1 Instruction 32 KiB, shared by 1", "L2 Unified 100 KiB"};
+  record["record"]["machine"]["caches"] = {"L2 Unified 100 KiB", "L1 Data 10 KiB, shared by 1",
+                                           "L1 Instruction 32 KiB, shared by 1", "a large one"};
   const std::string bars = "four_bar", klu = "global_automatic_klu";
   for (const auto& [n, nanoseconds] :
        {std::pair{10, 10}, {100, 10}, {1000, 10}, {10'000, 15}, {100'000, 20}}) {

@@ -286,6 +286,7 @@ TEST(Growth, DrawsTheCachesOfTheMachine) {
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0]["what"], "L1 10 KiB");
   EXPECT_EQ(lines[0]["at"], 10);
+  EXPECT_EQ(lines[1]["what"], "L2 100 KiB");
 }
 
 }  // namespace

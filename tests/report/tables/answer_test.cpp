@@ -147,12 +147,6 @@ TEST(Best, IsOfThePapersAlgorithmHoweverFastAnotherRunIs) {
   }
 }
 
-TEST(Best, LeavesOutWhatWasNotMeasured) {
-  const Table table = table_of(complete_record(), "best");
-  for (const auto& row : table.rows)
-    EXPECT_TRUE(row.front().shown.ends_with("paper's settings")) << row.front().shown;
-}
-
 bool limits(const Json& json, const std::string& part) {
   return says(limitations(record_from(json)).paragraphs, part);
 }

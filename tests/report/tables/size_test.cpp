@@ -1,7 +1,6 @@
 // Time against size: reader, growth, caches, crossings, figure.
 
 #include "report/figures/figures.h"
-#include "report/statistics/curves.h"
 #include "tests/report/size_sample.h"
 
 namespace desmo::report::sizes_test {
@@ -35,17 +34,6 @@ TEST(Sizes, ThatSayNothingAreRefused) {
                    {"/size",
                     {{"growth", Json::array()}, {"break_even", Json::array()}},
                     "nothing was measured"}});
-}
-
-TEST(Caches, AreThoseThatHoldData) {
-  Machine machine;
-  machine.caches = {"L2 Unified 1024 KiB, shared by 1", "L1 Data 48 KiB, shared by 1",
-                    "L1 Instruction 32 KiB, shared by 1", "L3 Unified 32768 KiB", "a large one"};
-  const std::vector<Cache> caches = data_caches(machine);
-  ASSERT_EQ(caches.size(), 3u);
-  EXPECT_EQ(caches[0].name, "L1");
-  EXPECT_EQ(caches[0].bytes, 48 * 1024);
-  EXPECT_EQ(caches[2].name, "L3");
 }
 
 TEST(Growth, IsLinearUntilCachesEndIt) {
