@@ -6,7 +6,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,15 +49,14 @@ MeasuredSpeedUp measured_speed_up(const Record& record, const CandidateKey& refe
 /// Throws std::logic_error for times of two clocks: they make no ratio.
 MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant);
 
-/// The mean speed-up of one of the paper's variants over another (both by position in
-/// `paper_variants`) within a family, over those of the sizes where both were measured.
+/// The mean speed-up of one of the paper's variants, by position in `paper_variants`, over
+/// `truck_global` within a family, over those of the paper's sizes where both were measured.
 struct MeanSpeedUp {
   std::optional<SpeedUp> speed_up;
   std::size_t sizes = 0;  ///< number of sizes in the mean
 };
 
-MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t reference,
-                          std::size_t variant, std::span<const std::int64_t> sizes);
+MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t variant);
 
 /// Finds the fastest candidate of a case and size that something holds of; what stands next to
 /// peers has no part in it, nor has an id that is no configuration.

@@ -133,8 +133,7 @@ struct Mean {
 std::vector<Mean> complete_means(const Record& record) {
   std::vector<Mean> means;
   for (const std::string_view family : recorded_families(record)) {
-    const MeanSpeedUp mean =
-        mean_speed_up(record, family, truck_global, papers_best, published_sizes());
+    const MeanSpeedUp mean = mean_speed_up(record, family, papers_best);
     if (mean.speed_up && mean.sizes == published_sizes().size())
       means.push_back({family, *mean.speed_up});
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "report/statistics/paper.h"
-#include "report/statistics/variants.h"
 
 namespace desmo::report {
 
@@ -81,7 +80,7 @@ Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent) {
 Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
                           bool with_percent) {
   const std::vector<std::int64_t>& sizes = published_sizes();
-  const MeanSpeedUp mean = mean_speed_up(record, family, truck_global, variant, sizes);
+  const MeanSpeedUp mean = mean_speed_up(record, family, variant);
   if (!mean.speed_up) return note_entry(missing_mark);
   Entry entry = ratio_entry(*mean.speed_up, with_percent);
   if (mean.sizes == sizes.size()) return entry;
