@@ -16,6 +16,18 @@ double max_floor(const Record& record) {
   return largest;
 }
 
+/// Returns the time of a step of a point; null: the mark of what is missing.
+Entry point_time_entry(const NamedPoint* point) {
+  return point ? step_time_entry(point->second.seconds_per_step) : note_entry(missing_mark);
+}
+
+/// Returns a speed-up with its interval; null: the mark of what is missing.
+Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant) {
+  if (!reference || !variant) return note_entry(missing_mark);
+  if (reference == variant) return reference_entry();
+  return ratio_entry(speed_up(*reference, *variant));
+}
+
 /// The cheapest within an error, and what it is held against.
 struct Choice {
   Choice(const Points& points, double accuracy)
@@ -39,7 +51,7 @@ Table accuracy_costs(const Record& record) {
     const auto add = [&](double accuracy, const Choice& choice) {
       table.rows.push_back({series.case_name, series.coordinates, write_shortest(accuracy),
                             choice.best ? choice.best->first.id : sentence("costs.none"),
-                            step_time_entry(choice.best),
+                            point_time_entry(choice.best),
                             step_ratio_entry(choice.same, choice.best),
                             step_ratio_entry(choice.global, choice.best)});
     };
@@ -102,7 +114,7 @@ void add_case(Table& table, const SeriesKey& series, const Points& points) {
          point ? stop_of(point->configuration) : sentence("costs.no_stop"),
          error_entry(point ? point->error.position : std::nullopt),
          number_entry(point ? std::optional(point->iterations_per_step) : std::nullopt, 3),
-         step_time_entry(best), step_ratio_entry(usual.paper, best),
+         point_time_entry(best), step_ratio_entry(usual.paper, best),
          step_ratio_entry(usual.stopped, best)});
   };
   for (const std::string& guess : guesses_of(points))

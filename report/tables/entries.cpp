@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "report/statistics/paper.h"
-
 namespace desmo::report {
 
 void add_note(Entry& entry, const std::string& note) {
@@ -76,44 +74,11 @@ Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent) {
                            : note_entry(measured.mark);
 }
 
-// With fewer sizes than the paper's it cannot stand beside the paper's, and says so.
-Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
-                          bool with_percent) {
-  const std::vector<std::int64_t>& sizes = published_sizes();
-  const MeanSpeedUp mean = mean_speed_up(record, family, variant);
-  if (!mean.speed_up) return note_entry(missing_mark);
-  Entry entry = ratio_entry(*mean.speed_up, with_percent);
-  if (mean.sizes == sizes.size()) return entry;
-  add_note(entry, "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size()));
-  return entry;
-}
-
-Entry compared(Entry published, const Entry& ours) {
-  const bool incomplete = ours.note.find("incomplete") != std::string::npos;
-  if (!published.has_number() || incomplete || ours.digits.size() < 3) return published;
-  const std::optional<double> value = read_number(published.digits[0]),
-                              low = read_number(ours.digits[1]), high = read_number(ours.digits[2]);
-  if (!value || !low || !high) return published;
-  published.note = *low <= *value && *value <= *high ? inside_mark : outside_mark;
-  published.shown += " " + published.note;
-  return published;
-}
-
 Entry step_time_entry(const std::vector<double>& samples) {
   const StepTime time = step_time(samples);
   if (samples.size() < 2) return composed("{}", {write_order(time.seconds * 1e6), ""});
   const DigitStyle style = significant_digits(time.seconds * 1e6, 4);
   return composed("{} – {}", {write(time.seconds * 1e6, style), write(time.again * 1e6, style)});
-}
-
-Entry step_time_entry(const NamedPoint* point) {
-  return point ? step_time_entry(point->second.seconds_per_step) : note_entry(missing_mark);
-}
-
-Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant) {
-  if (!reference || !variant) return note_entry(missing_mark);
-  if (reference == variant) return reference_entry();
-  return ratio_entry(speed_up(*reference, *variant));
 }
 
 Entry error_entry(const std::optional<double>& error) {

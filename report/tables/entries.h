@@ -49,24 +49,10 @@ void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate);
 Entry ratio_entry(const SpeedUp& ratio, bool with_percent = false);
 Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent = false);
 
-/// The mean over the paper's sizes, likewise; "incomplete 4/5" when some have none.
-Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
-                          bool with_percent = false);
-
-/// Returns the paper's value with inside_mark or outside_mark: whether our interval contains it,
-/// both as printed. Of both entries the first quantity is the value, of ours the second and third
-/// are the interval. Unchanged where one of them is missing or ours is of fewer sizes.
-Entry compared(Entry published, const Entry& ours);
-
-// ---- points of the experiment accuracy ----
-
 /// Returns the time of a step [µs], measured twice: "12.34 – 12.41", quantities {microseconds,
-/// again}. Null: returns the mark of a missing value.
-Entry step_time_entry(const NamedPoint* point);
+/// again}.
 Entry step_time_entry(const std::vector<double>& samples);
-/// Returns a speed-up with its interval: "2.31 [2.28, 2.35]", quantities {speed_up, low, high}.
-/// Null: returns the mark of a missing value.
-Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant);
+
 /// "8.0e-10", quantities {error}; of nothing the mark.
 Entry error_entry(const std::optional<double>& error);
 

@@ -52,6 +52,32 @@ Entry published_speed_up_entry(const std::string& row, const Variant& variant,
   return composed("{} ({} %)", {value, "", "", percent});
 }
 
+/// Returns a mean over the paper's sizes. With fewer it cannot stand beside the paper's, and says
+/// so: "incomplete 4/5".
+Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
+                          bool with_percent = false) {
+  const std::vector<std::int64_t>& sizes = published_sizes();
+  const MeanSpeedUp mean = mean_speed_up(record, family, variant);
+  if (!mean.speed_up) return note_entry(missing_mark);
+  Entry entry = ratio_entry(*mean.speed_up, with_percent);
+  if (mean.sizes == sizes.size()) return entry;
+  add_note(entry, "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size()));
+  return entry;
+}
+
+/// Returns the paper's value with inside_mark or outside_mark: whether our interval contains it,
+/// both as printed. Unchanged where one of them is missing or ours is of fewer sizes.
+Entry compared(Entry published, const Entry& ours) {
+  const bool incomplete = ours.note.find("incomplete") != std::string::npos;
+  if (!published.has_number() || incomplete || ours.digits.size() < 3) return published;
+  const std::optional<double> value = read_number(published.digits[0]),
+                              low = read_number(ours.digits[1]), high = read_number(ours.digits[2]);
+  if (!value || !low || !high) return published;
+  published.note = *low <= *value && *value <= *high ? inside_mark : outside_mark;
+  published.shown += " " + published.note;
+  return published;
+}
+
 /// Shows table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
 /// paper's. Its sizes are the paper's, its four-bar and whatever else was recorded.
 Table cpu_times(const Record& record, std::string_view family) {
