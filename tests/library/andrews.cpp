@@ -20,34 +20,24 @@ Solution andrews(double time) {
   const Vec2 v5 = Jet(-1) * turned(k5), v7 = turned(k7);
   const Vec2 D = B + Jet(sc) * k3 + Jet(sd) * turned(k3);
 
-  Solution s;
-  s.add("O", O);
-  s.add("A", A);
-  s.add("B", B);
-  s.add("C", C);
-  s.add("F", F);
-  s.add("E", E);
-  s.add("G", G);
-  s.add("H", H);
-  s.add("D", D);
-  s.add("S1", polar(ra, beta));
-  s.add("S2", F + Jet(da / d) * (E - F));
-  s.add("S3", B + Jet(sa) * k3 + Jet(sb) * turned(k3));
-  s.add("S4", G + Jet((e - ea) / e) * (E - G));
-  s.add("S5", A + Jet(ta) * k5 + Jet(tb) * turned(k5));
-  s.add("S6", H + Jet((zf - fa) / zf) * (E - H));
-  s.add("S7", A + Jet(ua) * k7 - Jet(ub) * turned(k7));
-  s.add("down", down);
-  s.add("v5", v5);
-  s.add("v7", v7);
-  s.add("beta", beta);
-  s.add("Theta", angle(F - E, F - O));
-  s.add("gamma", angle(E - B, down));
-  s.add("Phi", angle(E - G, v5));
-  s.add("delta", angle(G - A));
-  s.add("Omega", angle(E - H, v7));
-  s.add("epsilon", angle(H - A, down));
-  s.add("spring", norm(C - D));
+  Solution s{{"O", O}, {"A", A}, {"B", B}, {"C", C}, {"F", F},
+             {"E", E}, {"G", G}, {"H", H}, {"D", D}};
+  s.insert({{"down", down}, {"v5", v5}, {"v7", v7}});
+  s.insert({{"S1", polar(ra, beta)},
+            {"S2", F + Jet(da / d) * (E - F)},
+            {"S3", B + Jet(sa) * k3 + Jet(sb) * turned(k3)},
+            {"S4", G + Jet((e - ea) / e) * (E - G)},
+            {"S5", A + Jet(ta) * k5 + Jet(tb) * turned(k5)},
+            {"S6", H + Jet((zf - fa) / zf) * (E - H)},
+            {"S7", A + Jet(ua) * k7 - Jet(ub) * turned(k7)},
+            {"beta", beta},
+            {"Theta", angle(F - E, F - O)},
+            {"gamma", angle(E - B, down)},
+            {"Phi", angle(E - G, v5)},
+            {"delta", angle(G - A)},
+            {"Omega", angle(E - H, v7)},
+            {"epsilon", angle(H - A, down)},
+            {"spring", norm(C - D)}});
   return s;
 }
 

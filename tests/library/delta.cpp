@@ -33,28 +33,21 @@ Solution delta(double time) {
   }
   const Vec3 P = below(centre, rod);
 
-  Solution s;
-  s.add("P", P);
-  s.add("down", down);
-  s.add("px", x_axis);
-  s.add("py", y_axis);
-  s.add("pz", z_axis);
+  Solution s{{"P", P}, {"down", down}, {"px", x_axis}, {"py", y_axis}, {"pz", z_axis}};
   for (int i = 0; i < 3; ++i) {
     const std::string n = std::to_string(i + 1);
     const Vec3 F = P + Jet(platform) * r[i], side = Jet(half_width) * w[i];
-    s.add("r" + n, r[i]);
-    s.add("w" + n, w[i]);
-    s.add("O" + n, Jet(base) * r[i]);
-    s.add("E" + n, E[i]);
-    s.add("E" + n + "a", E[i] + side);
-    s.add("E" + n + "b", E[i] - side);
-    s.add("F" + n + "a", F + side);
-    s.add("F" + n + "b", F - side);
-    s.add("phi" + n, phi[i]);
+    s.insert({{"r" + n, r[i]},
+              {"w" + n, w[i]},
+              {"O" + n, Jet(base) * r[i]},
+              {"E" + n, E[i]},
+              {"E" + n + "a", E[i] + side},
+              {"E" + n + "b", E[i] - side},
+              {"F" + n + "a", F + side},
+              {"F" + n + "b", F - side},
+              {"phi" + n, phi[i]}});
   }
-  s.add("Px", P[0]);
-  s.add("Py", P[1]);
-  s.add("Pz", P[2]);
+  s.insert({{"Px", P[0]}, {"Py", P[1]}, {"Pz", P[2]}});
   return s;
 }
 

@@ -56,29 +56,23 @@ Solution double_wishbone(double time) {
   const auto on_upright = [&](const Vec3& at) { return p.LB + turned(p.upright, at - LB0); };
   const Vec3 a = turned(p.upright, a0), DL = LO + rotated(DL0 - LO, lw, x[0]);
 
-  Solution s;
-  s.add("LO", LO);
-  s.add("UO", UO);
-  s.add("RK", RK);
-  s.add("DC", DC);
-  s.add("LB", p.LB);
-  s.add("UB", p.UB);
-  s.add("TO", on_upright(TO0));
-  s.add("TI", TI);
-  s.add("W", on_upright(W0));
-  s.add("N", on_upright(N0));
-  s.add("DL", DL);
-  s.add("x", x_axis);
-  s.add("y", y_axis);
-  s.add("z", z_axis);
-  s.add("lw", lw);
-  s.add("uw", uw);
-  s.add("a", a);
-  s.add("steering", steering);
-  s.add("height", height);
-  s.add("toe", atan2(a[0], a[1]));
-  s.add("camber", atan2(a[2], a[1]));
-  s.add("damper", norm(DC - DL));
+  Solution s{{"LO", LO}, {"UO", UO}, {"RK", RK}, {"DC", DC}, {"TI", TI}, {"DL", DL}};
+  s.insert({{"x", x_axis},
+            {"y", y_axis},
+            {"z", z_axis},
+            {"lw", lw},
+            {"uw", uw},
+            {"a", a},
+            {"steering", steering},
+            {"height", height}});
+  s.insert({{"LB", p.LB},
+            {"UB", p.UB},
+            {"TO", on_upright(TO0)},
+            {"W", on_upright(W0)},
+            {"N", on_upright(N0)},
+            {"toe", atan2(a[0], a[1])},
+            {"camber", atan2(a[2], a[1])},
+            {"damper", norm(DC - DL)}});
   return s;
 }
 

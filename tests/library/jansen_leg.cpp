@@ -12,19 +12,8 @@ Solution jansen_leg(double time) {
   const Vec2 W = meet(Q, d, T, e, Side::left), R = meet(L, g, W, f, Side::left);
   const Vec2 F = meet(L, i, R, h, Side::left);
 
-  Solution s;
-  s.add("O", O);
-  s.add("Q", Q);
-  s.add("K", K);
-  s.add("T", T);
-  s.add("W", W);
-  s.add("L", L);
-  s.add("R", R);
-  s.add("F", F);
-  s.add("theta", theta);
-  s.add("phi", angle(T - Q));
-  s.add("psi", angle(F - L));
-  s.add("step_height", F[1]);
+  Solution s{{"O", O}, {"Q", Q}, {"K", K}, {"T", T}, {"W", W}, {"L", L}, {"R", R}, {"F", F}};
+  s.insert({{"theta", theta}, {"phi", angle(T - Q)}, {"psi", angle(F - L)}, {"step_height", F[1]}});
   return s;
 }
 

@@ -36,28 +36,23 @@ Solution macpherson(double time) {
   }));
   const Vec3 U = upright.point(U0), d = unit(T - U), a = upright.direction(a0);
 
-  Solution s;
-  s.add("LO", LO);
-  s.add("RK", RK);
-  s.add("T", T);
-  s.add("LB", upright.LB);
-  s.add("U", U);
-  s.add("TO", upright.point(TO0));
-  s.add("TI", TI);
-  s.add("W", upright.point(W0));
-  s.add("N", upright.point(N0));
-  s.add("x", x_axis);
-  s.add("y", y_axis);
-  s.add("z", z_axis);
-  s.add("lw", lw);
-  s.add("d", d);
-  s.add("e", unit(cross(d, x_axis)));
-  s.add("a", a);
-  s.add("steering", steering);
-  s.add("height", height);
-  s.add("strut", norm(T - U));
-  s.add("toe", atan2(a[0], a[1]));
-  s.add("camber", atan2(a[2], a[1]));
+  Solution s{{"LO", LO}, {"RK", RK}, {"T", T}, {"U", U}, {"TI", TI}};
+  s.insert({{"x", x_axis},
+            {"y", y_axis},
+            {"z", z_axis},
+            {"lw", lw},
+            {"d", d},
+            {"a", a},
+            {"steering", steering},
+            {"height", height}});
+  s.insert({{"LB", upright.LB},
+            {"TO", upright.point(TO0)},
+            {"W", upright.point(W0)},
+            {"N", upright.point(N0)},
+            {"e", unit(cross(d, x_axis))},
+            {"strut", norm(T - U)},
+            {"toe", atan2(a[0], a[1])},
+            {"camber", atan2(a[2], a[1])}});
   return s;
 }
 

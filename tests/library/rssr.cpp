@@ -15,19 +15,8 @@ Solution rssr(double time) {
                              dot(b - a, b - a) - dot(g, g) - Jet(rocker * rocker), Root::greater);
   const Vec3 B = C + Jet(rocker) * (cos(psi) * y_axis + sin(psi) * v);
 
-  Solution s;
-  s.add("O", O);
-  s.add("C", C);
-  s.add("A", A);
-  s.add("B", B);
-  s.add("x", x_axis);
-  s.add("y", y_axis);
-  s.add("z", z_axis);
-  s.add("w", w);
-  s.add("v", v);
-  s.add("theta", theta);
-  s.add("psi", psi);
-  return s;
+  return {{"O", O},      {"C", C}, {"A", A}, {"B", B},         {"x", x_axis}, {"y", y_axis},
+          {"z", z_axis}, {"w", w}, {"v", v}, {"theta", theta}, {"psi", psi}};
 }
 
 }  // namespace desmo::exact

@@ -15,20 +15,18 @@ Solution watt_six_bar(double time) {
   const Vec2 C = carried(A, B, a, b, c), D = carried(B0, B, B0, b, d);
   const Vec2 E = meet(C, norm(e - c), D, norm(e - d), Side::left);
 
-  Solution s;
-  s.add("A0", A0);
-  s.add("B0", B0);
-  s.add("A", A);
-  s.add("B", B);
-  s.add("C", C);
-  s.add("D", D);
-  s.add("E", E);
-  s.add("P", carried(D, E, d, e, p));
-  s.add("theta", theta);
-  s.add("psi", angle(B - B0));
-  s.add("phi", angle(E - D));
-  s.add("mu", angle(C - E, D - E));
-  return s;
+  return {{"A0", A0},
+          {"B0", B0},
+          {"A", A},
+          {"B", B},
+          {"C", C},
+          {"D", D},
+          {"E", E},
+          {"P", carried(D, E, d, e, p)},
+          {"theta", theta},
+          {"psi", angle(B - B0)},
+          {"phi", angle(E - D)},
+          {"mu", angle(C - E, D - E)}};
 }
 
 Solution stephenson_six_bar(double time) {
@@ -52,18 +50,8 @@ Solution stephenson_six_bar(double time) {
   })[0];
   const auto [A, B, C] = four_bar(alpha);
 
-  Solution s;
-  s.add("A0", A0);
-  s.add("B0", B0);
-  s.add("D0", D0);
-  s.add("A", A);
-  s.add("B", B);
-  s.add("C", C);
-  s.add("D", D);
-  s.add("theta", theta);
-  s.add("alpha", alpha);
-  s.add("psi", angle(B - B0));
-  return s;
+  return {{"A0", A0}, {"B0", B0}, {"D0", D0},       {"A", A},         {"B", B},
+          {"C", C},   {"D", D},   {"theta", theta}, {"alpha", alpha}, {"psi", angle(B - B0)}};
 }
 
 }  // namespace desmo::exact

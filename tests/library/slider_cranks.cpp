@@ -8,15 +8,9 @@ Solution slider_crank(double time) {
   const Vec2 A{{0, 0}}, B = polar(crank, theta);
   const Vec2 C{{B[0] + sqrt(Jet(rod * rod) - B[1] * B[1]), 0}};
 
-  Solution s;
-  s.add("A", A);
-  s.add("B", B);
-  s.add("C", C);
-  s.add("x", Vec2{{1, 0}});
-  s.add("theta", theta);
-  s.add("phi", angle(C - B));
-  s.add("s", C[0]);
-  return s;
+  return {
+      {"A", A},   {"B", B}, {"C", C}, {"x", Vec2{{1, 0}}}, {"theta", theta}, {"phi", angle(C - B)},
+      {"s", C[0]}};
 }
 
 Solution inverted_slider_crank(double time) {
@@ -28,16 +22,8 @@ Solution inverted_slider_crank(double time) {
   const Jet theta = atan2(sqrt(Jet(1) - cosine * cosine), cosine);
   const Vec2 B = polar(OB, theta), u = unit(B - D);
 
-  Solution s;
-  s.add("O", O);
-  s.add("D", D);
-  s.add("B", B);
-  s.add("P", carried(O, B, O, B0, P0));
-  s.add("u", u);
-  s.add("s", length);
-  s.add("theta", theta);
-  s.add("psi", angle(u));
-  return s;
+  return {{"O", O}, {"D", D},      {"B", B},         {"P", carried(O, B, O, B0, P0)},
+          {"u", u}, {"s", length}, {"theta", theta}, {"psi", angle(u)}};
 }
 
 Solution whitworth(double time) {
@@ -49,19 +35,17 @@ Solution whitworth(double time) {
   const Jet height = Q[1] - C[1];
   const Vec2 D{{C[0] + sqrt(Jet(link * link) - height * height), Q[1]}};
 
-  Solution s;
-  s.add("O", Vec2{{0, 0}});
-  s.add("Q", Q);
-  s.add("A", A);
-  s.add("C", C);
-  s.add("D", D);
-  s.add("u", u);
-  s.add("x", Vec2{{1, 0}});
-  s.add("theta", theta);
-  s.add("psi", angle(u));
-  s.add("r", r);
-  s.add("ram_position", D[0]);
-  return s;
+  return {{"O", Vec2{{0, 0}}},
+          {"Q", Q},
+          {"A", A},
+          {"C", C},
+          {"D", D},
+          {"u", u},
+          {"x", Vec2{{1, 0}}},
+          {"theta", theta},
+          {"psi", angle(u)},
+          {"r", r},
+          {"ram_position", D[0]}};
 }
 
 }  // namespace desmo::exact

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,33 +18,24 @@ namespace desmo::exact {
 /// A point, a vector (2 or 3 components) or a relative coordinate (1).
 struct Quantity {
   int size;
-  std::array<double, 3> position, velocity, acceleration;
+  std::array<double, 3> position{}, velocity{}, acceleration{};
+
+  Quantity(Jet scalar) : Quantity(std::array{scalar}) {}
+  template <std::size_t D>
+  Quantity(const std::array<Jet, D>& x) : size(D) {
+    for (std::size_t i = 0; i < D; ++i) {
+      position[i] = static_cast<double>(x[i].v);
+      velocity[i] = static_cast<double>(x[i].d);
+      acceleration[i] = static_cast<double>(x[i].dd);
+    }
+  }
 };
 
 /// The quantities named in a mechanism's file, at one instant. Angles are modulo 2π.
-struct Solution {
-  std::map<std::string, Quantity, std::less<>> quantities;
+using Solution = std::map<std::string, Quantity, std::less<>>;
 
-  void add(std::string name, Jet scalar);
-  template <std::size_t D>
-  void add(std::string name, const Vec<D>& x) {
-    Quantity q{static_cast<int>(D), {}, {}, {}};
-    for (std::size_t i = 0; i < D; ++i) set(q, i, x[i]);
-    quantities.emplace(std::move(name), q);
-  }
-
- private:
-  static void set(Quantity& q, std::size_t i, Jet x);
-};
-
-/// The solution of a library mechanism as a function of time [s].
-struct LibrarySolution {
-  std::string_view mechanism;
-  Solution (*at)(double t);
-};
-
-/// Returns the solutions of all mechanisms of the library.
-std::span<const LibrarySolution> library_solutions();
+/// Returns the solutions of all mechanisms of the library as functions of time [s].
+const std::map<std::string_view, Solution (*)(double t)>& library_solutions();
 
 // Solutions at time t [s], with the motion of the mechanism's scene.
 Solution slider_crank(double t);

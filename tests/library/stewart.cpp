@@ -47,27 +47,20 @@ Solution stewart(double time) {
   }));
 
   const Vec3 px = rotated(x_axis, pose.c), pz = rotated(z_axis, pose.c);
-  Solution s;
-  s.add("P", pose.P);
-  s.add("x", x_axis);
-  s.add("y", y_axis);
-  s.add("z", z_axis);
-  s.add("px", px);
-  s.add("py", rotated(y_axis, pose.c));
-  s.add("pz", pz);
+  Solution s{{"P", pose.P}, {"x", x_axis}, {"y", y_axis},
+             {"z", z_axis}, {"px", px},    {"py", rotated(y_axis, pose.c)},
+             {"pz", pz}};
   for (int i = 0; i < 6; ++i) {
     const std::string n = std::to_string(i + 1);
     const Vec3 B = pose.P + rotated(b[i], pose.c), d = unit(B - A[i]);
-    s.add("A" + n, A[i]);
-    s.add("B" + n, B);
-    s.add("g" + n, g[i]);
-    s.add("d" + n, d);
-    s.add("u" + n, unit(cross(g[i], d)));
-    s.add("s" + n, length[i]);
+    s.insert({{"A" + n, A[i]},
+              {"B" + n, B},
+              {"g" + n, g[i]},
+              {"d" + n, d},
+              {"u" + n, unit(cross(g[i], d))},
+              {"s" + n, length[i]}});
   }
-  s.add("heave", pose.P[2]);
-  s.add("yaw", atan2(px[1], px[0]));
-  s.add("tilt", atan2(pz[0], pz[2]));
+  s.insert({{"heave", pose.P[2]}, {"yaw", atan2(px[1], px[0])}, {"tilt", atan2(pz[0], pz[2])}});
   return s;
 }
 

@@ -48,27 +48,27 @@ void add_stabiliser(Solution& s, const Axle& axle, int side, const std::string& 
                              Jet(link2) - L * L - dot(w, w), Root::greater);
   const Vec3 e = sin(phi) * z2 - cos(phi) * x2, B = A + L * e;
   const Vec3 u = unit(cross(e, B - G));
-  s.add("A" + lever, A);
-  s.add("B" + lever, B);
-  s.add("G" + link, G);
-  s.add("e" + lever, e);
-  s.add("n" + lever, cross(y2, e));
-  s.add("u" + link, u);
-  s.add("n" + link, unit(cross(B - G, u)));
-  s.add("phi" + lever, phi);
+  s.insert({{"A" + lever, A},
+            {"B" + lever, B},
+            {"G" + link, G},
+            {"e" + lever, e},
+            {"n" + lever, cross(y2, e)},
+            {"u" + link, u},
+            {"n" + link, unit(cross(B - G, u))},
+            {"phi" + lever, phi}});
 }
 
 void add_damper(Solution& s, const Axle& axle, int side, const std::string& rod,
                 const std::string& tube) {
   const Vec3 A = axle.point(0.15L, side * 0.7L, 0.05L), T = from_origin(0.1L, side * 0.6L, 0.65L);
   const Vec3 d = unit(T - A), u = unit(cross(d, axle.direction(x_axis))), n = cross(d, u);
-  s.add("A" + rod, A);
-  s.add("T" + tube, T);
-  s.add("d" + rod, d);
-  s.add("u" + rod, u);
-  s.add("n" + rod, n);
-  s.add("n" + tube, Jet(-1) * n);
-  s.add("s" + rod, norm(T - A));
+  s.insert({{"A" + rod, A},
+            {"T" + tube, T},
+            {"d" + rod, d},
+            {"u" + rod, u},
+            {"n" + rod, n},
+            {"n" + tube, Jet(-1) * n},
+            {"s" + rod, norm(T - A)}});
 }
 
 }  // namespace
@@ -85,26 +85,15 @@ Solution truck_axle(double time) {
   const Vec3 C5 = axle.point(0, -0.5L, -0.15L), G5 = from_origin(0.8L, -0.45L, -0.15L);
   const Vec3 u4 = unit(cross(z2, C4 - G4)), u5 = unit(cross(y2, C5 - G5));
 
-  Solution s;
-  s.add("WL", axle.point(0, 1, 0));
-  s.add("WR", axle.point(0, -1, 0));
-  s.add("S", S);
-  s.add("R", R);
-  s.add("C4", C4);
-  s.add("G4", G4);
-  s.add("C5", C5);
-  s.add("G5", G5);
-  s.add("y1", y_axis);
-  s.add("x2", axle.direction(x_axis));
-  s.add("y2", y2);
-  s.add("z2", z2);
-  s.add("n3", unit(cross(y_axis, S - R)));
-  s.add("u4", u4);
-  s.add("n4", unit(cross(C4 - G4, u4)));
-  s.add("u5", u5);
-  s.add("n5", unit(cross(C5 - G5, u5)));
-  s.add("zL", zL);
-  s.add("zR", zR);
+  Solution s{{"S", S}, {"R", R}, {"C4", C4}, {"G4", G4}, {"C5", C5}, {"G5", G5}};
+  s.insert(
+      {{"y1", y_axis}, {"y2", y2}, {"z2", z2}, {"u4", u4}, {"u5", u5}, {"zL", zL}, {"zR", zR}});
+  s.insert({{"WL", axle.point(0, 1, 0)},
+            {"WR", axle.point(0, -1, 0)},
+            {"x2", axle.direction(x_axis)},
+            {"n3", unit(cross(y_axis, S - R))},
+            {"n4", unit(cross(C4 - G4, u4))},
+            {"n5", unit(cross(C5 - G5, u5))}});
   add_stabiliser(s, axle, +1, "6", "8");
   add_stabiliser(s, axle, -1, "7", "9");
   add_damper(s, axle, +1, "10", "11");
