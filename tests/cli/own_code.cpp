@@ -1,10 +1,5 @@
 // desmo solve: code for a mechanism that the program does not know, and what happens without.
 
-#include <unistd.h>
-
-#include <cmath>
-#include <csignal>
-
 #include "tests/cli/program.h"
 #include "tests/own_mechanism.h"
 
@@ -21,18 +16,8 @@ struct OwnCode : Cli {
           "#!/bin/sh\n[ \"$1\" = --version ] && { echo mine 1.0; exit 0; }\n" + commands);
     std::filesystem::permissions(folder_ / "compiler", std::filesystem::perms::owner_all);
   }
-  std::string with_compiler() const { return "CXX=" + (folder_ / "compiler").string() + " "; }
-
-  void expect_answer(const std::vector<std::string>& expected) {
-    const std::vector<std::string> found = lines();
-    ASSERT_EQ(found.size(), expected.size());
-    EXPECT_EQ(found[0], expected[0]);
-    for (std::size_t i = 1; i < found.size(); ++i) {
-      const std::vector<double> x = numbers(found[i]), y = numbers(expected[i]);
-      ASSERT_EQ(x.size(), y.size());
-      for (std::size_t k = 0; k < x.size(); ++k)
-        EXPECT_NEAR(x[k], y[k], 1e-9 * std::max(1.0, std::abs(y[k]))) << i << ", " << k;
-    }
+  std::string with_compiler() const {
+    return "env CXX=" + file("compiler") + " " DESMO_CLI " " + explicit_order;
   }
 };
 
@@ -46,12 +31,12 @@ TEST_F(OwnCode, IsMadeOnceAndGivesTheSameAnswer) {
   EXPECT_TRUE(says("a/SG-II (7 unknowns)")) << err_;
   EXPECT_TRUE(says(": compiled by /")) << err_;
   EXPECT_FALSE(says("automatically")) << err_;
-  expect_answer(expected);
+  expect_rows(expected);
 
   ASSERT_EQ(desmo(explicit_order), 0) << err_;
   EXPECT_TRUE(says(": from " + (folder_ / "desmo/kernels").string())) << err_;
   EXPECT_FALSE(says("compiled")) << err_;
-  expect_answer(expected);
+  expect_rows(expected);
   ASSERT_EQ(desmo(explicit_order + std::string("--quiet")), 0);
   EXPECT_EQ(err_, "");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "pwned")) << "what the title says is not done";
@@ -98,11 +83,11 @@ TEST_F(OwnCode, IsDoneWithoutWhereThereIsNoCompiler) {
   expect_notes("CXX=/no/compiler: no such program");
 
   write_compiler("echo 'x.cpp:1:1: error: not today' >&2; exit 1");
-  ASSERT_EQ(shell(with_compiler() + DESMO_CLI " " + explicit_order), 0) << err_;
+  ASSERT_EQ(shell(with_compiler()), 0) << err_;
   expect_notes("error: not today");
 
   write_compiler("sleep 600");
-  ASSERT_EQ(shell(with_compiler() + DESMO_CLI " " + explicit_order + "--compile-limit 0.2"), 0);
+  ASSERT_EQ(shell(with_compiler() + "--compile-limit 0.2"), 0);
   expect_notes("ended after 0.2 s");
 
   std::filesystem::permissions(folder_ / "desmo/kernels", std::filesystem::perms::all);
@@ -123,49 +108,27 @@ TEST_F(OwnCode, IsWhatTuneChoosesFrom) {
 TEST_F(OwnCode, RefusesNamesThatAreNone) {
   for (const char* name :
        {"a\\\"b", "a\\nb", "$(touch pwned)", "`x`", "-o", "*/ x", "?\?/", " a"}) {
-    std::string text = swinging_plates(1, one_second);
-    for (std::size_t at = 0; (at = text.find("a/Q1", at)) != text.npos; at += 1)
-      text.replace(at, 4, name);
-    write("own.json", text);
-    EXPECT_EQ(desmo(explicit_order), 65) << name;
-    EXPECT_TRUE(says("is not a name")) << err_;
+    write("own.json", replaced_everywhere(swinging_plates(1, one_second), "a/Q1", name));
+    expect_refused(65, explicit_order, "is not a name");
     EXPECT_FALSE(std::filesystem::exists(folder_ / "pwned"));
   }
   // Slashes and dots are letters of names: they lead nowhere.
-  std::string text = swinging_plates(1, one_second);
-  for (std::size_t at = 0; (at = text.find("a/Q1", at)) != text.npos; at += 1)
-    text.replace(at, 4, "../../../pwned");
-  write("own.json", text);
+  write("own.json", replaced_everywhere(swinging_plates(1, one_second), "a/Q1", "../../../pwned"));
   EXPECT_EQ(desmo(explicit_order), 0) << err_;
   EXPECT_TRUE(says("note: code for ")) << err_;
 }
 
 TEST_F(OwnCode, LetsNoCompilerOutliveAnInterruption) {
   write_compiler("echo $$ >'" + (folder_ / "started").string() + "'\nsleep 600");
-  ::setenv("CXX", (folder_ / "compiler").c_str(), 1);
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    ::execl(DESMO_CLI, DESMO_CLI, "solve", (folder_ / "own.json").c_str(), "--formulation",
-            "group_symbolic_explicit", "--quiet", "-o", out("motion.csv").c_str(), nullptr);
-    ::_exit(127);
-  }
-  ::unsetenv("CXX");
   const auto started = [&] { return text_of(folder_ / "started").find('\n') != std::string::npos; };
-  for (int i = 0; i < 12000 && !started(); ++i) ::usleep(10000);
-  ASSERT_TRUE(started());
-  ::kill(child, SIGTERM);
-  int status = 0;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_EQ(exit_code(status), 128 + SIGTERM);
+  ASSERT_EQ(interrupt(with_compiler() + "--quiet -o out/motion.csv", SIGTERM, started),
+            128 + SIGTERM);
   const std::string state =
       "/proc/" + std::to_string(std::stoi(text_of(folder_ / "started"))) + "/stat";
-  const auto runs = [&] {
+  EXPECT_TRUE(comes_true([&] {  // it has ended, or nobody has waited for it yet
     const std::string text = text_of(state);
-    return !text.empty() && text.substr(text.rfind(')')).find('Z') == std::string::npos;
-  };
-  for (int i = 0; i < 6000 && runs(); ++i) ::usleep(10000);
-  EXPECT_FALSE(runs());
+    return text.empty() || text.substr(text.rfind(')')).find('Z') != std::string::npos;
+  }));
   EXPECT_FALSE(std::filesystem::exists(out("motion.csv")));
 }
 

@@ -1,12 +1,20 @@
 // A fixture that runs the program desmo as a user does, and reads its output and files.
 #pragma once
 
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "tests/replaced.h"
 #include "tests/started.h"
 
 namespace desmo {
@@ -34,6 +42,17 @@ inline std::string slider_crank(int rod, const std::string& rest) {
          rest + "}";
 }
 
+/// Returns the scene of a slider-crank whose driver is another coordinate, s. definition: what it
+/// measures; unit: of its motion's lengths.
+inline std::string driven_by_s(const std::string& scene, const std::string& definition,
+                               const std::string& unit, const std::string& motion) {
+  const std::string defined =
+      replaced(scene, R"("theta": {"angle": ["A", "B"]})", "\"s\": " + definition);
+  return replaced(replaced(defined, R"(["theta"])", R"(["s"])"), R"("units": {"angle": "deg"},
+  "motion": {"theta": {"type": "polynomial", "coefficients": [0, 360]}})",
+                  "\"units\": {\"length\": \"" + unit + "\"}, \"motion\": {\"s\": " + motion + "}");
+}
+
 /// A slider-crank whose rod is too short for a full turn: it locks at the crank angle asin(30/50).
 inline const std::string locks = slider_crank(30, R"(, "time": {"end": 1, "step": 0.01})");
 
@@ -53,6 +72,33 @@ class Cli : public InFolder {
     return InFolder::shell("cd '" + folder_.string() + "' && { " + command + "; }");
   }
   int desmo(const std::string& arguments) { return shell(DESMO_CLI " " + arguments); }
+  /// Expects an exit code, and a message on standard error.
+  void expect_refused(int code, const std::string& arguments, const std::string& message) {
+    EXPECT_EQ(desmo(arguments), code) << arguments;
+    EXPECT_TRUE(says(message)) << arguments << " says " << err_ << "instead of " << message;
+  }
+  /// Starts a command in the folder that never ends, and sends it a signal as soon as it has begun
+  /// what it is to be interrupted at. Returns its exit code.
+  int interrupt(const std::string& command, int signal, const auto& has_begun) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::signal(signal, SIG_DFL);
+      const std::string there = "cd '" + folder_.string() + "' && exec " + command;
+      ::execl("/bin/sh", "sh", "-c", there.c_str(), nullptr);
+      ::_exit(127);
+    }
+    EXPECT_TRUE(comes_true(has_begun));
+    ::kill(child, signal);
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    return exit_code(status);
+  }
+  /// Waits up to two minutes for a condition. Returns whether it holds.
+  static bool comes_true(const auto& condition) {
+    for (int i = 0; i < 12000 && !condition(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return condition();
+  }
 
   bool says(const std::string& text) const { return err_.find(text) != std::string::npos; }
   bool prints(const std::string& text) const { return out_.find(text) != std::string::npos; }
@@ -62,11 +108,28 @@ class Cli : public InFolder {
     for (std::string line; std::getline(in, line);) result.push_back(line);
     return result;
   }
+  static std::vector<std::string> cells(const std::string& csv_line) {
+    std::vector<std::string> result;
+    std::istringstream in(csv_line);
+    for (std::string cell; std::getline(in, cell, ',');) result.push_back(cell);
+    return result;
+  }
   static std::vector<double> numbers(const std::string& csv_line) {
     std::vector<double> result;
-    std::istringstream in(csv_line);
-    for (std::string cell; std::getline(in, cell, ',');) result.push_back(std::stod(cell));
+    for (const std::string& cell : cells(csv_line)) result.push_back(std::stod(cell));
     return result;
+  }
+  /// Expects the printed rows to be others up to 1e-9, relative where numbers are large.
+  void expect_rows(const std::vector<std::string>& expected) const {
+    const std::vector<std::string> found = lines();
+    ASSERT_EQ(found.size(), expected.size());
+    EXPECT_EQ(found[0], expected[0]);
+    for (std::size_t i = 1; i < found.size(); ++i) {
+      const std::vector<double> x = numbers(found[i]), y = numbers(expected[i]);
+      ASSERT_EQ(x.size(), y.size());
+      for (std::size_t k = 0; k < x.size(); ++k)
+        EXPECT_NEAR(x[k], y[k], 1e-9 * std::max(1.0, std::abs(y[k]))) << i << ", " << k;
+    }
   }
 };
 

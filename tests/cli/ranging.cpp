@@ -57,21 +57,10 @@ TEST_F(Cli, SaysOfEveryDriverWhereItStops) {
 /// Crank and rod are as long, and in line at the start: a dead point of the slider.
 TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
   for (const bool is_signed : {false, true}) {
-    std::string scene = slider_crank(50, R"(, "time": {"end": 1, "step": 0.01})");
-    const auto replace = [&](const std::string& before, const std::string& after) {
-      const std::size_t at = scene.find(before);
-      ASSERT_NE(at, std::string::npos) << before;
-      scene.replace(at, before.size(), after);
-    };
-    replace(R"("theta": {"angle": ["A", "B"]})", std::string(R"("s": {"distance": ["A", "C"])") +
-                                                     (is_signed ? R"(, "along": "x"})" : "}"));
-    replace(R"(["theta"])", R"(["s"])");
-    replace(R"("theta": {"type": "polynomial", "coefficients": [0, 360]})",
-            R"("s": {"type": "polynomial", "coefficients": [0.1]})");
-    replace(R"("units": {"angle": "deg"},
-  "motion")",
-            R"("units": {"length": "m"}, "motion")");
-    write("scene.json", scene);
+    const char* const s =
+        is_signed ? R"({"distance": ["A", "C"], "along": "x"})" : R"({"distance": ["A", "C"]})";
+    write("scene.json", driven_by_s(slider_crank(50, R"(, "time": {"end": 1, "step": 0.01})"), s,
+                                    "m", R"({"type": "polynomial", "coefficients": [0.1]})"));
     ASSERT_EQ(desmo("range scene.json --json"), 0) << err_;
     const Json driver = Json::parse(out_)["drivers"][0];
     ASSERT_EQ(driver["ends"].size(), 3u) << "the other branch from the dead point";
@@ -102,11 +91,9 @@ TEST_F(Cli, NamesAllLoopsThatLockAtOnce) {
 }
 
 TEST_F(Cli, RangesNeedAStart) {
-  std::string scene = locks;
-  scene.replace(scene.find("[0, 360]"), 8, "[90, 1]");
-  write("scene.json", scene);
-  EXPECT_EQ(desmo("range scene.json"), 1);
-  EXPECT_TRUE(says("scene.json: no position was found at the start of driver 'theta'")) << err_;
+  write("scene.json", replaced(locks, "[0, 360]", "[90, 1]"));
+  expect_refused(1, "range scene.json",
+                 "scene.json: no position was found at the start of driver 'theta'");
   EXPECT_TRUE(says("SG-II")) << err_;
   EXPECT_TRUE(out_.empty());
   EXPECT_EQ(desmo("range"), 64);

@@ -24,11 +24,11 @@ TEST_F(Cli, TunesWithinABudget) {
 }
 
 TEST_F(Cli, SaysWhenNothingIsAccurateOrFastEnough) {
-  EXPECT_EQ(desmo("tune slider_crank --max-error 1e-19 --quiet"), 1);
-  EXPECT_TRUE(says("nothing holds a relative position error of 1e-19; the most accurate is "));
+  expect_refused(1, "tune slider_crank --max-error 1e-19 --quiet",
+                 "nothing holds a relative position error of 1e-19; the most accurate is ");
   EXPECT_TRUE(says("conditioning sets a floor of the order of ")) << err_;
-  EXPECT_EQ(desmo("tune slider_crank --budget 0.001ns --quiet"), 1);
-  EXPECT_TRUE(says("nothing takes at most 1e-06 us a step here; the fastest is ")) << err_;
+  expect_refused(1, "tune slider_crank --budget 0.001ns --quiet",
+                 "nothing takes at most 1e-06 us a step here; the fastest is ");
 }
 
 TEST_F(Cli, TuneIsToldWhatToDo) {
@@ -36,19 +36,14 @@ TEST_F(Cli, TuneIsToldWhatToDo) {
       {"tune slider_crank", "give either --max-error or --budget"},
       {"tune slider_crank --max-error 1e-6 --budget 1us", "give either --max-error or --budget"},
       {"tune slider_crank --max-error 0", "--max-error"},
-      {"tune slider_crank --max-error nan", "--max-error"},
       {"tune slider_crank --budget 50", "--budget"},
-      {"tune slider_crank --max-error 1e-6 --level speed", "--level"},
       {"tune slider_crank --max-error 1e-6 --write", "is not a scene file"},
   };
-  for (const auto& [arguments, message] : wrong) {
-    EXPECT_EQ(desmo(arguments), 64) << arguments;
-    EXPECT_TRUE(says(message)) << err_;
-  }
+  for (const auto& [arguments, message] : wrong) expect_refused(64, arguments, message);
   write("position.json", slider_crank(150, R"(, "time": {"end": 0.5, "step": 0.01},
     "request": [{"points": ["C"], "level": "position"}])"));
-  EXPECT_EQ(desmo("tune position.json --max-error 1e-6 --level velocity"), 64);
-  EXPECT_TRUE(says("the scene does not ask for any")) << err_;
+  expect_refused(64, "tune position.json --max-error 1e-6 --level velocity",
+                 "the scene does not ask for any");
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -57,11 +56,11 @@ class ViewInBrowser : public View {
                                                       const Json& instants, const Json& time) {
     EXPECT_EQ(desmo("solve " + scene + " --past-failures --quiet -o out/motion.csv"), 0) << err_;
     std::ifstream in(out("motion.csv"));
-    std::string line, name;
+    std::string line;
     std::getline(in, line);
     std::vector<std::string> names;
-    for (std::istringstream heading(line); std::getline(heading, name, ',');)
-      names.push_back(name.substr(0, name.find(" [")));
+    for (const std::string& heading : cells(line))
+      names.push_back(heading.substr(0, heading.find(" [")));
     std::map<long, std::string> rows;  // by index: rows leave out instants that were not solved
     while (std::getline(in, line))
       rows[std::lround((std::stod(line) - time["start"].get<double>()) /

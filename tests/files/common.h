@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
 #include <string>
 
 #include "cases/io/files.h"
+#include "tests/contains.h"
 #include "tests/refusal.h"
+#include "tests/replaced.h"
 
 namespace desmo {
 
@@ -80,13 +81,6 @@ inline const std::string motion =
     R"("motion": {"theta": {"type": "polynomial", "coefficients": [0, 360]}})";
 inline const std::string time_of_one_second = R"("time": {"end": 1, "step": 0.01})";
 inline const std::string driven = motion + ", " + time_of_one_second;
-
-inline std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const auto at = text.find(old);
-  if (at == std::string::npos)
-    throw std::logic_error("the test replaces what is not there: " + old);
-  return text.replace(at, old.size(), by);
-}
 
 inline std::string mechanism_complaint(const std::string& text) {
   return refusal<InputError>([&] { parse_mechanism(text, "m.json"); });
