@@ -53,7 +53,7 @@ TEST(MechanismFile, MayHaveComments) {
   expect_start(mechanism_complaint("{\"a\": 1 / 2}"), "m.json: line 1, column 9: is no comment");
   expect_start(mechanism_complaint("{\"a\": 1} /*/"), "m.json: line 1, column 10: is no comment");
   expect_start(mechanism_complaint("// nothing"), "m.json: top level: the text is empty");
-  EXPECT_NE(mechanism_complaint("{} //\xff\n]").find("line 2, column 1"), std::string::npos);
+  EXPECT_CONTAINS(mechanism_complaint("{} //\xff\n]"), "line 2, column 1");
 }
 
 TEST(MechanismFile, DirectionsAreDefinedInAnyOrder) {
@@ -95,9 +95,9 @@ TEST(MechanismFile, LongChainsOfDefinitionsAreResolved) {
                     "\"u\": [0, 0, 1], \"a\": [1, 0, 0], \"b\": [0, 1, 0], " + vectors + end);
   };
   const std::string parallel = mechanism_complaint(chain("[0, 0, 1]"));
-  EXPECT_NE(parallel.find("parallel"), std::string::npos) << parallel;
+  EXPECT_CONTAINS(parallel, "parallel");
   const std::string cyclic = mechanism_complaint(chain("{\"normal\": [\"n0\", \"a\"]}"));
-  EXPECT_NE(cyclic.find("is defined by itself"), std::string::npos) << cyclic;
+  EXPECT_CONTAINS(cyclic, "is defined by itself");
   EXPECT_LT(cyclic.size(), 300u);
 }
 
