@@ -21,6 +21,13 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
+void expect_near(const MotionSample<double>& found, const MotionSample<double>& expected,
+                 const MotionSample<double>& tolerance, double t) {
+  EXPECT_NEAR(found.position, expected.position, tolerance.position) << "t = " << t;
+  EXPECT_NEAR(found.velocity, expected.velocity, tolerance.velocity) << "t = " << t;
+  EXPECT_NEAR(found.acceleration, expected.acceleration, tolerance.acceleration) << "t = " << t;
+}
+
 /// ż and z̈ against the complex step, which has no truncation and no cancellation.
 template <class M>
 void expect_consistent_derivatives(const M& motion, double t, double tolerance) {
@@ -34,35 +41,25 @@ void expect_consistent_derivatives(const M& motion, double t, double tolerance) 
 TEST(Polynomial, IsItsClosedForm) {
   const Polynomial m{{3, -2, 0.5, 0.25}};
   for (const double t : {-1.5, 0.0, 0.7, 4.0}) {
-    const auto z = sample(m, t);
-    EXPECT_NEAR(z.position, 3 - 2 * t + 0.5 * t * t + 0.25 * t * t * t, 1e-13);
-    EXPECT_NEAR(z.velocity, -2 + t + 0.75 * t * t, 1e-13);
-    EXPECT_NEAR(z.acceleration, 1 + 1.5 * t, 1e-13);
+    const double z = 3 - 2 * t + 0.5 * t * t + 0.25 * t * t * t;
+    expect_near(sample(m, t), {z, -2 + t + 0.75 * t * t, 1 + 1.5 * t}, {1e-13, 1e-13, 1e-13}, t);
     expect_consistent_derivatives(m, t, 1e-13);
   }
 }
 
 TEST(Polynomial, OfEveryLowDegree) {
-  const auto expect = [](const Polynomial& m, double z, double velocity, double acceleration) {
-    const auto s = sample(m, 2.0);
-    EXPECT_EQ(s.position, z);
-    EXPECT_EQ(s.velocity, velocity);
-    EXPECT_EQ(s.acceleration, acceleration);
-  };
-  expect({}, 0, 0, 0);
-  expect({{5}}, 5, 0, 0);
-  expect({{5, 3}}, 11, 3, 0);
-  expect({{5, 3, 1}}, 15, 7, 2);
+  expect_near(sample(Polynomial{}, 2.0), {0, 0, 0}, {}, 2);
+  expect_near(sample(Polynomial{{5}}, 2.0), {5, 0, 0}, {}, 2);
+  expect_near(sample(Polynomial{{5, 3}}, 2.0), {11, 3, 0}, {}, 2);
+  expect_near(sample(Polynomial{{5, 3, 1}}, 2.0), {15, 7, 2}, {}, 2);
 }
 
 TEST(HarmonicSum, OfOneTermIsItsClosedForm) {
   const double w = 2 * pi * 1.3;
   const HarmonicSum m{0.5, {{0.05, w, 0.7}}};
   for (const double t : {-0.4, 0.0, 1.1}) {
-    const auto z = sample(m, t);
-    EXPECT_NEAR(z.position, 0.5 + 0.05 * std::sin(w * t + 0.7), 1e-15);
-    EXPECT_NEAR(z.velocity, 0.05 * w * std::cos(w * t + 0.7), 1e-14);
-    EXPECT_NEAR(z.acceleration, -0.05 * w * w * std::sin(w * t + 0.7), 1e-13);
+    const double sine = 0.05 * std::sin(w * t + 0.7), cosine = 0.05 * std::cos(w * t + 0.7);
+    expect_near(sample(m, t), {0.5 + sine, w * cosine, -w * w * sine}, {1e-15, 1e-14, 1e-13}, t);
   }
 }
 
@@ -71,15 +68,13 @@ TEST(HarmonicSum, IsTheMeanAndTheSumOfItsTerms) {
   const double t = 0.37;
   const auto sum = sample(HarmonicSum{1, {a, b}}, t);
   const auto first = sample(HarmonicSum{0, {a}}, t), second = sample(HarmonicSum{0, {b}}, t);
-  EXPECT_NEAR(sum.position, 1 + first.position + second.position, 1e-15);
-  EXPECT_NEAR(sum.velocity, first.velocity + second.velocity, 1e-15);
-  EXPECT_NEAR(sum.acceleration, first.acceleration + second.acceleration, 1e-14);
+  expect_near(sum,
+              {1 + first.position + second.position, first.velocity + second.velocity,
+               first.acceleration + second.acceleration},
+              {1e-15, 1e-15, 1e-14}, t);
   expect_consistent_derivatives(HarmonicSum{1, {a, b}}, t, 1e-14);
 
-  const auto still = sample(HarmonicSum{2.5, {}}, t);
-  EXPECT_EQ(still.position, 2.5);
-  EXPECT_EQ(still.velocity, 0);
-  EXPECT_EQ(still.acceleration, 0);
+  expect_near(sample(HarmonicSum{2.5, {}}, t), {2.5, 0, 0}, {}, t);
 }
 
 // Unequal intervals and values without a pattern.
@@ -107,12 +102,8 @@ TEST(Spline, Interpolates) {
 TEST(Spline, IsTwiceContinuouslyDifferentiable) {
   for (const SplineEnds ends : every_end) {
     const Spline s = make_spline(times, values, ends);
-    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
-      const auto before = at_knot(s, i, -1), after = at_knot(s, i, +1);
-      EXPECT_NEAR(before.position, after.position, 1e-14);
-      EXPECT_NEAR(before.velocity, after.velocity, 1e-13);
-      EXPECT_NEAR(before.acceleration, after.acceleration, 1e-12);
-    }
+    for (std::size_t i = 1; i + 1 < times.size(); ++i)
+      expect_near(at_knot(s, i, -1), at_knot(s, i, +1), {1e-14, 1e-13, 1e-12}, times[i]);
   }
 }
 
@@ -127,10 +118,8 @@ TEST(Spline, KeepsTheConditionsAtItsEnds) {
 
   const Spline periodic = make_spline(times, values, SplineEnds::periodic);
   const auto begin = sample(periodic, periodic.first_time());
-  const auto end = sample(periodic, periodic.last_time());
-  EXPECT_NEAR(begin.position, end.position, 1e-14);
-  EXPECT_NEAR(begin.velocity, end.velocity, 1e-13);
-  EXPECT_NEAR(begin.acceleration, end.acceleration, 1e-12);
+  const double last = periodic.last_time();
+  expect_near(begin, sample(periodic, last), {1e-14, 1e-13, 1e-12}, last);
   EXPECT_GT(std::abs(begin.velocity), 0.1);      // neither clamped
   EXPECT_GT(std::abs(begin.acceleration), 0.1);  // nor natural
 }
@@ -153,12 +142,8 @@ void expect_reproduction(const Polynomial& polynomial, SplineEnds ends) {
   std::vector<double> z;
   for (const double t : times) z.push_back(sample(polynomial, t).position);
   const Spline s = make_spline(times, z, ends);
-  for (const double t : {-0.8, -0.5, 0.0, 0.33, 1.0, 1.99, 2.7, 3.2}) {
-    const auto expected = sample(polynomial, t), found = sample(s, t);
-    EXPECT_NEAR(found.position, expected.position, 1e-12) << "t = " << t;
-    EXPECT_NEAR(found.velocity, expected.velocity, 1e-12) << "t = " << t;
-    EXPECT_NEAR(found.acceleration, expected.acceleration, 1e-11) << "t = " << t;
-  }
+  for (const double t : {-0.8, -0.5, 0.0, 0.33, 1.0, 1.99, 2.7, 3.2})
+    expect_near(sample(s, t), sample(polynomial, t), {1e-12, 1e-12, 1e-11}, t);
 }
 
 TEST(Spline, ReproducesTheCubicThatMeetsItsEnds) {
@@ -171,16 +156,13 @@ TEST(Spline, ReproducesTheCubicThatMeetsItsEnds) {
 }
 
 TEST(Spline, OfTheFewestPoints) {
-  const auto line = sample(make_spline({1, 3}, {0, 4}, SplineEnds::natural), 1.5);
-  EXPECT_NEAR(line.position, 1, 1e-15);
-  EXPECT_NEAR(line.velocity, 2, 1e-15);
-  EXPECT_NEAR(line.acceleration, 0, 1e-15);
+  const Spline line = make_spline({1, 3}, {0, 4}, SplineEnds::natural);
+  expect_near(sample(line, 1.5), {1, 2, 0}, {1e-15, 1e-15, 1e-15}, 1.5);
 
   // From rest to rest: 3τ² − 2τ³.
-  const auto rise = sample(make_spline({0, 1}, {0, 1}, SplineEnds::clamped), 0.25);
-  EXPECT_NEAR(rise.position, 3 * 0.0625 - 2 * 0.015625, 1e-15);
-  EXPECT_NEAR(rise.velocity, 6 * 0.25 - 6 * 0.0625, 1e-15);
-  EXPECT_NEAR(rise.acceleration, 6 - 12 * 0.25, 1e-14);
+  const Spline rise = make_spline({0, 1}, {0, 1}, SplineEnds::clamped);
+  const MotionSample<double> quarter{3 * 0.0625 - 2 * 0.015625, 6 * 0.25 - 6 * 0.0625, 3};
+  expect_near(sample(rise, 0.25), quarter, {1e-15, 1e-15, 1e-14}, 0.25);
 
   // Up and down in equal times: by symmetry at rest at the knots.
   const Spline wave = make_spline({0, 1, 2}, {0, 1, 0}, SplineEnds::periodic);
