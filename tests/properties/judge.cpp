@@ -58,14 +58,7 @@ class Comparison {
     const Model& m = s_.plan.model;
     const Entity& e = m.entities[entity_[i]];
     const ReferenceInstant& t = truth.instant;
-    const std::vector<double>& right = level == Level::position   ? t.q
-                                       : level == Level::velocity ? t.qd
-                                                                  : t.qdd;
-    const std::vector<double>& rest = level == Level::position   ? t.remainder.q
-                                      : level == Level::velocity ? t.remainder.qd
-                                                                 : t.remainder.qdd;
-    const Quadruple difference = Quadruple(row.values[level][i]) - right[i] - rest[i];
-    const double error = std::abs(static_cast<double>(difference));
+    const double error = error_of(row.values[level][i], t, level, static_cast<int>(i));
     const double radius = row.radius[level].empty() ? INFINITY : row.radius[level][i];
     const double floor = floor_of(s_.truth, truth)[level] * s_.truth.scales.of(e.kind, level);
     const bool has_radius = std::isfinite(radius);

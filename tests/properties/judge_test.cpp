@@ -36,24 +36,30 @@ const char* const scott_russell_scene = R"({
  "motion": {"theta": {"type": "polynomial", "coefficients": [0.5, -1]}},
  "time": {"start": -0.5, "end": 1.5, "step": 0.125}})";
 
-DrawnScene scott_russell_through_its_change_point() {
-  DrawnScene s;
-  s.text = scott_russell_scene;
-  read_drawn_scene(s);
-  return s;
+const DrawnScene& scott_russell_through_its_change_point() {
+  static const DrawnScene scene = [] {
+    DrawnScene s;
+    s.text = scott_russell_scene;
+    read_drawn_scene(s);
+    return s;
+  }();
+  return scene;
 }
 
-/// Returns the answers as a run, rounded to double, with radii of two units in the last place.
+/// Returns an answer as a row, rounded to double, with radii of two units in the last place.
+CheckedRow row_of(int index, const ReferenceInstant& answer) {
+  CheckedRow row{.index = index, .values = {answer.q, answer.qd, answer.qdd}};
+  for (const Level level : all_levels)
+    for (const double x : row.values[level]) row.radius[level].push_back(std::abs(x) * 0x1p-52);
+  return row;
+}
+
+/// Returns the answers as a run.
 CheckedRows answers_as_run(const DrawnScene& s) {
   CheckedRows run;
-  for (const TrueInstant& t : s.truth.instants) {
-    if (!has_answer(t)) continue;
-    CheckedRow row{.index = static_cast<int>(&t - s.truth.instants.data()),
-                   .values = {t.instant.q, t.instant.qd, t.instant.qdd}};
-    for (const Level level : all_levels)
-      for (const double x : row.values[level]) row.radius[level].push_back(std::abs(x) * 0x1p-52);
-    run.rows.push_back(std::move(row));
-  }
+  for (const TrueInstant& t : s.truth.instants)
+    if (has_answer(t))
+      run.rows.push_back(row_of(static_cast<int>(&t - s.truth.instants.data()), t.instant));
   return run;
 }
 
@@ -63,7 +69,7 @@ std::string verdict(const DrawnScene& s, const CheckedRows& run) {
 }
 
 TEST(Judge, AnswersGoSmoothlyThroughAChangePoint) {
-  const DrawnScene s = scott_russell_through_its_change_point();
+  const DrawnScene& s = scott_russell_through_its_change_point();
   const int c = s.plan.model.coordinate("C.y");
   int answers = 0;
   for (const TrueInstant& t : s.truth.instants) {
@@ -101,13 +107,8 @@ TEST(Judge, AnswersAgreeWithTheReferenceAwayFromSingularPositions) {
     const std::vector<ReferenceInstant> reference =
         reference_solution(m, times, Precision::quadruple);
     CheckedRows run;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      CheckedRow row{.index = static_cast<int>(i),
-                     .values = {reference[i].q, reference[i].qd, reference[i].qdd}};
-      for (const Level level : all_levels)
-        for (const double x : row.values[level]) row.radius[level].push_back(std::abs(x) * 0x1p-52);
-      run.rows.push_back(std::move(row));
-    }
+    for (std::size_t i = 0; i < times.size(); ++i)
+      run.rows.push_back(row_of(static_cast<int>(i), reference[i]));
     EXPECT_EQ(verdict(s, run), "") << number;
     ++compared;
   }
@@ -115,7 +116,7 @@ TEST(Judge, AnswersAgreeWithTheReferenceAwayFromSingularPositions) {
 }
 
 TEST(Judge, FindsWhatIsPlanted) {
-  const DrawnScene s = scott_russell_through_its_change_point();
+  const DrawnScene& s = scott_russell_through_its_change_point();
   const int c = s.plan.model.coordinate("C.y");
   const CheckedRows right = answers_as_run(s);
   EXPECT_EQ(verdict(s, right), "");
@@ -150,7 +151,7 @@ TEST(Judge, FindsWhatIsPlanted) {
 }
 
 TEST(Judge, CountsRegularInstantsThatAreFlaggedOrMissing) {
-  const DrawnScene s = scott_russell_through_its_change_point();
+  const DrawnScene& s = scott_russell_through_its_change_point();
   CheckedRows run = answers_as_run(s);
   EXPECT_EQ(judge(s, run).rows, 17);
   EXPECT_TRUE(judge(s, run).regular_flags.empty());
@@ -215,8 +216,9 @@ TEST(Judge, AssemblesARoughDrawing) {
 }
 
 TEST(Draw, ScenesAreDrawnAgainFromTheirNumber) {
-  EXPECT_EQ(draw_scene(3, 4).text, draw_scene(3, 4).text);
-  EXPECT_NE(draw_scene(3, 4).text, draw_scene(4, 4).text);
+  const std::string text = draw_scene(3, 4).text;
+  EXPECT_EQ(draw_scene(3, 4).text, text);
+  EXPECT_NE(draw_scene(4, 4).text, text);
 }
 
 TEST(Draw, EveryFamilyCanBeModelled) {
