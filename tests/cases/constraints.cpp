@@ -45,9 +45,9 @@ struct Setup {
   std::vector<Complex> c;
 };
 
-template <std::size_t N>
-std::array<const Complex*, N> pointers(const std::array<std::vector<Complex>, N>& x) {
-  std::array<const Complex*, N> p;
+template <class S, std::size_t N>
+std::array<const S*, N> pointers(const std::array<std::vector<S>, N>& x) {
+  std::array<const S*, N> p;
   for (std::size_t k = 0; k < N; ++k) p[k] = x[k].data();
   return p;
 }
@@ -183,14 +183,11 @@ void expect_residual(const std::array<Vec, Kind::operand_sizes.size()>& q, Vec c
                      const Vec& expected) {
   ASSERT_EQ(c.size(), static_cast<std::size_t>(Kind::constants));
   ASSERT_EQ(expected.size(), static_cast<std::size_t>(Kind::rows));
-  std::array<const double*, Kind::operand_sizes.size()> x;
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  for (std::size_t k = 0; k < q.size(); ++k)
     ASSERT_EQ(q[k].size(), static_cast<std::size_t>(Kind::operand_sizes[k]));
-    x[k] = q[k].data();
-  }
   c.push_back(0);  // never read; data() must not be null
   Vec phi(Kind::rows);
-  Kind::residual(x.data(), c.data(), phi.data());
+  Kind::residual(pointers(q).data(), c.data(), phi.data());
   for (int r = 0; r < Kind::rows; ++r)
     EXPECT_NEAR(phi[r], expected[r], 1e-14) << Kind::name << ", row " << r;
 }
@@ -227,16 +224,14 @@ TEST(Meaning, OfCombinations) {
 
 TEST(Meaning, OfPlanarRelations) {
   // By d = (3, 1), J d = (−1, 3): 2 d + J d = (5, 5).
-  const Vec a{10, 20}, d{3, 1}, b{13, 21};
-  expect_residual<PlanarRelation<true, false>>({{{15, 25}, a, d}}, {2, 1}, {0, 0});
-  expect_residual<PlanarRelation<true, true>>({{{15, 25}, a, b}}, {2, 1}, {0, 0});
-  expect_residual<PlanarRelation<false, false>>({{{5, 5}, d}}, {2, 1}, {0, 0});
-  expect_residual<PlanarRelation<false, true>>({{{5, 5}, a, b}}, {2, 1}, {0, 0});
-  // To the right of d instead of to the left: off by 2 J d.
-  expect_residual<PlanarRelation<true, false>>({{{15, 25}, a, d}}, {2, -1}, {-2, 6});
-  expect_residual<PlanarRelation<true, true>>({{{15, 25}, a, b}}, {2, -1}, {-2, 6});
-  expect_residual<PlanarRelation<false, false>>({{{5, 5}, d}}, {2, -1}, {-2, 6});
-  expect_residual<PlanarRelation<false, true>>({{{5, 5}, a, b}}, {2, -1}, {-2, 6});
+  // To the right of d instead of to the left, it is off by 2 J d.
+  const Vec a{10, 20}, d{3, 1}, b{13, 21}, left{2, 1}, right_of_d{2, -1};
+  for (const auto& [c, off] : {std::pair(left, Vec{0, 0}), {right_of_d, Vec{-2, 6}}}) {
+    expect_residual<PlanarRelation<true, false>>({{{15, 25}, a, d}}, c, off);
+    expect_residual<PlanarRelation<true, true>>({{{15, 25}, a, b}}, c, off);
+    expect_residual<PlanarRelation<false, false>>({{{5, 5}, d}}, c, off);
+    expect_residual<PlanarRelation<false, true>>({{{5, 5}, a, b}}, c, off);
+  }
 }
 
 TEST(Meaning, OfAnOffsetIsTheDistanceToTheLeftOfTheLine) {
@@ -261,19 +256,15 @@ TEST(Meaning, OfAPlanarDirection) {
 
 TEST(Meaning, OfAPlanarTurnIsTheAngleCounterClockwise) {
   // e = (2, 1) turned by π/2 and stretched by 3 is d = (−3, 6).
-  const Vec d{-3, 6}, e{2, 1}, a{1, 1}, b{-2, 7}, p{5, 5}, q{7, 6}, quarter{right};
-  expect_residual<PlanarTurn<Between::vector_and_vector>>({{d, e, quarter}}, {3}, {0, 0});
-  expect_residual<PlanarTurn<Between::vector_and_line>>({{d, p, q, quarter}}, {3}, {0, 0});
-  expect_residual<PlanarTurn<Between::line_and_vector>>({{a, b, e, quarter}}, {3}, {0, 0});
-  expect_residual<PlanarTurn<Between::line_and_line>>({{a, b, p, q, quarter}}, {3}, {0, 0});
-  expect_residual<PlanarTurn<Between::lines_at_point>>({{p, {2, 11}, q, quarter}}, {3}, {0, 0});
   // The other way round it would be −d.
-  const Vec back{-right};
-  expect_residual<PlanarTurn<Between::vector_and_vector>>({{d, e, back}}, {3}, {-6, 12});
-  expect_residual<PlanarTurn<Between::vector_and_line>>({{d, p, q, back}}, {3}, {-6, 12});
-  expect_residual<PlanarTurn<Between::line_and_vector>>({{a, b, e, back}}, {3}, {-6, 12});
-  expect_residual<PlanarTurn<Between::line_and_line>>({{a, b, p, q, back}}, {3}, {-6, 12});
-  expect_residual<PlanarTurn<Between::lines_at_point>>({{p, {2, 11}, q, back}}, {3}, {-6, 12});
+  const Vec d{-3, 6}, e{2, 1}, a{1, 1}, b{-2, 7}, p{5, 5}, q{7, 6};
+  for (const auto& [turn, off] : {std::pair(Vec{right}, Vec{0, 0}), {Vec{-right}, Vec{-6, 12}}}) {
+    expect_residual<PlanarTurn<Between::vector_and_vector>>({{d, e, turn}}, {3}, off);
+    expect_residual<PlanarTurn<Between::vector_and_line>>({{d, p, q, turn}}, {3}, off);
+    expect_residual<PlanarTurn<Between::line_and_vector>>({{a, b, e, turn}}, {3}, off);
+    expect_residual<PlanarTurn<Between::line_and_line>>({{a, b, p, q, turn}}, {3}, off);
+    expect_residual<PlanarTurn<Between::lines_at_point>>({{p, {2, 11}, q, turn}}, {3}, off);
+  }
 }
 
 TEST(Meaning, OfAReach) {
@@ -286,11 +277,9 @@ TEST(Meaning, OfAReach) {
 /// meant.
 template <class Kind>
 double derivative_by_angle(const std::array<Vec, Kind::operand_sizes.size()>& q, const Vec& c) {
-  std::array<const double*, Kind::operand_sizes.size()> x;
-  for (std::size_t k = 0; k < x.size(); ++k) x[k] = q[k].data();
   double derivative = 0;
-  Kind::jacobian(x.data(), c.data(), [&](int, std::size_t operand, int, double value) {
-    if (operand + 1 == x.size()) derivative = value;
+  Kind::jacobian(pointers(q).data(), c.data(), [&](int, std::size_t operand, int, double value) {
+    if (operand + 1 == q.size()) derivative = value;
   });
   return derivative;
 }
@@ -329,17 +318,13 @@ TEST(Meaning, OfAFrameAngle) {
   // A direction of length 2 at this angle from x towards z, out of their plane by 5; and from −x.
   const Vec from_x{5, 2 * cosine, 2 * sine}, from_minus_x{5, -2 * cosine, 2 * sine};
   const auto after = [&](const Vec& w) { return Vec{a[0] + w[0], a[1] + w[1], a[2] + w[2]}; };
-  expect_residual<FrameAngle<1, false>>({{x, z, from_x, {angle}}}, {}, {0});
-  expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), {angle}}}, {}, {0});
-  expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, {angle}}}, {}, {0});
-  expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), {angle}}}, {}, {0});
-  // Otherwise 2 sin of the angle that is missing.
-  const double missing = 2 * std::sin(0.1);
-  const Vec less{angle - 0.1};
-  expect_residual<FrameAngle<1, false>>({{x, z, from_x, less}}, {}, {missing});
-  expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), less}}, {}, {missing});
-  expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, less}}, {}, {missing});
-  expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), less}}, {}, {missing});
+  for (const double missing : {0.0, 0.1}) {
+    const Vec given{angle - missing}, off{2 * std::sin(missing)};
+    expect_residual<FrameAngle<1, false>>({{x, z, from_x, given}}, {}, off);
+    expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), given}}, {}, off);
+    expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, given}}, {}, off);
+    expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), given}}, {}, off);
+  }
   expect_modulo_pi<FrameAngle<1, false>>({{x, z, from_x, {}}}, {}, angle);
   expect_modulo_pi<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), {}}}, {}, angle);
 }
