@@ -92,12 +92,9 @@ inline Vec3 rotated(const Vec3& a, const Vec3& c) {
   return a + (Jet(2) / (Jet(1) + dot(c, c))) * (moved + cross(c, moved));
 }
 
-/// The choice between the two solutions of angle_with: atan2(b, a) plus or minus an angle.
-enum class Root { greater, less };
-/// Returns an angle θ with a cos θ + b sin θ = c.
-inline Jet angle_with(Jet a, Jet b, Jet c, Root root) {
-  const Jet half = atan2(sqrt(a * a + b * b - c * c), c);
-  return atan2(b, a) + (root == Root::greater ? half : -half);
+/// Returns the greater of the angles θ next to atan2(b, a) with a cos θ + b sin θ = c.
+inline Jet angle_with(Jet a, Jet b, Jet c) {
+  return atan2(b, a) + atan2(sqrt(a * a + b * b - c * c), c);
 }
 
 }  // namespace desmo::exact

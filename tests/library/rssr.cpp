@@ -12,7 +12,7 @@ Solution rssr(double time) {
   // ‖C + r (cos ψ y + sin ψ v) − A‖² = L²
   const Vec3 g = C - A;
   const Jet psi = angle_with(Jet(2 * rocker) * g[1], Jet(2 * rocker) * dot(g, v),
-                             dot(b - a, b - a) - dot(g, g) - Jet(rocker * rocker), Root::greater);
+                             dot(b - a, b - a) - dot(g, g) - Jet(rocker * rocker));
   const Vec3 B = C + Jet(rocker) * (cos(psi) * y_axis + sin(psi) * v);
 
   return {{"O", O},      {"C", C}, {"A", A}, {"B", B},         {"x", x_axis}, {"y", y_axis},

@@ -44,8 +44,8 @@ void add_stabiliser(Solution& s, const Axle& axle, int side, const std::string& 
   const Jet L = sqrt(Jet(0.3L * 0.3L + 0.05L * 0.05L));
   constexpr Real link2 = 0.05L * 0.05L + 0.4L * 0.4L;
   const Vec3 w = A - G;
-  const Jet phi = angle_with(-Jet(2) * L * dot(w, x2), Jet(2) * L * dot(w, z2),
-                             Jet(link2) - L * L - dot(w, w), Root::greater);
+  const Jet phi =
+      angle_with(-Jet(2) * L * dot(w, x2), Jet(2) * L * dot(w, z2), Jet(link2) - L * L - dot(w, w));
   const Vec3 e = sin(phi) * z2 - cos(phi) * x2, B = A + L * e;
   const Vec3 u = unit(cross(e, B - G));
   s.insert({{"A" + lever, A},
