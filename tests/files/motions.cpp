@@ -182,17 +182,19 @@ TEST(Trapezoid, IsContinuous) {
 
 class TableFile : public InFolder {
  protected:
-  /// Reads a table of the angle, or says why not.
-  std::string read(const std::string& rows, Motion* motion = nullptr) {
+  /// Reads the scene with a table of these rows, or says why not.
+  std::string read(const std::string& rows, Scene* scene = nullptr) {
     write("t.csv", rows);
     return refusal<InputError>([&] {
-      const Scene s = parse_scene(
-          scene_of(drawn("angle"), R"("motion": {"angle": {"type": "table", "file": "t.csv"}},
-                                      "time": {"end": 2, "step": 1})"),
-          "s.json", folder_);
-      if (motion) *motion = s.motions[0];
+      const Scene s = parse_scene(text_, "s.json", folder_);
+      if (scene) *scene = s;
     });
   }
+
+  /// The angle moves by a table in a file.
+  std::string text_ =
+      scene_of(drawn("angle"), R"("motion": {"angle": {"type": "table", "file": "t.csv"}},
+                                  "time": {"end": 2, "step": 1})");
 };
 
 TEST_F(TableFile, HasRowsOfTimesAndValues) {
@@ -200,15 +202,15 @@ TEST_F(TableFile, HasRowsOfTimesAndValues) {
   for (const char* rows :
        {"0,0\n1,10\n2,40\n", "0 0\r\n\r\n1\t10\r\n2 40", "time,deflection\n0,0\n1,10\n2,40\n",
         "angle [deg],flag,t [s]\n0,,0\n10,,1\n40,,2\n", "\"t\",\"angle\"\n0,0\n1,+1e1\n2,40\n"}) {
-    Motion motion;
-    ASSERT_EQ(read(rows, &motion), "accepted") << rows;
-    EXPECT_EQ(sample(motion, 1.0).position, 10 * degree) << rows;
-    EXPECT_NEAR(sample(motion, 2.0).position, 40 * degree, 1e-15) << rows;
+    Scene scene;
+    ASSERT_EQ(read(rows, &scene), "accepted") << rows;
+    EXPECT_EQ(sample(scene.motions[0], 1.0).position, 10 * degree) << rows;
+    EXPECT_NEAR(sample(scene.motions[0], 2.0).position, 40 * degree, 1e-15) << rows;
   }
   for (const char* heading : {"t [s],angle [rad]", "Time (s),Motor (rad)"}) {
-    Motion motion;
-    ASSERT_EQ(read(heading + std::string("\n0,0\n1,10\n2,40\n"), &motion), "accepted");
-    EXPECT_EQ(sample(motion, 1.0).position, 10) << heading;
+    Scene scene;
+    ASSERT_EQ(read(heading + std::string("\n0,0\n1,10\n2,40\n"), &scene), "accepted");
+    EXPECT_EQ(sample(scene.motions[0], 1.0).position, 10) << heading;
   }
 }
 
@@ -240,17 +242,11 @@ TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
 /// The height follows the angle by a table in a file.
 class CouplingFile : public TableFile {
  protected:
-  std::string read(const std::string& rows, Mechanism* mechanism = nullptr) {
-    write("t.csv", rows);
-    return refusal<InputError>([&] {
-      const Scene s = parse_scene(
-          scene_of(replaced(drawn("turn"), "\"drivers\"",
-                            R"("couplings": {"c": {"coordinate": "height", "of": "angle",
-                                                  "file": "t.csv"}}, "drivers")"),
-                   R"("motion": {"turn": {"type": "constant", "value": 0}}, "time": {"at": 0})"),
-          "s.json", folder_);
-      if (mechanism) *mechanism = s.mechanism;
-    });
+  CouplingFile() {
+    text_ = scene_of(replaced(drawn("turn"), "\"drivers\"",
+                              R"("couplings": {"c": {"coordinate": "height", "of": "angle",
+                                                    "file": "t.csv"}}, "drivers")"),
+                     R"("motion": {"turn": {"type": "constant", "value": 0}}, "time": {"at": 0})");
   }
 };
 
@@ -264,9 +260,9 @@ TEST_F(CouplingFile, HasRowsOfArgumentsAndValues) {
       {"angle [rad]\theight [in]\n-30\t5\n60\t7\n110\t6.5\n", 1, 0.0254},
   };
   for (const auto& [rows, of_arguments, of_values] : files) {
-    Mechanism m;
-    ASSERT_EQ(read(rows, &m), "accepted") << rows;
-    const Mechanism::Coupling& c = m.couplings[0];
+    Scene scene;
+    ASSERT_EQ(read(rows, &scene), "accepted") << rows;
+    const Mechanism::Coupling& c = scene.mechanism.couplings[0];
     EXPECT_EQ(c.table->arguments, (std::vector<double>{-30, 60, 110})) << rows;
     EXPECT_EQ(c.table->values, (std::vector<double>{5, 7, 6.5})) << rows;
     EXPECT_NEAR(double(as<Wide>(c.terms[0].factor) * of_values - 1), 0, exact) << rows;
