@@ -9,52 +9,56 @@
 
 namespace desmo::bench {
 
-void Candidate::verify() {
-  if (state_ != State::unverified) return;
-  try {
-    check(verifying_run_);
-    state_ = State::verified;
-  } catch (const NotRun& e) {
-    leave_out(e.what());
-  } catch (const std::exception& e) {
-    end(State::failed, e.what());
-  }
-}
+VerifiedCandidate::VerifiedCandidate(Key, Candidate& candidate)
+    : candidate_(candidate), windows_(candidate.grid().instants, candidate.clock()) {}
 
-void Candidate::measure(const std::function<void()>& work) {
-  if (!is_verified()) return;
-  try {
-    work();
-  } catch (const std::exception& e) {
-    end(State::failed, e.what());
-  }
-}
-
-std::optional<double> Candidate::time_afresh() {
+double VerifiedCandidate::time_afresh() {
+  const Clock clock = candidate_.clock();
   double least = std::numeric_limits<double>::infinity();
-  measure([&] {
-    on_fresh_heap([&] {
-      const Analysis analysis = make_analysis(windows_);
-      const double begin = now(clock_);
-      do {
-        const double before = now(clock_);
-        analysis();
-        least = std::min(least, now(clock_) - before);
-      } while (clock_ == Clock::wall && now(clock_) - begin < min_wall_seconds);
-    });
+  on_fresh_heap([&] {
+    const Analysis analysis = candidate_.make_analysis(windows_);
+    const double begin = now(clock);
+    do {
+      const double before = now(clock);
+      analysis();
+      least = std::min(least, now(clock) - before);
+    } while (clock == Clock::wall && now(clock) - begin < min_wall_seconds);
   });
-  return is_verified() ? std::optional(least) : std::nullopt;
+  return least;
 }
 
-void Candidate::add_sample(double seconds) {
-  if (is_verified()) seconds_.push_back(seconds);
+void Candidate::verify() {
+  if (!std::holds_alternative<Unverified>(state_)) return;
+  try {
+    if (Checked wrong = check(verifying_run_))
+      refuse(*std::move(wrong));
+    else
+      state_.emplace<VerifiedCandidate>(VerifiedCandidate::Key(), *this);
+  } catch (const std::exception& e) {
+    refuse(failed(e.what()));
+  }
+}
+
+void Candidate::measure(const std::function<void(VerifiedCandidate&)>& measurement) {
+  auto* const verified = std::get_if<VerifiedCandidate>(&state_);
+  if (!verified) return;
+  try {
+    measurement(*verified);
+  } catch (const std::exception& e) {
+    refuse(failed(e.what()));
+  }
 }
 
 void Candidate::add_to(nlohmann::ordered_json&) const {}
 
-void Candidate::end(State state, std::string why) {
-  state_ = state;
-  message_ = std::move(why);
+std::string Candidate::message() const {
+  const auto* const refusal = std::get_if<Refusal>(&state_);
+  return refusal ? refusal->reason : "";
+}
+
+bool Candidate::is_refused(Refusal::Kind kind) const {
+  const auto* const refusal = std::get_if<Refusal>(&state_);
+  return refusal && refusal->kind == kind;
 }
 
 }  // namespace desmo::bench

@@ -3,9 +3,9 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "bench/kit/time/timing_windows.h"
@@ -13,6 +13,8 @@
 #include "cases/mechanism/motion.h"
 
 namespace desmo::bench {
+
+class Candidate;
 
 /// The run that verifies a candidate: what is found and measured.
 struct VerifyingRun {
@@ -29,24 +31,60 @@ struct VerifyingRun {
   long bytes = 0;
 };
 
-/// Why a candidate is not run: it does not exist here, or would take too long.
-class NotRun : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
+/// A candidate that will not be timed, and why.
+struct Refusal {
+  enum class Kind {
+    failed,   ///< cannot be solved, or is wrong
+    not_run,  ///< does not exist, or would take too long
+  };
+  Kind kind;
+  std::string reason;
 };
 
 /// An analysis: solves the whole motion, assembly and delivery included, again and again while its
 /// time is taken. Throws std::exception where that fails.
 using Analysis = std::function<void()>;
 
-/// A formulation, or a peer, that solves a motion. Only what has passed its verification is timed:
+/// A candidate that passed its verification, and its times. Only Candidate makes one, and lends it
+/// to what measures (Candidate::measure).
+class VerifiedCandidate {
+ public:
+  /// Key that Candidate alone has, to make one in place.
+  class Key {
+    friend class Candidate;
+    Key() {}
+  };
+
+  VerifiedCandidate(Key, Candidate& candidate);
+  VerifiedCandidate(const VerifiedCandidate&) = delete;
+  VerifiedCandidate& operator=(const VerifiedCandidate&) = delete;
+
+  /// Makes an analysis, runs it, and discards it, on a fresh heap (see on_fresh_heap). Returns the
+  /// seconds of its run; by the wall clock, the least of several runs: others may interrupt one.
+  /// Throws what the run throws.
+  double time_afresh();
+
+  /// Adds a time that was measured by the candidate's clock.
+  void add_sample(double seconds) { seconds_.push_back(seconds); }
+
+  const std::vector<double>& seconds() const { return seconds_; }  ///< samples
+  const TimingWindows& windows() const { return windows_; }  ///< timing windows of all analyses
+
+ private:
+  Candidate& candidate_;
+  std::vector<double> seconds_;
+  TimingWindows windows_;
+};
+
+/// A formulation, or a peer, that solves a motion. It is verified first. Only then it turns into
+/// something that can be timed, a VerifiedCandidate; otherwise it has a Refusal:
 ///
-///   unverified ── verify() ──→ verified ── time_afresh(), add_sample() ──→ timed
-///        │                        │                                         │
-///        │ leave_out(), verify()  │ an exception while its time is taken    │ the same
-///        └────────────────→ failed, or not run ←────────────────────────────┘
+///   unverified ── verify() ──→ verified ── measure(), add_sample() ──→ timed
+///        │                        │                                      │
+///        │ refuse(), verify()     │ an exception in measure()            │ the same
+///        └──────────────────→ refused ←──────────────────────────────────┘
 ///
-/// Nothing leads out of `failed` and `not_run`.
+/// Nothing leads out of `refused`.
 class Candidate {
  public:
   virtual ~Candidate() = default;
@@ -67,25 +105,19 @@ class Candidate {
   /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 
-  /// Makes an analysis, runs it, and discards it, on a fresh heap (see on_fresh_heap). Returns the
-  /// seconds of its run; by the wall clock, the least of several runs: others may interrupt one.
-  /// Returns nothing unless the candidate is verified. A run that fails makes it a failed one.
-  std::optional<double> time_afresh();
+  /// Runs a measurement if the candidate is verified. An exception of it becomes a refusal: the
+  /// VerifiedCandidate is destroyed with all its samples, and what verified() returned dangles.
+  void measure(const std::function<void(VerifiedCandidate&)>& measurement);
 
-  /// Adds a time [s] that was measured by the candidate's clock. Does nothing unless it is
-  /// verified.
-  void add_sample(double seconds);
+  /// Returns what can be timed; null unless it is verified. Valid until it is refused.
+  const VerifiedCandidate* verified() const { return std::get_if<VerifiedCandidate>(&state_); }
+  bool is_verified() const { return verified() != nullptr; }
+  bool is_failed() const { return is_refused(Refusal::Kind::failed); }
+  bool is_not_run() const { return is_refused(Refusal::Kind::not_run); }
+  bool is_timed() const { return is_verified() && !verified()->seconds().empty(); }
 
-  const std::vector<double>& seconds() const { return seconds_; }  ///< samples
-  const TimingWindows& windows() const { return windows_; }  ///< timing windows of all analyses
-
-  bool is_verified() const { return state_ == State::verified; }
-  bool is_failed() const { return state_ == State::failed; }
-  bool is_not_run() const { return state_ == State::not_run; }
-  bool is_timed() const { return is_verified() && !seconds_.empty(); }
-
-  /// Returns why it failed or is not run; empty otherwise.
-  const std::string& message() const { return message_; }
+  /// Returns why it was refused; empty when it was not.
+  std::string message() const;
   /// Returns what its verification found before it ended or failed.
   const VerifyingRun& verifying_run() const { return verifying_run_; }
 
@@ -96,37 +128,35 @@ class Candidate {
  protected:
   /// Several threads are timed by the wall clock, whatever `by` says.
   explicit Candidate(const TimeGrid& instants, int on_threads = 1, Clock by = Clock::cpu)
-      : grid_(instants),
-        threads_(on_threads),
-        clock_(on_threads > 1 ? Clock::wall : by),
-        windows_(grid_.instants, clock_) {}
+      : grid_(instants), threads_(on_threads), clock_(on_threads > 1 ? Clock::wall : by) {}
 
-  /// Solves the whole motion and compares it with a reference. Fills in what it finds. Throws
-  /// NotRun where it is not to be run; what else it throws is a failure.
-  virtual void check(VerifyingRun& found) = 0;
+  /// The result of a check; nothing: all is right.
+  using Checked = std::optional<Refusal>;
+
+  /// Solves the whole motion and compares it with a reference. Fills in what it finds. What it
+  /// throws is a failure.
+  virtual Checked check(VerifyingRun& found) = 0;
 
   /// Makes the analysis that is timed, and assembles it once. windows: receives its times; outlives
-  /// it.
+  /// it. Called by VerifiedCandidate only.
   virtual Analysis make_analysis(TimingWindows& windows) const = 0;
 
-  /// Does some work if the candidate is verified. An exception of it is the candidate's failure.
-  void measure(const std::function<void()>& work);
-  /// Says that it is not run, and why.
-  void leave_out(std::string reason) { end(State::not_run, std::move(reason)); }
+  static Refusal failed(std::string why) { return {Refusal::Kind::failed, std::move(why)}; }
+  static Refusal not_run(std::string why) { return {Refusal::Kind::not_run, std::move(why)}; }
+  void refuse(Refusal why) { state_ = std::move(why); }
 
  private:
-  enum class State { unverified, verified, failed, not_run };
+  friend class VerifiedCandidate;
 
-  void end(State state, std::string why);
+  struct Unverified {};
+
+  bool is_refused(Refusal::Kind kind) const;
 
   const TimeGrid grid_;
   const int threads_;
   const Clock clock_;
-  State state_ = State::unverified;
-  std::string message_;
+  std::variant<Unverified, Refusal, VerifiedCandidate> state_;
   VerifyingRun verifying_run_;
-  std::vector<double> seconds_;
-  TimingWindows windows_;
 };
 
 }  // namespace desmo::bench

@@ -56,21 +56,21 @@ Summary FormulationCandidate::run(Formulation& formulation, Observer& observer) 
   return formulation.run(grid(), asked_, observer);
 }
 
-void FormulationCandidate::check(VerifyingRun& found) {
+FormulationCandidate::Checked FormulationCandidate::check(VerifyingRun& found) {
   const Model& model = problem_.plan.model;
   const Model& whole = problem_.whole ? *problem_.whole : model;
   found.model = model_digest(whole);
   found.level = asked_.level;
-  if (const std::string reason = unavailable_reason(settings()); !reason.empty())
-    throw NotRun(reason);
-  if (const std::string reason = missing(); !reason.empty()) throw NotRun(reason);
+  if (std::string reason = unavailable_reason(settings()); !reason.empty())
+    return not_run(std::move(reason));
+  if (std::string reason = missing(); !reason.empty()) return not_run(std::move(reason));
   const std::size_t bytes_before = heap_in_use();
   const double before_setup = cpu_now();
   const auto formulation = make_formulation();
   found.setup_seconds = cpu_now() - before_setup;
   found.bytes = static_cast<long>(heap_in_use() - bytes_before);
-  if (const std::string code = missing_code(*formulation); !code.empty())
-    throw std::runtime_error(code);
+  if (std::string missing = missing_code(*formulation); !missing.empty())
+    return failed(std::move(missing));
 
   const std::span<const ReferenceInstant> own = problem_.reference.instants;
   const auto right = own.empty() ? shared_reference(whole, grid(), settings().stride) : own;
@@ -81,12 +81,13 @@ void FormulationCandidate::check(VerifyingRun& found) {
   const Comparison comparison = observer.compare();
   found.errors = comparison.errors;
   found.results = comparison.results;
-  if (!summary.ok()) throw std::runtime_error(describe(summary, model));
+  if (!summary.ok()) return failed(describe(summary, model));
   found.iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
   found.residual = summary.residual;
-  const std::string wrong = verification_failure(
+  std::string wrong = verification_failure(
       found.errors, right.size(), std::max(1.0, problem_.tolerance / Settings{}.tolerance));
-  if (!wrong.empty()) throw std::runtime_error(wrong);
+  if (wrong.empty()) return {};
+  return failed(std::move(wrong));
 }
 
 std::vector<Compared> FormulationCandidate::compared(
@@ -121,7 +122,9 @@ Analysis FormulationCandidate::make_analysis(TimingWindows& windows) const {
 }
 
 void FormulationCandidate::sample_afresh(double duration) {
-  measure([&] { on_fresh_heap([&] { add_sample(step_seconds(*make_assembled(), duration)); }); });
+  measure([&](VerifiedCandidate& verified) {
+    on_fresh_heap([&] { verified.add_sample(step_seconds(*make_assembled(), duration)); });
+  });
 }
 
 double FormulationCandidate::step_seconds(Formulation& formulation, double duration) const {
@@ -139,11 +142,12 @@ double FormulationCandidate::step_seconds(Formulation& formulation, double durat
 }
 
 double FormulationCandidate::min_seconds() const {
-  return is_timed() ? std::ranges::min(seconds()) : std::numeric_limits<double>::infinity();
+  return is_timed() ? std::ranges::min(verified()->seconds())
+                    : std::numeric_limits<double>::infinity();
 }
 
 bool FormulationCandidate::is_sampled(double long_motion_seconds) const {
-  return is_verified() && seconds().size() >= 2 &&
+  return is_verified() && verified()->seconds().size() >= 2 &&
          min_seconds() * grid().instants > long_motion_seconds;
 }
 

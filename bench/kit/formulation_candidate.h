@@ -52,7 +52,7 @@ class FormulationCandidate : public Candidate {
 
   /// Compares with the problem's own reference, where it has one. The allowed difference grows with
   /// a tolerance above the usual one.
-  void check(VerifyingRun& found) override;
+  Checked check(VerifyingRun& found) override;
 
   /// Returns why it is not run here; empty: it is.
   virtual std::string missing() const { return {}; }

@@ -36,9 +36,10 @@ TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
   candidate.verify();
   ASSERT_TRUE(candidate.is_verified()) << candidate.message();
   EXPECT_EQ(candidate.clock(), Clock::wall);
-  candidate.add_sample(candidate.time_afresh().value());
+  candidate.measure(
+      [](VerifiedCandidate& verified) { verified.add_sample(verified.time_afresh()); });
   ASSERT_TRUE(candidate.is_timed()) << candidate.message();
-  EXPECT_GT(candidate.seconds().front(), 0);
+  EXPECT_GT(candidate.verified()->seconds().front(), 0);
   const std::string record = lists_of({&candidate}).dump();
   EXPECT_NE(record.find("\"threads\":2"), std::string::npos);
   EXPECT_NE(record.find("\"time\":{\"clock\":\"wall\","), std::string::npos);

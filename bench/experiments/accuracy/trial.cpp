@@ -1,7 +1,6 @@
 #include "bench/experiments/accuracy/trial.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -20,10 +19,10 @@ double max_condition(const Problem& problem) {
 Trial::Trial(const Problem& problem, const Configuration& configuration)
     : FormulationCandidate(problem, configuration) {
   if (std::string why = unsupported_reason(variant(), settings()); !why.empty())
-    leave_out(std::move(why));
+    refuse(not_run(std::move(why)));
 }
 
-void Trial::check(bench::VerifyingRun& found) {
+Trial::Checked Trial::check(bench::VerifyingRun& found) {
   const Plan& plan = problem().plan;
   formulation_ = make_formulation();
   const Reference& reference = problem().reference;
@@ -32,11 +31,14 @@ void Trial::check(bench::VerifyingRun& found) {
   error = errors.error();
   found.iterations_per_step =
       static_cast<double>(summary.iterations) / static_cast<double>(std::max(1L, summary.instants));
-  if (!summary.ok()) throw std::runtime_error(describe(summary, plan.model));
+  if (summary.ok()) return {};
+  return failed(describe(summary, plan.model));
 }
 
 void Trial::time(double duration) {
-  measure([&] { add_sample(step_seconds(*formulation_, duration)); });
+  measure([&](bench::VerifiedCandidate& verified) {
+    verified.add_sample(step_seconds(*formulation_, duration));
+  });
 }
 
 }  // namespace desmo::accuracy

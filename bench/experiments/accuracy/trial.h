@@ -22,7 +22,7 @@ class Trial final : public bench::FormulationCandidate {
   SolutionError error;  ///< of the outputs asked for
 
  private:
-  void check(bench::VerifyingRun& found) override;
+  Checked check(bench::VerifyingRun& found) override;
 
   std::unique_ptr<Formulation> formulation_;  // takes all samples; null before verify()
 };

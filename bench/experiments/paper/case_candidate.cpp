@@ -50,7 +50,7 @@ CaseCandidate::CaseCandidate(std::shared_ptr<MeasuredCase> measured, const Timed
       measured_(std::move(measured)),
       check_(c.check) {
   if (std::string reason = too_costly(variant(), coordinates(), options); !reason.empty())
-    leave_out(std::move(reason));
+    refuse(not_run(std::move(reason)));
 }
 
 std::string CaseCandidate::missing() const { return measured_->missing(configuration()); }

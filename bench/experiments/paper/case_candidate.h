@@ -15,7 +15,7 @@ namespace desmo::paper {
 /// A case at one size, or a user's scene, with one formulation, perhaps in a checked run.
 class CaseCandidate final : public FormulationCandidate {
  public:
-  /// Leaves the candidate out, with the reason, where it would be too costly.
+  /// Refuses the candidate (Refusal::Kind::not_run), with the reason, where it would be too costly.
   CaseCandidate(std::shared_ptr<MeasuredCase> measured, const TimedConfiguration& configuration,
                 const Options& options);
 
@@ -35,7 +35,7 @@ class CaseCandidate final : public FormulationCandidate {
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.
-/// Dense global solves above the limit are there too, left out with the reason.
+/// Dense global solves above the limit are there too, as Refusal::Kind::not_run, with the reason.
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options);
 
 /// Returns every scene of the options with every formulation, with settings beyond the paper's, and

@@ -64,7 +64,9 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       const auto it = candidates_.find(run.run_name.function_name);
       if (it != candidates_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
-        it->second->add_sample(run.real_accumulated_time / static_cast<double>(run.iterations));
+        it->second->measure([&](VerifiedCandidate& verified) {
+          verified.add_sample(run.real_accumulated_time / static_cast<double>(run.iterations));
+        });
       if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
           run.aggregate_name == "cv")
         shown.push_back(shown_as_cpu_time(run));
@@ -83,10 +85,11 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
 
 /// Takes one of so many repetitions.
 void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, Progress& progress) {
+  if (!candidate.is_verified()) return state.SkipWithError(candidate.message().c_str());
   for (auto _ : state) {
-    const std::optional<double> seconds = candidate.time_afresh();
-    if (!seconds) return state.SkipWithError(candidate.message().c_str());
-    state.SetIterationTime(*seconds);
+    candidate.measure(
+        [&](VerifiedCandidate& verified) { state.SetIterationTime(verified.time_afresh()); });
+    if (candidate.is_failed()) return state.SkipWithError(candidate.message().c_str());
   }
   state.counters["iterations/step"] = candidate.verifying_run().iterations_per_step;
   state.counters["residual"] = candidate.verifying_run().residual.value_or(0);

@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -61,7 +60,7 @@ std::string PeerCandidate::name() const {
          "/peer:" + std::string(peer_.name);
 }
 
-void PeerCandidate::check(VerifyingRun& found) {
+PeerCandidate::Checked PeerCandidate::check(VerifyingRun& found) {
   found.model = model_digest(model());
   const double before_setup = cpu_now();
   const auto solver = peer_.make(measured_->scene, model());
@@ -77,13 +76,14 @@ void PeerCandidate::check(VerifyingRun& found) {
     if (i + 1 != instants_of_estimate) continue;
     const double whole = (cpu_now() - start) / instants_of_estimate * grid().instants;
     if (whole > limit_)
-      throw NotRun(
+      return not_run(
           formatted("the whole motion would take some %.0f s; the limit is %.0f s", whole, limit_));
   }
   found.analysis_seconds = cpu_now() - start;
   found.iterations_per_step = static_cast<double>(solver->iterations()) / grid().instants;
-  const std::string wrong = verification_failure(found.errors, reference.size());
-  if (!wrong.empty()) throw std::runtime_error(wrong);
+  std::string wrong = verification_failure(found.errors, reference.size());
+  if (wrong.empty()) return {};
+  return failed(std::move(wrong));
 }
 
 Analysis PeerCandidate::make_analysis(TimingWindows& windows) const {

@@ -25,7 +25,7 @@ class PeerCandidate final : public Candidate {
  private:
   /// Compares in the coordinates that the peer finds. Leaves it out when the whole motion would
   /// take longer than the options allow.
-  void check(VerifyingRun& found) override;
+  Checked check(VerifyingRun& found) override;
   Analysis make_analysis(TimingWindows& windows) const override;
 
   const Model& model() const { return measured_->plan.model; }
