@@ -37,28 +37,24 @@ std::string assembly_error_text(const std::optional<AssemblyError>& d, const Mod
   return "; at the nearest to it " + off_by(d->constraint, d->amount, d->is_length, m, units);
 }
 
-/// Returns why an instant has no proof.
-std::string unproven_text(ProofFailure failure) {
+/// Returns what keeps an instant from being proven.
+std::string obstacle_text(ProofFailure failure) {
   switch (failure) {
     case ProofFailure::drivers:
-      return "rounding of the drivers' values, so large, leaves too few digits to prove that a "
-             "solution is near";
+      return "rounding of the drivers' values, so large, leaves too few digits";
     case ProofFailure::time:
-      return "the drivers' motions have too few digits at this time to prove that a solution is "
-             "near";
+      return "the drivers' motions have too few digits at this time";
     case ProofFailure::origin:
-      return "rounding of the coordinates, so far from the origin, leaves too few digits to prove "
-             "that a solution is near";
+      return "rounding of the coordinates, so far from the origin, leaves too few digits";
     case ProofFailure::sizes:
-      return "rounding, with lengths of so different sizes, leaves too few digits to prove that a "
-             "solution is near";
+      return "rounding, with lengths of so different sizes, leaves too few digits";
     case ProofFailure::budget:
-      return "the position is too far off to prove that a solution is near";
+      return "the position is too far off";
     case ProofFailure::singular:
     case ProofFailure::none:
       break;
   }
-  return "the position is too near a singular one to prove that a solution is near";
+  return "the position is too near a singular one";
 }
 
 /// Returns why the branch of a row is not known.
@@ -128,7 +124,8 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
   const std::string group = group_text(f.group, m);
   switch (f.kind) {
     case RowFlag::Kind::unproven:
-      return group + moment(f.time) + ": " + unproven_text(f.failure);
+      return group + moment(f.time) + ": " + obstacle_text(f.failure) +
+             " to prove that a solution is near";
     case RowFlag::Kind::branch:
       return group + interval(f.after, f.before) + lost_text(f);
     case RowFlag::Kind::misfit:
