@@ -89,11 +89,11 @@ void solve_rows(const Task& task, Formulation& formulation) {
   for (LiveRow row{}; rows.next(row);) {
     const LiveSummary s = run.step(row);
     const bool is_solved = s.outcome() != Outcome::failed;
-    const bool is_good = is_solved && !(o.strict && s.outcome() == Outcome::degraded);
+    const bool is_good = is_solved && !(o.check.strict && s.outcome() == Outcome::degraded);
     if (!is_good) {
       ++failed;
       const std::string what = rows.place() + ": " + reason_of(s, row, run, plan, units);
-      if (!o.past_failures) {
+      if (!o.check.past_failures) {
         std::fputs(note_on_flags(total, plan.model, units).c_str(), stderr);
         throw CommandError(not_solved, task.input.source + ": " + what);
       }

@@ -93,11 +93,8 @@ std::unique_ptr<Formulation> make_solver(const Task& task, KernelTable& kernels)
 
 /// Runs through the motion and writes its rows.
 CheckedSummary run_through(const Task& task, Formulation& formulation, SeriesWriter& writer) {
-  const SolveOptions& o = task.options;
-  CheckOptions check = o.check;
+  CheckOptions check = task.options.check;
   check.levels = task.plan.levels;
-  check.strict = o.strict;
-  check.past_failures = o.past_failures;
   check.checked = [&](const CheckedInstant& i) {
     if (i.flag) writer.remark_next(word_of(*i.flag));
   };
@@ -221,9 +218,9 @@ void add_solve(CLI::App& program) {
   command->add_flag("--explain", options->explain,
                     "Say on standard error what has to be solved for what is asked, and why");
   CLI::Option* past_failures = command->add_flag(
-      "--past-failures", options->past_failures,
+      "--past-failures", options->check.past_failures,
       "Go on after an interval that cannot be assembled, and say from when to when");
-  command->add_flag("--strict", options->strict, "Fail at the first row that is flagged")
+  command->add_flag("--strict", options->check.strict, "Fail at the first row that is flagged")
       ->excludes(past_failures);
   command->add_flag("--quiet", options->quiet, "No progress, and no notes but flags");
   command->footer(

@@ -18,7 +18,7 @@ struct SolveOptions {
   std::string scene, output, formulation, drivers;
   std::optional<SeriesFormat> format;
   UnitSystem units = UnitSystem::file;
-  bool explain = false, quiet = false, flags = false, strict = false, past_failures = false;
+  bool explain = false, quiet = false, flags = false;
   CheckOptions check;
   GenerationOptions own_code;
 };
