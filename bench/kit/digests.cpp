@@ -19,9 +19,11 @@ std::string text_of(double value) {
   return text == " -0.000000000" ? " 0.000000000" : text;
 }
 
+std::string text_of(const Derived& number) { return text_of(number.value); }
+
 std::string text_of(const auto& values) {
   std::string text = ' ' + std::to_string(values.size());
-  for (const auto value : values) text += text_of(value);
+  for (const auto& value : values) text += text_of(value);
   return text;
 }
 

@@ -43,7 +43,7 @@ Motion not_a_number_from(double seconds) {
 
 /// 1e-100 t¹⁶⁰ is beneath notice before 4 s and has overflowed at 500 s.
 Motion infinite_at_500_s() {
-  std::vector<double> coefficients(161, 0);
+  std::vector<Derived> coefficients(161);
   coefficients[0] = start;
   coefficients[1] = 0.001;
   coefficients.back() = 1e-100;

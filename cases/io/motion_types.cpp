@@ -12,13 +12,10 @@ namespace {
 
 constexpr std::size_t max_coefficients = 100;
 
-double read_number(const JsonValue& value, const DisplayUnit& unit,
-                   std::vector<Remainder>& remainders) {
+Derived read_number(const JsonValue& value, const DisplayUnit& unit) {
   const double number = value.number(), result = unit.to_si(number);
-  const bool is_number = std::isfinite(result);
-  remainders.push_back(is_number ? (exact_size(unit) * number).about(result).remainder()
-                                 : Remainder());
-  return result;
+  if (!std::isfinite(result)) return result;
+  return {result, (exact_size(unit) * number).about(result).remainder()};
 }
 
 Derived read_exactly(const JsonValue& value, const DisplayUnit& unit) {
@@ -63,9 +60,7 @@ struct MotionReader {
 
   Motion constant() const {
     value.allow({"type", "value", "from"});
-    Polynomial constant;
-    constant.coefficients.push_back(read_number(value["value"], unit, constant.remainders));
-    return constant;
+    return Polynomial{{read_number(value["value"], unit)}};
   }
 
   Motion polynomial() const {
@@ -77,7 +72,7 @@ struct MotionReader {
                             std::to_string(max_coefficients));
     Polynomial polynomial;
     for (const JsonValue& c : coefficients.elements())
-      polynomial.coefficients.push_back(read_number(c, unit, polynomial.remainders));
+      polynomial.coefficients.push_back(read_number(c, unit));
     return polynomial;
   }
 
@@ -85,21 +80,15 @@ struct MotionReader {
     value.allow({"type", "mean", "terms", "from"});
     const DisplayUnit hertz{"Hz", 2 * std::numbers::pi};
     HarmonicSum sum;
-    std::vector<Remainder>& remainders = sum.remainders;
-    if (const auto mean = value.find("mean"))
-      sum.mean = read_number(*mean, unit, remainders);
-    else
-      remainders.emplace_back();
+    if (const auto mean = value.find("mean")) sum.mean = read_number(*mean, unit);
     const JsonValue terms = value["terms"];
     for (const JsonValue& term : terms.elements()) {
       term.allow({"amplitude", "frequency", "phase"});
       HarmonicSum::Term& t = sum.terms.emplace_back();
-      t.amplitude = read_number(term["amplitude"], unit, remainders);
-      t.angular_frequency = read_number(term["frequency"], hertz, remainders);
+      t.amplitude = read_number(term["amplitude"], unit);
+      t.angular_frequency = read_number(term["frequency"], hertz);
       if (const auto phase = term.find("phase"))
-        t.phase = read_number(*phase, unit_of(*phase, true, units), remainders);
-      else
-        remainders.emplace_back();
+        t.phase = read_number(*phase, unit_of(*phase, true, units));
     }
     if (sum.terms.empty()) terms.complain("has no terms; give one, or a motion of type 'constant'");
     return sum;
@@ -125,12 +114,9 @@ struct MotionReader {
     value.allow({"type", "value", "acceleration", "unit", "from"});
     const auto named = value.find("unit"), acceleration = value.find("acceleration");
     const DisplayUnit rate = named ? read_rate_unit(*named, is_angle, units.base_length()) : unit;
-    Polynomial motion{{0}, {Remainder()}};
-    motion.coefficients.push_back(read_number(value["value"], rate, motion.remainders));
-    if (!acceleration) return motion;
-    const Derived half = (read_exactly(*acceleration, rate) / 2).rounded();
-    motion.coefficients.push_back(half.value);
-    motion.remainders.push_back(half.remainder());
+    Polynomial motion{{0, read_number(value["value"], rate)}};
+    if (acceleration)
+      motion.coefficients.push_back((read_exactly(*acceleration, rate) / 2).rounded());
     return motion;
   }
 

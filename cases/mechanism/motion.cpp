@@ -129,12 +129,6 @@ std::vector<std::array<T, 4>> interpolated(const std::vector<double>& times,
   return pieces;
 }
 
-void add_to(double& value, Remainder& rest, const Derived& distance) {
-  const Derived sum = (Derived(value, rest) + distance).rounded();
-  value = sum.value;
-  rest = sum.remainder();
-}
-
 void require_finite(const Derived& coefficient) {
   if (!std::isfinite(coefficient.value))
     throw std::invalid_argument("the motion is too steep to be computed with");
@@ -148,7 +142,7 @@ Spline make_spline(std::vector<double> times, std::vector<double> values, Spline
   const auto exact = interpolated<Derived>(times, values, ends);
   Spline spline;
   for (std::size_t i = 0; i < rounded.size(); ++i) {
-    std::array<Derived, 4> piece;
+    Spline::Piece piece;
     for (int k = 0; k < 4; ++k)
       piece[k] = std::isfinite(rounded[i][k]) ? exact[i][k].about(rounded[i][k]) : rounded[i][k];
     spline.add(times[i], piece);
@@ -159,15 +153,10 @@ Spline make_spline(std::vector<double> times, std::vector<double> values, Spline
   return spline;
 }
 
-void Spline::add(double knot, const std::array<Derived, 4>& piece) {
+void Spline::add(double knot, const Piece& piece) {
+  for (const Derived& c : piece) require_finite(c);
   knots_.push_back(knot);
-  Piece& values = pieces_.emplace_back();
-  std::array<Remainder, 4>& rest = remainders_.emplace_back();
-  for (int k = 0; k < 4; ++k) {
-    require_finite(piece[k]);
-    values[k] = piece[k].value;
-    rest[k] = piece[k].remainder();
-  }
+  pieces_.push_back(piece);
 }
 
 /// The distance is covered in the times up, steady and up again. Pieces are exact cubics of the
@@ -186,7 +175,7 @@ Spline make_spline(const Trapezoid& of) {
     throw std::invalid_argument("the times at which it changes cannot be told apart");
 
   Spline spline;
-  const auto add = [&](double knot, std::array<Derived, 4> piece) {
+  const auto add = [&](double knot, Spline::Piece piece) {
     for (Derived& c : piece) c = (is_back ? -c : c).rounded();
     spline.add(knot, piece);
   };
@@ -201,29 +190,24 @@ Spline make_spline(const Trapezoid& of) {
 }
 
 void Spline::shift(const Derived& distance) {
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
-    add_to(pieces_[i].front(), remainders_[i].front(), distance);
+  for (Piece& piece : pieces_) piece[0] = (piece[0] + distance).rounded();
 }
 
 void Spline::scale(const Derived& factor) {
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
-    for (int k = 0; k < 4; ++k) {
-      const Derived product = (Derived(pieces_[i][k], remainders_[i][k]) * factor).rounded();
-      require_finite(product);
-      pieces_[i][k] = product.value;
-      remainders_[i][k] = product.remainder();
+  for (Piece& piece : pieces_)
+    for (Derived& c : piece) {
+      c = (c * factor).rounded();
+      require_finite(c);
     }
 }
 
 Motion shifted(Motion motion, const Derived& distance) {
   if (auto* const polynomial = std::get_if<Polynomial>(&motion)) {
-    const std::size_t count = std::max<std::size_t>(1, polynomial->coefficients.size());
-    polynomial->coefficients.resize(count);
-    polynomial->remainders.resize(count);
-    add_to(polynomial->coefficients.front(), polynomial->remainders.front(), distance);
+    std::vector<Derived>& c = polynomial->coefficients;
+    if (c.empty()) c.emplace_back();
+    c[0] = (c[0] + distance).rounded();
   } else if (auto* const sum = std::get_if<HarmonicSum>(&motion)) {
-    sum->remainders.resize(1 + 3 * sum->terms.size());
-    add_to(sum->mean, sum->remainders.front(), distance);
+    sum->mean = (sum->mean + distance).rounded();
   } else {
     std::get<Spline>(motion).shift(distance);
   }

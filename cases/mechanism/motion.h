@@ -18,21 +18,18 @@ namespace desmo {
 
 /// z(t) = c₀ + c₁ t + c₂ t² + …
 struct Polynomial {
-  std::vector<double> coefficients;     ///< c₀ first; empty: z = 0
-  std::vector<Remainder> remainders{};  ///< of the coefficients; empty: none
+  std::vector<Derived> coefficients;  ///< c₀ first; empty: z = 0
 };
 
 /// z(t) = mean + Σ amplitude sin(angular_frequency t + phase).
 struct HarmonicSum {
   struct Term {
-    double amplitude = 0;
-    double angular_frequency = 0;  ///< rad/s
-    double phase = 0;              ///< rad
+    Derived amplitude;
+    Derived angular_frequency;  ///< rad/s
+    Derived phase;              ///< rad
   };
-  double mean = 0;
+  Derived mean;
   std::vector<Term> terms;
-  /// Remainders of the mean, then of the three numbers of each term; empty: none.
-  std::vector<Remainder> remainders{};
 };
 
 /// Conditions at the ends of a spline, which interpolation leaves open.
@@ -49,7 +46,7 @@ class Spline {
  public:
   /// Coefficients of z = c₀ + c₁ τ + c₂ τ² + c₃ τ³, where τ is the time since the interval's first
   /// knot.
-  using Piece = std::array<double, 4>;
+  using Piece = std::array<Derived, 4>;
 
   /// Return between which times the motion is meant [s]; those of a table end with it.
   double first_time() const { return first_time_; }
@@ -59,21 +56,18 @@ class Spline {
   void shift(const Derived& distance);                          ///< adds it to z(t)
   /// Multiplies z(t) by a factor. Throws std::invalid_argument when a coefficient overflows.
   void scale(const Derived& factor);
-  /// Remainders of a piece's coefficients.
-  std::span<const Remainder> remainders(std::size_t piece) const { return remainders_[piece]; }
 
   friend Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
   friend Spline make_spline(const struct Trapezoid& trapezoid);
 
  private:
   Spline() = default;
-  void add(double knot, const std::array<Derived, 4>& piece);
+  void add(double knot, const Piece& piece);
 
   double first_time_ = -std::numeric_limits<double>::infinity();
   double last_time_ = std::numeric_limits<double>::infinity();
   std::vector<double> knots_;
   std::vector<Piece> pieces_;
-  std::vector<std::array<Remainder, 4>> remainders_;
 };
 
 /// Interpolates a table of times [s] and values, twice continuously differentiable. A periodic
@@ -111,40 +105,30 @@ struct MotionSample {
 
 /// Evaluates Σ c[i] tⁱ and its first two derivatives by Horner's rule.
 template <Level up_to = Level::acceleration, class S>
-MotionSample<S> sample_polynomial(std::span<const double> c, const S& t,
-                                  std::span<const Remainder> remainders = {}) {
+MotionSample<S> sample_polynomial(std::span<const Derived> c, const S& t) {
   if (c.empty()) return {S(0), S(0), S(0)};
-  const auto number = [&](std::size_t i) {
-    return as<S>({c[i], i < remainders.size() ? remainders[i] : Remainder()});
-  };
-  S z = number(c.size() - 1), first(0), half_second(0);
+  S z = as<S>(c.back()), first(0), half_second(0);
   for (std::size_t i = c.size() - 1; i-- > 0;) {
     if constexpr (up_to >= Level::acceleration) half_second = half_second * t + first;
     if constexpr (up_to >= Level::velocity) first = first * t + z;
-    z = z * t + number(i);
+    z = z * t + as<S>(c[i]);
   }
   return {z, first, S(2) * half_second};
 }
 
 template <Level up_to = Level::acceleration, class S>
 MotionSample<S> sample(const Polynomial& m, const S& t) {
-  return sample_polynomial<up_to>(std::span<const double>(m.coefficients), t,
-                                  std::span<const Remainder>(m.remainders));
+  return sample_polynomial<up_to>(m.coefficients, t);
 }
 
 template <Level up_to = Level::acceleration, class S>
 MotionSample<S> sample(const HarmonicSum& m, const S& t) {
   using std::cos;
   using std::sin;
-  const auto number = [&](double value, std::size_t k) {
-    return as<S>({value, k < m.remainders.size() ? m.remainders[k] : Remainder()});
-  };
-  MotionSample<S> z{number(m.mean, 0), S(0), S(0)};
-  std::size_t k = 0;
+  MotionSample<S> z{as<S>(m.mean), S(0), S(0)};
   for (const HarmonicSum::Term& term : m.terms) {
-    const S a = number(term.amplitude, k + 1), w = number(term.angular_frequency, k + 2);
-    const S angle = w * t + number(term.phase, k + 3);
-    k += 3;
+    const S a = as<S>(term.amplitude), w = as<S>(term.angular_frequency);
+    const S angle = w * t + as<S>(term.phase);
     const S sine = sin(angle);
     z.position = z.position + a * sine;
     if constexpr (up_to >= Level::velocity) z.velocity = z.velocity + a * w * cos(angle);
@@ -161,8 +145,7 @@ MotionSample<S> sample(const Spline& m, const S& t) {
       std::upper_bound(begin, end, t, [](const S& time, double knot) { return time < S(knot); }) -
       begin;
   const S since_knot = t - S(m.knots()[i]);
-  return sample_polynomial<up_to>(std::span<const double>(m.pieces()[i]), since_knot,
-                                  m.remainders(i));
+  return sample_polynomial<up_to>(m.pieces()[i], since_knot);
 }
 
 /// Returns z(t), ż(t), z̈(t) of a motion, evaluated in the scalar S of t [s].

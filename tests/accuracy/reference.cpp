@@ -148,10 +148,8 @@ void expect_near(const WideJet& a, const WideJet& b, const std::string& what) {
 
 /// The angle that drives: c₀ + c₁ t.
 WideJet driven(const Model& m, double t) {
-  const auto& [c, remainders] = std::get<Polynomial>(m.drivers[0].motion);
-  const auto exact = [&](std::size_t i) {
-    return WideJet(as<Quadruple>({c[i], remainders.empty() ? Remainder() : remainders[i]}));
-  };
+  const std::vector<Derived>& c = std::get<Polynomial>(m.drivers[0].motion).coefficients;
+  const auto exact = [&](std::size_t i) { return WideJet(as<Quadruple>(c[i])); };
   return exact(0) + exact(1) * WideJet::time(t);
 }
 

@@ -28,11 +28,11 @@ inline std::vector<double> sampled(const TimeGrid& grid, int count) {
 /// Returns a polynomial or harmonic motion z(t) times a factor; throws for a spline.
 inline Motion enlarged(Motion motion, double factor) {
   if (auto* p = std::get_if<Polynomial>(&motion)) {
-    for (double& c : p->coefficients) c *= factor;
+    for (Derived& c : p->coefficients) c.value *= factor;
   } else {
     auto& sum = std::get<HarmonicSum>(motion);
-    sum.mean *= factor;
-    for (HarmonicSum::Term& term : sum.terms) term.amplitude *= factor;
+    sum.mean.value *= factor;
+    for (HarmonicSum::Term& term : sum.terms) term.amplitude.value *= factor;
   }
   return motion;
 }

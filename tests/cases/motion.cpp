@@ -85,8 +85,7 @@ constexpr SplineEnds every_end[] = {SplineEnds::natural, SplineEnds::clamped, Sp
 /// The piece before (side −1) or after (+1) a knot, at the knot.
 MotionSample<double> at_knot(const Spline& s, std::size_t knot, int side) {
   const std::size_t piece = side < 0 ? knot - 1 : knot;
-  return sample_polynomial(std::span<const double>(s.pieces()[piece]),
-                           s.knots()[knot] - s.knots()[piece]);
+  return sample_polynomial(s.pieces()[piece], s.knots()[knot] - s.knots()[piece]);
 }
 
 TEST(Spline, Interpolates) {
@@ -190,8 +189,8 @@ TEST(Spline, OfASineConvergesWithTheFourthPower) {
 
 TEST(Spline, IsThePieceAfterAKnotFromTheKnotOn) {
   const Spline s = make_spline({0, 1, 2}, {0, 1, 0}, SplineEnds::natural);
-  EXPECT_EQ(sample(s, 1.0).position, s.pieces()[1][0]);
-  EXPECT_EQ(sample(s, 1.0).velocity, s.pieces()[1][1]);
+  EXPECT_EQ(sample(s, 1.0).position, s.pieces()[1][0].value);
+  EXPECT_EQ(sample(s, 1.0).velocity, s.pieces()[1][1].value);
 }
 
 /// What make_spline says when it refuses.

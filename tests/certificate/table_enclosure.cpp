@@ -21,7 +21,8 @@ std::vector<double> numbers_of(const std::vector<double>& at, const std::vector<
   std::vector<double> t{double(f.pieces().size()), repeats ? 1.0 : 0.0,
                         repeats ? values.back() - values.front() : 0};
   t.insert(t.end(), at.begin(), at.end());
-  for (const Spline::Piece& piece : f.pieces()) t.insert(t.end(), piece.begin(), piece.end());
+  for (const Spline::Piece& piece : f.pieces())
+    for (const Derived& c : piece) t.push_back(c.value);
   return t;
 }
 

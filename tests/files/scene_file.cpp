@@ -31,11 +31,11 @@ TEST(SceneFile, IsReadInSiUnits) {
   EXPECT_DOUBLE_EQ(s.grid.time(14), 3);
   ASSERT_EQ(s.motions.size(), 2u);  // in the order of the coordinates, not of the drivers
   const auto& theta = std::get<HarmonicSum>(s.motions[0]);
-  EXPECT_DOUBLE_EQ(theta.mean, std::numbers::pi / 2);
-  EXPECT_DOUBLE_EQ(theta.terms[0].amplitude, std::numbers::pi);
-  EXPECT_DOUBLE_EQ(theta.terms[0].angular_frequency, 4 * std::numbers::pi);
-  EXPECT_DOUBLE_EQ(theta.terms[0].phase, std::numbers::pi / 4);
-  EXPECT_EQ(theta.terms[1].phase, 0);
+  EXPECT_DOUBLE_EQ(theta.mean.value, std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(theta.terms[0].amplitude.value, std::numbers::pi);
+  EXPECT_DOUBLE_EQ(theta.terms[0].angular_frequency.value, 4 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(theta.terms[0].phase.value, std::numbers::pi / 4);
+  EXPECT_EQ(theta.terms[1].phase.value, 0);
   EXPECT_NEAR(sample(s.motions[1], 2.0).position, 0.3, 1e-15);
 }
 
@@ -43,23 +43,23 @@ const Polynomial& turn(const Scene& scene) { return std::get<Polynomial>(scene.m
 
 TEST(SceneFile, HasTheMechanismsUnitsWhereItSaysNone) {
   constexpr double degree = std::numbers::pi / 180;
-  EXPECT_EQ(turn(parse_scene(scene_of(slider_crank, driven), "", "")).coefficients[1],
+  EXPECT_EQ(turn(parse_scene(scene_of(slider_crank, driven), "", "")).coefficients[1].value,
             360 * degree);
   const std::string radians = driven + R"(, "units": {"angle": "rad"})";
-  EXPECT_EQ(turn(parse_scene(scene_of(slider_crank, radians), "", "")).coefficients[1], 360);
+  EXPECT_EQ(turn(parse_scene(scene_of(slider_crank, radians), "", "")).coefficients[1].value, 360);
   const std::string of_library = scene_of(R"({"library": "whitworth"})", motion);
-  EXPECT_EQ(turn(parse_scene(of_library, "", "")).coefficients[1], 360 * degree);
+  EXPECT_EQ(turn(parse_scene(of_library, "", "")).coefficients[1].value, 360 * degree);
   const std::string no_units =
       replaced(slider_crank, R"("units": {"length": "mm", "angle": "deg"},)", "");
-  EXPECT_EQ(turn(parse_scene(scene_of(no_units, driven), "", "")).coefficients[1], 360);
+  EXPECT_EQ(turn(parse_scene(scene_of(no_units, driven), "", "")).coefficients[1].value, 360);
   // Of one unit that is said, the other is the mechanism's.
   const std::string both = replaced(slider_crank, "[\"theta\"]", "[\"s\", \"theta\"]");
   const Scene s = parse_scene(scene_of(both, R"("units": {"angle": "rad"}, "motion": {
       "s": {"type": "constant", "value": 200}, "theta": {"type": "constant", "value": 1}})" +
                                                  (", " + time_of_one_second)),
                               "", "");
-  EXPECT_EQ(turn(s).coefficients[0], 1);
-  EXPECT_DOUBLE_EQ(std::get<Polynomial>(s.motions[1]).coefficients[0], 0.2);
+  EXPECT_EQ(turn(s).coefficients[0].value, 1);
+  EXPECT_DOUBLE_EQ(std::get<Polynomial>(s.motions[1]).coefficients[0].value, 0.2);
 }
 
 std::string of_version_1(const std::string& scene) {
@@ -77,8 +77,9 @@ TEST(SceneFile, OfVersion1SaysTheUnitsThatItNeeds) {
     EXPECT_EQ(scene_complaint(of_version_1(scene_of(slider_crank, driven + ", " + units))),
               "s.json: /motion/theta:" + remedy);
   const std::string angles = driven + R"(, "units": {"angle": "deg"})";
-  EXPECT_EQ(turn(parse_scene(of_version_1(scene_of(slider_crank, angles)), "", "")).coefficients[1],
-            360 * std::numbers::pi / 180);
+  EXPECT_EQ(
+      turn(parse_scene(of_version_1(scene_of(slider_crank, angles)), "", "")).coefficients[1].value,
+      360 * std::numbers::pi / 180);
   const std::string defines = R"(, "request": [{"points": {"CG": {"body": "rod", "at": [1, 2]}}}])";
   expect_start(scene_complaint(of_version_1(scene_of(slider_crank, angles + defines))),
                "s.json: /request/0/points/CG: the scene does not say in what unit this is");

@@ -61,8 +61,8 @@ std::vector<Derived> numbers_of(const Mechanism::Coupling::Table& table) {
   std::vector<Derived> numbers{static_cast<double>(n), table.repeats() ? 1.0 : 0.0, 0};
   if (table.repeats()) numbers[2] = Derived(table.values.back()) - table.values.front();
   numbers.insert(numbers.end(), f.knots().begin(), f.knots().end());
-  for (std::size_t i = 0; i < n; ++i)
-    for (int k = 0; k < 4; ++k) numbers.emplace_back(f.pieces()[i][k], f.remainders(i)[k]);
+  for (const Spline::Piece& piece : f.pieces())
+    numbers.insert(numbers.end(), piece.begin(), piece.end());
   return numbers;
 }
 

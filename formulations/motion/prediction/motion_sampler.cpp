@@ -51,7 +51,7 @@ MotionSampler::MotionSampler(PlacedMotions placed, int times, SampleStrides stri
     if (const auto* const sum = std::get_if<HarmonicSum>(placed_.motions[i])) {
       std::vector<double> frequencies;
       for (const HarmonicSum::Term& term : sum->terms)
-        frequencies.push_back(term.angular_frequency);
+        frequencies.push_back(term.angular_frequency.value);
       std::ranges::sort(frequencies);
       harmonic.emplace_back(std::move(frequencies), i);
     } else {
@@ -78,8 +78,10 @@ MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) {
     const auto& sum = std::get<HarmonicSum>(*placed_.motions[i]);
     result.place[l] = placed_.places[i];
     result.in_order = result.in_order && result.place[l] == result.place[0] + static_cast<int>(l);
-    result.mean[l] = sum.mean;
-    for (const auto& [amplitude, w, phase] : sum.terms) {
+    result.mean[l] = sum.mean.value;
+    for (const HarmonicSum::Term& of : sum.terms) {
+      const double amplitude = of.amplitude.value, w = of.angular_frequency.value,
+                   phase = of.phase.value;
       Term& term = terms.try_emplace(w, Term{frequency(w)}).first->second;
       term.of_sine[l] += amplitude * std::cos(phase);
       term.of_cosine[l] += amplitude * std::sin(phase);

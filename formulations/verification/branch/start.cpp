@@ -42,7 +42,7 @@ std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
 Polynomial straight(double from, const Motion& motion, double time, double left_out_turns) {
   using Number = Compensated<double>;
   const Number way = sample(motion, Number(time)).position - Number(from);
-  return {{from, std::fma(-left_out_turns, turn, way.value)}, {{}, {way.correction, way.radius}}};
+  return {{from, {std::fma(-left_out_turns, turn, way.value), {way.correction, way.radius}}}};
 }
 
 /// Returns the angles that are neither driven nor coupled. Equations read them as sines and

@@ -14,9 +14,7 @@ constexpr int max_degree = 5;
 }  // namespace
 
 RowMotions::RowMotions(const Model& m, Level level) : model_(m), level_(level) {
-  for (Driver& d : model_.drivers)
-    d.motion =
-        Polynomial{std::vector<double>(max_degree + 1), std::vector<Remainder>(max_degree + 1)};
+  for (Driver& d : model_.drivers) d.motion = Polynomial{std::vector<Derived>(max_degree + 1)};
   for (std::vector<double>* values : {&from_.position, &from_.velocity, &from_.acceleration})
     values->resize(m.drivers.size());
 }
@@ -40,10 +38,8 @@ double RowMotions::lead_to(const LiveRow& row) {
 ///
 ///   z₀ = z + h ż + h²/2 z̈ + h³ off,  ż₀ = ż + h z̈ + h² rate_off,  z̈₀ = z̈ + h second_off
 void RowMotions::lead_driver(std::size_t driver, const LiveRow& row, double h) {
-  Polynomial& motion = std::get<Polynomial>(model_.drivers[driver].motion);
-  std::vector<double>& c = motion.coefficients;
-  std::ranges::fill(c, 0.0);
-  std::ranges::fill(motion.remainders, Remainder{});
+  std::vector<Derived>& c = std::get<Polynomial>(model_.drivers[driver].motion).coefficients;
+  std::ranges::fill(c, Derived());
   const double z = row.z[driver], v = level_ >= Level::velocity ? row.zd[driver] : 0,
                a = level_ >= Level::acceleration ? row.zdd[driver] : 0;
   c[0] = z, c[1] = v, c[2] = a / 2;
@@ -68,14 +64,13 @@ void RowMotions::lead_driver(std::size_t driver, const LiveRow& row, double h) {
   }
   Derived missed = -Derived(z0);
   for (int k = degree; k >= 0; --k) {
-    Derived term(c[k]);
+    Derived term = c[k];
     for (int i = 0; i < k; ++i) term = term * Derived(h);
     missed = missed + term;
   }
   constexpr double above = 1 + 0x1p-40;  // covers the rounding of radii, and of the quotient
-  motion.remainders[degree].radius =
-      (std::abs(missed.value) + std::abs(missed.correction) + missed.radius) * above /
-      std::abs(std::pow(h, degree));
+  c[degree].radius = (std::abs(missed.value) + std::abs(missed.correction) + missed.radius) *
+                     above / std::abs(std::pow(h, degree));
 }
 
 }  // namespace desmo
