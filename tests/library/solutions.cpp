@@ -2,8 +2,8 @@
 
 namespace desmo::exact {
 
-const std::map<std::string_view, Solution (*)(double t)>& library_solutions() {
-  static const std::map<std::string_view, Solution (*)(double t)> all{
+const std::map<std::string_view, SolutionAt*>& library_solutions() {
+  static const std::map<std::string_view, SolutionAt*> all{
       {"slider_crank", slider_crank},
       {"inverted_slider_crank", inverted_slider_crank},
       {"whitworth", whitworth},

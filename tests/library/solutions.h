@@ -34,22 +34,12 @@ struct Quantity {
 /// The quantities named in a mechanism's file, at one instant. Angles are modulo 2π.
 using Solution = std::map<std::string, Quantity, std::less<>>;
 
-/// Returns the solutions of all mechanisms of the library as functions of time [s].
-const std::map<std::string_view, Solution (*)(double t)>& library_solutions();
+/// A solution at time t [s], with the motion of the mechanism's scene.
+using SolutionAt = Solution(double t);
+SolutionAt slider_crank, inverted_slider_crank, whitworth, watt_six_bar, stephenson_six_bar,
+    jansen_leg, andrews, rssr, stewart, delta, double_wishbone, macpherson, truck_axle;
 
-// Solutions at time t [s], with the motion of the mechanism's scene.
-Solution slider_crank(double t);
-Solution inverted_slider_crank(double t);
-Solution whitworth(double t);
-Solution watt_six_bar(double t);
-Solution stephenson_six_bar(double t);
-Solution jansen_leg(double t);
-Solution andrews(double t);
-Solution rssr(double t);
-Solution stewart(double t);
-Solution delta(double t);
-Solution double_wishbone(double t);
-Solution macpherson(double t);
-Solution truck_axle(double t);
+/// Returns the solutions of all mechanisms of the library.
+const std::map<std::string_view, SolutionAt*>& library_solutions();
 
 }  // namespace desmo::exact
