@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 
+#include "cases/io/text_file.h"
 #include "cases/library/library.h"
 #include "tests/fuzz/mutator.h"
 
@@ -12,9 +12,7 @@ std::vector<Sample> load_folder(const std::filesystem::path& folder) {
   std::vector<Sample> samples;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     if (file.path().extension() != ".json") continue;
-    std::ifstream stream(file.path(), std::ios::binary);
-    samples.push_back({file.path().filename().string(),
-                       {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}});
+    samples.push_back({file.path().filename().string(), read_text(file.path())});
   }
   if (samples.empty()) throw std::runtime_error(folder.string() + ": no JSON files in it");
   std::ranges::sort(samples, {}, &Sample::name);

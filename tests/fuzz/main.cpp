@@ -2,12 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cases/io/text_file.h"
 #include "tests/fuzz/campaign.h"
 
 namespace desmo::fuzz {
@@ -16,12 +15,6 @@ namespace {
 bool tell(const Campaign& campaign, const std::string& name) {
   std::printf("%s\n%s", name.c_str(), report(campaign).c_str());
   return campaign.findings.empty();
-}
-
-bool try_file(const std::string& name, const Options& options) {
-  std::ifstream stream(name, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return tell(replay(text, options.corpus), name);
 }
 
 int run_command(CLI::App& parser, int argc, char** argv) {
@@ -44,7 +37,8 @@ int run_command(CLI::App& parser, int argc, char** argv) {
     return 0;
   }
   bool fine = true;
-  for (const std::string& file : files) fine = try_file(file, options) && fine;
+  for (const std::string& file : files)
+    fine = tell(replay(read_text(file), options.corpus), file) && fine;
   if (files.empty())
     fine = tell(run(options), "seed " + std::to_string(options.seed) + ", inputs " +
                                   std::to_string(options.first) + " to " +
