@@ -166,18 +166,23 @@ Random random_of(std::uint64_t seed, long i) {
   return Random(of_seed.bits() + static_cast<std::uint64_t>(i));
 }
 
-}  // namespace
-
-std::string make_input(const std::vector<Sample>& corpus, std::uint64_t seed, long i) {
-  static const Mutator mutator(corpus);
-  Random random = random_of(seed, i);
-  return mutator.make(random);
-}
-
+/// Returns the formulation that solves an input.
 const Variant& variant_of(std::uint64_t seed, long i) {
   Random random = random_of(~seed, i);
   const auto table = variants();
   return random.pick(table);
+}
+
+}  // namespace
+
+std::string make_input(const std::vector<Sample>& corpus, std::uint64_t seed, long i) {
+  static const std::vector<Json> documents = [&] {
+    std::vector<Json> all;
+    for (const Sample& sample : corpus) all.push_back(Json::parse(sample.text));
+    return all;
+  }();
+  Random random = random_of(seed, i);
+  return mutated(documents, random);
 }
 
 Campaign run(const Options& o) {

@@ -35,9 +35,8 @@ struct Campaign {
   std::pair<double, long> slowest{};                  ///< largest CPU time [s], its input
 };
 
-/// Return input i of a seed and the formulation that solves it. They depend on seed and i alone.
+/// Returns input i of a seed. It depends on seed and i alone.
 std::string make_input(const std::vector<Sample>& corpus, std::uint64_t seed, long i);
-const Variant& variant_of(std::uint64_t seed, long i);
 
 /// Tries inputs first … first + inputs - 1 in child processes. A crash, an endless loop or a
 /// sanitizer's report is a finding and does not end the campaign.

@@ -39,16 +39,9 @@ void repeat(Random& random, Mutation mutation) {
     }
 }
 
-}  // namespace
-
-Mutator::Mutator(const std::vector<Sample>& corpus)
-    : grammar_(DESMO_SOURCE_DIR "/tests/fuzz/grammar.json") {
-  for (const Sample& sample : corpus) documents_.push_back(Json::parse(sample.text));
-}
-
 /// Puts a member of one file in the place of that in another.
-void Mutator::splice(Json& root, Random& random) const {
-  const Json donor = random.pick(documents_).flatten();
+void splice(Json& root, const std::vector<Json>& documents, Random& random) {
+  const Json donor = random.pick(documents).flatten();
   const std::size_t at = random.below(donor.size());
   const auto gift = std::next(donor.begin(), static_cast<std::ptrdiff_t>(at));
   Json::json_pointer place(gift.key());
@@ -56,14 +49,17 @@ void Mutator::splice(Json& root, Random& random) const {
   root.at(place) = donor.unflatten().at(place);
 }
 
-std::string Mutator::make(Random& random) const {
-  Json document = random.pick(documents_);
+}  // namespace
+
+std::string mutated(const std::vector<Json>& documents, Random& random) {
+  static const Grammar grammar(DESMO_SOURCE_DIR "/tests/fuzz/grammar.json");
+  Json document = random.pick(documents);
   const std::size_t way = random.below(10);
-  if (way == 0) repeat(random, [&] { splice(document, random); });
-  if (way < 9) repeat(random, [&] { mutate(document, grammar_, random); });
+  if (way == 0) repeat(random, [&] { splice(document, documents, random); });
+  if (way < 9) repeat(random, [&] { mutate(document, grammar, random); });
   if (!random.one_in(4)) give_motion_to_drivers(document);
   std::string text = write(document);
-  if (way >= 8) repeat(random, [&] { spoil_text(text, grammar_, random); });
+  if (way >= 8) repeat(random, [&] { spoil_text(text, grammar, random); });
   if (text.size() > max_text) text.resize(max_text);
   return with_few_units(std::move(text), max_units);
 }

@@ -23,19 +23,8 @@ std::vector<Sample> load_corpus(const std::filesystem::path& folder);
 /// std::runtime_error when there is none.
 std::vector<Sample> load_folder(const std::filesystem::path& folder);
 
-/// A generator of inputs from a corpus, which depend on the random numbers alone.
-class Mutator {
- public:
-  explicit Mutator(const std::vector<Sample>& corpus);
-
-  std::string make(Random& random) const;
-
- private:
-  void splice(Json& root, Random& random) const;
-
-  Grammar grammar_;
-  std::vector<Json> documents_;
-};
+/// Returns an input made of the documents of a corpus and random numbers alone.
+std::string mutated(const std::vector<Json>& documents, Random& random);
 
 /// Returns the text with the number of axles or dyads of a generated mechanism limited to `most`.
 std::string with_few_units(std::string text, int most);
