@@ -31,14 +31,14 @@ TEST_F(Cli, InterruptedRunsLeaveNothing) {
 }
 
 TEST_F(Cli, OutputThatCannotBeWritten) {
-  expect_refused(74, "solve slider_crank -o /dev/full",
-                 "/dev/full: cannot be written (No space left on device)");
+  expect_said(74, "solve slider_crank -o /dev/full",
+              "/dev/full: cannot be written (No space left on device)");
   EXPECT_EQ(desmo("solve slider_crank >/dev/full"), 74);
   EXPECT_EQ(desmo("list >/dev/full"), 74);
   EXPECT_EQ(desmo("--help >/dev/full"), 74);
   EXPECT_EQ(desmo("solve slider_crank >&-"), 74);
-  expect_refused(74, "solve slider_crank -o nowhere/motion.csv",
-                 "desmo: nowhere/motion.csv: cannot be written");
+  expect_said(74, "solve slider_crank -o nowhere/motion.csv",
+              "desmo: nowhere/motion.csv: cannot be written");
   EXPECT_EQ(desmo("solve slider_crank -o out"), 74);
   EXPECT_EQ(desmo("solve slider_crank -o ''"), 64);
   // No file may grow beyond 8 blocks: as on a full disk.

@@ -26,15 +26,13 @@ TEST_F(OwnCode, IsMadeOnceAndGivesTheSameAnswer) {
   EXPECT_FALSE(says("note:")) << err_;
   const std::vector<std::string> expected = lines();
 
-  ASSERT_EQ(desmo(explicit_order), 0) << err_;
-  EXPECT_TRUE(says("note: code for a/SG-")) << err_;
+  expect_said(0, explicit_order, "note: code for a/SG-");
   EXPECT_TRUE(says("a/SG-II (7 unknowns)")) << err_;
   EXPECT_TRUE(says(": compiled by /")) << err_;
   EXPECT_FALSE(says("automatically")) << err_;
   expect_rows(expected);
 
-  ASSERT_EQ(desmo(explicit_order), 0) << err_;
-  EXPECT_TRUE(says(": from " + (folder_ / "desmo/kernels").string())) << err_;
+  expect_said(0, explicit_order, ": from " + (folder_ / "desmo/kernels").string());
   EXPECT_FALSE(says("compiled")) << err_;
   expect_rows(expected);
   ASSERT_EQ(desmo(explicit_order + std::string("--quiet")), 0);
@@ -43,30 +41,24 @@ TEST_F(OwnCode, IsMadeOnceAndGivesTheSameAnswer) {
 }
 
 TEST_F(OwnCode, IsNotMadeUnlessItsFormulationIsNamed) {
-  ASSERT_EQ(desmo("solve own.json"), 0) << err_;
-  EXPECT_TRUE(says("note: no generated code for ")) << err_;
+  expect_said(0, "solve own.json", "note: no generated code for ");
   EXPECT_TRUE(says("with --formulation, has it made")) << err_;
-  ASSERT_EQ(desmo(explicit_order + std::string("--no-compile")), 0) << err_;
-  EXPECT_TRUE(says("note: no generated code for ")) << err_;
+  expect_said(0, explicit_order + std::string("--no-compile"), "note: no generated code for ");
   EXPECT_FALSE(says("has it made")) << err_;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "desmo"));
   write("own.json",
         swinging_plates(1, one_second + R"(, "formulation": "block_symbolic_inlined")"));
-  ASSERT_EQ(desmo("solve own.json"), 0) << err_;
-  EXPECT_TRUE(says("note: code for ")) << err_;
+  expect_said(0, "solve own.json", "note: code for ");
 }
 
 /// The program's own code for such blocks has pivots that suit a truck's.
 TEST_F(OwnCode, IsMadeWhereOtherCodeRefusesStepsWhoseCostIsTold) {
   write("own.json",
         text_of(DESMO_SOURCE_DIR "/tests/load/scenes/double_cardan_wrong_phase.scene.json"));
-  ASSERT_EQ(desmo("solve own.json"), 0) << err_;
-  EXPECT_TRUE(
-      says("to a more general solver, some 10 times slower; the numbers are as exact (a "
-           "formulation that is named, with --formulation, has better code made)"))
-      << err_;
-  ASSERT_EQ(desmo("solve own.json --formulation block_symbolic_inlined"), 0) << err_;
-  EXPECT_TRUE(says("note: code for ")) << err_;
+  expect_said(0, "solve own.json",
+              "to a more general solver, some 10 times slower; the numbers are as exact (a "
+              "formulation that is named, with --formulation, has better code made)");
+  expect_said(0, "solve own.json --formulation block_symbolic_inlined", "note: code for ");
   EXPECT_FALSE(says("general solver")) << err_;
 }
 
@@ -97,8 +89,7 @@ TEST_F(OwnCode, IsDoneWithoutWhereThereIsNoCompiler) {
 }
 
 TEST_F(OwnCode, IsWhatTuneChoosesFrom) {
-  ASSERT_EQ(desmo("tune own.json --max-error 1e-8 --write"), 0) << err_;
-  EXPECT_TRUE(says("note: code for a/SG-II (7 unknowns)")) << err_;
+  expect_said(0, "tune own.json --max-error 1e-8 --write", "note: code for a/SG-II (7 unknowns)");
   const std::string id = lines().at(0);
   EXPECT_NE(id.find("_symbolic_"), std::string::npos) << id << ": nothing else is as fast";
   ASSERT_EQ(desmo("solve own.json"), 0) << err_;
@@ -109,13 +100,12 @@ TEST_F(OwnCode, RefusesNamesThatAreNone) {
   for (const char* name :
        {"a\\\"b", "a\\nb", "$(touch pwned)", "`x`", "-o", "*/ x", "?\?/", " a"}) {
     write("own.json", replaced_everywhere(swinging_plates(1, one_second), "a/Q1", name));
-    expect_refused(65, explicit_order, "is not a name");
+    expect_said(65, explicit_order, "is not a name");
     EXPECT_FALSE(std::filesystem::exists(folder_ / "pwned"));
   }
   // Slashes and dots are letters of names: they lead nowhere.
   write("own.json", replaced_everywhere(swinging_plates(1, one_second), "a/Q1", "../../../pwned"));
-  EXPECT_EQ(desmo(explicit_order), 0) << err_;
-  EXPECT_TRUE(says("note: code for ")) << err_;
+  expect_said(0, explicit_order, "note: code for ");
 }
 
 TEST_F(OwnCode, LetsNoCompilerOutliveAnInterruption) {

@@ -73,9 +73,14 @@ class Cli : public InFolder {
   }
   int desmo(const std::string& arguments) { return shell(DESMO_CLI " " + arguments); }
   /// Expects an exit code, and a message on standard error.
-  void expect_refused(int code, const std::string& arguments, const std::string& message) {
-    EXPECT_EQ(desmo(arguments), code) << arguments;
+  void expect_said(int code, const std::string& arguments, const std::string& message) {
+    EXPECT_EQ(desmo(arguments), code) << arguments << err_;
     EXPECT_TRUE(says(message)) << arguments << " says " << err_ << "instead of " << message;
+  }
+  /// Expects success, and a text on standard output.
+  void expect_printed(const std::string& arguments, const std::string& text) {
+    EXPECT_EQ(desmo(arguments), 0) << arguments << err_;
+    EXPECT_TRUE(prints(text)) << arguments << " prints " << out_ << "instead of " << text;
   }
   /// Starts a command in the folder that never ends, and sends it a signal as soon as it has begun
   /// what it is to be interrupted at. Returns its exit code.

@@ -41,17 +41,17 @@ TEST_F(View, ThinsOutWhatIsTooLongAndSaysSo) {
 
 TEST_F(View, ReplacesNoSceneThatIsRead) {
   ASSERT_EQ(desmo("show slider_crank --scene >scene.json"), 0);
-  expect_refused(64, "view scene.json -o scene.json",
-                 "this is the scene, which is read; give another file");
+  expect_said(64, "view scene.json -o scene.json",
+              "this is the scene, which is read; give another file");
 }
 
 TEST_F(View, LeavesNothingHalfWritten) {
   write("mechanism.json", "{\"format\": \"desmo-mechanism\", \"version\": 1}");
-  expect_refused(65, "view mechanism.json -o out/page.html", "mechanism.json: /format");
+  expect_said(65, "view mechanism.json -o out/page.html", "mechanism.json: /format");
   EXPECT_EQ(desmo("view nothing -o out/page.html"), 66);
   EXPECT_EQ(desmo("view slider_crank -o nowhere/page.html"), 74);
-  expect_refused(65, "view four_bar:1000 -o out/page.html",
-                 "a page cannot show a mechanism of 3003 coordinates");
+  expect_said(65, "view four_bar:1000 -o out/page.html",
+              "a page cannot show a mechanism of 3003 coordinates");
   EXPECT_TRUE(fs::is_empty(out("")));
 }
 
@@ -66,8 +66,8 @@ std::string chain(int four_bars, const std::string& time) {
 /// be solved for days.
 TEST_F(View, RefusesWhatIsTooLargeBeforeItIsSolved) {
   write("long.json", chain(560, R"({"end": 1, "step": 1e-8})"));
-  expect_refused(65, "view long.json -o out/page.html",
-                 "a page cannot show a mechanism of 1683 coordinates");
+  expect_said(65, "view long.json -o out/page.html",
+              "a page cannot show a mechanism of 1683 coordinates");
   EXPECT_TRUE(fs::is_empty(out("")));
   write("short.json", chain(400, R"({"end": 0.1, "step": 0.001})"));
   ASSERT_EQ(desmo("view short.json -o out/page.html"), 0) << err_;
