@@ -111,8 +111,7 @@ TEST(Refinement, FindsRatesFromPositionsAlone) {
     const std::vector<double> zeros(m.coordinates());
     Refinement from_all(m), from_zeros(m);
     const RefinedInstant &all = from_all.refine(instant_of(s)),
-                         &found = from_zeros.refine(
-                             {.index = 0, .time = s.time, .q = s.q, .qd = zeros, .qdd = zeros});
+                         &found = from_zeros.refine(instant_of(s.time, {s.q, zeros, zeros}));
     EXPECT_LE(all.passes, 2) << l.name;
     for (int i = 0; i < m.coordinates(); ++i) {
       EXPECT_LE(found.radius.velocity[i], 4 * all.radius.velocity[i] + 1e-15) << l.name << i;

@@ -127,14 +127,10 @@ TEST(CertificateOfWrongNumbers, IsGivenUpWhereTheyAreNotFinite) {
   for (int i = 0; i < m.coordinates(); ++i) {
     ReferenceInstant broken = solved.front();
     broken.q[i] = NAN;
-    EXPECT_FALSE(
-        certifier.certify({.index = 0, .time = broken.time, .q = broken.q, .qd = {}, .qdd = {}})
-            .proven)
-        << i;
+    EXPECT_FALSE(certifier.certify(instant_of(broken.time, {broken.q})).proven) << i;
     broken = solved.front();
     broken.qd[i] = INFINITY;
-    const Certificate c = certifier.certify(
-        {.index = 0, .time = broken.time, .q = broken.q, .qd = broken.qd, .qdd = {}});
+    const Certificate c = certifier.certify(instant_of(broken.time, {broken.q, broken.qd}));
     EXPECT_FALSE(c.proven) << i;
     for (const double radius : c.radius.position) EXPECT_TRUE(std::isfinite(radius));
   }

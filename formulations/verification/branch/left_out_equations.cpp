@@ -164,10 +164,9 @@ double LeftOutEquations::worst_place(std::size_t i, const PathProof& step) {
 /// Looks at equation i in a point of a step, and notes its misfit. Returns false where it may hold
 /// there: then a shorter step has a tighter enclosure.
 bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s) {
-  Instant wanted{.index = 0, .time = step.time_at(s), .q = {}, .qd = {}, .qdd = {}};
   go_to(step, s);
-  wanted.q = std::span(state_).first(m_.coordinates());
-  const RefinedInstant& point = refinement_->refine(wanted);
+  const std::span<const double> q = std::span(state_).first(m_.coordinates());
+  const RefinedInstant& point = refinement_->refine(instant_of(step.time_at(s), {q}));
   if (!point.proven) return false;
   // Next to a singular position, another one may be near.
   for (int k = 0; k < m_.coordinates(); ++k)
@@ -175,9 +174,9 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
       return false;
   for (std::size_t k = 0; k < drivers_.size(); ++k)
     drivers_[k] = point.instant.q[m_.entities[m_.drivers[k].coordinate].first];
-  const LiveRow drivers{.time = wanted.time, .z = drivers_};
+  const LiveRow drivers{.time = point.instant.time, .z = drivers_};
   if (const std::optional<Misfit> misfit = check(point, &drivers)) {
-    note(Between{*misfit, wanted.time});
+    note(Between{*misfit, point.instant.time});
     return true;
   }
   // What digits leave open in a point is not told by a shorter step, either.
@@ -186,8 +185,7 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
 }
 
 std::span<const double> LeftOutEquations::radius(const Instant& instant, const LiveRow* drivers) {
-  const Instant positions{
-      .index = instant.index, .time = instant.time, .q = instant.q, .qd = {}, .qdd = {}};
+  const Instant positions = instant_of(instant.time, {instant.q});
   const Certificate c =
       drivers ? certifier_->certify(positions, *drivers) : certifier_->certify(positions);
   return c.radius.position;
