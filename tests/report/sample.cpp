@@ -29,7 +29,7 @@ bool says(const std::vector<std::string>& texts, const std::string& part) {
 }
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
-Json structured_record() { return Json::parse(read_text(data_file("structured.json"))); }
+Json requests_record() { return Json::parse(read_text(data_file("requests.json"))); }
 Json origins_record() { return Json::parse(read_text(data_file(origins))); }
 
 Json levels(double position, double velocity, double acceleration) {
@@ -42,7 +42,7 @@ Json step_time(double microseconds) {
 }
 
 Json empty_record() {
-  Json record = structured_record();
+  Json record = requests_record();
   record.erase("paper");
   return record;
 }

@@ -56,8 +56,8 @@ Json step_time(double microseconds);
 /// Returns a record without any experiment.
 Json empty_record();
 
-/// Returns data/structured.json: small, with structure and requests, with made-up numbers.
-Json structured_record();
+/// Returns data/requests.json: small, with requests and made-up numbers.
+Json requests_record();
 
 /// Returns a candidate of a record. Fails the test when there is none.
 Json& candidate_of(Json& record, const std::string& case_name, int coordinates,

@@ -41,14 +41,14 @@ void expect_no_reference_outwards(std::string page) {
 }
 
 TEST(Page, RefersToNothingOutsideItself) {
-  const std::string page = page_of(structured_record());
+  const std::string page = page_of(requests_record());
   expect_no_reference_outwards(page);
   EXPECT_LACKS(page, "<script");
   EXPECT_CONTAINS(page, "default-src 'none'");
 }
 
 TEST(Page, LinksLeadToPlacesThatExistOnce) {
-  const std::string page = page_of(structured_record());
+  const std::string page = page_of(requests_record());
   std::vector<std::string> ids = found(page, " id=\"");
   const std::size_t all = ids.size();
   std::sort(ids.begin(), ids.end());
@@ -64,7 +64,7 @@ TEST(Page, LinksLeadToPlacesThatExistOnce) {
 // For those who hear the page: every table has a name, every candidate a row and a column with a
 // header.
 TEST(Page, TablesHaveCaptionsAndHeaders) {
-  const Document document = make_report(record_from(structured_record()));
+  const Document document = make_report(record_from(requests_record()));
   const std::string page = to_html(document);
   std::size_t tables = 0, rows = 0, columns = 0;
   for (const Section& section : document.sections)

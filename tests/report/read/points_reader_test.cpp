@@ -7,7 +7,7 @@ namespace {
 const SeriesKey truck_series{"truck_suspension", 225, 0.01, 101};
 
 TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
-  Json json = structured_record();
+  Json json = requests_record();
   const Json points = points_record();
   json["accuracy"] = points["accuracy"];
   const Record record = record_from(json);

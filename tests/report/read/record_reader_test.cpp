@@ -104,7 +104,7 @@ TEST(RecordReader, RefusesWrongTypesAndValues) {
 TEST(RecordReader, ReadsWhatIsUnusual) {
   for (const auto& [json, place, value] :
        {std::tuple(complete_record(), "/record/date", Json("2028-02-29T23:59:60Z")),
-        {structured_record(), "/paper/cells", Json::array()}})  // requests alone are something
+        {requests_record(), "/paper/cells", Json::array()}})  // requests alone are something
     EXPECT_EQ(complaint(changed(json, place, value)), "accepted");
 }
 

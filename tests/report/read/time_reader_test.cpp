@@ -59,7 +59,7 @@ TEST(TimeReader, RefusesWindowsThatAreNotAll) {
 }
 
 TEST(TimeReader, ReadsTheSamplesOfWindows) {
-  const Record record = record_from(with_samples_of_windows(structured_record()));
+  const Record record = record_from(with_samples_of_windows(requests_record()));
   for (const auto& [key, candidate] : record.candidates) {
     EXPECT_EQ(candidate.time.windows.samples.size(), candidate.time.seconds.size()) << key.id;
     if (candidate.status != Status::ok) continue;

@@ -60,7 +60,7 @@ TEST(Report, HasNoTableWithoutRowsAndNoFigureWithoutMarks) {
   for (const auto& file : std::filesystem::directory_iterator(DESMO_SOURCE_DIR "/results/records"))
     if (file.path().extension() == ".gz") records.push_back(read_record(file.path()));
   for (const Json& json :
-       {complete_record(), structured_record(), points_record(), sizes_record(), scene_record()})
+       {complete_record(), requests_record(), points_record(), sizes_record(), scene_record()})
     records.push_back(record_from(json));
   std::size_t figures = 0;
   for (const Record& record : records)

@@ -29,7 +29,7 @@ Json left_out(int coordinates, const std::string& name) {
 
 /// Two peers beside two of ours, which start from the same guess. Made-up numbers.
 Json peers_record() {
-  Json json = structured_record();
+  Json json = requests_record();
   for (const auto& [id, seconds] :
        {std::pair{"global_automatic_klu", 0.03}, {"block_symbolic_inlined", 0.003}}) {
     Json candidate = candidate_of(json, "truck_suspension", 114, "global_automatic_klu");
@@ -123,7 +123,7 @@ TEST(Peers, ThatFailedOrDidNotRunHaveNoTime) {
 
 TEST(Peers, LeaveThePapersTablesAsTheyAre) {
   const Document a = make_report(record_from(peers_record())),
-                 b = make_report(record_from(structured_record()));
+                 b = make_report(record_from(requests_record()));
   for (const Section& section : b.sections)
     for (const Table& table : section.tables)
       EXPECT_EQ(to_csv(table_named(a, table.name)), to_csv(table)) << table.name;

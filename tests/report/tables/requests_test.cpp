@@ -17,7 +17,7 @@ Json& request_of(Json& json, const std::string& id, const std::string& name) {
 }
 
 TEST(Requests, CostLessThanEverythingWithTheSameFormulation) {
-  const Table table = table_of(structured_record());
+  const Table table = table_of(requests_record());
   EXPECT_EQ(table.name, "requests_truck_suspension_225");
   const std::vector<std::string> row{wheel, "position", "block_symbolic_inlined"};
   expect_row(table, row,
@@ -32,7 +32,7 @@ TEST(Requests, CostLessThanEverythingWithTheSameFormulation) {
 }
 
 TEST(Requests, BeginWithWhatIsGained) {
-  Json json = structured_record();
+  Json json = requests_record();
   const auto found = [&] { return requests(record_from(json)).paragraphs; };
   EXPECT_EQ(found(),
             (std::vector<std::string>{
@@ -49,7 +49,7 @@ TEST(Requests, BeginWithWhatIsGained) {
 }
 
 TEST(Requests, ThatFailedOrDidNotRunHaveNoTime) {
-  Json json = structured_record();
+  Json json = requests_record();
   request_of(json, "global_automatic_klu", "axle")["time"]["seconds"] = {0.001, 0.001};
   const Record record = record_from(json);
   for (const MeasuredRequest& request : record.requests)
@@ -69,7 +69,7 @@ TEST(Requests, ThatFailedOrDidNotRunHaveNoTime) {
 }
 
 TEST(Requests, FailWhenTheyDifferMoreThanIsAllowed) {
-  Json json = structured_record();
+  Json json = requests_record();
   Json& request = request_of(json, "block_symbolic_inlined", "axle");
   const std::vector<std::string> row{axle, "acceleration", "block_symbolic_inlined"};
   request["verification"]["acceleration"] = 1;
@@ -80,7 +80,7 @@ TEST(Requests, FailWhenTheyDifferMoreThanIsAllowed) {
 }
 
 TEST(Requests, HaveNoRatioWithoutEverything) {
-  Json json = structured_record();
+  Json json = requests_record();
   fail_candidate(json, "truck_suspension", 225, "block_symbolic_inlined");
   erase_candidate(json, "truck_suspension", 225, "global_automatic_klu");
   const Table table = table_of(json);
@@ -94,7 +94,7 @@ TEST(Requests, HaveNoRatioWithoutEverything) {
 }
 
 TEST(Requests, AreCheckedWhenRead) {
-  Json json = structured_record();
+  Json json = requests_record();
   expect_refusals(
       json, {{"/paper/requests/0/level", "jerk", ": \"jerk\" is none of"},
              {"/paper/requests/0/unknowns", 219, ": more unknowns than"},

@@ -17,7 +17,7 @@ constexpr const char* hermite_lanes = "group_symbolic_explicit/guess:hermite5/la
 
 /// The reference with better settings, and generated code with lanes, on everything and a request.
 Json beyond_record() {
-  Json json = structured_record();
+  Json json = requests_record();
   const Json candidate = candidate_of(json, "truck_suspension", 114, "global_automatic_klu");
   candidate_of(json, "truck_suspension", 114, "global_automatic_klu")["time"]["seconds"] = {
       0.8, 0.8, 0.8};
