@@ -71,7 +71,7 @@ std::size_t rows_in(const std::vector<Table>& tables) {
 Section machines(const Record& record, const std::vector<const Record*>& others) {
   std::map<std::string, std::vector<Table>> best;  // by machine: what has most in common
   for (const Record* other : others) {
-    if (record.machine.cpu == other->machine.cpu || !different_work_reason(record, *other).empty())
+    if (record.machine.cpu == other->machine.cpu || !different_work_reasons(record, *other).empty())
       continue;
     std::vector<Table> tables = speed_ups_of_both(record, *other);
     std::vector<Table>& kept = best[other->machine.cpu];

@@ -14,7 +14,7 @@ enum ExitCode {
   usage_error = 64,       ///< wrong command line
   bad_input = 65,         ///< wrong content of a file
   unreadable_input = 66,  ///< file missing or not readable
-  unavailable = 69,       ///< a part of this program was not built
+  unavailable = 69,       ///< the page of `view` was not built
   internal_error = 70,
   unwritable_output = 74,
   output_closed = 141,  ///< standard output was closed by its reader: 128 + SIGPIPE

@@ -132,7 +132,7 @@ void add_list(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("list", "Mechanisms, scalable cases and formulations that there are");
   const auto options = std::make_shared<ListOptions>();
-  command->add_option("what", options->what, "Only these")
+  command->add_option("what", options->what, "What to list; everything by default")
       ->check(CLI::IsMember({"mechanisms", "cases", "formulations"}));
   command->add_flag("--json", options->json, "As JSON");
   command->footer(

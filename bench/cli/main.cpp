@@ -77,7 +77,7 @@ void run(int argc, char** argv) {
       "  desmo solve slider_crank -o motion.csv\n"
       "  desmo view slider_crank -o motion.html\n"
       "Exit codes: 0 done, 1 the mechanism cannot be solved, 64 usage, 65 a file says something\n"
-      "wrong, 66 a file cannot be read, 69 something optional is missing, 70 an internal error,\n"
+      "wrong, 66 a file cannot be read, 69 the page of view was not built, 70 an internal error,\n"
       "74 output cannot be written, 129, 130, 143 interrupted, 141 standard output was closed");
   require_known_command(program, argc, argv);
   try {

@@ -36,25 +36,25 @@ struct TuneOptions {
 std::string microseconds(double seconds) { return formatted("%.4g us", 1e6 * seconds); }
 
 /// The best error that was reached at each time: what is cheaper is less accurate.
-std::string evidence(const accuracy::Found& found) {
+std::string evidence(const accuracy::SearchResult& found) {
   std::vector<std::vector<std::string>> rows{{"us/step", "error", "motion", "formulation"}};
   double best = INFINITY;
-  for (const accuracy::Tried& t : found.tried) {
+  for (const accuracy::TriedConfiguration& t : found.tried) {
     if (!(t.error < best)) continue;
     best = t.error;
     rows.push_back({formatted("%.4g", 1e6 * t.seconds), formatted("%.2g", t.error),
-                    t.whole ? "whole" : "begin", t.id});
+                    t.whole ? "whole" : "beginning", t.id});
   }
   if (rows.size() > rows_shown) rows.resize(rows_shown);
-  return "Tried: " + count(static_cast<long>(found.tried.size()), "configuration") +
-         "; those than which no faster one was as accurate:\n" + table(rows, "rr");
+  return "TriedConfiguration: " + count(static_cast<long>(found.tried.size()), "configuration") +
+         "; each of these is more accurate than every faster one:\n" + table(rows, "rr");
 }
 
-[[noreturn]] void refuse(const accuracy::Found& found, const accuracy::Problem& whole,
+[[noreturn]] void refuse(const accuracy::SearchResult& found, const accuracy::Problem& whole,
                          const TuneOptions& options, const Input& input) {
-  const accuracy::Tried* nearest = nullptr;
+  const accuracy::TriedConfiguration* nearest = nullptr;
   const bool budget = options.budget > 0;
-  for (const accuracy::Tried& t : found.tried)
+  for (const accuracy::TriedConfiguration& t : found.tried)
     if (!nearest || (budget ? t.seconds < nearest->seconds : t.error < nearest->error))
       nearest = &t;
   std::string text = input.source + ": ";
@@ -108,8 +108,8 @@ void tune(const TuneOptions& options) {
   const KernelTable kernels = make_kernels(plan, input.scene.grid, options);
   say("reference solutions in quadruple precision");
   accuracy::TunedMotion motion = accuracy::make_tuned_motion(plan, input.scene.grid);
-  motion.whole.kernels = motion.begin.kernels = kernels;
-  const accuracy::Found found = accuracy::search(motion, goal, {.say = say});
+  motion.whole.kernels = motion.beginning.kernels = kernels;
+  const accuracy::SearchResult found = accuracy::search(motion, goal, {.say = say});
   if (!found.choice) refuse(found, motion.whole, options, input);
 
   const std::string id = id_with(*found.choice->variant, found.choice->settings);
@@ -121,7 +121,7 @@ void tune(const TuneOptions& options) {
     text += ", acceleration " + formatted("%.2g", found.error.acceleration.max);
   text += " (at " + count(found.error.instants, "instant") + ")\n" + microseconds(found.seconds) +
           " a step, " + formatted("%.2f", found.usual_seconds / found.seconds) +
-          " times faster than " + found.choice->variant->id + " with the usual settings\n\n" +
+          " times as fast as " + found.choice->variant->id + " with the usual settings\n\n" +
           evidence(found);
   if (options.write) {
     write_scene(options.scene, id);
@@ -144,7 +144,8 @@ void add_tune(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--budget", options->budget,
-                   "Time that a step may take, such as 50us: the most accurate within it")
+                   "Time that a step may take, such as 50us: the most accurate within it. "
+                   "Either --max-error or --budget is required")
       ->transform(CLI::AsNumberWithUnit(
           std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))

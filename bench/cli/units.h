@@ -27,7 +27,7 @@ enum class UnitSystem {
 void add_units(CLI::App& command, UnitSystem& units);
 
 /// Returns the unit of an entity's components, or of their rates. That of unit vectors is "-", that
-/// of lengths in an unspecified unit "1".
+/// of lengths in a free unit "1".
 DisplayUnit unit_of(const DisplayUnits& units, EntityKind kind, Level level = Level::position);
 
 /// Returns an SI value in a unit, with the unit's name: "12.5 mm"; without it where it is "1".

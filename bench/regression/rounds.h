@@ -43,11 +43,11 @@ inline constexpr const char* control_name = "control";
 /// Least CPU time [s] of each candidate, and of the control, on each side, by round.
 using Times = std::map<std::string, std::map<std::string, std::vector<double>>>;
 
-/// Times candidates on all sides, one or two, in so many rounds. In a round every side has a new
-/// process, so that no build keeps the luck of its place in memory; all share one core, which
-/// changes from round to round. Candidates come in random order, and with each the sides take turns
-/// in random order, each turn with newly placed data. Throws std::runtime_error when a side does
-/// not answer.
+/// Times candidates on one or two sides, in `count` rounds. In each round every side runs in a new
+/// process, because the place of a build in memory changes its times. All processes of a round
+/// share one core; the next round takes another. Candidates come in random order; for each, the
+/// sides take turns in random order, each turn with newly placed data. Throws std::runtime_error
+/// when a side does not answer.
 Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names, int count,
                   std::uint64_t seed);
 

@@ -43,14 +43,14 @@ struct ExtremeCase {
   bool ends_singular = false;
 
   bool may_fail = false;       ///< a flag is as good as an answer
-  bool goes_on = false;        ///< the run continues after a gap, whose ends it finds to 1e-9 s
+  bool past_failures = false;  ///< the run continues after a gap, whose ends it finds to 1e-9 s
   bool is_refused = false;     ///< it is rejected before solving, or at the first instant
   bool is_redundant = false;   ///< dependent equations must be reported
   std::string failing_body{};  ///< body in the group that a failure must name
   std::string idle_body{};     ///< body whose freedom to spin must be reported
 
   /// Assemblies from random initial estimates instead of a motion. An estimate is off by up to
-  /// `off` times the natural magnitudes, and determines the branch.
+  /// `off` times the nominal magnitudes, and determines the branch.
   struct Starts {
     int count;
     double off;

@@ -18,10 +18,10 @@ DyadChain locking() {
 std::vector<ExtremeCase> lock_up(Extent) {
   ExtremeCase stops = case_of("third group of four", locking(), 1, {0, 0.01, 600});
   stops.failing_body = "dyad2/rocker";
-  ExtremeCase goes_on = stops;
-  goes_on.name = "the same, until it has reopened, the ends to 1e-9 s";
-  goes_on.goes_on = true;
-  return {stops, goes_on};
+  ExtremeCase continued = stops;
+  continued.name = "the same, until it has reopened, the ends to 1e-9 s";
+  continued.past_failures = true;
+  return {stops, continued};
 }
 
 }  // namespace desmo::extremes

@@ -31,7 +31,7 @@ Scene read_scene(const std::filesystem::path& file);
 Scene library_scene(std::string_view name);
 
 /// Returns the text of a mechanism file that describes the same mechanism, in metres and radians:
-/// what a file in other units means is rounded.
+/// numbers of a file in other units are rounded.
 std::string write_mechanism(const Mechanism& mechanism);
 
 }  // namespace desmo

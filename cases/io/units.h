@@ -19,7 +19,7 @@ struct DisplayUnit {
 
 /// Units of lengths and angles, in which a mechanism or a scene was written.
 struct DisplayUnits {
-  DisplayUnit length{"m", 1};  ///< {"1", 1}: an unspecified unit
+  DisplayUnit length{"m", 1};  ///< {"1", 1}: a free unit
   DisplayUnit angle{"rad", 1};
 
   /// Returns the unit of lengths inside: "m", or "1" for an unspecified one.

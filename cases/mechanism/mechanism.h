@@ -153,7 +153,7 @@ struct Mechanism {
   std::string name;
   std::string title;              ///< description in one line, may be empty
   int dimension = 3;              ///< 2 or 3
-  std::string length_unit = "m";  ///< "m", or "1": an unspecified unit
+  std::string length_unit = "m";  ///< "m", or "1": a free unit
   std::vector<Point> points;
   std::vector<Vector> vectors;
   std::vector<Body> bodies;  ///< the first is the ground

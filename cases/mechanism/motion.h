@@ -48,7 +48,8 @@ class Spline {
   /// knot.
   using Piece = std::array<Derived, 4>;
 
-  /// Return between which times the motion is meant [s]; those of a table end with it.
+  /// Return the times [s] between which the motion is prescribed: the ends of a table; else
+  /// infinite.
   double first_time() const { return first_time_; }
   double last_time() const { return last_time_; }
   const std::vector<double>& knots() const { return knots_; }   ///< ascending, two or more

@@ -20,7 +20,7 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
   for (const Derivation& d : derivations) {
     is_derived[d.column] = true;
     is_derivation[d.row] = true;
-    Derived derived{d.row, d.column, 0, static_cast<int>(terms_.size()), 0};
+    DerivedUnknown derived{d.row, d.column, 0, static_cast<int>(terms_.size()), 0};
     for (const auto& [column, value] : rows[d.row])
       if (column == d.column)
         derived.pivot = value;

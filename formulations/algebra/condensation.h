@@ -53,7 +53,7 @@ class Condensed final : public LinearSolver {
   struct DerivedTerm {
     int closure, derived, factor;  // row of A_r, position in derived_, position in work_
   };
-  struct Derived {
+  struct DerivedUnknown {
     int row, column, pivot;  // of A; position of the pivot among its values
     int first, end;          // its terms
   };
@@ -63,7 +63,7 @@ class Condensed final : public LinearSolver {
 
   Pattern reduced_;
   std::unique_ptr<LinearSolver> solver_;    // of A_r; null: all is derived
-  std::vector<Derived> derived_;            // in their order
+  std::vector<DerivedUnknown> derived_;     // in their order
   std::vector<Term> terms_;                 // of derivations without pivots, by derivation
   std::vector<Copy> copies_;                // entries of closures
   std::vector<Operation> operations_;       // the last derivation first, then by closure

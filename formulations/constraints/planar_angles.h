@@ -82,10 +82,10 @@ namespace vec {
 
 /// Scaled rotation r R(θ): turns a plane vector by θ counter-clockwise and stretches it by r.
 template <class S>
-struct Turn {
+struct ScaledRotation {
   S cosine, sine;  ///< r cos θ, r sin θ
 
-  Turn(const S& ratio, const S& angle) {
+  ScaledRotation(const S& ratio, const S& angle) {
     using std::cos, std::sin;
     cosine = ratio * cos(angle);
     sine = ratio * sin(angle);
@@ -173,7 +173,7 @@ struct PlanarTurn : NonlinearKind<2>, vec::AngleOperands<between> {
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    const vec::Turn<S> turn(c[0], x[theta][0]);
+    const vec::ScaledRotation<S> turn(c[0], x[theta][0]);
     const auto d = Operands::d(x);
     const auto f = turn(Operands::e(x));
     for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
@@ -185,7 +185,7 @@ struct PlanarTurn : NonlinearKind<2>, vec::AngleOperands<between> {
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
     constexpr int e = Operands::first_of_e;
-    const vec::Turn<S> turn(c[0], x[theta][0]);
+    const vec::ScaledRotation<S> turn(c[0], x[theta][0]);
     const auto f = turn(Operands::e(x));
     for (int i = 0; i < 2; ++i) {
       const int other = 1 - i;
@@ -208,7 +208,7 @@ struct PlanarTurn : NonlinearKind<2>, vec::AngleOperands<between> {
   }
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
-    const vec::Turn<S> turn(c[0], x[theta][0]);
+    const vec::ScaledRotation<S> turn(c[0], x[theta][0]);
     vec::quadratic_of_turn(turn(Operands::e(x)), turn(Operands::e(v)), v[theta][0], gamma);
   }
 };

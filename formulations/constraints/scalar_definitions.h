@@ -58,7 +58,7 @@ struct Parallel {
   /// Returns ∂Φ/∂θ.
   S of_theta() const { return -dot<2>(f.data(), d.data()); }
   /// Returns ∂Φ/∂eᵢ. turn: r R(θ).
-  S of_e(const Turn<S>& turn, int i) const {
+  S of_e(const ScaledRotation<S>& turn, int i) const {
     return i == 0 ? turn.cosine * d[1] - turn.sine * d[0]
                   : -(turn.sine * d[1] + turn.cosine * d[0]);
   }
@@ -122,7 +122,7 @@ struct PlanarBearingFrom : NonlinearKind<1>, vec::AngleOperands<between> {
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    phi[0] = parallel(x, vec::Turn<S>(c[0], x[theta][0])).residual();
+    phi[0] = parallel(x, vec::ScaledRotation<S>(c[0], x[theta][0])).residual();
   }
   template <class S>
   static void measure(const S* const* x, S* c) {
@@ -131,7 +131,7 @@ struct PlanarBearingFrom : NonlinearKind<1>, vec::AngleOperands<between> {
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
     constexpr int e = Operands::first_of_e;
-    const vec::Turn<S> turn(c[0], x[theta][0]);
+    const vec::ScaledRotation<S> turn(c[0], x[theta][0]);
     const vec::Parallel<S> p = parallel(x, turn);
     for (int i = 0; i < 2; ++i) {
       const S of_e = p.of_e(turn, i);
@@ -147,13 +147,13 @@ struct PlanarBearingFrom : NonlinearKind<1>, vec::AngleOperands<between> {
   }
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
-    const vec::Turn<S> turn(c[0], x[theta][0]);
+    const vec::ScaledRotation<S> turn(c[0], x[theta][0]);
     gamma[0] = parallel(x, turn).quadratic(turn(Operands::e(v)), Operands::d(v), v[theta][0]);
   }
 
  private:
   template <class S>
-  static vec::Parallel<S> parallel(const S* const* x, const vec::Turn<S>& turn) {
+  static vec::Parallel<S> parallel(const S* const* x, const vec::ScaledRotation<S>& turn) {
     return {turn(Operands::e(x)), Operands::d(x)};
   }
 };

@@ -10,7 +10,7 @@ namespace {
 
 /// Returns whether the slopes of a block's equations by its unknowns stay the same when these
 /// change.
-bool is_linear(const Model& m, const PartDefinition& block, WideState<double>& drawn) {
+bool is_linear(const Model& m, const PartDefinition& block, ScalarState<double>& drawn) {
   const std::vector<double> before = PartSystem<double>(m, block, drawn).jacobian;
   for (std::size_t k = 0; k < block.unknowns.size(); ++k) drawn.q[block.unknowns[k]] += k + 1;
   const std::vector<double> after = PartSystem<double>(m, block, drawn).jacobian;
@@ -21,7 +21,7 @@ bool is_linear(const Model& m, const PartDefinition& block, WideState<double>& d
 }  // namespace
 
 bool may_lock(const Model& m, const PartDefinition& block, const std::vector<EntityId>& owner,
-              WideState<double>& drawn) {
+              ScalarState<double>& drawn) {
   const auto is_geometric = [&](int coordinate) {
     const EntityKind kind = m.entities[owner[coordinate]].kind;
     return kind == EntityKind::point || kind == EntityKind::vector;

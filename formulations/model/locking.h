@@ -14,6 +14,6 @@ namespace desmo {
 /// - owner: entity of each coordinate
 /// - drawn: estimate and fixed values, changed while this is found out
 bool may_lock(const Model& model, const PartDefinition& block, const std::vector<EntityId>& owner,
-              WideState<double>& drawn);
+              ScalarState<double>& drawn);
 
 }  // namespace desmo

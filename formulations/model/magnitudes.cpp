@@ -14,11 +14,12 @@ namespace desmo {
 
 namespace {
 
-/// Of its second-order change, what an equation without a derivative is judged by: links down to
-/// this fraction of the bodies they join keep their own magnitude.
+/// Smallest magnitude of an equation, as a share of its second-order change: an equation whose
+/// derivatives vanish has one, too. Links down to this fraction of the bodies that they join keep
+/// their own magnitude.
 constexpr double min_share = 1e-3;
 
-/// How large the components of an entity become that is moved by about `length`.
+/// Returns the size of an entity's components once it has moved by about `length`.
 double reach(const Model& m, EntityId e, const double* x, double length) {
   const Entity& entity = m.entities[e];
   double norm = 0;
@@ -26,14 +27,14 @@ double reach(const Model& m, EntityId e, const double* x, double length) {
   return norm + (is_length(entity.kind) ? length : 1);
 }
 
-/// What the rows of a constraint are measured by.
+/// Sizes of the rows of a constraint.
 template <std::size_t rows>
 struct RowSizes {
   std::array<double, rows> magnitude{};
   std::array<double, rows> rounding{};  // u Σⱼ |∂Φ/∂qⱼ| |qⱼ|
 };
 
-/// Of a constraint whose lengths are about `length`.
+/// Returns the sizes of the rows of a constraint whose lengths are about `length`.
 template <class Kind>
 RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
                                const std::vector<double>& state, double length) {

@@ -82,7 +82,7 @@ struct Driver {
 /// that add() and add_fixed() were given.
 struct Model {
   std::string name;
-  std::string length_unit = "m";  ///< "1": an unspecified unit
+  std::string length_unit = "m";  ///< "1": a free unit
   Modelling modelling = Modelling::natural;
   std::vector<Entity> entities;
   std::vector<Constraint> constraints;  ///< contiguous by group, in group order

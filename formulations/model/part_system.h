@@ -14,10 +14,10 @@ namespace desmo {
 
 /// q, q̇ and q̈ of a whole model, each followed by the fixed entities, in any scalar.
 template <class S>
-struct WideState {
+struct ScalarState {
   std::vector<S> q, qd, qdd;
 
-  explicit WideState(int size) : q(size, S(0)), qd(size, S(0)), qdd(size, S(0)) {}
+  explicit ScalarState(int size) : q(size, S(0)), qd(size, S(0)), qdd(size, S(0)) {}
 };
 
 /// The n equations of one part as a dense matrix and vectors in any scalar, from the functions of
@@ -31,7 +31,7 @@ struct PartSystem {
   std::vector<S> acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
 
   /// Evaluates the system at a state. `acceleration` also needs the unknowns' velocities in it.
-  PartSystem(const Model& m, const PartDefinition& part, const WideState<S>& state)
+  PartSystem(const Model& m, const PartDefinition& part, const ScalarState<S>& state)
       : n(part.unknowns.size()), jacobian(n * n, S(0)), m_(m), part_(part), state_(state) {
     for (std::vector<S>* v : {&phi, &velocity, &acceleration}) v->assign(n, S(0));
     for (int row = 0; row < static_cast<int>(n);) row = add_constraint(row);
@@ -81,7 +81,7 @@ struct PartSystem {
 
   const Model& m_;
   const PartDefinition& part_;
-  const WideState<S>& state_;
+  const ScalarState<S>& state_;
 };
 
 }  // namespace desmo

@@ -157,7 +157,7 @@ std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
   std::vector<bool> is_output(whole.entities.size(), false);
   for (const Output& output : outputs) is_output[output.entity] = true;
   const std::vector<EntityId> owner = entity_of_coordinate(whole);
-  WideState<double> drawn(whole.state_size());
+  ScalarState<double> drawn(whole.state_size());
   drawn.q = whole.state_of(whole.estimate);
   for (std::size_t b = 0; b < up.blocks.size(); ++b) {
     Plan::GroupUse& use = uses[up.blocks[b].groups.front()];

@@ -53,7 +53,7 @@ double nominal_size(const Model& m) {
   return size > 0 ? size : 1;
 }
 
-std::vector<double> natural_magnitudes(const Model& m) {
+std::vector<double> nominal_magnitudes(const Model& m) {
   std::vector<double> magnitudes(m.coordinates(), 1);
   const double size = nominal_size(m);
   for (const Entity& e : m.entities)

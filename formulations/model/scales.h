@@ -14,13 +14,15 @@ namespace desmo {
 bool is_length(EntityKind kind);
 
 /// Returns the size of a mechanism in its unit of length: the diagonal of the axis-parallel box
-/// around all points in the nominal position. A larger nominal distance between points replaces it.
-/// Neither tells how far they are from the origin. Returns 1 where no points are apart.
+/// around all points in the nominal position or, where that is larger, the nominal value of a
+/// coordinate that is a distance. How far the points are from the origin does not matter. Returns 1
+/// where this size is 0.
 double nominal_size(const Model& model);
 
-/// Returns the magnitude of each coordinate's changes: the nominal size for points and distances, 1
-/// for vectors and angles.
-std::vector<double> natural_magnitudes(const Model& model);
+/// Returns the nominal magnitude of each coordinate: the nominal size for points and distances, 1
+/// for vectors and angles. (Natural magnitudes, of Magnitudes, go by the lengths of the bodies
+/// nearby.)
+std::vector<double> nominal_magnitudes(const Model& model);
 
 /// Scales of a motion, its largest values. Errors over scales have no unit: they are the same in
 /// metres and in millimetres.

@@ -12,7 +12,7 @@
 namespace desmo {
 
 /// A turn leads back where no coordinate is farther from its first place than this, over its
-/// natural magnitude: what a slow shaft turns in a turn of a fast one is more, what is rounded is
+/// nominal magnitude: what a slow shaft turns in a turn of a fast one is more, what is rounded is
 /// less.
 inline constexpr double max_drift = 1e-9;
 
@@ -23,7 +23,7 @@ inline constexpr double max_drift = 1e-9;
 inline bool is_back(const Model& m, std::span<const double> from, std::span<const double> to) {
   constexpr double turn = 2 * std::numbers::pi;
   const std::vector<bool> driven = independent_coordinates(m);
-  const std::vector<double> magnitude = natural_magnitudes(m);
+  const std::vector<double> magnitude = nominal_magnitudes(m);
   for (const Entity& e : m.entities)
     for (int i = e.first; !e.fixed && !driven[e.first] && i < e.first + e.size; ++i) {
       const double moved = to[i] - from[i];

@@ -22,7 +22,7 @@ ModellingResult model_mechanism(const Mechanism& d, const std::vector<Motion>& m
                                 std::to_string(drivers) + " drivers");
   const RigidBodies rigid = find_rigid_bodies(d);
   const Structure structure = find_structure(d, rigid);
-  Candidates candidates = make_candidates(d, rigid, structure, motions, modelling);
+  CandidateEquations candidates = make_candidate_equations(d, rigid, structure, motions, modelling);
 
   const std::size_t constant = candidates.model.groups.size() - structure.groups.size();
   std::vector<int> surplus(constant, 0);

@@ -24,7 +24,7 @@ struct ConditionNumber::Matrices {
   explicit Matrices(const Model& model)
       : m(model),
         system(m),
-        magnitude(natural_magnitudes(m)),
+        magnitude(nominal_magnitudes(m)),
         state(m.state_size()),
         a(system.rows(), static_cast<int>(system.unknowns().size())) {
     std::ranges::copy(m.fixed_values, state.begin() + m.coordinates());

@@ -9,7 +9,7 @@
 namespace desmo {
 
 /// Computes the condition number of a model's equations at a position: ‖A⁻¹‖∞ of A = R⁻¹ Φ_φ S, all
-/// equations at once. S holds the natural magnitudes of the unknowns: one radian, or a length of
+/// equations at once. S holds the nominal magnitudes of the unknowns: one radian, or a length of
 /// the mechanism. R makes the row sums of |A| one, so that ‖A‖∞ = 1. The number bounds the relative
 /// change of position that a relative change of an equation causes, whatever the units and the
 /// partition. The inverse is not estimated: n solves with a sparse LU factorisation, O(n²).

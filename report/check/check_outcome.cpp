@@ -62,7 +62,7 @@ CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline
   const Record& then = baseline ? baseline->head : check.base ? *check.base : check.head;
   exclude(outcome, check, then);
   if (!baseline && check.base && has_times(check.head)) {
-    outcome.differences = why_incomparable(then, check.head);
+    outcome.differences = incomparable_reasons(then, check.head);
     if (outcome.differences.empty()) outcome.time = find_times(check);
   }
   outcome.work = find_works(check, baseline);

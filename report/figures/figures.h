@@ -15,8 +15,7 @@ namespace desmo::report {
 /// data "lines" has the table's lines. What a design does not mention is left out. `usermeta` of a
 /// design may have
 /// - fold: a key. A datum is a number instead: its column's name under that key, its quantities
-/// under
-///   their own names, "shown" and "note".
+///   under their own names, "shown" and "note".
 /// - number: a column. The second panel shows rows without that number, if there are any.
 ///
 /// The boxes below a figure and its legend show the names of its first scale that has some. A scale

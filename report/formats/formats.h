@@ -20,10 +20,9 @@ std::string to_terminal(const Document& document);
 std::string front_to_terminal(const Document& document);
 
 /// RFC 4180 with "\n"; the first line is the heading. A column with quantities becomes one field
-/// per quantity, named
-/// "<column> <quantity>"; where there is no number the first of them holds the note (FAILED, —).
-/// Reservations about numbers are in the last field, "notes". A text that a spreadsheet would take
-/// for a formula begins with an apostrophe.
+/// per quantity, named "<column> <quantity>"; where there is no number the first of them holds the
+/// note (FAILED, —). Reservations about numbers are in the last field, "notes". A text that a
+/// spreadsheet would take for a formula begins with an apostrophe.
 std::string to_csv(const Table& table);
 
 /// The whole report as one object: "title" and "sections", each with "chapter", "title",
@@ -51,9 +50,6 @@ std::string to_index(const std::vector<IndexRow>& rows);
 
 /// Replaces some characters.
 std::string escaped(std::string_view text, const std::map<char, std::string>& escapes);
-
-/// Characters of UTF-8, not bytes.
-std::size_t characters(const std::string& text);
 
 /// Characters of a row in which every entry is its column's longest: how wide a table gets.
 std::size_t row_width(const Table& table);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cases/mechanism/names.h"
 #include "report/formats/formats.h"
 
 namespace desmo::report {

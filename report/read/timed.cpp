@@ -71,8 +71,8 @@ Windows read_windows(const RecordValue& node, const RecordSettings& settings) {
   return windows;
 }
 
-// Windows are all that a repetition consists of, so that their least times cannot add up to more
-// than the least repetition; a thousandth is left to the clock.
+// The windows of a repetition cover all of it, so their least times add up to no more than the
+// shortest repetition; a thousandth is left to the clock.
 void require_within_repetition(const RecordValue& node, const Time& time) {
   const std::vector<double>& least = time.windows.least;
   if (std::accumulate(least.begin(), least.end(), 0.0) > 1.001 * std::ranges::min(time.seconds))

@@ -133,17 +133,17 @@ void compare_measured(Comparison& all, const Record& first, const Record& second
 
 }  // namespace
 
-std::vector<Difference> different_work_reason(const Record& first, const Record& second) {
+std::vector<Difference> different_work_reasons(const Record& first, const Record& second) {
   Comparison all;
   compare_settings(all, first.settings, second.settings);
   compare_measured(all, first, second);
   return all.differences;
 }
 
-std::vector<Difference> why_incomparable(const Record& first, const Record& second) {
+std::vector<Difference> incomparable_reasons(const Record& first, const Record& second) {
   Comparison all;
   compare_environment(all, first, second);
-  std::ranges::move(different_work_reason(first, second), std::back_inserter(all.differences));
+  std::ranges::move(different_work_reasons(first, second), std::back_inserter(all.differences));
   return all.differences;
 }
 

@@ -19,11 +19,11 @@ struct Difference {
 /// CPU model, compiler, build type, flags, linking, BLAS core and threads, settings, and, for what
 /// both have timed, in the model and the results. At least one measurement must be in both. What
 /// only one records counts as different, and linking also where neither does.
-std::vector<Difference> why_incomparable(const Record& first, const Record& second);
+std::vector<Difference> incomparable_reasons(const Record& first, const Record& second);
 
 /// Says why speed-ups of two machines cannot stand side by side; empty when they can. They must
-/// agree in everything that why_incomparable() compares, but for the environment.
-std::vector<Difference> different_work_reason(const Record& first, const Record& second);
+/// agree in everything that incomparable_reasons() compares, but for the environment.
+std::vector<Difference> different_work_reasons(const Record& first, const Record& second);
 
 /// Times of one experiment by one clock.
 struct TimedGroup {

@@ -110,7 +110,7 @@ std::vector<std::string_view> recorded_families(const Record& record, std::strin
   for (const std::string_view family : sparse_families)
     if (std::ranges::any_of(record.candidates, [&](const auto& candidate) {
           const CandidateKey& key = candidate.first;
-          return std::ranges::any_of(paper_variants, [&](const Variant& variant) {
+          return std::ranges::any_of(paper_variants, [&](const PaperVariant& variant) {
             return variant.id.ends_with("<sparse>") &&
                    (case_name.empty() || variant.case_name == case_name) &&
                    key == family_key(variant, key.coordinates, family);

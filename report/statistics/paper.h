@@ -25,7 +25,7 @@ class PublishedTable {
   std::vector<std::vector<std::string>> lines_;  // the first holds the names of the columns
 };
 
-inline constexpr double published_duration = 30;  ///< s, of motion, behind every published time
+inline constexpr double published_duration = 30;  ///< s, of motion, of every published time
 
 const PublishedTable& published_cpu_seconds();          ///< table 1
 const PublishedTable& published_speed_up();             ///< table 2

@@ -62,7 +62,7 @@ SpeedUp speed_up(const std::vector<double>& reference, const std::vector<double>
           .low = a.seconds / b.again,
           .high = a.again / b.seconds,
           .percent = 100 * (1 - b.seconds / a.seconds),
-          .spread = std::min(reference.size(), variant.size()) >= min_for_interval};
+          .has_interval = std::min(reference.size(), variant.size()) >= min_for_interval};
 }
 
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {

@@ -120,7 +120,7 @@ SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant) {
             .low = reference.least / variant.largest,
             .high = reference.largest / variant.least,
             .percent = 100 * (1 - 1 / ratio),
-            .spread = reference.has_interval() && variant.has_interval()};
+            .has_interval = reference.has_interval() && variant.has_interval()};
   if (sampled) {
     s.low = reference.value / *variant.without_best;
     s.high = *reference.without_best / variant.value;
@@ -134,14 +134,14 @@ SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant) {
 }
 
 SpeedUp mean(std::span<const SpeedUp> sizes) {
-  SpeedUp result{.spread = true};
+  SpeedUp result{.has_interval = true};
   const double n = static_cast<double>(sizes.size());
   for (const SpeedUp& size : sizes) {
     result.value += size.value / n;
     result.low += size.low / n;
     result.high += size.high / n;
     result.percent += size.percent / n;
-    result.spread = result.spread && size.spread;
+    result.has_interval = result.has_interval && size.has_interval;
   }
   return result;
 }

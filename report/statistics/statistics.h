@@ -62,12 +62,12 @@ struct SpeedUp {
   /// - neither: the reference's least time over the variant's largest, and the reverse
   double low = 0;
   double high = 0;
-  double percent = 0;   ///< improvement 100 (1 - 1/S), from the unrounded S
-  bool spread = false;  ///< there are enough repetitions for low and high to be an interval
+  double percent = 0;         ///< improvement 100 (1 - 1/S), from the unrounded S
+  bool has_interval = false;  ///< there are enough repetitions for low and high to be an interval
 
   double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
   /// Returns whether the interval is too wide for the number to be quoted.
-  bool inconclusive() const { return spread && half_width() > max_conclusive_width; }
+  bool inconclusive() const { return has_interval && half_width() > max_conclusive_width; }
 };
 
 /// Returns the ratio of undisturbed times, where both have samples of windows or as many least
@@ -75,7 +75,7 @@ struct SpeedUp {
 SpeedUp speed_up(const SampleSummary& reference, const SampleSummary& variant);
 
 /// Returns the arithmetic mean of each member over the sizes, as in the last row of the paper's
-/// table 2, also of percentages; with a spread if all have one. Of one or more.
+/// table 2, also of percentages; with an interval if all have one. Of one or more.
 SpeedUp mean(std::span<const SpeedUp> sizes);
 
 /// t = c n^slope, fitted by least squares in log t over log n.

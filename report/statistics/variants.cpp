@@ -14,11 +14,12 @@ std::string replaced(std::string_view text, std::string_view from, std::string_v
 
 }  // namespace
 
-std::string family_name(const Variant& variant, std::string_view family) {
+std::string family_name(const PaperVariant& variant, std::string_view family) {
   return replaced(variant.paper_name, "MA27", family);
 }
 
-CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family) {
+CandidateKey family_key(const PaperVariant& variant, std::int64_t coordinates,
+                        std::string_view family) {
   return {std::string(variant.case_name), coordinates, replaced(variant.id, "<sparse>", family)};
 }
 

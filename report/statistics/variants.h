@@ -21,14 +21,14 @@ inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "ch
 /// The formulation that everything is compared with.
 inline constexpr std::string_view usual_reference = "global_automatic_klu";
 
-struct Variant {
+struct PaperVariant {
   std::string_view paper_name;  ///< a family's name replaces its "MA27"
   std::string_view case_name;
   std::string_view id;  ///< "<sparse>" in it gives way to the family
 };
 
 /// In the order of the columns of the paper's table 1.
-inline constexpr std::array<Variant, 7> paper_variants{
+inline constexpr std::array<PaperVariant, 7> paper_variants{
     {{"FBL-G_MA27", "four_bar", "global_automatic_<sparse>"},
      {"FBL-TP", "four_bar", "group_symbolic_inlined"},
      {"TS-G_MA27", "truck_suspension", "global_automatic_<sparse>"},
@@ -70,9 +70,10 @@ bool is_beside(const Peer& peer, std::string_view id);
 bool is_beside_peers(const Record& record, std::string_view id);
 
 /// TS-TPA_MA27 and klu: TS-TPA_klu.
-std::string family_name(const Variant& variant, std::string_view family);
+std::string family_name(const PaperVariant& variant, std::string_view family);
 
 /// The candidate that stands for the variant in a family.
-CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family);
+CandidateKey family_key(const PaperVariant& variant, std::int64_t coordinates,
+                        std::string_view family);
 
 }  // namespace desmo::report

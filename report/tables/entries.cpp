@@ -50,19 +50,21 @@ void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate) {
 }
 
 std::string ratio_text(const SpeedUp& ratio) {
-  return ratio.spread ? write(ratio.value, ratio_digits(ratio.value)) : write_order(ratio.value);
+  return ratio.has_interval ? write(ratio.value, ratio_digits(ratio.value))
+                            : write_order(ratio.value);
 }
 
 Entry ratio_entry(const SpeedUp& ratio, bool with_percent) {
   const DigitStyle style = ratio_digits(ratio.value);
   std::string form = "{}";
   std::vector<std::string> digits{ratio_text(ratio), "", ""};
-  if (ratio.spread) {
+  if (ratio.has_interval) {
     form += " [{}, {}]";
     digits = {digits[0], write(ratio.low, style), write(ratio.high, style)};
   }
   if (with_percent) {
-    const bool shown = ratio.spread && ratio.percent >= 0;  // of what is slower the ratio says it
+    const bool shown =
+        ratio.has_interval && ratio.percent >= 0;  // of what is slower the ratio says it
     digits.push_back(shown ? write_fixed(ratio.percent, 1) : "");
     if (shown) form += " ({} %)";
   }

@@ -13,7 +13,7 @@ using Counted = std::pair<const CandidateKey, StepCount>;
 
 /// The paper's name of a formulation, where it has one.
 std::string paper_name(const CandidateKey& key) {
-  for (const Variant& variant : paper_variants)
+  for (const PaperVariant& variant : paper_variants)
     for (const std::string_view family : sparse_families)
       if (variant.case_name == key.case_name &&
           family_key(variant, key.coordinates, family).id == key.id)
@@ -87,7 +87,7 @@ Section history_section(const History& history) {
   for (const HistoryPoint& point : history.points) {
     const std::string date = point.date.substr(0, 10);
     std::vector<Entry>& row = lines.rows.emplace_back();
-    row = {++number, point.commit, date, point.title};
+    row = {++number, point.commit, date, point.subject};
     for (std::size_t i = 0; i < history.candidates.size(); ++i) {
       if (!point.instructions[i]) {
         row.push_back(note_entry(missing_mark));
@@ -99,7 +99,7 @@ Section history_section(const History& history) {
       last[i] = count;
       if (std::abs(change) <= marked) continue;
       add_note(row.back(), "moved");
-      moves.rows.push_back({point.commit, date, point.title, history.candidates[i],
+      moves.rows.push_back({point.commit, date, point.subject, history.candidates[i],
                             static_cast<std::int64_t>(before), *point.instructions[i],
                             composed("{} %", {percent_of(change)})});
     }

@@ -18,7 +18,7 @@ std::set<std::int64_t> sizes_with(const Record& record, std::string_view family,
                                   const Variants& shown) {
   std::set<std::int64_t> sizes(published_sizes().begin(), published_sizes().end());
   for (const auto& [key, candidate] : record.candidates)
-    for (const Variant& variant : shown)
+    for (const PaperVariant& variant : shown)
       if (key == family_key(variant, key.coordinates, family)) sizes.insert(key.coordinates);
   return sizes;
 }
@@ -34,7 +34,7 @@ void add_both(Table& table, std::vector<Entry> ours, std::vector<Entry> paper) {
 
 /// Returns the CPU time [s] that the paper prints of a variant in a row of its table 1 ("114" …
 /// "mean"); a note where that is no number.
-Entry published_seconds_entry(const std::string& row, const Variant& variant) {
+Entry published_seconds_entry(const std::string& row, const PaperVariant& variant) {
   const PublishedTable& table = published_cpu_seconds();
   const std::string digits = table.text(row, variant.paper_name);
   if (digits.empty()) return note_entry(missing_mark);
@@ -43,7 +43,7 @@ Entry published_seconds_entry(const std::string& row, const Variant& variant) {
 }
 
 /// Returns the speed-up of its table 2 likewise, as {speed_up, low, high, percent}.
-Entry published_speed_up_entry(const std::string& row, const Variant& variant,
+Entry published_speed_up_entry(const std::string& row, const PaperVariant& variant,
                                bool with_percent = true) {
   const std::string value = published_speed_up().text(row, variant.paper_name);
   const std::string percent = published_improvement_percent().text(row, variant.paper_name);
@@ -91,14 +91,14 @@ Table cpu_times(const Record& record, std::string_view family) {
                                                                      {{"paper", source.paper}})},
                                      {"paper_solver", sentence(solver, {{"family", family}})}}));
   if (!source.warning.empty()) table.notes.push_back(source.warning);
-  for (const Variant& variant : paper_variants)
+  for (const PaperVariant& variant : paper_variants)
     table.columns.push_back({family_name(variant, family), {"seconds", "median", "repetitions"}});
   std::set<std::int64_t> sizes = sizes_with(record, family, paper_variants);
   sizes.insert(published_four_bar);
   for (const std::int64_t size : sizes) {
     const std::string row = std::to_string(size);
     std::vector<Entry> ours{row, source.ours}, paper{row, source.paper};
-    for (const Variant& variant : paper_variants) {
+    for (const PaperVariant& variant : paper_variants) {
       ours.push_back(
           seconds_entry(measured(record, family_key(variant, size, family)), Spread::median));
       paper.push_back(published_seconds_entry(row, variant));
@@ -118,9 +118,9 @@ Table speed_ups(const Record& record, std::string_view family) {
                            {"reference", family_name(paper_variants[truck_global], family)}}));
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(source.ratio_warning);
-  std::vector<Variant> shown;
+  std::vector<PaperVariant> shown;
   for (const std::size_t variant : topological) shown.push_back(paper_variants[variant]);
-  for (const Variant& variant : shown)
+  for (const PaperVariant& variant : shown)
     table.columns.push_back({family_name(variant, family), {"speed_up", "low", "high", "percent"}});
   const auto add = [&](const std::string& name, const auto& ours_of) {
     std::vector<Entry> ours{name, "ours"}, paper{name, "paper"};
@@ -147,7 +147,7 @@ Table speed_ups(const Record& record, std::string_view family) {
 constexpr const char* paper_solver = "MA27 (the paper)";
 
 /// What stands under the same line of the legend in every panel: TS-TPA_MA27 -> TS-TPA sparse.
-std::string legend(const Variant& variant) {
+std::string legend(const PaperVariant& variant) {
   std::string name = family_name(variant, "sparse");
   for (char& c : name)
     if (c == '_') c = ' ';
@@ -159,7 +159,7 @@ template <typename EntryOf>
 void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
   for (const std::int64_t size : published_sizes()) {
     std::vector<Entry> row{name, size};
-    for (const Variant& variant : paper_variants) row.push_back(entry_of(size, variant));
+    for (const PaperVariant& variant : paper_variants) row.push_back(entry_of(size, variant));
     table.rows.push_back(std::move(row));
   }
 }
@@ -182,18 +182,18 @@ Table figure_of_times(const Record& record) {
   if (!same) table.notes.push_back(table.caption = source.warning);
   table.notes.push_back(sentence("figure5.paper_machine"));
   table.notes.push_back(sentence("figure5.lines"));
-  for (const Variant& variant : paper_variants)
+  for (const PaperVariant& variant : paper_variants)
     table.columns.push_back({legend(variant), {"seconds", "median", "repetitions"}});
   Table ours = table;
   for (const std::string_view family : recorded_families(record))
     add_panel(ours, std::string(family) + (same ? "" : " (" + source.ours + ")"),
-              [&](std::int64_t size, const Variant& variant) {
+              [&](std::int64_t size, const PaperVariant& variant) {
                 return seconds_entry(measured(record, family_key(variant, size, family)),
                                      Spread::median);
               });
   if (!ours.has_marks()) return table;  // the paper's times alone say nothing of the record
   add_panel(table, same ? paper_solver : "MA27 (the " + source.paper + ")",
-            [](std::int64_t size, const Variant& variant) {
+            [](std::int64_t size, const PaperVariant& variant) {
               return published_seconds_entry(std::to_string(size), variant);
             });
   std::ranges::move(ours.rows, std::back_inserter(table.rows));

@@ -55,7 +55,7 @@ std::vector<Variation> variations(const Record& record) {
 }
 
 /// Finds a variant at the size at which its case is drawn; null when it was not tried.
-const NamedPoint* find_variant(const Record& record, const Variant& variant,
+const NamedPoint* find_variant(const Record& record, const PaperVariant& variant,
                                std::string_view family, const Variation& variation) {
   const std::vector<SeriesKey> all = drawn_series(record);
   const auto series = std::ranges::find(all, variant.case_name, &SeriesKey::case_name);

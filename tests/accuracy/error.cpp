@@ -168,7 +168,7 @@ TEST(Scales, WhatDoesNotMoveIsJudgedByWhatDoes) {
   m.add_fixed(EntityKind::point, "O", std::array{0.0, 0.0});
   m.add(EntityKind::angle, "still", std::array{1.0}, g);
   EXPECT_EQ(nominal_size(m), 5);
-  EXPECT_EQ(natural_magnitudes(m), (std::vector<double>{5, 5, 1}));
+  EXPECT_EQ(nominal_magnitudes(m), (std::vector<double>{5, 5, 1}));
   const ReferenceInstant uniform{0, {3, 4, 1}, {6, 8, 1e-40}, {0, 0, 0}};
   const Scales s = make_scales(m, std::span(&uniform, 1));
   EXPECT_EQ(s.length.velocity, 10);

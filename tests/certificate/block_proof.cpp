@@ -16,15 +16,15 @@ namespace {
 using Wide = boost::multiprecision::float128;
 using Point = std::array<double, 2>;
 
-/// Two centers and the point where links from them meet.
+/// Two centres and the point where links from them meet.
 struct Dyad {
-  std::array<Point, 2> centers;
+  std::array<Point, 2> centres;
   Point meeting;
 
   std::array<double, 2> squares() const {
     std::array<double, 2> all;
     for (int k = 0; k < 2; ++k) {
-      const double x = meeting[0] - centers[k][0], y = meeting[1] - centers[k][1];
+      const double x = meeting[0] - centres[k][0], y = meeting[1] - centres[k][1];
       all[k] = x * x + y * y;
     }
     return all;
@@ -35,7 +35,7 @@ struct Dyad {
     for (int iteration = 0; iteration < 8; ++iteration) {
       std::array<Wide, 2> x, y, phi;
       for (int k = 0; k < 2; ++k) {
-        x[k] = p[0] - centers[k][0], y[k] = p[1] - centers[k][1];
+        x[k] = p[0] - centres[k][0], y[k] = p[1] - centres[k][1];
         phi[k] = x[k] * x[k] + y[k] * y[k] - squares()[k];
       }
       const Wide twice = 2 * (x[0] * y[1] - x[1] * y[0]);
@@ -46,7 +46,7 @@ struct Dyad {
   }
 };
 
-/// A dyad as block of two equations: its coordinates are 2 k and 2 k + 1, its centers are fixed.
+/// A dyad as block of two equations: its coordinates are 2 k and 2 k + 1, its centres are fixed.
 BlockBatch::Member member(int k, const Dyad& dyad) {
   BlockBatch::Member made{{}, 0, k, 2 * k, Level::acceleration, {2 * k, 2 * k + 1}};
   BlockShape& s = made.block.shape;
@@ -94,7 +94,7 @@ TEST(BlockProof, HoldsWherePivotsSuitOneLaneOnly) {
         for (int i = 0; i < 2; ++i) {
           errors.position.rows[2 * k + i].delivered = p[i] + 1e-12 * uniform(generator);
           for (int c = 0; c < 2; ++c)
-            errors.position.rows[4 + 4 * k + 2 * c + i].delivered = dyads[k].centers[c][i];
+            errors.position.rows[4 + 4 * k + 2 * c + i].delivered = dyads[k].centres[c][i];
         }
       BlockProof proof({.unknowns = 2, .width = 2, .states = 6, .columns = 0});
       const PerLevel<LaneMask> proven = proof.prove(batch, Level::position, errors);
@@ -247,8 +247,8 @@ TEST(BlockProof, HandsErrorsOn) {
         const Exact error = exact[level] - Exact(row.delivered);
         EXPECT_LE(abs(error), Exact(row.sum)) << corner;
         EXPECT_LE(abs(error), Exact(e.rows[0].sum)) << corner;
-        EXPECT_LE(abs(error - Exact(row.center)), Exact(e.rows[0].own)) << corner;
-        Exact rest = error - Exact(row.center);
+        EXPECT_LE(abs(error - Exact(row.centre)), Exact(e.rows[0].own)) << corner;
+        Exact rest = error - Exact(row.centre);
         for (int k = 0; k < columns; ++k) rest -= Exact(e.of_row(rows)[k]) * t[k];
         EXPECT_LE(abs(rest), Exact(row.own)) << corner;
         if (abs(error) > largest[level]) largest[level] = abs(error);
@@ -295,7 +295,7 @@ TEST(BlockProof, HoldsUsualErrorsInTheFirstX) {
   for (auto* values : {&e.radius, &e.correction, &e.rest}) values->resize(2);
   e.rows[0].delivered = 1;
   e.rows[1].delivered = 4e-12;
-  e.rows[7].delivered = dyad.centers[1][1];
+  e.rows[7].delivered = dyad.centres[1][1];
   BlockProof proof({.unknowns = 2, .width = 2, .states = 6, .columns = 0});
   ASSERT_TRUE(proof.prove(batch, Level::position, errors).position[0]);
   e.write_bounds();
@@ -323,7 +323,7 @@ TEST(BlockProof, SaysWhatMostOfAnErrorComesFrom) {
   };
   EXPECT_EQ(failure(0.6, 0, 1), ProofFailure::drivers);
   EXPECT_EQ(failure(0, 0.6, 1), ProofFailure::time);
-  EXPECT_EQ(failure(0, 0.6, 4), ProofFailure::budget);  // 0.6 of 3.6
+  EXPECT_EQ(failure(0, 0.6, 4), ProofFailure::far_off);  // 0.6 of 3.6
 }
 
 }  // namespace

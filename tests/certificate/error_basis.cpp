@@ -106,7 +106,7 @@ TEST(ErrorTable, CountsRoundingOfManySymbols) {
   row.set_error(-1, symbols);
   EXPECT_LE(1 + 100 * Exact(lost), Exact(row.sum));
   EXPECT_LE(row.sum, 1 + 1e-13);
-  EXPECT_EQ(row.center, -1);
+  EXPECT_EQ(row.centre, -1);
   EXPECT_EQ(row.own, 0);
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int size = 2, columns = 2, first_lent = size;
 constexpr std::array solved{Level::position, Level::velocity};
-/// Errors of rows 2 and 3 at both levels: centers, G and own radii.
-constexpr double center[2][size] = {{1, -2}, {3, -4}};
+/// Errors of rows 2 and 3 at both levels: centres, G and own radii.
+constexpr double centre[2][size] = {{1, -2}, {3, -4}};
 constexpr double g[2][size][columns] = {{{0.5, 0.1}, {-0.2, 0.3}}, {{0.7, -0.4}, {0.1, 0.6}}};
 constexpr double own[2][size] = {{0.25, 0.125}, {0.5, 0.0625}};
 
@@ -26,7 +26,7 @@ GroupInterface interface_of_two() {
                       {first_lent, first_lent + 1},
                       {static_cast<int>(all_levels.size()) * size, columns},
                       {}};
-  for (const Level level : all_levels) made.center[level].resize(size);
+  for (const Level level : all_levels) made.centre[level].resize(size);
   return made;
 }
 
@@ -40,7 +40,7 @@ PerLevel<ErrorTable> errors_of_two() {
     e.first_lent = first_lent;
     e.generators.resize(size * columns);
     for (int i = 0; i < size; ++i) {
-      e.rows[first_lent + i] = {9, center[l][i], own[l][i], std::abs(center[l][i]) + width(l, i)};
+      e.rows[first_lent + i] = {9, centre[l][i], own[l][i], std::abs(centre[l][i]) + width(l, i)};
       for (int k = 0; k < columns; ++k) e.of_row(first_lent + i)[k] = g[l][i][k];
     }
   }
@@ -72,7 +72,7 @@ TEST(GroupInterface, HandsOnWhatItsBasisEncloses) {
     for (int i = 0; i < size; ++i) {
       const ErrorTable::Row& row = table.rows[size + i];
       EXPECT_EQ(row.delivered, table.rows[i].delivered);
-      EXPECT_EQ(row.center, center[l][i]);
+      EXPECT_EQ(row.centre, centre[l][i]);
       EXPECT_EQ(row.own, 0);
       double sum = 0;
       for (int k = 0; k < table.columns; ++k) {
@@ -83,7 +83,7 @@ TEST(GroupInterface, HandsOnWhatItsBasisEncloses) {
       }
       EXPECT_GE(sum, width(l, i));
       EXPECT_LE(sum, 2.5 * width(l, i));
-      EXPECT_NEAR(row.sum, std::abs(row.center) + sum, 1e-14);
+      EXPECT_NEAR(row.sum, std::abs(row.centre) + sum, 1e-14);
     }
   }
 }
@@ -99,7 +99,7 @@ TEST(GroupInterface, HandsRadiiOnWhereOneIsNotBounded) {
     interface.lend(Level::position, size, 3, table);
     for (int i = 0; i < size; ++i) {
       EXPECT_EQ(table.rows[size + i].delivered, table.rows[i].delivered);
-      EXPECT_EQ(table.rows[size + i].center, table.rows[i].center);
+      EXPECT_EQ(table.rows[size + i].centre, table.rows[i].centre);
       EXPECT_EQ(table.rows[size + i].own, table.rows[i].own);
       EXPECT_EQ(table.rows[size + i].sum, table.rows[i].sum);
       for (int k = 0; k < table.columns; ++k) EXPECT_EQ(table.of_row(size + i)[k], 0);

@@ -8,13 +8,13 @@ namespace desmo::growth_test {
 namespace {
 
 /// Expects that `steps` steps succeed before the next one is to be longer.
-void expect_wait(Growth& growth, int steps) {
+void expect_wait(StepGrowth& growth, int steps) {
   for (int i = 0; i < steps; ++i) EXPECT_FALSE(growth.succeeded()) << i << " of " << steps;
   EXPECT_TRUE(growth.succeeded()) << steps;
 }
 
-TEST(Growth, WaitsTwiceAsLongAfterEachLongerStepThatFails) {
-  Growth growth;
+TEST(StepGrowth, WaitsTwiceAsLongAfterEachLongerStepThatFails) {
+  StepGrowth growth;
   expect_wait(growth, 0);
   for (int wait = 2; wait < 2000; wait *= 2) {
     growth.failed();

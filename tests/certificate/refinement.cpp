@@ -287,7 +287,7 @@ TEST(ProofFailure, SaysWhy) {
   ReferenceInstant s = double_solution(m, std::array{0.1}).front();
   EXPECT_EQ(failure_of(m, s), ProofFailure::none);
   s.q[m.entities[m.find("phi")].first] += 1.5;
-  EXPECT_EQ(failure_of(m, s), ProofFailure::budget);
+  EXPECT_EQ(failure_of(m, s), ProofFailure::far_off);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
   write("scene.json", locks);  // in mm and degrees
   ASSERT_EQ(desmo("range scene.json"), 0) << err_;
   for (const char* text :
-       {"short, from t = 0 s", "theta, from 0 deg", "  up    36.8698976458 deg: locks, to ",
+       {"short, from t = 0 s", "theta, from 0 deg", "  up    36.8698976458 deg: locks, known within ",
         "  down  -36.8698976458 deg: locks", "group   SG-II (rod, slider)", "moves   C",
         "joints  revolute/rod/slider, prismatic/ground/slider", "loop    crank, rod"})
     EXPECT_TRUE(prints(text)) << text << "\n" << out_;
@@ -77,8 +77,8 @@ TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
 
 TEST_F(Cli, NamesAllLoopsThatLockAtOnce) {
   const std::string scene = DESMO_SOURCE_DIR "/tests/range/scenes/delta_platform_driven.json";
-  expect_printed("range " + scene, "  down  -0.887411967465 m: locks, to ");
-  EXPECT_TRUE(prints("  up    -0.259807621135 m: locks, to ")) << out_;
+  expect_printed("range " + scene, "  down  -0.887411967465 m: locks, known within ");
+  EXPECT_TRUE(prints("  up    -0.259807621135 m: locks, known within ")) << out_;
   EXPECT_FALSE(prints("no position was found")) << out_;
   ASSERT_EQ(desmo("range --json " + scene), 0) << err_;
   const auto joints = Json::parse(out_)["drivers"][2]["ends"][1]["joints"];

@@ -260,7 +260,7 @@ TEST(Tearing, FindsTheSmallestCoreThatIsWellConditioned) {
   const Expr x = input(1), y = input(1e-3);
   const Expr one = Expr::node(graph.input("c", {1 + 1e-6}, false));
   const Facts facts;
-  const Torn torn = Tearing({x * x + y * y - one, x * (y * y * y) + y}, {x, y}, facts).best();
+  const TornOrder torn = Tearing({x * x + y * y - one, x * (y * y * y) + y}, {x, y}, facts).best();
   EXPECT_EQ(torn.unplaced, 0);
   EXPECT_EQ(torn.torn, std::vector<int>{1});
   ASSERT_EQ(torn.placed.size(), 1u);

@@ -30,7 +30,7 @@ class CaseVerification : public testing::Test {
   }
   /// As a run says of an instant that it is no better than that, at all levels.
   void degrade(int instant, double bound) {
-    run.steps[instant].flag = CaseRun::Flag::degraded;
+    run.steps[instant].flag = CaseRun::Flag::unproven;
     run.stated[instant]->radius = {bound, bound, bound};
   }
   ExtremeVerdict verdict() const { return verify(known, run).verdict; }
@@ -155,7 +155,7 @@ TEST_F(CaseVerification, WhatHasToBeReportedIs) {
 }
 
 TEST_F(CaseVerification, EndsOfWhatCannotBeSolvedAreKnownToANanosecond) {
-  c.goes_on = true;
+  c.past_failures = true;
   ran(0);
   known.ends = {0.05, 0.15};
   EXPECT_EQ(reason(), "it says 0 ends of answers of 2");

@@ -294,7 +294,7 @@ TEST(Measures, RatiosAtRestAreLimitsOrMissing) {
   const auto theta = static_cast<std::size_t>(m.coordinate("theta")),
              out = static_cast<std::size_t>(m.coordinate("s"));
   const std::vector<double> q = m.estimate;
-  const double magnitude = natural_magnitudes(m)[out];
+  const double magnitude = nominal_magnitudes(m)[out];
   const auto ratio = [&](const char* over, double s_d, double theta_d, double s_dd,
                          double theta_dd) {
     Scene asked = s;

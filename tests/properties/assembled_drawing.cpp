@@ -12,11 +12,11 @@ namespace desmo::properties {
 
 namespace {
 
-constexpr double max_first_correction = 0.01;  // of a step, over natural magnitudes
+constexpr double max_first_correction = 0.01;  // of a step, over nominal magnitudes
 constexpr double solved = 1e-28;               // correction, likewise, that only rounding leaves
 constexpr double min_step = 1e-6;              // of λ
 
-/// Returns the largest of Newton's corrections over natural magnitudes; infinite: the matrix is
+/// Returns the largest of Newton's corrections over nominal magnitudes; infinite: the matrix is
 /// singular.
 double corrected(GlobalSolver<Quadruple>& solver) {
   try {

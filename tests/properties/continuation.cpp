@@ -39,7 +39,7 @@ DriverPath motions_of(const Model& model) {
 
 Continuation::Continuation(const Model& m)
     : m_(m),
-      magnitude_(natural_magnitudes(m)),
+      magnitude_(nominal_magnitudes(m)),
       solver_(m),
       condition_number_(m),
       blocks_(make_partition(m, Partition::block)) {
@@ -138,7 +138,7 @@ bool Continuation::try_step(const Quadruple& next) {
 }
 
 Continuation::Determinants Continuation::determinants() const {
-  WideState<Quadruple> state(m_.state_size());
+  ScalarState<Quadruple> state(m_.state_size());
   std::ranges::transform(solver_.state(), state.q.begin(), &Jet<Quadruple>::value);
   Determinants result;
   for (const PartDefinition& block : blocks_) {

@@ -143,9 +143,9 @@ TEST_P(Choice, KeepsItsPromiseOnTheWholeMotion) {
                           ? make_scene(find_case(name.substr(0, name.size() - 4)), 114)
                           : library_scene(name);
   const TunedMotion motion = begin_and_whole(scene);
-  const Effort effort{.formulations = {&find_variant("group_automatic_klu"),
-                                       &find_variant("block_symbolic_inlined")},
-                      .rounds = 1};
+  const SearchOptions options{.formulations = {&find_variant("group_automatic_klu"),
+                                               &find_variant("block_symbolic_inlined")},
+                              .rounds = 1};
   using enum Level;
   std::vector<std::pair<double, Level>> promises{{1e-3, acceleration}, {1e-11, position}};
   if (name == "slider_crank")  // every error at both levels of one mechanism
@@ -153,7 +153,7 @@ TEST_P(Choice, KeepsItsPromiseOnTheWholeMotion) {
         promises.end(),
         {{1e-3, position}, {1e-7, position}, {1e-7, acceleration}, {1e-11, acceleration}});
   for (const auto& [allowed, level] : promises) {
-    const Found found = search(motion, {level, allowed, 0}, effort);
+    const SearchResult found = search(motion, {level, allowed, 0}, options);
     ASSERT_TRUE(found.choice) << allowed;
     EXPECT_LE(found.error[level].max, allowed / 2);
     EXPECT_LE(error_elsewhere(scene, *found.choice, level), allowed)
@@ -167,11 +167,11 @@ INSTANTIATE_TEST_SUITE_P(Mechanisms, Choice,
 
 TEST(Search, GivesTheMostAccurateWithinABudget) {
   const TunedMotion motion = begin_and_whole(library_scene("slider_crank"));
-  const Effort effort{.formulations = {&find_variant("group_automatic_klu")}, .rounds = 1};
-  const Found found = search(motion, {Level::position, 0, 1.0}, effort);
+  const SearchOptions options{.formulations = {&find_variant("group_automatic_klu")}, .rounds = 1};
+  const SearchResult found = search(motion, {Level::position, 0, 1.0}, options);
   ASSERT_TRUE(found.choice);
   EXPECT_LT(found.error.position.max, 1e-13);
-  EXPECT_FALSE(search(motion, {Level::position, 0, 1e-12}, effort).choice);
+  EXPECT_FALSE(search(motion, {Level::position, 0, 1e-12}, options).choice);
 }
 
 using AccuracyRecord = InFolder;

@@ -20,7 +20,8 @@ static_assert(stop_names.size() == static_cast<std::size_t>(RangeStop::none) + 1
 std::string sentence(const NamedEnd& e, const NamedRange& r) {
   switch (e.end.stop) {
     case RangeStop::dead_point:
-      return "locks, to " + quantity(std::abs(e.end.beyond - e.end.value), r.unit, "%.1e");
+      return "locks, known within " +
+             quantity(std::abs(e.end.beyond - e.end.value), r.unit, "%.1e");
     case RangeStop::full_turn:
       return e.end.turns == 1 ? "turns fully"
                               : "comes back after two turns, on another branch after one";

@@ -48,7 +48,7 @@ std::string obstacle_text(ProofFailure failure) {
       return "rounding of the coordinates, so far from the origin, leaves too few digits";
     case ProofFailure::sizes:
       return "rounding, with lengths of so different sizes, leaves too few digits";
-    case ProofFailure::budget:
+    case ProofFailure::far_off:
       return "the position is too far off";
     case ProofFailure::singular:
     case ProofFailure::none:
@@ -188,7 +188,7 @@ std::vector<double> driver_values(const Model& m, double time) {
 
 std::string start_text(const Model& m, const DisplayUnits& units, std::span<const double> z) {
   constexpr std::size_t most = 3;
-  const std::vector<double> magnitudes = natural_magnitudes(m);
+  const std::vector<double> magnitudes = nominal_magnitudes(m);
   std::vector<std::pair<double, std::size_t>> away;
   for (std::size_t i = 0; i < m.drivers.size(); ++i) {
     const Entity& e = m.entities[m.drivers[i].coordinate];

@@ -21,7 +21,7 @@ struct Column {
   int order = 0;          ///< of the derivative in its name
   int coordinate = -1;    ///< position in q, q̇ or q̈, measures included; -1: a constant
   double constant = 0;    ///< in SI units
-  bool may_lack = false;  ///< NaN is a number that there is not, as of a ratio at rest
+  bool may_lack = false;  ///< NaN stands for a missing number, such as a ratio at rest
 
   /// Returns the value in the column's unit.
   double value(const Instant& instant) const {

@@ -108,7 +108,7 @@ void MotionRecorder::flag(const CheckedInstant& checked) {
   const bool passes = f.kind == RowFlag::Kind::crossing || f.kind == RowFlag::Kind::on_point;
   const Flag::Kind kind = passes                            ? Flag::Kind::crossing
                           : f.kind == RowFlag::Kind::branch ? Flag::Kind::branch
-                                                            : Flag::Kind::degraded;
+                                                            : Flag::Kind::unproven;
   const int index = checked.instant.index;
   const double from = passes ? std::max(f.after, grid_.start) : f.time,
                to = passes ? std::min(f.before, grid_.time(grid_.instants - 1)) : f.time;

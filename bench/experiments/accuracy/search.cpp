@@ -19,7 +19,7 @@ constexpr int dense_limit = 114;     // coordinates of a dense global solve, O(n
 // Ratios of times within which the slower of two may yet prove the faster:
 constexpr double max_ratio_of_formulations = 1.6;  // with other settings
 constexpr double max_ratio_of_samples = 1.5;       // with further samples
-constexpr double max_ratio_of_motions = 1.25;      // on the whole motion instead of its begin
+constexpr double max_ratio_of_motions = 1.25;      // on the whole motion instead of its beginning
 constexpr std::size_t finalists = 16;
 constexpr std::size_t max_tried_on_whole = 100;  // the most accurate within a budget
 
@@ -31,13 +31,13 @@ std::vector<Settings> telling_settings() {
 
 class Searcher {
  public:
-  Searcher(const TunedMotion& motion, const Goal& goal, const Effort& effort)
-      : whole_(motion.whole), begin_(motion.begin), goal_(goal), effort_(effort) {}
+  Searcher(const TunedMotion& motion, const Goal& goal, const SearchOptions& options)
+      : whole_(motion.whole), beginning_(motion.beginning), goal_(goal), options_(options) {}
 
-  Found run() {
+  SearchResult run() {
     std::list<Trial> trials;
     for (const Variant* v : formulations())
-      for (const Settings& s : full_settings(*v)) add(trials, begin_, *v, s);
+      for (const Settings& s : full_settings(*v)) add(trials, beginning_, *v, s);
     say(std::to_string(trials.size()) + " configurations");
     for (Trial& t : trials) t.verify();
     for (Trial& t : trials) t.time(min_sample);
@@ -46,14 +46,14 @@ class Searcher {
       if (meets_goal(t)) hopeful.push_back(&t);
     decide(hopeful);
     for (const Trial& t : trials) tried_.push_back(tried(t, false));
-    std::ranges::stable_sort(tried_, {}, &Tried::seconds);
+    std::ranges::stable_sort(tried_, {}, &TriedConfiguration::seconds);
     found_.tried = std::move(tried_);
     return std::move(found_);
   }
 
  private:
   void say(const std::string& what) const {
-    if (effort_.say) effort_.say(what);
+    if (options_.say) options_.say(what);
   }
 
   static void add(std::list<Trial>& trials, const Problem& problem, const Variant& v,
@@ -63,7 +63,7 @@ class Searcher {
 
   /// Returns those that some settings may make the best.
   std::vector<const Variant*> formulations() {
-    std::vector<const Variant*> all = effort_.formulations, kept;
+    std::vector<const Variant*> all = options_.formulations, kept;
     if (all.empty())
       for (const Variant& v : variants())
         if (!bench::is_dense_global(v) || whole_.plan.model.coordinates() <= dense_limit)
@@ -71,7 +71,7 @@ class Searcher {
     say(std::to_string(all.size()) + " formulations");
     for (const Settings& s : telling_settings()) {
       std::list<Trial> trials;
-      for (const Variant* v : all) add(trials, begin_, *v, s);
+      for (const Variant* v : all) add(trials, beginning_, *v, s);
       for (Trial& t : trials) t.verify();
       for (int round = 0; round < 2; ++round)
         for (Trial& t : trials) t.time(min_sample);
@@ -88,7 +88,7 @@ class Searcher {
   double error(const Trial& t) const {
     return t.is_verified() ? t.error[goal_.level].max : infinity;
   }
-  bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / safety; }
+  bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / error_margin; }
   bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
   bool meets_goal(const Trial& t) const {
     if (!t.is_verified()) return false;
@@ -126,7 +126,7 @@ class Searcher {
       std::vector<Trial*> batch(hopeful.begin() + static_cast<std::ptrdiff_t>(first),
                                 hopeful.begin() + static_cast<std::ptrdiff_t>(last));
       say("the best " + std::to_string(batch.size()) + " once more, and over the whole motion");
-      for (int round = 0; round < effort_.rounds; ++round)
+      for (int round = 0; round < options_.rounds; ++round)
         for (Trial* t : batch) t->time(min_sample);
       sort(batch);
       choose_on_whole(batch);
@@ -142,14 +142,14 @@ class Searcher {
         if (t->min_seconds() <= max_ratio_of_samples * best) t->time(min_sample);
   }
 
-  Trial& try_on_whole(std::list<Trial>& trials, const Trial& on_begin) {
-    Trial& trial = trials.emplace_back(whole_, on_begin.configuration());
+  Trial& try_on_whole(std::list<Trial>& trials, const Trial& on_beginning) {
+    Trial& trial = trials.emplace_back(whole_, on_beginning.configuration());
     trial.verify();
     trial.time(min_sample);
     return trial;
   }
 
-  /// Tries on the whole motion: the most accurate on its begin need not be so later.
+  /// Tries on the whole motion: the most accurate on its beginning need not be so later.
   std::vector<Trial*> tried_on_the_whole(const std::vector<Trial*>& hopeful,
                                          std::list<Trial>& trials) {
     std::vector<Trial*> kept;
@@ -161,7 +161,7 @@ class Searcher {
   }
 
   /// Chooses among those of a batch, best first, that hold the goal on the whole motion: the first,
-  /// and what its begin cannot tell from it.
+  /// and what its beginning cannot tell from it.
   void choose_on_whole(const std::vector<Trial*>& batch) {
     std::list<Trial> trials;
     std::vector<Trial*> holding;
@@ -173,7 +173,7 @@ class Searcher {
       holding.push_back(&trial);
       if (!first) first = t;
     }
-    for (int round = 0; round < effort_.rounds; ++round)
+    for (int round = 0; round < options_.rounds; ++round)
       for (Trial* t : holding) t->time(min_sample);
     for (const Trial& t : trials) tried_.push_back(tried(t, true));
     if (holding.empty()) return;
@@ -184,38 +184,38 @@ class Searcher {
   void choose(Trial& best) {
     Trial usual(whole_, {best.configuration().variant, Settings{}});
     usual.verify();
-    for (int round = 0; round < effort_.rounds; ++round) usual.time(min_sample);
+    for (int round = 0; round < options_.rounds; ++round) usual.time(min_sample);
     found_.choice = best.configuration();
     found_.error = best.error;
     found_.seconds = best.min_seconds();
     found_.usual_seconds = usual.min_seconds();
   }
 
-  Tried tried(const Trial& t, bool whole) const {
+  TriedConfiguration tried(const Trial& t, bool whole) const {
     return {t.id(), error(t), t.min_seconds(), whole};
   }
 
-  const Problem &whole_, &begin_;
+  const Problem &whole_, &beginning_;
   const Goal& goal_;
-  const Effort& effort_;
-  std::vector<Tried> tried_;
-  Found found_;
+  const SearchOptions& options_;
+  std::vector<TriedConfiguration> tried_;
+  SearchResult found_;
 };
 
 }  // namespace
 
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {
-  constexpr int begin_instants = 101;
+  constexpr int first_instants = 101;
   // All instants of most motions: those where the guess alone meets the tolerance may be rare.
   constexpr int compared = 1001;
-  TimeGrid begin = grid;
-  begin.instants = std::min(grid.instants, begin_instants);
+  TimeGrid beginning = grid;
+  beginning.instants = std::min(grid.instants, first_instants);
   return {bench::make_problem(plan, grid, compared),
-          bench::make_problem(plan, begin, begin_instants / 2)};
+          bench::make_problem(plan, beginning, first_instants / 2)};
 }
 
-Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort) {
-  return Searcher(motion, goal, effort).run();
+SearchResult search(const TunedMotion& motion, const Goal& goal, const SearchOptions& options) {
+  return Searcher(motion, goal, options).run();
 }
 
 }  // namespace desmo::accuracy

@@ -13,7 +13,7 @@ struct AccuracySeries {
   const Case* definition;
   int coordinates;
   double step;   ///< s
-  int instants;  ///< of the motion, from its begin
+  int instants;  ///< of the motion, from its beginning
   std::vector<Configuration> configurations;
 };
 

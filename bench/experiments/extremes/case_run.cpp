@@ -69,7 +69,7 @@ PerLevel<double> error_of(const Instant& instant, const KnownCase& known, std::s
     return values;
   };
   std::vector<double> q = part(instant.q);
-  if (const ExtremeCase& c = *known.definition; c.starts || c.goes_on)
+  if (const ExtremeCase& c = *known.definition; c.starts || c.past_failures)
     turn_back(answers.model, right.q, q);
   const std::vector<double> qd = part(instant.qd), qdd = part(instant.qdd);
   ErrorMeasure measure(answers.model, {&right, 1}, answers.scales);
@@ -100,7 +100,7 @@ class Record final : public Observer {
     using Kind = RowFlag::Kind;
     flag_ = !row.flag ? CaseRun::Flag::none
             : row.flag->kind == Kind::unproven || row.flag->kind == Kind::misfit
-                ? CaseRun::Flag::degraded
+                ? CaseRun::Flag::unproven
                 : CaseRun::Flag::doubtful;
     stated_ = {row.condition, row.relative_radius};
     if (case_.answers.empty()) return;
@@ -211,7 +211,7 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration) {
 
   Record record(known, *f, a);
   CheckOptions options;
-  options.past_failures = c.goes_on;
+  options.past_failures = c.past_failures;
   options.checked = [&](const CheckedInstant& row) { record.note(row); };
   const std::size_t runs = c.starts ? known.starts.size() : 1;
   const TimeGrid grid =

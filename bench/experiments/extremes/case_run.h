@@ -23,7 +23,7 @@ enum class CaseOutcome {
 struct CaseRun {
   enum class Flag {
     none,
-    degraded,  ///< numbers, said to be not proven
+    unproven,  ///< numbers, said to be not proven
     doubtful,  ///< numbers, said to be after a singular position or on another branch
     failed,    ///< no numbers
   };
@@ -50,8 +50,8 @@ struct CaseRun {
   Stated max{};                               ///< over all instants
   std::vector<Gap> gaps;                      ///< gaps after which the run went on
   GroupId failed_group = -1;                  ///< of the first flag
-  /// Bytes by which the heap grew after its start-up: from the first solved instant, or start,
-  /// after the 1000th to the last one. 0 where the last is not solved.
+  /// Bytes by which the heap grew from the first solved instant (or start) after the 1000th to the
+  /// last one; 0 where the last is not solved.
   std::int64_t heap_growth = 0;
 };
 

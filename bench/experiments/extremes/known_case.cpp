@@ -19,7 +19,7 @@ namespace desmo::extremes {
 namespace {
 
 /// Returns the error that conditioning lets double precision reach in a position, relative to
-/// natural magnitudes: accuracy_limit, for as many units of roundoff as the largest driver has
+/// nominal magnitudes: accuracy_limit, for as many units of roundoff as the largest driver has
 /// turns of 1 rad, or lengths of the mechanism's size, since its own rounding cannot be undone.
 PerLevel<double> floor_at(const Model& m, std::span<const double> q, double condition) {
   const double size = nominal_size(m);
@@ -166,10 +166,10 @@ Answers answers_to_starts(const KnownCase& p) {
   return a;
 }
 
-/// Returns estimates of a mechanism's positions that are off by up to `off` of natural magnitudes,
+/// Returns estimates of a mechanism's positions that are off by up to `off` of nominal magnitudes,
 /// the drivers' excepted: evenly distributed, the same in every run.
 std::vector<std::vector<double>> make_starts(const Model& m, const ExtremeCase::Starts& starts) {
-  const std::vector<double> magnitude = natural_magnitudes(m);
+  const std::vector<double> magnitude = nominal_magnitudes(m);
   const std::vector<bool> driven = independent_coordinates(m);
   std::mt19937_64 bits(1);
   // Every library has distributions of its own.

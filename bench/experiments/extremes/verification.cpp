@@ -55,7 +55,7 @@ std::string needless_flag(const KnownCase& p, const CaseRun& a) {
     const Flag flag = a.steps[i].flag;
     has_reopened = has_reopened || !p.solvable[i];
     if (has_reopened && flag == Flag::doubtful) continue;
-    if (p.solvable[i] && flag != Flag::none && !(flag == Flag::degraded && is_excused(p, a, i)) &&
+    if (p.solvable[i] && flag != Flag::none && !(flag == Flag::unproven && is_excused(p, a, i)) &&
         !(flag == Flag::doubtful && is_near_singular(p, a, i)))
       return a.message.empty() ? "failed " + at(p, i) : a.message;
   }
@@ -128,7 +128,7 @@ std::string shortcoming(const KnownCase& p, const CaseRun& a, const CaseRun* yar
   if (!c.failing_body.empty() && !is_named(p.modelled->model, a.failed_group, c.failing_body))
     return "it does not name the group of " + c.failing_body;
   if (c.is_redundant && p.modelled->left_out.empty()) return "it does not report the redundancy";
-  if (c.goes_on)
+  if (c.past_failures)
     if (std::string why = wrong_end(p, a); !why.empty()) return why;
   if (!c.idle_body.empty() && !is_idle(*p.modelled, c.idle_body))
     return "it does not report that " + c.idle_body + " may spin";

@@ -101,7 +101,8 @@ class Elimination {
 /// Returns eliminations of one matrix: at each sample point one of them has no poor pivots, unless
 /// the point is near a singular position or the orders are too many.
 /// - most: largest number of eliminations
-/// - first: the first elimination is chosen at so many points, from the begin. Each later one is
+/// - first: the first elimination is chosen at that number of points, from the beginning. Each
+/// later one is
 ///   chosen at all points where those before it are poor.
 std::vector<Elimination> eliminations(const std::vector<std::map<int, Expr>>& matrix,
                                       std::size_t most, std::size_t first);

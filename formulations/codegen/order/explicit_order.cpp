@@ -22,9 +22,9 @@ class OrderMaker {
 
   std::vector<OrderSection> make() {
     for (Block& block : blocks_of(type_, part_)) {
-      const std::vector<Said> all = block.equations;
+      const std::vector<EquationOfRows> all = block.equations;
       add(std::move(block));
-      for (const Said& s : all) facts_.learn(s.equation);
+      for (const EquationOfRows& s : all) facts_.learn(s.equation);
     }
     return std::move(order_);
   }
@@ -35,7 +35,7 @@ class OrderMaker {
     for (const int i : std::vector<int>(block.unknowns))
       if (auto separated = separate_angle(block, i, type_, part_)) {
         auto& [rest, angle] = *separated;
-        std::erase_if(block.equations, [&](const Said& s) {
+        std::erase_if(block.equations, [&](const EquationOfRows& s) {
           return std::ranges::find(rest.rows, s.rows.front()) != rest.rows.end();
         });
         block.equations.push_back(std::move(rest));
@@ -43,14 +43,14 @@ class OrderMaker {
         angles.push_back(std::move(angle));
       }
     std::vector<Expr> equations;
-    for (const Said& s : block.equations) equations.push_back(s.equation);
+    for (const EquationOfRows& s : block.equations) equations.push_back(s.equation);
     add(block, Tearing(equations, positions(part_, block.unknowns), facts_).best());
     for (Definition& d : angles) order_.push_back({{}, {std::move(d)}, {}, {}, {}});
   }
 
   /// Equations of earlier definitions hold when later ones are evaluated, in a core as well.
-  void solve_knowing_more(const Block& block, Torn& torn) {
-    for (Placed& p : torn.placed) {
+  void solve_knowing_more(const Block& block, TornOrder& torn) {
+    for (PlacedForm& p : torn.placed) {
       Task task{{}, {}, facts_};
       for (const int u : p.unknowns) task.x.push_back(part_.q[block.unknowns[u]]);
       for (const int e : p.equations) task.equations.push_back(block.equations[e].equation);
@@ -68,7 +68,7 @@ class OrderMaker {
     return form;
   }
 
-  void add(const Block& block, Torn torn) {
+  void add(const Block& block, TornOrder torn) {
     solve_knowing_more(block, torn);
     OrderSection core;
     for (const int t : torn.torn) core.torn.push_back(block.unknowns[t]);

@@ -28,7 +28,7 @@ std::vector<int> members(const auto& set, std::size_t n) {
 }
 
 /// Smaller is better.
-auto rank(const Torn& t) {
+auto rank(const TornOrder& t) {
   return std::tuple(t.unplaced, -std::min(t.quality, good_quality), t.cost, -t.quality);
 }
 
@@ -88,7 +88,7 @@ double Tearing::quality(const std::vector<int>& unknowns, const std::vector<int>
 }
 
 /// Adds equations after the last until the set has as many unknowns as equations.
-bool Tearing::extend(Walk& w, Torn& order, std::vector<int>& equations, const Set& unknowns,
+bool Tearing::extend(Walk& w, TornOrder& order, std::vector<int>& equations, const Set& unknowns,
                      std::size_t size) {
   if (equations.size() == size) {
     if (unknowns.count() != size) return false;
@@ -115,7 +115,7 @@ bool Tearing::extend(Walk& w, Torn& order, std::vector<int>& equations, const Se
   return false;
 }
 
-bool Tearing::place_next(Walk& w, Torn& order) {
+bool Tearing::place_next(Walk& w, TornOrder& order) {
   for (std::size_t size = 1; size <= max_set; ++size) {
     std::vector<int> equations;
     if (extend(w, order, equations, {}, size)) return true;
@@ -123,12 +123,12 @@ bool Tearing::place_next(Walk& w, Torn& order) {
   return false;
 }
 
-Torn Tearing::walk(const std::vector<int>& torn) {
+TornOrder Tearing::walk(const std::vector<int>& torn) {
   Walk w{{}, std::vector<bool>(reads_.size(), false), reads_};
   for (std::size_t i = 0; i < unknowns_.size(); ++i) w.open.set(i);
   for (const int t : torn) w.open.reset(t);
   for (Set& reads : w.reads) reads &= w.open;
-  Torn order;
+  TornOrder order;
   order.torn = torn;
   while (w.open.any() && place_next(w, order)) {
   }
@@ -138,29 +138,29 @@ Torn Tearing::walk(const std::vector<int>& torn) {
   return order;
 }
 
-std::optional<Torn> Tearing::best_of_size(std::size_t size) {
+std::optional<TornOrder> Tearing::best_of_size(std::size_t size) {
   std::vector<bool> torn(unknowns_.size());
   std::fill_n(torn.begin(), size, true);
-  std::optional<Torn> best;
+  std::optional<TornOrder> best;
   do {
-    Torn order = walk(members(torn, torn.size()));
+    TornOrder order = walk(members(torn, torn.size()));
     if (order.unplaced == 0 && (!best || rank(order) < rank(*best))) best = std::move(order);
   } while (std::prev_permutation(torn.begin(), torn.end()));  // the next combination
   return best;
 }
 
-Torn Tearing::greedy() {
-  Torn order = walk({});
+TornOrder Tearing::greedy() {
+  TornOrder order = walk({});
   while (order.unplaced > 0) {
-    std::optional<Torn> best;
+    std::optional<TornOrder> best;
     for (int i = 0; i < static_cast<int>(unknowns_.size()); ++i) {
-      const bool placed = std::ranges::any_of(order.placed, [&](const Placed& p) {
+      const bool placed = std::ranges::any_of(order.placed, [&](const PlacedForm& p) {
         return std::ranges::find(p.unknowns, i) != p.unknowns.end();
       });
       if (placed || std::ranges::find(order.torn, i) != order.torn.end()) continue;
       std::vector<int> torn = order.torn;
       torn.push_back(i);
-      Torn candidate = walk(torn);
+      TornOrder candidate = walk(torn);
       if (!best || rank(candidate) < rank(*best)) best = std::move(candidate);
     }
     order = std::move(*best);
@@ -168,7 +168,7 @@ Torn Tearing::greedy() {
   for (std::size_t k = 0; k < order.torn.size();) {  // those that later ones made superfluous
     std::vector<int> torn = order.torn;
     torn.erase(torn.begin() + static_cast<std::ptrdiff_t>(k));
-    Torn fewer = walk(torn);
+    TornOrder fewer = walk(torn);
     if (fewer.unplaced == 0)
       order = std::move(fewer);
     else
@@ -177,8 +177,8 @@ Torn Tearing::greedy() {
   return order;
 }
 
-Torn Tearing::best() {
-  Torn order = walk({});
+TornOrder Tearing::best() {
+  TornOrder order = walk({});
   if (order.unplaced == 0) return order;
   std::vector<int> all(unknowns_.size());
   std::iota(all.begin(), all.end(), 0);
@@ -189,7 +189,7 @@ Torn Tearing::best() {
   for (std::size_t size = 1; size <= max_torn && size < all.size(); ++size) {
     combinations = combinations * (all.size() - size + 1) / size;
     if (combinations > max_combinations) break;
-    if (std::optional<Torn> found = best_of_size(size)) return *found;
+    if (std::optional<TornOrder> found = best_of_size(size)) return *found;
   }
   return greedy();
 }

@@ -11,15 +11,15 @@
 namespace desmo::generate {
 
 /// A closed form with its unknowns and equations, as positions in the lists of a Tearing.
-struct Placed {
+struct PlacedForm {
   ClosedForm form;
   std::vector<int> unknowns, equations;
 };
 
 /// An order of closed forms that holds once some unknowns are torn, that is, assumed to be known.
-struct Torn {
+struct TornOrder {
   std::vector<int> torn;
-  std::vector<Placed> placed;
+  std::vector<PlacedForm> placed;
   std::vector<int> left_over;  ///< equations for Newton–Raphson on the torn unknowns
   int unplaced = 0;            ///< number of unknowns that no closed form reaches
   double quality = 1;          ///< smallest quality of its closed forms
@@ -39,7 +39,7 @@ class Tearing {
   /// Returns the best order found, with few torn unknowns. Sets of up to three are searched
   /// exhaustively unless there are too many; beyond that, a greedy search tears the unknown that
   /// helps most.
-  Torn best();
+  TornOrder best();
 
   static constexpr std::size_t max_unknowns = 256;
 
@@ -59,12 +59,12 @@ class Tearing {
 
   const Match& match(const std::vector<int>& unknowns, const std::vector<int>& equations);
   double quality(const std::vector<int>& unknowns, const std::vector<int>& equations) const;
-  Torn walk(const std::vector<int>& torn);
-  bool place_next(Walk& walk, Torn& order);
-  bool extend(Walk& walk, Torn& order, std::vector<int>& equations, const Set& unknowns,
+  TornOrder walk(const std::vector<int>& torn);
+  bool place_next(Walk& walk, TornOrder& order);
+  bool extend(Walk& walk, TornOrder& order, std::vector<int>& equations, const Set& unknowns,
               std::size_t size);
-  std::optional<Torn> best_of_size(std::size_t size);
-  Torn greedy();
+  std::optional<TornOrder> best_of_size(std::size_t size);
+  TornOrder greedy();
 
   std::vector<Expr> equations_, unknowns_;
   const Facts& facts_;

@@ -36,8 +36,8 @@ std::vector<Block> blocks_of(const PartType& type, const RecordedPart& part) {
 std::optional<SeparatedAngle> separate_angle(const Block& block, int angle, const PartType& type,
                                              const RecordedPart& part) {
   const Expr theta = part.q[angle];
-  std::vector<Said> with;
-  for (const Said& s : block.equations)
+  std::vector<EquationOfRows> with;
+  for (const EquationOfRows& s : block.equations)
     if (reads(s.equation, {theta})) with.push_back(s);
   if (with.size() != 2) return std::nullopt;
   const auto p = expand_angle(with[0].equation, theta), q = expand_angle(with[1].equation, theta);

@@ -9,7 +9,7 @@
 namespace desmo::generate {
 
 /// An equation, with the rows of the part that it follows from.
-struct Said {
+struct EquationOfRows {
   Expr equation;
   std::vector<int> rows;
 };
@@ -17,7 +17,7 @@ struct Said {
 /// An irreducible block: n equations for n unknowns that must be solved together.
 struct Block {
   std::vector<int> unknowns;  ///< inputs of the part
-  std::vector<Said> equations;
+  std::vector<EquationOfRows> equations;
 };
 
 /// Returns the irreducible blocks of a part's equations in solution order. Throws
@@ -26,8 +26,8 @@ std::vector<Block> blocks_of(const PartType& type, const RecordedPart& part);
 
 /// An angle eliminated from two equations of a block.
 struct SeparatedAngle {
-  Said rest;         ///< the equation ‖c‖² − R² = 0, which replaces the two
-  Definition angle;  ///< the angle, once c is known
+  EquationOfRows rest;  ///< the equation ‖c‖² − R² = 0, which replaces the two
+  Definition angle;     ///< the angle, once c is known
 };
 
 /// Eliminates an angle θ from the two equations of a block that contain it. Their form must be

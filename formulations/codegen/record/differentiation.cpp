@@ -6,9 +6,9 @@ namespace desmo::generate {
 
 namespace {
 
-/// Each of these computes one quantity of every node that is asked for, once. A second derivative
-/// is linear in the second derivatives of inputs, like a first one, plus twice what `Quadratic`
-/// gives: so that the factor two is multiplied by once.
+/// Linear and QuadraticTerm each compute one quantity of every node that is asked for, once. A
+/// second derivative is Linear in the second derivatives of inputs, plus twice QuadraticTerm; the
+/// factor stays outside, so that it is multiplied once.
 class Linear {
  public:
   explicit Linear(const std::map<int, Expr>& of_input) : of_input_(of_input) {}

@@ -17,7 +17,7 @@ namespace nominal {
 Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
 
-double size(const Mechanism& d) {
+double extent(const Mechanism& d) {
   double largest = 0;
   for (const Mechanism::Point& p : d.points)
     largest = std::max(largest, norm(p.position - d.points.front().position));

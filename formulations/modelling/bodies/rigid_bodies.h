@@ -62,7 +62,7 @@ using Vec = Mechanism::Vec;
 Vec operator-(const Vec& a, const Vec& b);
 double norm(const Vec& a);
 /// Returns the largest distance of a point from the first one; 1 for a mechanism without extent.
-double size(const Mechanism& mechanism);
+double extent(const Mechanism& mechanism);
 
 }  // namespace nominal
 

@@ -11,7 +11,7 @@ enum class Origin { ground, coordinate, joint, body };
 
 /// A model with all constraint equations that its mechanism gives rise to; some may depend on
 /// others.
-struct Candidates {
+struct CandidateEquations {
   Model model;                  ///< constraints in group order
   std::vector<Origin> origins;  ///< source of each constraint
 };
@@ -27,8 +27,9 @@ struct Candidates {
 /// driven coordinate, in order. What is linear in the basis of a body is a derivation, unless
 /// coordinates are natural. Throws std::invalid_argument, naming the coordinate, when a
 /// coordinate cannot be modelled.
-Candidates make_candidates(const Mechanism& mechanism, const RigidBodies& rigid,
-                           const Structure& structure, const std::vector<Motion>& motions,
-                           Modelling modelling = Modelling::natural);
+CandidateEquations make_candidate_equations(const Mechanism& mechanism, const RigidBodies& rigid,
+                                            const Structure& structure,
+                                            const std::vector<Motion>& motions,
+                                            Modelling modelling = Modelling::natural);
 
 }  // namespace desmo

@@ -149,7 +149,7 @@ void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   const double along = dot(s, u);
   const Vec off = s - Vec{along * u[0], along * u[1], along * u[2]};
   const double distance = nominal::norm(off);
-  if (distance <= 1e-6 * nominal::size(d)) return;
+  if (distance <= 1e-6 * nominal::extent(d)) return;
   const bool is_of_joint =
       std::ranges::count(d.coordinates, c.name, &Mechanism::Coordinate::name) == 0;
   const std::string name =

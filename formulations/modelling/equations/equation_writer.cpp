@@ -23,7 +23,7 @@ double max_coordinate(const Points& points, Position position = {}) {
 }
 
 template <int D>
-Candidates write_all(EquationWriter& w) {
+CandidateEquations write_all(EquationWriter& w) {
   write_body_equations<D>(w);
   if (w.framed) write_cut_joints<D>(w);
   write_joint_equations(w);
@@ -78,7 +78,7 @@ std::string EquationWriter::text(const Mechanism::Direction& d) const {
                      : mechanism.vectors[d.vector].name;
 }
 
-Candidates EquationWriter::release() {
+CandidateEquations EquationWriter::release() {
   Model& m = coordinates_.model;
   std::vector<int> order(origins_.size());
   std::iota(order.begin(), order.end(), 0);
@@ -129,8 +129,10 @@ void mark_internal(Coordinates& coordinates, const Mechanism& d) {
 
 }  // namespace
 
-Candidates make_candidates(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
-                           const std::vector<Motion>& motions, Modelling modelling) {
+CandidateEquations make_candidate_equations(const Mechanism& d, const RigidBodies& rigid,
+                                            const Structure& structure,
+                                            const std::vector<Motion>& motions,
+                                            Modelling modelling) {
   std::optional<FramedMechanism> framed;
   if (has_frames(modelling)) framed = put_frames(d, rigid, structure, modelling);
   const Mechanism& mechanism = framed ? framed->mechanism : d;
@@ -138,7 +140,7 @@ Candidates make_candidates(const Mechanism& d, const RigidBodies& rigid, const S
   Coordinates coordinates = make_coordinates(mechanism, bodies, structure, motions, modelling);
   mark_internal(coordinates, d);
   EquationWriter w(mechanism, bodies, std::move(coordinates), framed ? &*framed : nullptr);
-  Candidates candidates = d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
+  CandidateEquations candidates = d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
   keep_derivations(candidates.model);
   return candidates;
 }

@@ -72,7 +72,7 @@ class EquationWriter {
   std::string text(const Mechanism::Direction& direction) const;
 
   /// Returns all candidates in group order; leaves the writer empty.
-  Candidates release();
+  CandidateEquations release();
 
  private:
   using Key = std::array<int, 3>;

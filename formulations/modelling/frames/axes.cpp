@@ -57,7 +57,7 @@ std::array<Exact, 3> AxisMaker::own_axes(int body) const {
   return {x, y, cross(x, y)};
 }
 
-int AxisMaker::axis(int body, const Exact& direction, const char* what) {
+int AxisMaker::find_or_add_axis(int body, const Exact& direction, const char* what) {
   for (const int v : framed_.frames[body].axes)
     if (v >= 0 && are_same(own(body, v), direction)) return v;
   for (const int v : framed_.rigid.list[body].vectors)
@@ -65,7 +65,7 @@ int AxisMaker::axis(int body, const Exact& direction, const char* what) {
   return add_vector(body, direction, what);
 }
 
-std::pair<int, int> AxisMaker::normals(int body, int vector) {
+std::pair<int, int> AxisMaker::find_or_add_normals(int body, int vector) {
   const auto [at, is_new] = normals_.try_emplace({body, vector});
   if (!is_new) return at->second;
   const Exact u = own(body, vector);
@@ -77,8 +77,8 @@ std::pair<int, int> AxisMaker::normals(int body, int vector) {
   for (const Exact& axis : axes)
     if (std::abs(dot(axis, u).value) < std::abs(dot(n, u).value)) n = axis;
   if (!are_normal(n, u)) n = unit(across(n, u));
-  const int first = axis(body, n, "normal");
-  return at->second = {first, axis(body, cross(u, n), "normal")};
+  const int first = find_or_add_axis(body, n, "normal");
+  return at->second = {first, find_or_add_axis(body, cross(u, n), "normal")};
 }
 
 int AxisMaker::add_vector(int body, const Exact& own, const char* what) {

@@ -35,11 +35,11 @@ class AxisMaker {
 
   /// Returns an axis of the body's frame, or a vector that the body derives, with a direction. Adds
   /// one, named `<body>/<what>` or similarly, where there is none.
-  int axis(int body, const Exact& direction, const char* what);
+  int find_or_add_axis(int body, const Exact& direction, const char* what);
 
   /// Returns the indices of n₁ and n₂ = u × n₁, at right angles to each other and to u, a `vector`
   /// of the body. Adds those that the body has not.
-  std::pair<int, int> normals(int body, int vector);
+  std::pair<int, int> find_or_add_normals(int body, int vector);
 
   /// Adds a point to a body, in the place of another one.
   int add_point(int body, int place, const char* what);

@@ -33,15 +33,15 @@ void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
     const AxisMaker::Exact u = axes.own(r, v);
     const auto before = std::ranges::find(closed, other, &std::pair<int, int>::first);
     if (framed.mechanism.dimension == 2) {
-      framed.vectors.push_back({v, axes.axis(r, cross({0, 0, 1}, u), "normal")});
+      framed.vectors.push_back({v, axes.find_or_add_axis(r, cross({0, 0, 1}, u), "normal")});
     } else if (before == closed.end()) {
-      const auto [first, second] = axes.normals(r, v);
+      const auto [first, second] = axes.find_or_add_normals(r, v);
       framed.vectors.push_back({v, first});
       framed.vectors.push_back({v, second});
     } else {
       const AxisMaker::Exact normal = cross(axes.own(r, before->second), u);
       if (!(sqrt(dot(normal, normal)).value > min_sine)) continue;
-      framed.vectors.push_back({v, axes.axis(r, unit(normal), "normal")});
+      framed.vectors.push_back({v, axes.find_or_add_axis(r, unit(normal), "normal")});
     }
     closed.emplace_back(other, v);
   }
@@ -60,7 +60,7 @@ void close_sliding_joints(FramedMechanism& framed, AxisMaker& axes) {
     for (const int b : {j.bodies[1], j.bodies[0]}) {
       const int r = of_body[b];
       if (!framed.tree.has_frame[r] || !carries(framed.rigid, r, {j.vectors[0]})) continue;
-      const auto [first, second] = axes.normals(r, j.vectors[0]);
+      const auto [first, second] = axes.find_or_add_normals(r, j.vectors[0]);
       framed.lines.push_back({i, first});
       framed.lines.push_back({i, second});
       break;

@@ -105,10 +105,10 @@ class FramePlanner {
       from = d_.coordinates[frame.angle].from;
     }
     if (from.is_given())
-      frame.from = axes_.axis(parent, unit(axes_.own(parent, from)), "axis");
+      frame.from = axes_.find_or_add_axis(parent, unit(axes_.own(parent, from)), "axis");
     else if (parent != 0)
       frame.from = framed_.frames[parent].axes[0];
-    frame.axes[0] = axes_.axis(r, unit(axes_.own(r, lead)), "x");
+    frame.axes[0] = axes_.find_or_add_axis(r, unit(axes_.own(r, lead)), "x");
     frame.first_angle = bearing(frame.axes[0]) - (frame.from < 0 ? 0 : bearing(frame.from));
   }
 
@@ -131,10 +131,11 @@ class FramePlanner {
       frame.opposite = c.opposite;
     } else {
       lead = nearest_to_normal(r, axis);
-      std::tie(frame.from, frame.towards) = axes_.normals(parent, u);
+      std::tie(frame.from, frame.towards) = axes_.find_or_add_normals(parent, u);
     }
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
-    frame.axes = {axes_.axis(r, lead, "x"), axes_.axis(r, cross(axis, lead), "y"), u};
+    frame.axes = {axes_.find_or_add_axis(r, lead, "x"),
+                  axes_.find_or_add_axis(r, cross(axis, lead), "y"), u};
     const Vec &x = direction(frame.axes[0]), &f = direction(frame.from),
               &g = direction(frame.towards);
     frame.first_angle = std::atan2(dot(x, g), frame.opposite ? -dot(x, f) : dot(x, f));
@@ -144,12 +145,13 @@ class FramePlanner {
     DerivedFrame& frame = framed_.frames[r];
     const TreeJoint& hanging = framed_.tree.hanging[r];
     const int a = j.vectors[hanging.is_first ? 1 : 0], b = j.vectors[hanging.is_first ? 0 : 1];
-    std::tie(frame.from, frame.towards) = axes_.normals(hanging.parent, a);
+    std::tie(frame.from, frame.towards) = axes_.find_or_add_normals(hanging.parent, a);
     const Exact axis = axes_.own(r, b);
     Exact lead = nearest_to_normal(r, axis);
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
-    frame.axes = {axes_.axis(r, lead, "x"), axes_.axis(r, cross(axis, lead), "y"),
-                  axes_.axis(r, axis, "z")};
+    frame.axes = {axes_.find_or_add_axis(r, lead, "x"),
+                  axes_.find_or_add_axis(r, cross(axis, lead), "y"),
+                  axes_.find_or_add_axis(r, axis, "z")};
     const Vec &of_parent = direction(a), &of_body = direction(frame.axes[2]),
               &x = direction(frame.axes[0]);
     frame.first_angle =
@@ -167,7 +169,8 @@ class FramePlanner {
     DerivedFrame& frame = framed_.frames[r];
     const std::array<Exact, 3> own = axes_.own_axes(r);
     static constexpr std::array names{"x", "y", "z"};
-    for (int k = 0; k < (is_plane_ ? 1 : 3); ++k) frame.axes[k] = axes_.axis(r, own[k], names[k]);
+    for (int k = 0; k < (is_plane_ ? 1 : 3); ++k)
+      frame.axes[k] = axes_.find_or_add_axis(r, own[k], names[k]);
     if (is_plane_) return;
     const bool is_free = framed_.tree.hanging[r].joint < 0;
     const std::array<int, 3> parent =
@@ -188,7 +191,7 @@ class FramePlanner {
     std::array<int, 3>& axes = framed_.frames[r].axes;
     static constexpr std::array names{"x", "y", "z"};
     for (int k = 0; r == 0 && k < (is_plane_ ? 1 : 3); ++k)
-      if (axes[k] < 0) axes[k] = axes_.axis(0, axes_.own_axes(0)[k], names[k]);
+      if (axes[k] < 0) axes[k] = axes_.find_or_add_axis(0, axes_.own_axes(0)[k], names[k]);
     return axes;
   }
 

@@ -52,8 +52,7 @@ struct FramedMechanism {
 /// - origin: a point of its own where the joint is free; else the joint's point; where that slides
 ///   and an earlier body derives it, a new point in its place
 /// - axes: the axis of the joint, and what is normal to it; a vector of the file is taken where it
-/// is
-///   the same within 1e-12
+///   is the same within 1e-12
 /// - a declared angle or travel that measures the tree joint is its variable
 FramedMechanism put_frames(const Mechanism& mechanism, const RigidBodies& rigid,
                            const Structure& structure, Modelling modelling);

@@ -119,7 +119,7 @@ class TreeMaker {
     const auto u = drawing.vector(j.vectors[0]),
                s = drawing.direction({-1, j.points[0], j.points[1]});
     const double off = std::abs(u[0] * s[1] - u[1] * s[0]);
-    return off > same_direction * std::max(1e-300, nominal::size(d_));
+    return off > same_direction * std::max(1e-300, nominal::extent(d_));
   }
 
   int joints_of(int r) const {

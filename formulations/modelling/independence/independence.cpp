@@ -137,7 +137,8 @@ void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
 
 }  // namespace
 
-std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus) {
+std::vector<LeftOut> leave_out_dependent(CandidateEquations& candidates,
+                                         const std::vector<int>& surplus) {
   Model& m = candidates.model;
   std::vector<GroupSystem> systems = group_systems(m);
   for (GroupSystem& s : systems) s.redundant = surplus[s.group] > 0;

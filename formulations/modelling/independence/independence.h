@@ -23,6 +23,7 @@ namespace desmo {
 /// - a group is under-constrained,
 /// - a group cannot follow its drivers (too many drivers, or constraints that contradict each other
 ///   by more than 1e-4 of its size).
-std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus);
+std::vector<LeftOut> leave_out_dependent(CandidateEquations& candidates,
+                                         const std::vector<int>& surplus);
 
 }  // namespace desmo

@@ -134,7 +134,7 @@ JudgedJacobians judged_jacobians(const GroupSystem& s, const JudgedPositions& po
 
 }  // namespace
 
-RowSelector::RowSelector(Candidates& candidates, const JudgedPositions& positions,
+RowSelector::RowSelector(CandidateEquations& candidates, const JudgedPositions& positions,
                          Linearisers& linearisers)
     : m_(candidates.model),
       origins_(candidates.origins),

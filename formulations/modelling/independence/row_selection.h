@@ -50,7 +50,8 @@ struct SelectedRows {
 class RowSelector {
  public:
   /// Stores references: all arguments must outlive the selector.
-  RowSelector(Candidates& candidates, const JudgedPositions& positions, Linearisers& linearisers);
+  RowSelector(CandidateEquations& candidates, const JudgedPositions& positions,
+              Linearisers& linearisers);
 
   SelectedRows select(const GroupSystem& system);
 

@@ -57,12 +57,12 @@ Frame BodyFrame::operator()(const Instant& instant) const {
   return lines.size() > 1 ? frame_of(u, lines[1](instant)) : frame_of(u);
 }
 
-Line BodyFrames::line(const Mechanism::Direction& d) {
-  if (!d.is_line()) return {operand(d_.vectors[d.vector].name), {}};
-  return {operand(d_.points[d.to].name), operand(d_.points[d.from].name)};
+Line BodyFrames::find_line(const Mechanism::Direction& d) {
+  if (!d.is_line()) return {find_operand(d_.vectors[d.vector].name), {}};
+  return {find_operand(d_.points[d.to].name), find_operand(d_.points[d.from].name)};
 }
 
-BodyFrame BodyFrames::frame(int body) {
+BodyFrame BodyFrames::find_frame(int body) {
   BodyFrame result;
   const int r = rigid_.of_body[body];
   if (r == 0) return result;
@@ -73,7 +73,7 @@ BodyFrame BodyFrames::frame(int body) {
                                 "' do not tell how it is turned; give it another" +
                                 (enough == 2 ? " that is not in line with them" : "") +
                                 ", or ask for an angle or a vector");
-  for (std::size_t k = 0; k < enough; ++k) result.lines.push_back(line(directions[k]));
+  for (std::size_t k = 0; k < enough; ++k) result.lines.push_back(find_line(directions[k]));
   const Vector u = drawn(body, directions[0]);
   result.drawn = enough == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
   return result;
@@ -91,7 +91,7 @@ Vector BodyFrames::drawn(int body, const Mechanism::Direction& direction) const 
   return {x[0], x[1], x[2]};
 }
 
-Operand BodyFrames::operand(const std::string& name) {
+Operand BodyFrames::find_operand(const std::string& name) {
   const EntityId id = m_.find(name);
   inputs_.push_back({id, level});
   const Entity& e = m_.entities[id];

@@ -57,17 +57,17 @@ class BodyFrames {
   BodyFrames(const Mechanism& d, const Model& m, std::vector<Output>& inputs)
       : d_(d), m_(m), inputs_(inputs), rigid_(find_rigid_bodies(d)) {}
 
-  Line line(const Mechanism::Direction& direction);
+  Line find_line(const Mechanism::Direction& direction);
   /// Throws std::invalid_argument, naming the body, where its points and vectors do not tell how it
   /// is turned.
-  BodyFrame frame(int body);
-  /// Returns a direction of a body as it is drawn; of a body with a frame of its own, as that is.
+  BodyFrame find_frame(int body);
+  /// Returns a direction of a body in the body's own frame or, where it has none, as drawn.
   Vector drawn(int body, const Mechanism::Direction& direction) const;
 
-  Level level = Level::position;  ///< to which what is found next is read
+  Level level = Level::position;  ///< to which operands that are found from now on are read
 
  private:
-  Operand operand(const std::string& name);
+  Operand find_operand(const std::string& name);
 
   const Mechanism& d_;
   const Model& m_;

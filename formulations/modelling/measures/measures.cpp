@@ -99,13 +99,13 @@ class Builder {
                                                        ? between(joint)
                                                        : Mechanism::Direction{joint.vectors[0]}));
       const std::size_t place = add_with_rates(joint.name + ".angle", EntityKind::angle);
-      const Frame first = bodies_.frame(joint.bodies[0]).drawn;
+      const Frame first = bodies_.find_frame(joint.bodies[0]).drawn;
       add_turn(place, joint.bodies[0], joint.bodies[1],
                {matrix(first).transpose() * part(axis, &Number::value)});
     }
     if (slides(joint.type)) {
-      const Line along = bodies_.line({joint.vectors[0]}),
-                 line_of_both = bodies_.line(between(joint));
+      const Line along = bodies_.find_line({joint.vectors[0]}),
+                 line_of_both = bodies_.find_line(between(joint));
       const auto u = drawing.vector(joint.vectors[0]), s0 = drawing.direction(between(joint));
       const double start = dot(u, s0);
       const std::size_t place = add_with_rates(joint.name + ".travel", EntityKind::distance);
@@ -131,7 +131,7 @@ class Builder {
   /// Computes the turn of a body in another one about axes of that. start: its turn in the drawing
   void add_turn(std::size_t place, int in, int body, Axes axes,
                 const Eigen::Matrix3d& start = Eigen::Matrix3d::Identity()) {
-    const BodyFrame a = bodies_.frame(in), b = bodies_.frame(body);
+    const BodyFrame a = bodies_.find_frame(in), b = bodies_.find_frame(body);
     const Eigen::Matrix3d drawn = start.transpose() * matrix(seen_from(a.drawn, b.drawn));
     rules.emplace_back(place, [=, axes = std::move(axes)](const Instant& instant, auto values) {
       const Frame frame = seen_from(a(instant), b(instant));
@@ -148,7 +148,7 @@ class Builder {
 
   void add_ratio(const RequestedMeasure& wanted) {
     const std::vector<EntityId> owner = entity_of_coordinate(m_);
-    const std::vector<double> magnitude = natural_magnitudes(m_);
+    const std::vector<double> magnitude = nominal_magnitudes(m_);
     std::array<int, 2> of;
     for (int k = 0; k < 2; ++k) {
       of[k] = m_.coordinate(wanted.of[k]);

@@ -41,7 +41,7 @@ class Measures {
   /// Writes the values of a measure, and of those after it, at an instant.
   using Rule = std::function<void(const Instant&, std::span<PerLevel<double>>)>;
 
-  /// A velocity, over its natural magnitude (natural_magnitudes()), vanishes where it is at most
+  /// A velocity, over its nominal magnitude (nominal_magnitudes()), vanishes where it is at most
   /// this part of the fastest driver's. An acceleration does where it is at most this part of the
   /// greatest acceleration of a driver and the fastest driver's velocity squared, together.
   /// Rounding errors are of the drivers' size.
@@ -55,8 +55,9 @@ class Measures {
   /// Returns what they read, and to which level.
   const std::vector<Output>& inputs() const { return inputs_; }
 
-  /// Returns the instant with the measures after the coordinates, in q, q̇ and q̈ as far as the
-  /// instant has them; without measures, or positions, as it is. Valid until the next call.
+  /// Returns the instant with the values of the measures appended to q, q̇ and q̈, at the levels
+  /// that it has; the instant as it is where there are no measures, or no positions. Valid until
+  /// the next call.
   Instant extend(const Instant& instant);
 
  private:

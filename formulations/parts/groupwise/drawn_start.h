@@ -27,7 +27,7 @@ class DrawnStart {
       : m_(m), solver_(m), coupled_(coupled_angles(m)) {
     const bool turns_count = std::ranges::find(coupled_, true) != coupled_.end();
     to_.assign(drivers.begin(), drivers.end());
-    const std::vector<double> magnitude = natural_magnitudes(m);
+    const std::vector<double> magnitude = nominal_magnitudes(m);
     for (std::size_t k = 0; k < to_.size(); ++k) {
       const Entity& e = m.entities[m.drivers[k].coordinate];
       drawn_.push_back(m.estimate[e.first]);
@@ -63,7 +63,7 @@ class DrawnStart {
 
  private:
   static constexpr double turn = 2 * std::numbers::pi;
-  /// Change of drivers in a step, and correction of its prediction, in natural magnitudes.
+  /// Change of drivers in a step, and correction of its prediction, in nominal magnitudes.
   static constexpr double max_change = 0.1;
   static constexpr double max_turns = 4;       // that are made unless all count; of more, none
   static constexpr double settled = 1e-9;      // correction after which nothing is in doubt
@@ -117,7 +117,7 @@ class DrawnStart {
   Solver solver_;
   const std::vector<bool> coupled_;       // angles, by entity
   std::vector<double> drawn_, to_, way_;  // of the drivers
-  double farthest_ = 0;                   // way, in natural magnitudes
+  double farthest_ = 0;                   // way, in nominal magnitudes
 };
 
 /// Puts a solver that is at the model's estimate where Newton's method is to begin at a time [s].
@@ -129,8 +129,8 @@ void begin_on_drawn_branch(Solver& solver, const Model& m, double time) {
   for (const Driver& d : m.drivers) drivers.push_back(sample(d.motion, time).position);
   const std::optional<std::vector<double>> right = DrawnStart<Solver>(m, drivers).find();
   if (!right) return;
-  constexpr double same = 1e-6;  // in natural magnitudes
-  const std::vector<double> magnitude = natural_magnitudes(m);
+  constexpr double same = 1e-6;  // in nominal magnitudes
+  const std::vector<double> magnitude = nominal_magnitudes(m);
   try {
     Solver in_one_go(m);
     in_one_go.solve_positions(time);

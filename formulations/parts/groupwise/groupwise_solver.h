@@ -34,7 +34,7 @@ class GroupwiseSolver {
   /// Solves Φ = share × Φ₀ from now on. Φ₀: Φ at the first call.
   void set_homotopy(double share);
   /// Makes one correction by Newton's method, group after group. Returns its largest component
-  /// relative to the natural magnitude.
+  /// relative to the nominal magnitude.
   double correct_positions();
 
   /// Solves the positions at time t [s] as accurately as S allows, from the present ones. Throws
@@ -48,7 +48,7 @@ class GroupwiseSolver {
   std::vector<S> q() const { return coordinates(state_.q); }
   std::vector<S> qd() const { return coordinates(state_.qd); }
   std::vector<S> qdd() const { return coordinates(state_.qdd); }
-  const WideState<S>& state() const { return state_; }
+  const ScalarState<S>& state() const { return state_; }
 
  private:
   void solve_positions(std::size_t part, double t);
@@ -63,7 +63,7 @@ class GroupwiseSolver {
   std::vector<double> magnitude_;        // by coordinate
   std::vector<std::vector<S>> initial_;  // Φ₀ of each part; empty: none
   double share_ = 0;                     // of Φ₀
-  WideState<S> state_;
+  ScalarState<S> state_;
 };
 
 }  // namespace desmo

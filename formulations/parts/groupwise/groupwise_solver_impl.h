@@ -21,7 +21,7 @@ template <class S>
 GroupwiseSolver<S>::GroupwiseSolver(const Model& m)
     : m_(m),
       parts_(make_partition(m, Partition::group)),
-      magnitude_(natural_magnitudes(m)),
+      magnitude_(nominal_magnitudes(m)),
       state_(m.state_size()) {
   std::ranges::copy(m.estimate, state_.q.begin());
   for (std::size_t i = 0; i < m.fixed_values.size(); ++i)

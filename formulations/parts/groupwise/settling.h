@@ -6,7 +6,7 @@
 namespace desmo {
 
 /// Stopping rule of a Newton iteration: tells when only the rounding of S is left. It looks at the
-/// sizes of the corrections, relative to natural magnitudes. They are negligible, or small and no
+/// sizes of the corrections, relative to nominal magnitudes. They are negligible, or small and no
 /// longer shrink because conditioning allows no better. Unlike a bound on ‖Φ‖ it does not depend on
 /// units.
 template <class S>

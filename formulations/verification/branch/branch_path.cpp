@@ -123,7 +123,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   }
   double step = time - present_.time;
   const double shortest = std::abs(step) * Interval::unit;
-  Growth growth;
+  StepGrowth growth;
   bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
   while (result.tests < budget_ && std::abs(step) > shortest &&
          present_.time + step != present_.time) {

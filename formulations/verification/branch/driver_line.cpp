@@ -37,7 +37,7 @@ std::vector<bool> drivers_of(const Model& m, GroupId group) {
 
 DriverLine::DriverLine(const Model& m, std::span<const double> q, std::span<const double> direction,
                        GroupId group)
-    : magnitudes(of_drivers(m, natural_magnitudes(m))),
+    : magnitudes(of_drivers(m, nominal_magnitudes(m))),
       origin(of_drivers(m, q)),
       rates(direction.begin(), direction.end()) {
   if (group != no_position) {

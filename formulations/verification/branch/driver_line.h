@@ -10,7 +10,7 @@
 namespace desmo {
 
 /// A straight line in the space of drivers: z = origin + s rates, in the unit of each driver. s is
-/// its arc, ‖Δz‖ over natural magnitudes: 1 rad of a single angle.
+/// its arc, ‖Δz‖ over nominal magnitudes: 1 rad of a single angle.
 struct DriverLine {
   /// - q: positions of all coordinates at its origin
   /// - direction: of the drivers, of any length

@@ -2,10 +2,10 @@
 
 namespace desmo {
 
-/// When to try a longer step. Where a motion is evenly hard to follow, doubled steps would fail
-/// every other time: after each try that failed, twice as many steps succeed before the next one.
-/// An easier stretch is thus found late by no more steps than there were hard ones.
-class Growth {
+/// Decides when to try a longer step. Where every step is equally hard, doubled steps would fail
+/// every other time: so after each try that failed, twice as many steps must succeed before the
+/// next one. An easier part of a motion is thus found late by at most as many steps as were hard.
+class StepGrowth {
  public:
   /// Notes that a step succeeded. Returns whether the next one is to be twice as long.
   bool succeeded() {

@@ -101,7 +101,7 @@ std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
     return fails(residual(e, q, refined.radius.position));
   };
   if (!refined.proven || std::ranges::none_of(equations_, fails_here)) return {};
-  const std::span<const double> known = radius(refined.instant, drivers);
+  const std::span<const double> known = find_radius(refined.instant, drivers);
   std::ranges::copy(q, state_.begin());
   std::optional<Misfit> worst;
   double largest = 0;  // of misfits over lengths
@@ -184,7 +184,8 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
   return !(relative(i, phi.magnitude()) <= max_misfit / 2);
 }
 
-std::span<const double> LeftOutEquations::radius(const Instant& instant, const LiveRow* drivers) {
+std::span<const double> LeftOutEquations::find_radius(const Instant& instant,
+                                                      const LiveRow* drivers) {
   const Instant positions = instant_of(instant.time, {instant.q});
   const Certificate c =
       drivers ? certifier_->certify(positions, *drivers) : certifier_->certify(positions);

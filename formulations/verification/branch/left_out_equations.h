@@ -67,7 +67,7 @@ class LeftOutEquations {
   /// same file; infinite where that is not known. Two choices of equations mean the same motion
   /// where their instants are within these radii. Only where any() is true. Valid until the next
   /// call of this, check() or look_along().
-  std::span<const double> radius(const Instant& instant, const LiveRow* drivers = nullptr);
+  std::span<const double> find_radius(const Instant& instant, const LiveRow* drivers = nullptr);
 
  private:
   Interval residual(const Equation& equation, std::span<const double> q,

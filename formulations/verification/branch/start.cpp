@@ -227,7 +227,7 @@ FoundStart find_start(const Model& m, double time) {
   for (Driver& d : at_drawing.drivers)
     d.motion = Polynomial{{m.estimate[m.entities[d.coordinate].first]}};
   // A certificate of the drawing proves all of the homotopy. Its X is symmetric about the drawing,
-  // and the homotopy's image is the certificate's with λ times the center, which is inside, too.
+  // and the homotopy's image is the certificate's with λ times the centre, which is inside, too.
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;

@@ -16,7 +16,7 @@ constexpr double extension = 5;
 
 StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
                                    std::span<const double> direction, GroupId group)
-    : magnitudes_(natural_magnitudes(m)),
+    : magnitudes_(nominal_magnitudes(m)),
       line_(m, last.values.position, direction, group),
       model_(with_drivers_on(line_, m)),
       before_(model_),
@@ -129,7 +129,7 @@ double StraightCrossing::Miss::over(const std::vector<double>& unit) const {
 }
 
 /// Ends where the distance, which is halved each time, is rounded.
-double StraightCrossing::fall(int level, std::span<const double> positions) {
+double StraightCrossing::measure_fall(int level, std::span<const double> positions) {
   if (!beyond_.start_at({distance(level), {positions, {}, {}}, {}})) return 0;
   Miss last;
   double least = INFINITY, bottom = 0, deepest = 0;
@@ -188,7 +188,7 @@ bool StraightCrossing::find() {
     std::vector<double> beyond;
     for (int i = 0; i < model_.coordinates(); ++i)
       beyond.push_back(value_at(polynomial(far, near, i), Interval(extension)).mid);
-    if (fall(level, beyond) < min_fall) continue;
+    if (measure_fall(level, beyond) < min_fall) continue;
     beyond_.go_to(0);
     nearest_ = beyond_.present().time;
     return true;

@@ -26,7 +26,7 @@ namespace desmo {
 /// of it are proven paths (BranchPath).
 class StraightCrossing {
  public:
-  /// A miss has to fall this many times where h is halved: as often as it does where the fifth
+  /// Smallest factor by which the miss has to fall where h is halved: 2⁵, as where the fifth
   /// derivative jumps.
   static constexpr double min_fall = 32;
 
@@ -48,7 +48,7 @@ class StraightCrossing {
   /// the point. 0: nothing is proven or seen beyond. Overwrites reach(), positions() and width().
   /// - level: number of halvings before the first
   /// - beyond: positions at the distance h that belongs to the level, or near them
-  double fall(int level, std::span<const double> beyond);
+  double measure_fall(int level, std::span<const double> beyond);
   /// Returns the distance h of a level.
   double distance(int level) const;
 

@@ -24,7 +24,7 @@ ProofFailure BlockProof::failure(int lane) const {
       const double slope =
           std::abs(y_->inverse[worst * n + r][lane]) *
           (std::abs(batch_->jacobian.mid[k][lane]) + batch_->jacobian.radius[k][lane]);
-      drivers += slope * std::abs(e.center[j][lane]);
+      drivers += slope * std::abs(e.centre[j][lane]);
       time += slope * e.own[j][lane];
     }
   // X is what errors need and the rounding of the block's size, which is all that is needed where
@@ -34,7 +34,7 @@ ProofFailure BlockProof::failure(int lane) const {
   if (error > size * Interval::unit) {
     if (std::max(drivers, time) > error / 2)
       return drivers > time ? ProofFailure::drivers : ProofFailure::time;
-    if (error > at * Interval::unit) return ProofFailure::budget;
+    if (error > at * Interval::unit) return ProofFailure::far_off;
     return ProofFailure::origin;
   }
   for (int r = 0; r < n; ++r)

@@ -12,7 +12,7 @@ namespace desmo {
 // columns, n of them unknown, and K symbols:
 //
 // - Y Φ_φ and Y Φ_h: n (X + P) and n Q, since each entry takes n roundings
-// - centers and symbols: (3 w + 2) (P + 2 Q). They take 3 w + 2 roundings from Φ on, and
+// - centres and symbols: (3 w + 2) (P + 2 Q). They take 3 w + 2 roundings from Φ on, and
 //   |Φ| ≤ |Φ_φ| X + |Φ_h| |δ| + … where b + A X ≤ X
 // - constant entries of Φ_q: P and Q
 // - bounds: (3 w + K + 6) X. They are sums of positive products, which take so many roundings
@@ -32,42 +32,42 @@ void BlockProof::find_image(Level level) {
   ErrorColumns& e = errors_[level];
   for (int r = 0; r < n; ++r) {
     const LaneInterval& f = phi_[level][r];
-    LaneNumbers center = f.mid, uncertain = f.radius;
+    LaneNumbers centre = f.mid, uncertain = f.radius;
     const int row_end = s.row_begins[r + 1];
     for (int k = s.input_begins[r]; k < row_end; ++k) {
       const int j = s.entries[k];
       const LaneNumbers mid = jacobian.mid[k];
-      center = fma(mid, e.center[j], center);
+      centre = fma(mid, e.centre[j], centre);
       uncertain = fma(fma(rounding, abs(mid), jacobian.radius[k]), e.sum[j], uncertain);
     }
     for (const LowerTerm& term : lower_) {
       const ErrorColumns& lower = errors_[term.errors];
       const LaneMatrix& derivative = rates_[term.derivative];
-      LaneNumbers of_center(0), of_own(0);
+      LaneNumbers of_centre(0), of_own(0);
       for (int k = s.row_begins[r]; k < row_end; ++k) {
         const int j = s.entries[k];
         const LaneNumbers mid = derivative.mid[k];
-        of_center = fma(mid, lower.center[j], of_center);
+        of_centre = fma(mid, lower.centre[j], of_centre);
         of_own = fma(abs(mid), lower.weight[j], of_own);
         of_own = fma(derivative.radius[k], lower.sum[j], of_own);
       }
-      center = fma(of_center, term.factor, center);
+      centre = fma(of_centre, term.factor, centre);
       uncertain = fma(of_own, term.factor, uncertain);
     }
-    center_[r] = center;
+    centre_[r] = centre;
     uncertainty_[r] = uncertain;
   }
   for (int i = 0; i < n; ++i) {
     const LaneNumbers *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
-    LaneNumbers center(0), own(0);  // Φ has a radius, so none of these stays zero
+    LaneNumbers centre(0), own(0);  // Φ has a radius, so none of these stays zero
     for (int r = 0; r < n; ++r) {
-      center = fma(-y[r], center_[r], center);
+      centre = fma(-y[r], centre_[r], centre);
       own = fma(abs(y[r]), uncertainty_[r], own);
     }
     for (int j = 0; j < m; ++j) own = fma(slopes[j], e.own[n + j], own);
-    e.center[i] = center;
+    e.centre[i] = centre;
     e.own[i] = own;
-    e.sum[i] = abs(center) + own;
+    e.sum[i] = abs(centre) + own;
   }
 }
 

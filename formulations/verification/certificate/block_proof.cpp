@@ -22,10 +22,10 @@ BlockProof::BlockProof(const BatchSizes& largest) {
     phi_[level].resize(n);
     rates_[level].resize(n * largest.width);
     ErrorColumns& e = errors_[level];
-    for (auto* values : {&e.center, &e.own, &e.sum, &e.weight}) values->resize(largest.width);
+    for (auto* values : {&e.centre, &e.own, &e.sum, &e.weight}) values->resize(largest.width);
   }
   preconditioner_.resize(n, largest.width);
-  for (auto* values : {&center_, &uncertainty_, &trial_, &contracted_}) values->resize(n);
+  for (auto* values : {&centre_, &uncertainty_, &trial_, &contracted_}) values->resize(n);
   generators_.resize(n * largest.columns);
   lower_.reserve(2);
 }
@@ -45,10 +45,10 @@ void BlockProof::gather(Level level, const ErrorTable& errors) {
   }
   for (int j = shape_->unknowns; j < shape_->width(); ++j) {
     const int* row = &b.rows[LaneNumbers::count * j];
-    LaneNumbers delivered = loaded(errors.rows[row[0]]), center = loaded(errors.rows[row[1]]),
+    LaneNumbers delivered = loaded(errors.rows[row[0]]), centre = loaded(errors.rows[row[1]]),
                 own = loaded(errors.rows[row[2]]), sum = loaded(errors.rows[row[3]]);
-    transpose(delivered, center, own, sum);
-    e.center[j] = center;
+    transpose(delivered, centre, own, sum);
+    e.centre[j] = centre;
     e.own[j] = own;
     e.sum[j] = sum;
     // Derivatives at higher levels are those at the delivered rates, for the time being.
@@ -146,17 +146,17 @@ void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTabl
     const int coordinate = b.coordinates[LaneNumbers::count * i];
     // Whoever reads what is not proven is not proven either.
     LaneNumbers a = state_[level][b.locals[i]].mid,
-                center = select(tried & is_finite(e.center[i]), e.center[i], 0), c = e.own[i],
+                centre = select(tried & is_finite(e.centre[i]), e.centre[i], 0), c = e.own[i],
                 d = select(proven, e.sum[i], INFINITY);
-    transpose(a, center, c, d);
+    transpose(a, centre, c, d);
     a.store(&to.rows[row[0]].delivered);
-    if (blocks > 1) center.store(&to.rows[row[1]].delivered);
+    if (blocks > 1) centre.store(&to.rows[row[1]].delivered);
     if (blocks > 2) c.store(&to.rows[row[2]].delivered);
     if (blocks > 3) d.store(&to.rows[row[3]].delivered);
     if (row[0] == coordinate) continue;
     // Whoever reads the coordinate does not know the symbols.
     ErrorTable::Row& box = to.rows[coordinate] = to.rows[row[0]];
-    box.own = box.sum - std::abs(box.center);
+    box.own = box.sum - std::abs(box.centre);
   }
 }
 

@@ -32,7 +32,7 @@ class BlockProof {
   /// Error bounds at one level, for each variable of a block: its inputs and, once they are
   /// bounded, its unknowns.
   struct ErrorColumns {
-    std::vector<LaneNumbers> center, own, sum;
+    std::vector<LaneNumbers> centre, own, sum;
     std::vector<LaneNumbers> weight;  ///< own, and what rounding of a product with the error adds
   };
   /// factor × derivative times the errors of a lower level: a term of an equation for rates.
@@ -67,7 +67,7 @@ class BlockProof {
   PerLevel<ErrorColumns> errors_;              // (n + m)
   Preconditioner preconditioner_;
   LaneNumbers condition_;
-  std::vector<LaneNumbers> center_, uncertainty_;  // of the equations (n)
+  std::vector<LaneNumbers> centre_, uncertainty_;  // of the equations (n)
   std::vector<LaneNumbers> trial_;                 // radii of X (n)
   std::vector<LaneNumbers> contracted_;            // bound on |(I − Y Φ_φ(X)) X| (n)
   std::vector<double> generators_;                 // of the equations (n × columns)

@@ -170,7 +170,7 @@ class Builder {
     const int size = static_cast<int>(coordinates.size());
     GroupInterface made{coordinates, {}, {level_count * size, level_count * from.symbols}, {}};
     for (const int i : coordinates) made.rows.push_back(row_[i]);
-    for (const Level level : all_levels) made.center[level].resize(size);
+    for (const Level level : all_levels) made.centre[level].resize(size);
     result_.interfaces.push_back(std::move(made));
     return index;
   }

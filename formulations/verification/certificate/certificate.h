@@ -19,7 +19,7 @@ enum class ProofFailure {
   time,      ///< the drivers' motions are not known to enough digits at the time
   origin,    ///< rounding of coordinates is, so far from the origin
   sizes,     ///< rounding is, with lengths or rates of so different sizes
-  budget,    ///< the delivered numbers are too far off; corrections did not reach the solution
+  far_off,   ///< the delivered numbers are too far off; corrections did not reach the solution
 };
 
 /// Sets that enclose the errors which a group of a long chain hands to the next.
@@ -43,8 +43,9 @@ struct Certificate {
   int coordinate = no_position;
   ProofFailure failure = ProofFailure::none;  ///< of that block
   /// Condition number of the worst block at the delivered position, and its structural group. It is
-  /// ConditionNumber (condition.h) of the block's equations, whose row sums count what other blocks
-  /// determine, too. Infinite where a position is singular. Rounded, and no bound.
+  /// like ConditionNumber (condition.h), but of the block alone, with characteristic lengths in
+  /// place of the mechanism's size, and with row sums that count what other blocks determine, too.
+  /// Infinite where a position is singular. Rounded, and no bound.
   double condition = 1;
   GroupId worst_conditioned = no_position;
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
@@ -75,7 +76,7 @@ struct Certificate {
 /// - Φ_φ and Φ_h within X and δ, and their rates: BlockEquations::jacobian(), jacobian_rates()
 /// - errors of drivers: Certifier::Proof::take()
 /// - what dimensions and fixed values lack of those in the file: BlockEquations
-/// - errors δ of earlier blocks: BlockProof::gather(); centers and radii go through Y Φ_h in
+/// - errors δ of earlier blocks: BlockProof::gather(); centres and radii go through Y Φ_h in
 ///   find_image(), symbols in find_generators()
 /// - errors of lower levels, which rates depend on: BlockProof::bound_rates()
 /// - inflation of X, and the limit of its contraction: BlockProof::prove_positions()

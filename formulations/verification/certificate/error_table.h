@@ -12,18 +12,18 @@
 namespace desmo {
 
 /// Errors (exact minus delivered) at one level, row by row. Error i is
-/// center(i) + Σ G(i, k) t(k) + own(i) w(i) with all |t(k)|, |w(i)| ≤ 1. The first rows are those
+/// centre(i) + Σ G(i, k) t(k) + own(i) w(i) with all |t(k)|, |w(i)| ≤ 1. The first rows are those
 /// of the state, without symbols t. Rows after them are lent to one structural group of a long
 /// chain after the other; they share the symbols t, and so do levels.
 struct ErrorTable {
   struct alignas(32) Row {
     double delivered = 0;
-    double center = 0, own = 0;
-    double sum = 0;  ///< |center| + Σ |G(k)| + own, rounded up
+    double centre = 0, own = 0;
+    double sum = 0;  ///< |centre| + Σ |G(k)| + own, rounded up
 
     /// Sets an error without a radius of its own.
     void set_error(double mid, std::span<const double> symbols) {
-      center = mid, own = 0, sum = std::abs(mid);
+      centre = mid, own = 0, sum = std::abs(mid);
       for (const double g : symbols) sum += std::abs(g);
       sum *= 1 + 2 * (symbols.size() + 1) * Interval::unit;
     }
@@ -32,7 +32,7 @@ struct ErrorTable {
   std::vector<Row> rows;
   // Of the coordinates, once write_bounds() was called:
   std::vector<double> radius;      ///< bounds on their errors
-  std::vector<double> correction;  ///< centers of their errors; 0: unknown
+  std::vector<double> correction;  ///< centres of their errors; 0: unknown
   std::vector<double> rest;        ///< bounds on what corrections leave of the errors
   std::vector<double> generators;  ///< G of the lent rows
   int columns = 0, first_lent = 0;
@@ -48,16 +48,16 @@ struct ErrorTable {
     std::size_t i = 0;
     for (; i + LaneNumbers::count <= size; i += LaneNumbers::count) {
       const auto row = [&](int k) { return LaneNumbers::load(&rows[i + k].delivered); };
-      LaneNumbers delivered = row(0), center = row(1), own = row(2), sum = row(3);
-      transpose(delivered, center, own, sum);
+      LaneNumbers delivered = row(0), centre = row(1), own = row(2), sum = row(3);
+      transpose(delivered, centre, own, sum);
       sum.store(&radius[i]);
-      center.store(&correction[i]);
-      left(sum, abs(center)).store(&rest[i]);
+      centre.store(&correction[i]);
+      left(sum, abs(centre)).store(&rest[i]);
     }
     for (; i < size; ++i) {
       radius[i] = rows[i].sum;
-      correction[i] = rows[i].center;
-      rest[i] = left(rows[i].sum, std::abs(rows[i].center));
+      correction[i] = rows[i].centre;
+      rest[i] = left(rows[i].sum, std::abs(rows[i].centre));
     }
   }
   bool has_generators(int row) const { return columns > 0 && row >= first_lent; }

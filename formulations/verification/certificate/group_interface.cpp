@@ -14,7 +14,7 @@ void GroupInterface::enclose(std::span<const Level> solved, const PerLevel<Error
     for (int i = 0; i < size(); ++i) {
       const ErrorTable& e = errors[level];
       const ErrorTable::Row& row = e.rows[rows[i]];
-      center[level][i] = row.center;
+      centre[level][i] = row.centre;
       basis.set(static_cast<int>(level) * size() + i, e.of_row(rows[i]), row.own);
     }
   basis.enclose();
@@ -27,7 +27,7 @@ void GroupInterface::lend(Level level, int row, int column, ErrorTable& to) cons
     const std::span symbols(to.of_row(row + i) + column, basis.size());
     for (int s = 0; s < basis.size(); ++s)
       symbols[s] = basis.generator(static_cast<int>(level) * size() + i, s);
-    to.rows[row + i].set_error(center[level][i], symbols);
+    to.rows[row + i].set_error(centre[level][i], symbols);
   }
 }
 

@@ -14,7 +14,7 @@ namespace desmo {
 struct GroupInterface {
   std::vector<int> coordinates, rows;  ///< rows in ErrorTable, while its group is certified
   ErrorBasis basis;                    ///< errors of all coordinates, one level after the other
-  PerLevel<std::vector<double>> center;
+  PerLevel<std::vector<double>> centre;
   bool enclosed = false;  ///< by the basis, at this instant; otherwise only by radii
 
   int size() const { return static_cast<int>(coordinates.size()); }

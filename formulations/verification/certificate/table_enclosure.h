@@ -79,10 +79,10 @@ void read_table(Constants& c, const S* const* x, const Number& number) {
   const auto& at = lead(argument);
   constexpr int lanes =
       std::is_same_v<std::decay_t<decltype(at)>, double> ? 1 : int{LaneNumbers::count};
-  S center;
-  for (int lane = 0; lane < lanes; ++lane) set_lane(center, lane, Derived(in_lane(at, lane)));
-  const auto distance = size_of(argument - center);
-  c[3] = center;
+  S centre;
+  for (int lane = 0; lane < lanes; ++lane) set_lane(centre, lane, Derived(in_lane(at, lane)));
+  const auto distance = size_of(argument - centre);
+  c[3] = centre;
   for (int lane = 0; lane < lanes; ++lane) {
     const std::array<Derived, 4> a = enclose_table([&](int k) { return number(lane, k); },
                                                    in_lane(at, lane), in_lane(distance, lane));

@@ -21,7 +21,7 @@ BlockDeterminants::BlockDeterminants(const Model& m)
 }
 
 Determinants BlockDeterminants::at(std::span<const double> state) const {
-  WideState<double> wide(m_.state_size());
+  ScalarState<double> wide(m_.state_size());
   std::ranges::copy(state, wide.q.begin());
   Determinants all;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {

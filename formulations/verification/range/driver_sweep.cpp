@@ -131,7 +131,7 @@ std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point&
   const Entity& driver = model().entities[driven()];
   const bool turns = driver.kind == EntityKind::angle;
   const double far =
-      turns ? 2 * std::numbers::pi * turns_ : 10 * natural_magnitudes(model())[driver.first];
+      turns ? 2 * std::numbers::pi * turns_ : 10 * nominal_magnitudes(model())[driver.first];
   const double target = curve().value(start_) + direction_ * far;
   if (direction_ * (curve().value(to) - target) < 0) return {};
   if (!turns) return end(RangeStop::none, to);

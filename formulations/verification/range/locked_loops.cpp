@@ -21,7 +21,7 @@ constexpr double moves = 1e-5;  // of the largest change of a component
 /// Returns Φ_φ of a block, scaled.
 MatrixXd scaled_jacobian(const Model& m, const PartDefinition& block,
                          std::span<const double> lengths, std::span<const double> state) {
-  WideState<double> at(m.state_size());
+  ScalarState<double> at(m.state_size());
   std::ranges::copy(state, at.q.begin());
   const PartSystem<double> system(m, block, at);
   const auto n = static_cast<Eigen::Index>(system.n);

@@ -10,7 +10,7 @@
 
 namespace desmo {
 
-/// Dead point of a curve, and a point behind it.
+/// Dead point of a curve, and a point beyond it.
 struct DeadPoint {
   RangeEnd end;
   SolutionCurve::Point after;

@@ -32,7 +32,7 @@ template <class S>
 GlobalSolver<S>::GlobalSolver(const Model& m)
     : m_(m),
       system_(m),
-      magnitude_(natural_magnitudes(m)),
+      magnitude_(nominal_magnitudes(m)),
       state_(m.state_size()),
       positions_(m.state_size()),
       phi_(system_.rows()),
@@ -135,7 +135,7 @@ void GlobalSolver<S>::factor() {
 }
 
 /// Subtracts Φ_φ⁻¹ times the residual from one order of the unknowns. Returns the largest
-/// correction relative to the natural magnitude of its coordinate.
+/// correction relative to the nominal magnitude of its coordinate.
 template <class S>
 double GlobalSolver<S>::correct(S Jet<S>::*order) {
   if (linear_->residual.size() == 0) return 0;

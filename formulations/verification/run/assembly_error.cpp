@@ -14,7 +14,7 @@ namespace desmo {
 
 namespace {
 
-/// The weighted equations of a group as a function of its unknowns, these in natural magnitudes.
+/// The weighted equations of a group as a function of its unknowns, these in nominal magnitudes.
 struct WeightedEquations {
   using Scalar = double;
   using InputType = Eigen::VectorXd;
@@ -74,7 +74,7 @@ std::optional<AssemblyError> find_assembly_error(const Model& m, std::vector<dou
     const DenseGroup group(m, definition, magnitudes);
     std::vector<double> nearest = state;
     if (group.solve(state, settings) < 0) continue;
-    approach(group, natural_magnitudes(m), nearest);
+    approach(group, nominal_magnitudes(m), nearest);
     if (holds(group, nearest, settings)) {
       state = nearest;
       continue;

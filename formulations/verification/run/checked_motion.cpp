@@ -25,7 +25,7 @@ CheckedMotion::CheckedMotion(const Model& m, std::span<const Level> levels, doub
       levels_(levels),
       follower_(std::make_unique<Follower>(nullptr, m, levels)),
       no_rates_(m.coordinates(), NAN),
-      tolerances_(natural_magnitudes(m)) {
+      tolerances_(nominal_magnitudes(m)) {
   for (double& t : tolerances_) t *= tolerance;
 }
 

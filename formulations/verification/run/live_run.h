@@ -25,8 +25,8 @@ struct LiveOptions {
   /// The velocities and accelerations that radii are relative to, which only the caller can know
   /// in advance; empty: the largest so far, which at the beginning may be small.
   std::optional<Scales> scales{};
-  /// Shorter steps that one row may take to be solved, and path proofs beyond the first that it may
-  /// take to be followed.
+  /// Largest number of sub-steps in which a row is solved, and of path proofs after the first by
+  /// which it is followed.
   int max_sub_steps = 64;
   CheckMode check = CheckMode::proof;  ///< none or proof
 };

@@ -33,8 +33,9 @@ double RowMotions::lead_to(const LiveRow& row) {
   return begin;
 }
 
-/// Finds c of z(t) = Σ cₖ tᵏ. Those of Taylor's polynomial are the row's; with its distance, the
-/// others take it to the earlier row at time h:
+/// Finds the coefficients of z(t) = Σ cₖ tᵏ. The first ones, of Taylor's polynomial, are the row's.
+/// By off, rate_off and second_off that polynomial misses the earlier row, at time h; the further
+/// coefficients make up for it:
 ///
 ///   z₀ = z + h ż + h²/2 z̈ + h³ off,  ż₀ = ż + h z̈ + h² rate_off,  z̈₀ = z̈ + h second_off
 void RowMotions::lead_driver(std::size_t driver, const LiveRow& row, double h) {

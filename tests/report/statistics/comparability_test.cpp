@@ -8,7 +8,7 @@ namespace {
 
 std::vector<std::string> reasons(const Json& a, const Json& b) {
   std::vector<std::string> names;
-  for (const Difference& d : why_incomparable(record_from(a), record_from(b)))
+  for (const Difference& d : incomparable_reasons(record_from(a), record_from(b)))
     names.push_back(d.what);
   return names;
 }
@@ -68,7 +68,7 @@ TEST(Comparability, WhatOnlyOneRecordsIsNotTheSame) {
   Json other = origins_record();
   const std::string results = other["paper"]["cells"][0]["results"];
   other["paper"]["cells"][0].erase("results");
-  const auto found = why_incomparable(record_from(origins_record()), record_from(other));
+  const auto found = incomparable_reasons(record_from(origins_record()), record_from(other));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(found[0].what.starts_with("results of ")) << found[0].what;
   EXPECT_EQ(found[0].first, results);

@@ -40,7 +40,7 @@ TEST(Statistics, SpeedUpsOfSegmentsAreRatiosOfTheirSums) {
   EXPECT_DOUBLE_EQ(same.low, 2);
   EXPECT_DOUBLE_EQ(same.high, 2);
   EXPECT_DOUBLE_EQ(same.percent, 50);
-  EXPECT_TRUE(same.spread);
+  EXPECT_TRUE(same.has_interval);
   // By hand: S = 8/4.2, Σ(a - S b)² = 0.108844, t = 3.182: 0.288617 on either side.
   const SpeedUp s = speed_up(of_segments({2, 2, 2, 2}), of_segments({1, 1, 1, 1.2}));
   EXPECT_DOUBLE_EQ(s.value, 8 / 4.2);
@@ -57,18 +57,18 @@ TEST(Statistics, WhatHasOtherSegmentsOrNoneIsComparedByItsMedian) {
 }
 
 TEST(Statistics, ATooWideIntervalIsInconclusive) {
-  SpeedUp ratio{.value = 2, .low = 1.92, .high = 2.08, .percent = 50, .spread = true};
+  SpeedUp ratio{.value = 2, .low = 1.92, .high = 2.08, .percent = 50, .has_interval = true};
   EXPECT_NEAR(ratio.half_width(), 0.04, 1e-12);
   EXPECT_FALSE(ratio.inconclusive());
   ratio.high = 2.2;
   EXPECT_TRUE(ratio.inconclusive());
-  ratio.spread = false;  // one run has no interval, and says that
+  ratio.has_interval = false;  // one run has no interval, and says that
   EXPECT_FALSE(ratio.inconclusive());
 }
 
 TEST(Statistics, MeanOfPercentagesNotPercentageOfTheMean) {
-  const SpeedUp half{.value = 2, .low = 1, .high = 3, .percent = 50, .spread = true};
-  const SpeedUp quarter{.value = 4, .low = 3, .high = 5, .percent = 75, .spread = true};
+  const SpeedUp half{.value = 2, .low = 1, .high = 3, .percent = 50, .has_interval = true};
+  const SpeedUp quarter{.value = 4, .low = 3, .high = 5, .percent = 75, .has_interval = true};
   const SpeedUp both = mean(std::vector{half, quarter});
   EXPECT_DOUBLE_EQ(both.value, 3);
   EXPECT_DOUBLE_EQ(both.low, 2);
