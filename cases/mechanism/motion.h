@@ -162,7 +162,8 @@ struct TimeGrid {
   int instants = 0;            ///< number of instants, both ends included; 1: the start alone
   int steps_per_interval = 1;  ///< number of steps between instants
 
-  double time(int i) const { return start + i * steps_per_interval * step; }
+  /// Returns start + i·step, each operation rounded.
+  double time(int i) const;
   double interval() const { return steps_per_interval * step; }  ///< time between instants [s]
 
   /// Returns a grid of the first instant and every nth one after it, at exactly the same times.

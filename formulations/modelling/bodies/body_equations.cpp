@@ -94,7 +94,7 @@ void relate_point(EquationWriter& w, const std::string& prefix, const RigidBody&
              body,
              w.point(p),
              {-1, body.basis.origin, p},
-             w.reach_of(body)});
+             reach_of(w.mechanism, body, w.reach)});
 }
 
 /// Writes the same equation for a vector.
@@ -127,10 +127,11 @@ void keep_product_of_two(EquationWriter& w, const std::string& name, const Rigid
   } else if (b.is_line()) {
     w.constrain<Projection<3>>(
         Origin::body, product_name, {w.vector(a.vector), w.point(b.from), w.point(b.to)},
-        measured<Projection<3>>(w.mechanism, w.reach_of(body), [&](const auto& drawing) {
-          return std::array{drawing.direction(body, a), drawing.origin(),
-                            drawing.direction(body, b)};
-        }));
+        measured<Projection<3>>(w.mechanism, reach_of(w.mechanism, body, w.reach),
+                                [&](const auto& drawing) {
+                                  return std::array{drawing.direction(body, a), drawing.origin(),
+                                                    drawing.direction(body, b)};
+                                }));
   } else {
     w.constrain<Dot<3>>(Origin::body, product_name, {w.vector(a.vector), w.vector(b.vector)},
                         measured<Dot<3>>(w.mechanism, 1, both));
@@ -141,7 +142,12 @@ template <int D>
 void keep_product(EquationWriter& w, const std::string& name, const RigidBody& body,
                   const Direction& a, const Direction& b) {
   const BodyDrawing<double> drawing{w.mechanism};
-  if (!w.note_product(a, b, dot(drawing.direction(body, a), drawing.direction(body, b)))) return;
+  const nominal::Vec x = drawing.direction(body, a), y = drawing.direction(body, b);
+  const auto rounded = [&](const Direction& d) {
+    return d.is_line() ? reach_of(w.mechanism, body, w.reach) : 1;
+  };
+  const double magnitude = rounded(a) * nominal::norm(y) + rounded(b) * nominal::norm(x);
+  if (!w.note_product(a, b, dot(x, y), magnitude)) return;
   if (!a.is_line() && a.vector == b.vector)
     return w.constrain<Unit<D>>(Origin::body, name + w.text(a) + " unit", {w.vector(a.vector)}, {});
   if (a.is_line() && a.to == b.to)

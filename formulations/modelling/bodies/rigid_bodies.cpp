@@ -53,19 +53,22 @@ Basis choose_basis(const Mechanism& d, const RigidBody& body) {
   Basis basis;
   std::vector<Vec> orthonormal;
   if (!body.points.empty()) basis.origin = body.points.front();
-  // Directions nearly in the span of others make bad coordinates: only where there is no choice.
-  for (const double min_sine : {0.1, 1e-6}) {
+  const auto add = [&](double min_sine, std::size_t at_most) {
     for (const int v : body.vectors)
-      if (!follows_from_points(d, body, v) && orthonormal.size() < enough && !basis.has_vector(v) &&
-          extend(orthonormal, drawing.direction(body, {v}), min_sine))
+      if (!follows_from_points(d, body, v) && orthonormal.size() < at_most &&
+          !basis.has_vector(v) && extend(orthonormal, drawing.direction(body, {v}), min_sine))
         basis.directions.push_back({v});
     for (const int p : body.points) {
       const Mechanism::Direction line{-1, basis.origin, p};
-      if (orthonormal.size() < enough && !basis.has_point(p) &&
+      if (orthonormal.size() < at_most && !basis.has_point(p) &&
           extend(orthonormal, drawing.direction(body, line), min_sine))
         basis.directions.push_back(line);
     }
-  }
+  };
+  // Directions nearly in the span of others make bad coordinates. A second one is taken where there
+  // is no choice; in place of a third one stands a normal (with_plane_normals()).
+  add(0.1, enough);
+  add(1e-6, std::min<std::size_t>(enough, 2));
   std::ranges::stable_partition(basis.directions, [](const auto& x) { return !x.is_line(); });
   return basis;
 }

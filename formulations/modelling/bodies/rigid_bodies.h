@@ -46,8 +46,9 @@ bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int 
 void require_representable(const Mechanism& mechanism);
 
 /// Merges fixed bodies and chooses their bases. Vectors that do not follow from points are taken
-/// first, in the mechanism's order, then lines from the body's first point. A direction within
-/// 6° of the span of earlier ones is taken only as a last resort. Throws std::invalid_argument,
+/// first, in the mechanism's order, then lines from the body's first point. A second
+/// direction within 6° of the first is taken only as a last resort, a third one within 6° of the
+/// plane of two others never. Throws std::invalid_argument,
 /// naming the body, when
 /// - a body carries neither point nor vector,
 /// - a declared length is not the nominal one, although a fixed joint adds points to the body,

@@ -8,7 +8,10 @@
 #include <optional>
 #include <span>
 
+#include "cases/mechanism/names.h"
+#include "cases/numbers/interval.h"
 #include "formulations/model/derivations.h"
+#include "formulations/modelling/equations/plane_normals.h"
 
 namespace desmo {
 
@@ -20,6 +23,40 @@ double max_coordinate(const Points& points, Position position = {}) {
   for (const auto& p : points)
     for (const double x : std::invoke(position, p)) largest = std::max(largest, std::abs(x));
   return largest;
+}
+
+/// Throws std::invalid_argument where an equation between constants does not hold, whatever their
+/// roundings: what rests on the ground is described twice, in different ways.
+void require_holds(const Model& m, const Constraint& c, double reach) {
+  const auto is_fixed = [&](EntityId e) { return m.entities[e].fixed; };
+  if (!std::ranges::all_of(c.operands, is_fixed)) return;  // drivers alone
+  const auto within_rounding = [](double value, double magnitude) {
+    return Interval(value, largest_rounding * magnitude);
+  };
+  visit_kind(c.kind, [&]<class Kind>(Kind) {
+    if constexpr (!has_table<Kind>) {
+      std::array<std::array<Interval, max_components>, Kind::operand_sizes.size()> components;
+      std::array<const Interval*, Kind::operand_sizes.size()> x;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        const Entity& e = m.entities[c.operands[k]];
+        for (int i = 0; i < e.size; ++i)
+          components[k][i] = within_rounding(m.fixed_values[e.first + i],
+                                             e.kind == EntityKind::vector ? 1 : reach);
+        x[k] = components[k].data();
+      }
+      std::array<Interval, Kind::constants + 1> constants;
+      for (int k = 0; k < Kind::constants; ++k)
+        constants[k] = within_rounding(c.constants[k], std::abs(c.constants[k]));
+      std::array<Interval, Kind::rows> phi;
+      Kind::residual(x.data(), constants.data(), phi.data());
+      for (const Interval& row : phi)
+        if (std::abs(row.mid) > row.radius)
+          throw std::invalid_argument(
+              in_quotes(c.name) +
+              " does not hold: the places on the ground and the shape of the body, or two shapes, "
+              "contradict each other; make them the same");
+    }
+  });
 }
 
 template <int D>
@@ -39,13 +76,8 @@ EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
     : mechanism(d),
       rigid(bodies),
       framed(frames),
-      reach(max_coordinate(d.points, &Mechanism::Point::position)),
+      reach(reach_of(d)),
       coordinates_(std::move(coordinates)) {}
-
-double EquationWriter::reach_of(const RigidBody& body) const {
-  const auto& own = mechanism.bodies[body.bodies.front()].own;
-  return own ? max_coordinate(own->points, Mechanism::rounded) : reach;
-}
 
 EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vector& vector) {
   return coordinates_.model.add_fixed(EntityKind::vector, std::move(name),
@@ -63,14 +95,15 @@ EntityId EquationWriter::add_variable(EntityKind kind, std::string name,
 }
 
 bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism::Direction& b,
-                                  double product) {
-  const auto key = [](const Mechanism::Direction& d) {
-    return d.is_line() ? Key{1, std::min(d.from, d.to), std::max(d.from, d.to)}
-                       : Key{0, d.vector, d.vector};
+                                  double product, double magnitude) {
+  const auto key = [&product](const Mechanism::Direction& d) {
+    if (!d.is_line()) return Key{0, d.vector, d.vector};
+    if (d.from > d.to) product = -product;  // of the line the other way round
+    return Key{1, std::min(d.from, d.to), std::max(d.from, d.to)};
   };
-  const auto [it, is_new] = products_.emplace(std::minmax({key(a), key(b)}), product);
-  return is_new ||
-         std::abs(std::abs(it->second) - std::abs(product)) > 1e-12 * std::max(1.0, reach * reach);
+  const Key first = key(a), second = key(b);
+  const auto [it, is_new] = products_.emplace(std::minmax(first, second), product);
+  return is_new || !is_rounding(it->second - product, magnitude);
 }
 
 std::string EquationWriter::text(const Mechanism::Direction& d) const {
@@ -100,17 +133,26 @@ void EquationWriter::constrain(Origin origin, std::string name, int kind,
   made.derives = derives;
   for (const EntityId e : operands)
     made.group = std::max(made.group, coordinates_.model.entities.at(e).group);
-  if (made.group < 0) return;
   for (const Derived& d : dimensions) {
     made.constants.push_back(d.value);
     made.remainders.push_back(d.remainder());
   }
+  if (made.group < 0) return require_holds(coordinates_.model, made, reach);
   coordinates_.model.add(std::move(made));
   origins_.push_back(origin);
 }
 
+double reach_of(const Mechanism& d) {
+  return max_coordinate(d.points, &Mechanism::Point::position);
+}
+
+double reach_of(const Mechanism& d, const RigidBody& body, double reach) {
+  const auto& own = d.bodies[body.bodies.front()].own;
+  return own ? max_coordinate(own->points, Mechanism::rounded) : reach;
+}
+
 bool is_rounding(double value, double magnitude) {
-  return std::abs(value) <= 16 * std::numeric_limits<double>::epsilon() * magnitude;
+  return std::abs(value) <= largest_rounding * magnitude;
 }
 
 namespace {
@@ -133,13 +175,15 @@ CandidateEquations make_candidate_equations(const Mechanism& d, const RigidBodie
                                             const Structure& structure,
                                             const std::vector<Motion>& motions,
                                             Modelling modelling) {
-  std::optional<FramedMechanism> framed;
-  if (has_frames(modelling)) framed = put_frames(d, rigid, structure, modelling);
-  const Mechanism& mechanism = framed ? framed->mechanism : d;
-  const RigidBodies& bodies = framed ? framed->rigid : rigid;
+  const std::optional<FramedMechanism> changed = has_frames(modelling)
+                                                     ? put_frames(d, rigid, structure, modelling)
+                                                     : with_plane_normals(d, rigid);
+  const Mechanism& mechanism = changed ? changed->mechanism : d;
+  const RigidBodies& bodies = changed ? changed->rigid : rigid;
   Coordinates coordinates = make_coordinates(mechanism, bodies, structure, motions, modelling);
   mark_internal(coordinates, d);
-  EquationWriter w(mechanism, bodies, std::move(coordinates), framed ? &*framed : nullptr);
+  EquationWriter w(mechanism, bodies, std::move(coordinates),
+                   has_frames(modelling) ? &*changed : nullptr);
   CandidateEquations candidates = d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
   keep_derivations(candidates.model);
   return candidates;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -27,9 +28,6 @@ class EquationWriter {
   const FramedMechanism* const framed;
   const double reach;  ///< largest absolute coordinate of a point, nominally
 
-  /// Returns the reach within the body's own frame, or that of all points where it has none.
-  double reach_of(const RigidBody& body) const;
-
   EntityId point(int p) const { return coordinates_.points[p]; }
   EntityId vector(int v) const { return coordinates_.vectors[v]; }
   /// Returns the coordinates; their model contains the equations written so far.
@@ -42,7 +40,8 @@ class EquationWriter {
   EntityId add_variable(EntityKind kind, std::string name, std::span<const double> start, int body);
 
   /// Adds an equation of a kind, by its position, to the last group that solves for one of its
-  /// operands. Adds nothing when all operands are fixed.
+  /// operands. Adds nothing when all operands are fixed; throws std::invalid_argument, naming the
+  /// equation, where it does not hold of these.
   void constrain(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
                  std::span<const Derived> dimensions, int derives = no_position);
   template <class Kind>
@@ -65,8 +64,10 @@ class EquationWriter {
   }
 
   /// Records the first scalar product of two directions. Returns whether this one needs an
-  /// equation: not where its magnitude is that of the recorded one.
-  bool note_product(const Mechanism::Direction& a, const Mechanism::Direction& b, double product);
+  /// equation: not where it is the recorded one, to rounding. magnitude: that of the products whose
+  /// difference it is, such as reach times length of a line.
+  bool note_product(const Mechanism::Direction& a, const Mechanism::Direction& b, double product,
+                    double magnitude);
 
   /// Returns the text of a direction in equation names: "v" or "P-Q".
   std::string text(const Mechanism::Direction& direction) const;
@@ -81,10 +82,18 @@ class EquationWriter {
   std::map<std::pair<Key, Key>, double> products_;
 };
 
-/// Returns whether a value is at rounding level, |value| ≤ 16 ε · magnitude, and means zero.
+/// Returns the largest absolute coordinate of a point, nominally.
+double reach_of(const Mechanism& mechanism);
+/// Returns that of a body's points in its own frame; `reach` where it has none.
+double reach_of(const Mechanism& mechanism, const RigidBody& body, double reach);
+
+/// The largest rounding of what a file describes: 16 ε, of the magnitude of what is subtracted.
+inline constexpr double largest_rounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// Returns whether |value| ≤ largest_rounding · magnitude, and means zero.
 bool is_rounding(double value, double magnitude);
 
-/// Returns the dimensions that a kind measures, zero where they are at rounding level.
+/// Returns the dimensions that a kind measures. The doubles of those at rounding level are zero.
 ///
 /// - operands<S>(drawing): positions of the operands of the kind in a BodyDrawing<S>
 /// - magnitude: that of what a dimension is the difference of; 0: of nothing
@@ -103,7 +112,7 @@ std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double
   const std::array<double, Kind::constants> rounded = in(BodyDrawing<double>{mechanism});
   std::array<Derived, Kind::constants> c = in(BodyDrawing<Derived>{mechanism});
   for (int k = 0; k < Kind::constants; ++k)
-    c[k] = is_rounding(rounded[k], magnitude) ? Derived(0) : c[k].about(rounded[k]);
+    c[k] = c[k].about(is_rounding(rounded[k], magnitude) ? 0 : rounded[k]);
   return c;
 }
 

@@ -32,7 +32,7 @@ void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
   const auto product = kept<Dot<3>>(w, j, 1, [&](const auto& drawing) {
     return std::array{drawing.vector(a.vector), drawing.vector(b.vector)};
   });
-  if (w.note_product(a, b, product[0].value))
+  if (w.note_product(a, b, product[0].value, 2))
     w.constrain<Dot<3>>(Origin::joint, j.name + ": " + w.text(a) + " with " + w.text(b),
                         {w.vector(a.vector), w.vector(b.vector)}, product);
 }

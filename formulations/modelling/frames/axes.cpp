@@ -81,6 +81,12 @@ std::pair<int, int> AxisMaker::find_or_add_normals(int body, int vector) {
   return at->second = {first, find_or_add_axis(body, cross(u, n), "normal")};
 }
 
+void AxisMaker::add_normal(int body) {
+  auto& directions = framed_.rigid.list[body].basis.directions;
+  const int normal = add_vector(body, own_axes(body)[2], "normal");
+  directions.insert(std::ranges::find_if(directions, &Mechanism::Direction::is_line), {normal});
+}
+
 int AxisMaker::add_vector(int body, const Exact& own, const char* what) {
   Mechanism& d = framed_.mechanism;
   RigidBody& rigid = framed_.rigid.list[body];

@@ -41,6 +41,9 @@ class AxisMaker {
   /// of the body. Adds those that the body has not.
   std::pair<int, int> find_or_add_normals(int body, int vector);
 
+  /// Adds the normal of the first two directions of a body's basis, as a third one.
+  void add_normal(int body);
+
   /// Adds a point to a body, in the place of another one.
   int add_point(int body, int place, const char* what);
 

@@ -47,7 +47,7 @@ TEST(Answer, IsThreeFixedSentencesWithNumbers) {
   const std::vector<std::string> text = answer_to(json);
   ASSERT_EQ(text.size(), 3u);
   EXPECT_CONTAINS(text[0], "TS-TPS_LAP (group after group, generated equations, LAPACK), was 3.5 ");
-  EXPECT_CONTAINS(text[0], "in the place of MA27, is: cholmod 4.0, umfpack 4.0, klu 1.2");
+  EXPECT_CONTAINS(text[0], "by the sparse solver: cholmod 4.0, umfpack 4.0, klu 1.2");
   EXPECT_EQ(text[1], finding);
   EXPECT_EQ(
       text[2],
@@ -75,7 +75,7 @@ TEST(Answer, SaysWhatTheRecordDoesNotShow) {
             "The filed records say, and this one does not show: " + std::string(finding));
   for (const char* family : {"cholmod", "umfpack", "klu"})
     erase_candidate(json, truck, 336, "global_automatic_" + std::string(family));
-  EXPECT_CONTAINS(answer_to(json)[0], "in the place of MA27, is: not measured.");
+  EXPECT_CONTAINS(answer_to(json)[0], "by the sparse solver: not measured.");
 }
 
 TEST(Answer, HasNoClauseForWhatWasNotMeasured) {
@@ -100,7 +100,7 @@ TEST(Answer, LeavesOutIncompleteMeansAndMarksTheInconclusive) {
   set_family(json, "global_automatic_umfpack", 8, 0.5);
   fail_candidate(json, truck, 336, "global_automatic_cholmod");
   EXPECT_CONTAINS(answer_to(json)[0],
-                  "in the place of MA27, is: umfpack 4.0 (inconclusive), klu 4.0.");
+                  "by the sparse solver: umfpack 4.0 (inconclusive), klu 4.0.");
 }
 
 TEST(Answer, CountsWhatFailed) {

@@ -55,7 +55,7 @@ TEST(PapersOwn, StandsFirstAndIsComparedDirectly) {
 
 TEST(PapersOwn, StandsInTheAnswer) {
   EXPECT_TRUE(says(answer(record_from(like_the_paper())).paragraphs,
-                   "in the place of MA27, is: ma27 3.7, cholmod 3.7, umfpack 3.7, klu 0.26."));
+                   "by the sparse solver: ma27 3.7, cholmod 3.7, umfpack 3.7, klu 0.26."));
 }
 
 TEST(PapersOwn, IsNoStandIn) {
