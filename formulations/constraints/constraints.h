@@ -37,7 +37,6 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "formulations/constraints/coordinates.h"
 #include "formulations/constraints/joints.h"
@@ -86,20 +85,6 @@ auto constants_at(const S* numbers, const S* const* x) {
     return Kind::about(numbers, x[1][0]);
   else
     return std::span<const S>(numbers, Kind::constants);
-}
-
-/// Returns the same from the dimensions of a constraint, in another scalar. number(k): dimension k.
-template <class Kind, class S, class Number>
-auto constants_in(std::size_t count, const S* const* x, const Number& number) {
-  if constexpr (has_table<Kind>) {
-    std::vector<S> all;
-    for (std::size_t k = 0; k < count; ++k) all.push_back(number(k));
-    return Kind::about(all.data(), x[1][0]);
-  } else {
-    std::array<S, Kind::constants + 1> all{};
-    for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = number(k);
-    return all;
-  }
 }
 
 /// Returns the position of Kind in ConstraintKinds.

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
+#include "cases/numbers/derived.h"
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/model.h"
 
@@ -30,6 +33,23 @@ auto operands_of(const Model& m, const Constraint& constraint, const S* state) {
   std::array<const S*, Kind::operand_sizes.size()> x;
   for (std::size_t k = 0; k < x.size(); ++k) x[k] = state + m.state_index(constraint.operands[k]);
   return x;
+}
+
+/// Returns the constants that the functions of a kind take at x, from the dimensions of a
+/// constraint as the file means them, in the scalar of x: see constants_at(). The result has
+/// data().
+template <class Kind, class S>
+auto dimensions_at(const Constraint& constraint, const S* const* x) {
+  if constexpr (has_table<Kind>) {
+    std::vector<S> all;
+    for (std::size_t k = 0; k < constraint.constants.size(); ++k)
+      all.push_back(as<S>(constraint.dimension(k)));
+    return Kind::about(all.data(), x[1][0]);
+  } else {
+    std::array<S, Kind::constants + 1> all{};
+    for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = as<S>(constraint.dimension(k));
+    return all;
+  }
 }
 
 }  // namespace desmo

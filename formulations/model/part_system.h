@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formulations/base/index_range.h"
-#include "formulations/constraints/constraints.h"
+#include "formulations/model/incidence.h"
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
 
@@ -44,16 +44,9 @@ struct PartSystem {
     const int position = part_.equations[row].constraint;
     const Constraint& constraint = m_.constraints[position];
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      std::array<const S*, Kind::operand_sizes.size()> x, v;
-      std::array<int, Kind::operand_sizes.size()> first;
-      for (std::size_t k = 0; k < first.size(); ++k) {
-        first[k] = m_.state_index(constraint.operands[k]);
-        x[k] = state_.q.data() + first[k];
-        v[k] = state_.qd.data() + first[k];
-      }
-      const auto constants =
-          constants_in<Kind>(constraint.constants.size(), x.data(),
-                             [&](std::size_t k) { return as<S>(constraint.dimension(k)); });
+      const auto x = operands_of<Kind>(m_, constraint, state_.q.data());
+      const auto v = operands_of<Kind>(m_, constraint, state_.qd.data());
+      const auto constants = dimensions_at<Kind>(constraint, x.data());
       std::array<S, Kind::rows> all_phi, gamma;
       Kind::residual(x.data(), constants.data(), all_phi.data());
       Kind::quadratic(x.data(), v.data(), constants.data(), gamma.data());
@@ -66,7 +59,7 @@ struct PartSystem {
         acceleration[row] -= gamma[r];
       }
       Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
-        const int at = first[operand] + i;
+        const int at = m_.state_index(constraint.operands[operand]) + i;
         if (place[r] < 0) return;
         if (const int j = position_in(part_.unknowns, at); j >= 0) {
           jacobian[place[r] * n + j] = value;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formulations/constraints/constraints.h"
+#include "formulations/model/incidence.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
 #include "tests/refusal.h"
@@ -79,8 +79,7 @@ TEST(TruckSuspension, NominalPositionSatisfiesEveryEquation) {
   const std::vector<double> state = state_at_estimate(m).q;
   for (const Constraint& c : m.constraints)
     visit_kind(c.kind, [&]<class Kind>(Kind) {
-      std::array<const double*, Kind::operand_sizes.size()> x;
-      for (std::size_t k = 0; k < x.size(); ++k) x[k] = &state[m.state_index(c.operands[k])];
+      const auto x = operands_of<Kind>(m, c, state.data());
       double phi[Kind::rows];
       Kind::residual(x.data(), c.constants.data(), phi);
       for (const double r : phi) EXPECT_NEAR(r, 0, 1e-15) << c.name;

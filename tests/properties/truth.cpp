@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "formulations/constraints/constraints.h"
+#include "formulations/model/incidence.h"
 #include "tests/properties/assembled_drawing.h"
 
 namespace desmo::properties {
@@ -107,12 +107,8 @@ double largest_misfit(const Model& m, std::span<const double> q, bool of_all) {
   double largest = 0;
   for (const Constraint& constraint : m.constraints)
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      std::array<const Quadruple*, Kind::operand_sizes.size()> x;
-      for (std::size_t k = 0; k < x.size(); ++k)
-        x[k] = state.data() + m.state_index(constraint.operands[k]);
-      const auto c = constants_in<Kind>(constraint.constants.size(), x.data(), [&](std::size_t k) {
-        return as<Quadruple>(constraint.dimension(k));
-      });
+      const auto x = operands_of<Kind>(m, constraint, state.data());
+      const auto c = dimensions_at<Kind>(constraint, x.data());
       std::array<Quadruple, Kind::rows> phi;
       Kind::residual(x.data(), c.data(), phi.data());
       std::array<double, Kind::rows> slope{};

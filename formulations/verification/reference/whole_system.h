@@ -11,6 +11,21 @@
 
 namespace desmo {
 
+/// Returns the dimensions of a constraint for jets: those at their values, which do not move.
+template <class Kind, class S>
+auto dimensions_at(const Constraint& constraint, const Jet<S>* const* x) {
+  std::array<std::array<S, max_components>, Kind::operand_sizes.size()> values;
+  std::array<const S*, Kind::operand_sizes.size()> at;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    for (int i = 0; i < Kind::operand_sizes[k]; ++i) values[k][i] = x[k][i].value;
+    at[k] = values[k].data();
+  }
+  const auto still = dimensions_at<Kind>(constraint, at.data());
+  std::array<Jet<S>, Kind::constants + 1> all{};
+  for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = Jet<S>(still[k]);
+  return all;
+}
+
 /// Equations of a whole model at once, whatever the partition. Rows are those of the constraints in
 /// their order, without those left out; columns are the coordinates that are not driven, ascending.
 class WholeSystem {
@@ -37,7 +52,7 @@ class WholeSystem {
     for (const Constraint& constraint : m_.constraints)
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
         const auto x = operands_of<Kind>(m_, constraint, state.data());
-        const auto constants = dimensions<Kind>(constraint, x.data());
+        const auto constants = dimensions_at<Kind>(constraint, x.data());
         std::array<S, Kind::rows> all;
         Kind::residual(x.data(), constants.data(), all.data());
         for (int r = 0; r < Kind::rows; ++r)
@@ -53,7 +68,7 @@ class WholeSystem {
     for (const Constraint& constraint : m_.constraints)
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
         const auto x = operands_of<Kind>(m_, constraint, state.data());
-        const auto constants = dimensions<Kind>(constraint, x.data());
+        const auto constants = dimensions_at<Kind>(constraint, x.data());
         std::array<int, Kind::rows> place;
         for (int r = 0; r < Kind::rows; ++r) place[r] = constraint.left_out >> r & 1 ? -1 : row++;
         Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
@@ -64,26 +79,6 @@ class WholeSystem {
   }
 
  private:
-  template <class Kind, class S>
-  static auto dimensions(const Constraint& constraint, const S* const* x) {
-    return constants_in<Kind>(constraint.constants.size(), x,
-                              [&](std::size_t k) { return as<S>(constraint.dimension(k)); });
-  }
-  /// Returns the same for jets, whose dimensions do not move.
-  template <class Kind, class S>
-  static auto dimensions(const Constraint& constraint, const Jet<S>* const* x) {
-    std::array<std::array<S, max_components>, Kind::operand_sizes.size()> values;
-    std::array<const S*, Kind::operand_sizes.size()> at;
-    for (std::size_t k = 0; k < at.size(); ++k) {
-      for (int i = 0; i < Kind::operand_sizes[k]; ++i) values[k][i] = x[k][i].value;
-      at[k] = values[k].data();
-    }
-    const auto still = dimensions<Kind>(constraint, at.data());
-    std::array<Jet<S>, Kind::constants + 1> all{};
-    for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = Jet<S>(still[k]);
-    return all;
-  }
-
   const Model& m_;
   std::vector<int> unknowns_, column_;
   int rows_ = 0;

@@ -4,8 +4,8 @@
 #include <arb_mat.h>
 #include <gtest/gtest.h>
 
-#include "formulations/constraints/constraints.h"
 #include "formulations/constraints/jet.h"
+#include "formulations/model/incidence.h"
 #include "formulations/model/partition.h"
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
@@ -93,9 +93,7 @@ class System {
         std::array<Jet<Ball>, Kind::constants + 1> constants;
         for (int k = 0; k < Kind::constants; ++k) constants[k] = Jet<Ball>(Ball(c.dimension(k)));
         const auto operands = [&](const State& from) {
-          std::array<const Jet<Ball>*, Kind::operand_sizes.size()> p;
-          for (std::size_t k = 0; k < p.size(); ++k) p[k] = &from[m_.state_index(c.operands[k])];
-          return p;
+          return operands_of<Kind>(m_, c, from.data());
         };
         std::array<Jet<Ball>, Kind::rows> all;
         Kind::residual(operands(of_phi ? *of_phi : x).data(), constants.data(), all.data());
