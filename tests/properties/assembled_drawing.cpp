@@ -45,7 +45,7 @@ bool follow(GlobalSolver<Quadruple>& solver) {
   double lambda = 0, step = 1. / 16;
   while (lambda < 1 && step > min_step) {
     const double next = std::min(1., lambda + step);
-    const std::vector<Jet<Quadruple>> before = solver.state();
+    const ScalarState<Quadruple> before = solver.state();
     if (solve(solver, next)) {
       lambda = next;
       step *= 2;
@@ -63,7 +63,7 @@ Model with_assembled_drawing(Model m) {
   GlobalSolver<Quadruple> solver(m);
   if (!follow(solver)) throw std::runtime_error(m.name + ": the drawing means no position");
   for (int i = 0; i < m.coordinates(); ++i)
-    m.estimate[i] = static_cast<double>(solver.state()[i].value);
+    m.estimate[i] = static_cast<double>(solver.state().q[i]);
   return m;
 }
 

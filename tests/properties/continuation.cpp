@@ -42,6 +42,8 @@ Continuation::Continuation(const Model& m)
       magnitude_(nominal_magnitudes(m)),
       solver_(m),
       condition_number_(m),
+      last_(solver_.state()),
+      regular_{0, last_, {}, 0},
       blocks_(make_partition(m, Partition::block)) {
   for (int i = 0; i < m.coordinates(); ++i)
     far_ = std::max(far_, std::abs(m.estimate[i]) / magnitude_[i]);
@@ -138,11 +140,9 @@ bool Continuation::try_step(const Quadruple& next) {
 }
 
 Continuation::Determinants Continuation::determinants() const {
-  ScalarState<Quadruple> state(m_.state_size());
-  std::ranges::transform(solver_.state(), state.q.begin(), &Jet<Quadruple>::value);
   Determinants result;
   for (const PartDefinition& block : blocks_) {
-    PartSystem<Quadruple> system(m_, block, state);
+    PartSystem<Quadruple> system(m_, block, solver_.state());
     result.push_back(DenseLu(std::move(system.jacobian), system.n).determinant());
   }
   return result;
@@ -150,10 +150,10 @@ Continuation::Determinants Continuation::determinants() const {
 
 bool Continuation::is_continuous(const Quadruple& step) const {
   double moved = 0, off = 0;
+  const ScalarState<Quadruple>& now = solver_.state();
   for (int i = 0; i < m_.coordinates(); ++i) {
-    const Jet<Quadruple>&a = last_[i], &b = solver_.state()[i];
-    const Quadruple change = b.value - a.value;
-    const Quadruple closure = change - step / 2 * (a.first + b.first);
+    const Quadruple change = now.q[i] - last_.q[i];
+    const Quadruple closure = change - step / 2 * (last_.qd[i] + now.qd[i]);
     moved = std::max(moved, std::abs(static_cast<double>(change)) / magnitude_[i]);
     const double error = std::abs(static_cast<double>(closure)) / magnitude_[i];
     if (!(error <= off)) off = error;  // NaN stays

@@ -71,12 +71,12 @@ class Continuation {
   Quadruple parameter_ = 0, step_ = 0, crossed_at_ = 0;
   struct Place {
     Quadruple parameter;
-    std::vector<Jet<Quadruple>> state;
+    ScalarState<Quadruple> state;
     Determinants determinants;
     double condition;
   };
-  Place regular_{};                   // the last place of a condition number below `passed`
-  std::vector<Jet<Quadruple>> last_;  // state of the last accepted step
+  ScalarState<Quadruple> last_;  // state of the last accepted step
+  Place regular_;              // the last place of a condition number below `passed`
   std::vector<PartDefinition> blocks_;
   Determinants determinants_;   // of the blocks, there
   std::vector<double> slopes_;  // of their logarithms, in the last accepted step

@@ -2,15 +2,12 @@
 // groupwise_quadruple.cpp of verification/reference.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "cases/mechanism/motion.h"
 #include "formulations/model/part_system.h"
-#include "formulations/model/scales.h"
 #include "formulations/parts/groupwise/dense_lu.h"
 #include "formulations/parts/groupwise/groupwise_solver.h"
 #include "formulations/parts/groupwise/settling.h"
@@ -19,31 +16,12 @@ namespace desmo {
 
 template <class S>
 GroupwiseSolver<S>::GroupwiseSolver(const Model& m)
-    : m_(m),
-      parts_(make_partition(m, Partition::group)),
-      magnitude_(nominal_magnitudes(m)),
-      state_(m.state_size()) {
-  std::ranges::copy(m.estimate, state_.q.begin());
-  for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
-    state_.q[m.coordinates() + i] = as<S>(m.fixed_value(i));
-}
+    : ReferenceSolver<S>(m), parts_(make_partition(m, Partition::group)) {}
 
 template <class S>
 void GroupwiseSolver<S>::solve_positions(double t) {
-  for (const Driver& d : m_.drivers) {
-    const int i = m_.entities[d.coordinate].first;
-    const MotionSample<S> z = sample(d.motion, S(t));
-    state_.q[i] = z.position;
-    state_.qd[i] = z.velocity;
-    state_.qdd[i] = z.acceleration;
-  }
+  this->drive_to(t);
   for (std::size_t part = 0; part < parts_.size(); ++part) solve_positions(part, t);
-}
-
-template <class S>
-void GroupwiseSolver<S>::drive(std::span<const S> drivers) {
-  for (std::size_t k = 0; k < drivers.size(); ++k)
-    state_.q[m_.entities[m_.drivers[k].coordinate].first] = drivers[k];
 }
 
 template <class S>
@@ -95,14 +73,7 @@ double GroupwiseSolver<S>::correct(std::size_t index) {
     for (std::size_t j = 0; j < system.n; ++j) system.phi[j] -= share_ * initial_[index][j];
   const std::vector<S> step =
       DenseLu<S>(std::move(system.jacobian), system.n).solve(std::move(system.phi));
-  double correction = 0;
-  for (std::size_t j = 0; j < step.size(); ++j) {
-    const int i = part.unknowns[j];
-    state_.q[i] -= step[j];
-    const double relative_step = std::abs(static_cast<double>(step[j])) / magnitude_[i];
-    if (!(relative_step <= correction)) correction = relative_step;  // NaN stays
-  }
-  return correction;
+  return this->subtract(step, part.unknowns, state_.q);
 }
 
 }  // namespace desmo
