@@ -201,15 +201,10 @@ void TimeStepping::set_read_outside(const Request& request, bool lent) {
 
 Flow TimeStepping::deliver(int index, double t, const Summary& step, Level level,
                            Observer& observer) {
-  Instant instant{.index = index,
-                  .time = t,
-                  .q = q(),
-                  .qd = {},
-                  .qdd = {},
-                  .updates = step.updates,
-                  .residual = step.residual};
-  if (level >= Level::velocity) instant.qd = qd();
-  if (level >= Level::acceleration) instant.qdd = qdd();
+  Instant instant = instant_of(t, {q(), qd(), qdd()}, level);
+  instant.index = index;
+  instant.updates = step.updates;
+  instant.residual = step.residual;
   if (read_outside_->lent) {
     observer.lend({&index, 1}, {&instant.output, 1});
     sequence_.deliver(instant.output, level);
