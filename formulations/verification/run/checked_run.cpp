@@ -128,7 +128,6 @@ class CheckedRun final : Observer {
     if (options_.checked) options_.checked(row);
     if (elsewhere_) last_.assign(row.instant.q.begin(), row.instant.q.end());
     const Flow flow = output_.hand_over(row.instant, next_);
-    summary_.steps += summary_.instants > 0;
     ++summary_.instants;
     tried_ = row.instant.index + 1;
     summary_.stopped = flow == Flow::stop;

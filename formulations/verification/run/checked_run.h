@@ -76,7 +76,6 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   bool refused = false;  ///< a strict run ended at a row that is flagged: `first_flag`
   FoundStart::Stage start = FoundStart::Stage::reached;  ///< of the way from the drawing
   long flagged = 0;                                      ///< rows
-  long steps = 0;  ///< steps between rows that were followed, proven or not
   std::optional<RowFlag> first_flag{};
   long crossings = 0;  ///< change points that rows or steps are flagged for
   std::optional<RowFlag> first_crossing{};
