@@ -47,12 +47,6 @@ void GlobalSolver<S>::set_homotopy(double share) {
 }
 
 template <class S>
-void GlobalSolver<S>::predict(const S& step) {
-  for (const int i : system_.unknowns())
-    state_.q[i] += step * (state_.qd[i] + step / 2 * state_.qdd[i]);
-}
-
-template <class S>
 double GlobalSolver<S>::correct_positions() {
   factor();
   typename Linear::Vector& residual = linear_->residual;

@@ -22,8 +22,6 @@ class GlobalSolver : public ReferenceSolver<S> {
 
   /// Makes correct_positions() solve Φ = share × Φ₀. Φ₀: Φ at the first set_homotopy().
   void set_homotopy(double share);
-  /// Moves the unknowns along their Taylor polynomials of second degree.
-  void predict(const S& step);
   /// Makes one correction by Newton's method. Returns its largest component relative to the natural
   /// magnitude. Throws std::runtime_error when the matrix is singular.
   double correct_positions();
