@@ -99,7 +99,7 @@ void Continuation::return_to_regular() {
 
 bool Continuation::try_step(const Quadruple& next) {
   const Quadruple step = next - parameter_;
-  WideState<Quadruple> predicted = solver_.state();  // by Taylor polynomials of second degree
+  ScalarState<Quadruple> predicted = solver_.state();  // by Taylor polynomials of second degree
   for (int i = 0; i < m_.coordinates(); ++i)
     predicted.q[i] += step * (predicted.qd[i] + step / 2 * predicted.qdd[i]);
   solver_.restore(predicted);
