@@ -17,8 +17,9 @@ TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
   write("scene.json", locks);  // in mm and degrees
   ASSERT_EQ(desmo("range scene.json"), 0) << err_;
   for (const char* text :
-       {"short, from t = 0 s", "theta, from 0 deg", "  up    36.8698976458 deg: locks, known within ",
-        "  down  -36.8698976458 deg: locks", "group   SG-II (rod, slider)", "moves   C",
+       {"short, from t = 0 s", "theta, from 0 deg",
+        "  up    36.8698976458 deg: locks, known within ", "  down  -36.8698976458 deg: locks",
+        "group   SG-II (rod, slider)", "moves   C",
         "joints  revolute/rod/slider, prismatic/ground/slider", "loop    crank, rod"})
     EXPECT_TRUE(prints(text)) << text << "\n" << out_;
   ASSERT_EQ(desmo("range - --units si --json <scene.json"), 0) << err_;

@@ -76,7 +76,7 @@ class Continuation {
     double condition;
   };
   ScalarState<Quadruple> last_;  // state of the last accepted step
-  Place regular_;              // the last place of a condition number below `passed`
+  Place regular_;                // the last place of a condition number below `passed`
   std::vector<PartDefinition> blocks_;
   Determinants determinants_;   // of the blocks, there
   std::vector<double> slopes_;  // of their logarithms, in the last accepted step

@@ -99,8 +99,7 @@ TEST(Answer, LeavesOutIncompleteMeansAndMarksTheInconclusive) {
   set_family(json, "group_symbolic_lapack", 2);
   set_family(json, "global_automatic_umfpack", 8, 0.5);
   fail_candidate(json, truck, 336, "global_automatic_cholmod");
-  EXPECT_CONTAINS(answer_to(json)[0],
-                  "by the sparse solver: umfpack 4.0 (inconclusive), klu 4.0.");
+  EXPECT_CONTAINS(answer_to(json)[0], "by the sparse solver: umfpack 4.0 (inconclusive), klu 4.0.");
 }
 
 TEST(Answer, CountsWhatFailed) {
