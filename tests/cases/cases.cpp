@@ -56,6 +56,7 @@ TEST(Cases, TimeGridIncludesBothEnds) {
   const TimeGrid g = time_grid(30, 0.01);
   EXPECT_EQ(g.instants, 3001);
   EXPECT_DOUBLE_EQ(g.time(3000), 30);
+  EXPECT_EQ((TimeGrid{-1, 0.1, 21}.time(10)), 0);  // 10 steps rounded, not with the sum
   EXPECT_THROW(time_grid(-1, 0.01), std::invalid_argument);
   EXPECT_THROW(time_grid(1, 0), std::invalid_argument);
   EXPECT_THROW(time_grid(0.001, 0.01), std::invalid_argument);

@@ -113,8 +113,7 @@ inline int expect_within_radii(const Model& m, std::span<const CheckedRow> rows,
   return compared;
 }
 
-/// Returns the times of at most `count` rows, evenly spread. They are the rows' own to the last
-/// bit, which TimeGrid::time() need not be elsewhere in a program.
+/// Returns the times of at most `count` rows, evenly spread.
 inline std::vector<double> times_of(std::span<const CheckedRow> rows, int count) {
   const std::size_t last = rows.size() - 1, n = std::min<std::size_t>(rows.size(), count);
   std::vector<double> times;

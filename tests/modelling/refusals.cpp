@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/io/files.h"
+#include "cases/mechanism/formatted.h"
 #include "tests/contains.h"
 #include "tests/modelling/common.h"
 #include "tests/overconstrained.h"
@@ -164,6 +166,55 @@ TEST(Refused, SpatialAngleFromASegmentOrBetweenDirectionsThatAreNotNormal) {
   described.coordinates[0].from = line(O, X);
   described.coordinates[0].towards = line(O, Z);
   expect_refused(described, turning, {"'phi'"});
+}
+
+/// A crank and two bodies between its end A and a point B, each with a shape of its own, in the
+/// plane. On the ground: A and B rest, and one body hangs on both.
+Mechanism two_shapes(double first, double second, double size, bool on_ground) {
+  const auto number = [&](double x) { return formatted("%.17g", x * size); };
+  const std::string a = number(1), place = "[" + a + ", 0]", own = "[" + number(second) + ", 0]",
+                    place_b = "[" + number(1 + first) + ", 0]";
+  const std::string text = on_ground
+                               ? R"("points": {"A": )" + place + R"(, "B": )" + place_b + R"(},
+        "ground": {"points": ["A", "B"]},
+        "bodies": {
+          "f": {"at": [)" + a + R"(, 0, 0],
+                "points": {"A": [0, 0], "B": )" +
+                                     own + R"(, "D": [0, )" + a + R"(]}},
+          "g": {"at": [)" + a + ", " +
+                                     a + R"(, 0], "points": {"D": [0, 0], "E": [)" + a + R"(, 0]}}},
+        "joints": [{"type": "revolute", "bodies": ["ground", "f"], "points": ["A"]},
+                   {"type": "revolute", "bodies": ["ground", "f"], "points": ["B"]},
+                   {"type": "revolute", "bodies": ["f", "g"], "points": ["D"]}],
+        "coordinates": {"a": {"angle": ["D", "E"]}}})"
+                               : R"("points": {"O": [0, 0]}, "ground": {"points": ["O"]},
+        "bodies": {"c": {"at": [0, 0, 0], "points": {"O": [0, 0], "A": )" +
+                                     place + R"(}},
+          "e": {"at": [)" + a + R"(, 0, 0], "points": {"A": [0, 0], "B": [)" +
+                                     number(first) +
+                                     R"(, 0]}},
+          "f": {"at": [)" + a + R"(, 0, 0], "points": {"A": [0, 0], "B": )" +
+                                     own + R"(}}},
+        "joints": [{"type": "revolute", "bodies": ["ground", "c"], "points": ["O"]},
+                   {"type": "revolute", "bodies": ["c", "e"], "points": ["A"]},
+                   {"type": "revolute", "bodies": ["e", "f"], "points": ["A"]},
+                   {"type": "revolute", "bodies": ["e", "f"], "points": ["B"]}],
+        "coordinates": {"a": {"angle": ["O", "A"]}, "b": {"angle": ["A", "B"]}}})";
+  return parse_mechanism(R"({"format": "desmo-mechanism", "version": 1, "name": "shapes",
+      "dimension": 2, )" + text,
+                         "shapes.json");
+}
+
+TEST(Refused, TwoShapesThatDiffer) {
+  for (const double size : {1e-6, 1.0, 1e5})
+    for (const double other : {1.4, 1.01}) {
+      expect_refused(driven(two_shapes(1, other, size, false), {"a", "b"}), {still, still},
+                     {"contradict"});
+      expect_refused(driven(two_shapes(1, other, size, true), {"a"}), {still},
+                     {"'f: A-B length'", "contradict"});
+    }
+  EXPECT_NO_THROW(
+      model_mechanism(driven(two_shapes(0.7, 0.7, 1e-6, false), {"a", "b"}), {still, still}));
 }
 
 }  // namespace
