@@ -49,10 +49,7 @@ struct Suffix {
 template <class Choice>
 Suffix choice(std::string_view key, Choice Settings::*setting,
               const std::vector<std::string_view>& names) {
-  std::string values;
-  for (const std::string_view name : names)
-    values += (values.empty() ? "" : ", ") + std::string(name);
-  return {key, values,
+  return {key, joined(names),
           [=](const Settings& s) {
             const auto i = static_cast<std::size_t>(s.*setting);
             return i == 0 ? std::string() : std::string(names[i]);
@@ -79,11 +76,8 @@ Suffix whole_number(std::string_view key, int Settings::*number, int largest) {
 
 /// As many as a register has lanes.
 Suffix at_once(std::string_view key, int Settings::*count) {
-  std::string values;
-  for (const int lanes : lane_counts)
-    values += (values.empty() ? "" : ", ") + std::to_string(lanes);
   return {
-      key, values,
+      key, joined(lane_counts, [](int lanes) { return std::to_string(lanes); }),
       [=](const Settings& s) { return s.*count == 1 ? std::string() : std::to_string(s.*count); },
       [=](std::string_view text, Settings& s) {
         return read(text, s.*count) &&
@@ -121,10 +115,8 @@ const std::vector<Suffix>& suffixes() {
 void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
            Settings& settings) {
   const std::size_t colon = text.find(':');
-  std::string known;
   for (std::size_t k = 0; k < suffixes().size(); ++k) {
     const Suffix& suffix = suffixes()[k];
-    known += (known.empty() ? "" : ", ") + std::string(suffix.key);
     if (colon == std::string_view::npos || text.substr(0, colon) != suffix.key) continue;
     if (given[k])
       throw std::invalid_argument("formulation " + in_quotes(id) + ": '/" +
@@ -135,9 +127,9 @@ void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
                                 in_quotes(text.substr(colon + 1)) + " of '/" +
                                 std::string(suffix.key) + ":'; there are: " + suffix.values);
   }
-  throw std::invalid_argument("formulation " + in_quotes(id) + ": unknown suffix '/" +
-                              std::string(text) +
-                              "'; there are, each followed by ':' and a value: " + known);
+  throw std::invalid_argument(
+      "formulation " + in_quotes(id) + ": unknown suffix '/" + std::string(text) +
+      "'; there are, each followed by ':' and a value: " + joined(suffixes(), &Suffix::key));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "bench/cli/text.h"
 
 #include <algorithm>
+#include <ranges>
 #include <sstream>
 
 #include "cases/mechanism/names.h"
@@ -17,9 +18,7 @@ std::string count(long n, const std::string& noun, const std::string& plural) {
 }
 
 std::string enumerate(const std::vector<std::string>& names, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i)
-    text += (i == 0 ? "" : ", ") + names[i];
+  std::string text = joined(names | std::views::take(most));
   if (names.size() > most) text += ", … (" + std::to_string(names.size() - most) + " more)";
   return text;
 }

@@ -70,12 +70,6 @@ bool for_each_character(std::string_view text, F found) {
   return false;
 }
 
-std::string list(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
-  return text;
-}
-
 }  // namespace
 
 bool is_name(std::string_view text) {
@@ -127,14 +121,14 @@ std::vector<std::string_view> nearest_names(std::string_view name,
 
 std::string enumeration(std::span<const std::string_view> known) {
   if (known.empty()) return "there are none";
-  if (known.size() <= max_listed) return "there are " + list(known);
+  if (known.size() <= max_listed) return "there are " + joined(known, in_quotes);
   return "there are " + std::to_string(known.size()) + ", the first are " +
-         list(known.first(first_listed));
+         joined(known.first(first_listed), in_quotes);
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
   const std::vector<std::string_view> near = nearest_names(name, known);
-  return near.empty() ? enumeration(known) : "did you mean " + list(near) + "?";
+  return near.empty() ? enumeration(known) : "did you mean " + joined(near, in_quotes) + "?";
 }
 
 std::string printable(std::string_view text, std::size_t limit) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,17 @@ bool is_name(std::string_view text);
 
 /// Returns whether a name matches a pattern, in which `*` stands for any number of characters.
 bool matches(std::string_view pattern, std::string_view name);
+
+/// Returns the entries of a list with ", " between them; `text`: what is shown of an entry.
+template <class List, class Text = std::identity>
+std::string joined(List&& list, Text text = {}) {
+  std::string all;
+  for (const auto& entry : list) {
+    if (!all.empty()) all += ", ";
+    all += std::invoke(text, entry);
+  }
+  return all;
+}
 
 /// Returns at most three known names similar to `name`: edit distance at most 3 and half its
 /// length. Nearest names come first, equally near ones in the order given. Where none is similar,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "cases/mechanism/names.h"
 #include "formulations/codegen/order/tearing.h"
 #include "formulations/codegen/order/type_blocks.h"
 #include "formulations/codegen/record/expression.h"
@@ -125,9 +126,7 @@ std::vector<OrderSection> explicit_order(const PartType& type, const RecordedPar
 }
 
 std::string names_of(const PartType& type, const std::vector<int>& inputs) {
-  std::string result;
-  for (const int i : inputs) result += (result.empty() ? "" : ", ") + type.inputs[i].name;
-  return result;
+  return joined(inputs, [&](int i) { return type.inputs[i].name; });
 }
 
 }  // namespace desmo::generate

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 
 #include "cases/mechanism/formatted.h"
+#include "cases/mechanism/names.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/contradiction_error.h"
 
@@ -17,12 +19,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 std::string where(const Model& m, const GroupSystem& s) {
-  constexpr std::size_t shown = 6;
+  constexpr int shown = 6;
   const std::vector<std::string>& bodies = m.groups[s.group].bodies;
-  std::string text = m.name + ", group '" + m.groups[s.group].name + "' (";
-  for (std::size_t i = 0; i < bodies.size() && i < shown; ++i)
-    text += (i == 0 ? "" : ", ") + bodies[i];
-  return text + (bodies.size() > shown ? ", …): " : "): ");
+  return m.name + ", group '" + m.groups[s.group].name + "' (" +
+         joined(bodies | std::views::take(shown)) + (std::ssize(bodies) > shown ? ", …): " : "): ");
 }
 
 std::string driver_names(const Model& m, const GroupSystem& s) {
@@ -85,11 +85,11 @@ void refuse_assembly(const Model& m, const GroupSystem& s, const VectorXd& phi) 
   Eigen::Index worst = 0;
   if (phi.allFinite()) phi.cwiseAbs().maxCoeff(&worst);
   const Constraint& c = m.constraints[s.rows[worst].first];
-  std::string joined;  // a definition of an angle has the length of its line, too
-  for (const EntityId e : c.operands) joined += (joined.empty() ? "" : ", ") + m.entities[e].name;
+  // A definition of an angle has the length of its line, too.
+  const std::string operands = joined(c.operands, [&](EntityId e) { return m.entities[e].name; });
   throw std::invalid_argument(
       where(m, s) + "cannot be assembled near its nominal position; constraint '" + c.name +
-      "' (between " + joined + ") is satisfied worst; check the dimensions of these bodies");
+      "' (between " + operands + ") is satisfied worst; check the dimensions of these bodies");
 }
 
 void require_determined(const Model& m, const GroupSystem& s, const SelectedRows& selected,
