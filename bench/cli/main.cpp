@@ -29,8 +29,7 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   if (std::ranges::find(names, argv[1]) != names.end()) return;
   throw cli::CommandError(
       cli::usage_error,
-      "unknown command " + in_quotes(argv[1]) + "; " +
-          suggestion(argv[1], std::vector<std::string_view>(names.begin(), names.end())));
+      unknown_name("command", argv[1], std::vector<std::string_view>(names.begin(), names.end())));
 }
 
 /// Throws for words that a command takes nothing of: the first option that does not exist, or the

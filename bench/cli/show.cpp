@@ -18,8 +18,8 @@ struct ShowOptions {
 void show(const ShowOptions& options) {
   const LibraryMechanism* const found = find_library(options.name);
   if (!found)
-    throw CommandError(usage_error, "unknown library mechanism " + desmo::in_quotes(options.name) +
-                                        "; " + suggestion(options.name, library_names()));
+    throw CommandError(usage_error,
+                       unknown_name("library mechanism", options.name, library_names()));
   write_standard_output(options.scene ? found->scene : found->mechanism);
 }
 

@@ -1,10 +1,8 @@
 // desmo_bench [EXPERIMENT] [OPTION...]: measures what an experiment measures; with options and no
 // name the paper's.
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
-#include <iterator>
 #include <regex>
 #include <stdexcept>
 #include <string>
@@ -16,6 +14,7 @@
 #include "bench/kit/record/environment.h"
 #include "cases/io/input_error.h"
 #include "cases/io/text_file.h"
+#include "cases/mechanism/names.h"
 #include "formulations/algebra/blas.h"
 
 namespace {
@@ -42,18 +41,6 @@ constexpr Experiment all_experiments[] = {
 /// written.
 enum ExitCode { success = 0, bad_input = 65, unreadable_input = 66, not_completed = 74 };
 
-/// Returns the experiment that the first argument names. Throws std::invalid_argument for a name
-/// that no experiment has.
-const Experiment& named(std::string_view name) {
-  const auto* const it = std::ranges::find(all_experiments, name, &Experiment::name);
-  if (it != std::end(all_experiments)) return *it;
-  std::string names;
-  for (const Experiment& e : all_experiments)
-    names += (names.empty() ? "" : ", ") + std::string(e.name);
-  throw std::invalid_argument("there is no experiment '" + std::string(name) + "'; there are " +
-                              names);
-}
-
 void print_experiments() {
   std::cout << "desmo_bench [EXPERIMENT] [OPTION...]: measures, and writes a record. Experiments:\n"
                "\n";
@@ -75,7 +62,8 @@ int run(int argc, char** argv) {
   const bool has_name = argc > 1 && !first.starts_with('-');
   if (argc < 2 || first == "--help" || first == "-h") print_experiments();
   if (argc < 2) return success;
-  const Experiment& experiment = has_name ? named(first) : all_experiments[0];
+  const Experiment& experiment =
+      has_name ? desmo::entry_named(first, all_experiments, "experiment") : all_experiments[0];
   keep_freed_memory();
   desmo::set_blas_threads(1);  // the clock is the thread's own
   return experiment.run({std::string(experiment.name),

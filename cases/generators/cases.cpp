@@ -1,9 +1,10 @@
 #include "cases/generators/cases.h"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
+
+#include "cases/mechanism/names.h"
 
 namespace desmo {
 
@@ -16,13 +17,7 @@ std::span<const Case> cases() {
   return table;
 }
 
-const Case& find_case(std::string_view name) {
-  const auto it = std::ranges::find(cases(), name, &Case::name);
-  if (it != cases().end()) return *it;
-  std::string known;
-  for (const Case& c : cases()) known += (known.empty() ? "" : ", ") + std::string(c.name);
-  throw std::invalid_argument("unknown case '" + std::string(name) + "'; there are: " + known);
-}
+const Case& find_case(std::string_view name) { return entry_named(name, cases(), "case"); }
 
 Scene make_scene(const Case& c, int coordinates) {
   const int units = (coordinates - c.base_coordinates) / c.coordinates_per_unit;

@@ -32,7 +32,7 @@ struct Case {
 /// Returns every case, in the order of the paper's tables.
 std::span<const Case> cases();
 
-/// Returns the case of that name. Throws std::invalid_argument, listing the names, when there is
+/// Returns the case of that name. Throws std::invalid_argument, with a suggestion, when there is
 /// none.
 const Case& find_case(std::string_view name);
 

@@ -38,8 +38,7 @@ Mechanism::JointType read_type(const JsonValue& value, int dimension, const Disp
   std::vector<std::string_view> names;
   for (const JointForm& known : joint_forms())
     if (known.dimension == dimension) names.push_back(known.name);
-  value.complain("unknown type of joint " + in_quotes(value.text()) + "; " +
-                 suggestion(value.text(), names));
+  value.complain(unknown_name("type of joint", value.text(), names));
 }
 
 Mechanism::Joint read_joint(const JsonValue& value, int dimension, const DisplayUnits& units,

@@ -40,8 +40,7 @@ JsonValue JsonValue::operator[](std::string_view key) const {
 void JsonValue::allow(std::initializer_list<std::string_view> keys) const {
   for (const JsonValue& member : members())
     if (std::ranges::find(keys, member.key()) == keys.end())
-      member.complain("unknown key " + in_quotes(member.key()) + "; " +
-                      suggestion(member.key(), {keys.begin(), keys.size()}));
+      member.complain(unknown_name("key", member.key(), {keys.begin(), keys.size()}));
 }
 
 std::string_view JsonValue::text() const {
@@ -82,7 +81,7 @@ std::size_t JsonValue::choose(const std::string& kind,
                               std::span<const std::string_view> known) const {
   const auto found = std::ranges::find(known, text());
   if (found != known.end()) return found - known.begin();
-  complain("unknown " + kind + " " + in_quotes(text()) + "; " + suggestion(text(), known));
+  complain(unknown_name(kind, text(), known));
 }
 
 bool JsonValue::boolean() const {

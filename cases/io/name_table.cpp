@@ -16,7 +16,7 @@ std::optional<int> NameTable::position(std::string_view name) const {
 
 int NameTable::find(const JsonValue& place, std::string_view name) const {
   if (const auto found = position(name)) return *found;
-  place.complain("unknown " + kind_ + " " + in_quotes(name) + "; " + suggestion(name, names_));
+  place.complain(unknown_name(kind_, name, names_));
 }
 
 std::vector<int> NameTable::find_each(const JsonValue& list) const {

@@ -171,10 +171,8 @@ Scene read_scene(const std::filesystem::path& file) {
 }
 
 Scene library_scene(std::string_view name) {
-  if (const LibraryMechanism* found = find_library(name))
-    return parse_scene(found->scene, std::string(name), {});
-  throw std::invalid_argument("the library has no mechanism " + in_quotes(name) + "; " +
-                              suggestion(name, library_names()));
+  return parse_scene(entry_named(name, library(), "library mechanism").scene, std::string(name),
+                     {});
 }
 
 }  // namespace desmo

@@ -131,6 +131,11 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
   return near.empty() ? enumeration(known) : "did you mean " + joined(near, in_quotes) + "?";
 }
 
+std::string unknown_name(const std::string& kind, std::string_view name,
+                         std::span<const std::string_view> known) {
+  return "unknown " + kind + " " + in_quotes(name) + "; " + suggestion(name, known);
+}
+
 std::string printable(std::string_view text, std::size_t limit) {
   std::string shown;
   std::size_t characters = 0;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,22 @@ std::string enumeration(std::span<const std::string_view> known);
 /// Returns the end of a message about an unknown name: "did you mean 'C', 'C2'?", or the
 /// enumeration when nothing is similar.
 std::string suggestion(std::string_view name, std::span<const std::string_view> known);
+
+/// Returns "unknown <kind> 'B'; " and the suggestion.
+std::string unknown_name(const std::string& kind, std::string_view name,
+                         std::span<const std::string_view> known);
+
+/// Returns the entry of a table that has that name. Throws std::invalid_argument, which says that
+/// it is unknown, when there is none.
+template <class Table>
+const auto& entry_named(std::string_view name, const Table& table, const std::string& kind) {
+  std::vector<std::string_view> known;
+  for (const auto& entry : table) {
+    if (entry.name == name) return entry;
+    known.push_back(entry.name);
+  }
+  throw std::invalid_argument(unknown_name(kind, name, known));
+}
 
 /// Returns an external text in a form that is safe on terminals, at most `limit` characters of it.
 /// Control and invisible characters and invalid UTF-8 are escaped.

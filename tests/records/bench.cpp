@@ -65,7 +65,8 @@ TEST_F(Bench, HasEveryExperimentByItsName) {
       EXPECT_EQ(run_bench(brief + filter), 64) << name << filter;
   }
   EXPECT_EQ(run_bench("precision --quick"), 64);
-  EXPECT_CONTAINS(said("precision"), "no experiment 'precision'; there are paper, accuracy");
+  EXPECT_CONTAINS(said("precision"),
+                  "unknown experiment 'precision'; there are 'paper', 'accuracy'");
   EXPECT_CONTAINS(said("size --bodies"), "not expected: --bodies");
   EXPECT_CONTAINS(said("accuracy four_bar/114"), "not expected: four_bar/114");
   EXPECT_CONTAINS(said("accuracy --quick"), "--record FILE is missing");

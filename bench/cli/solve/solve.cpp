@@ -52,8 +52,7 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
   std::vector<std::string_view> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   if (std::ranges::find(ids, variant) == ids.end())
-    refuse("unknown formulation " + desmo::in_quotes(variant) + "; " + suggestion(variant, ids) +
-           " ('desmo list formulations' shows all)");
+    refuse(unknown_name("formulation", variant, ids) + " ('desmo list formulations' shows all)");
   try {
     const Configuration chosen = parse_id(id, Settings{.tolerance = input.scene.tolerance});
     if (chosen.settings.coordinates != Modelling::natural)
