@@ -6,9 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
-#include <system_error>
 #include <vector>
 
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 #include "formulations/equations/lane_kernel.h"
 #include "formulations/motion/prediction/guess.h"
@@ -26,13 +26,6 @@ std::string shortest(double value) {
   const std::size_t digits = result.find('e') + 2;  // behind the sign
   result.erase(digits, std::min(result.find_first_not_of('0', digits), result.size() - 1) - digits);
   return result;
-}
-
-template <class Number>
-bool read(std::string_view text, Number& value) {
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && stop == end;
 }
 
 /// One setting as it stands in ids.
@@ -70,7 +63,7 @@ Suffix whole_number(std::string_view key, int Settings::*number, int largest) {
             return s.*number == Settings{}.*number ? std::string() : std::to_string(s.*number);
           },
           [=](std::string_view text, Settings& s) {
-            return read(text, s.*number) && s.*number >= 1 && s.*number <= largest;
+            return parse_number(text, s.*number) && s.*number >= 1 && s.*number <= largest;
           }};
 }
 
@@ -80,7 +73,7 @@ Suffix at_once(std::string_view key, int Settings::*count) {
       key, joined(lane_counts, [](int lanes) { return std::to_string(lanes); }),
       [=](const Settings& s) { return s.*count == 1 ? std::string() : std::to_string(s.*count); },
       [=](std::string_view text, Settings& s) {
-        return read(text, s.*count) &&
+        return parse_number(text, s.*count) &&
                (s.*count == 1 || std::ranges::count(lane_counts, s.*count) > 0);
       }};
 }
@@ -91,7 +84,7 @@ Suffix tolerance() {
             return s.tolerance == Settings{}.tolerance ? std::string() : shortest(s.tolerance);
           },
           [](std::string_view text, Settings& s) {
-            return read(text, s.tolerance) && s.tolerance > 0 && std::isfinite(s.tolerance);
+            return parse_number(text, s.tolerance) && s.tolerance > 0 && std::isfinite(s.tolerance);
           }};
 }
 

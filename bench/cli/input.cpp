@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/text_file.h"
 #include "cases/library/library.h"
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 #include "formulations/modelling/contradiction_error.h"
 
@@ -82,10 +82,8 @@ std::optional<Scene> scalable_case(const std::string& argument) {
   for (const Case& c : cases()) {
     if (argument.substr(0, colon) != c.name) continue;
     int units = 0;
-    const char* const end = argument.data() + argument.size();
-    const char* const begin = colon == std::string::npos ? end : argument.data() + colon + 1;
-    const auto [last, error] = std::from_chars(begin, end, units);
-    if (error != std::errc{} || last != end || begin == end)
+    if (colon == std::string::npos ||
+        !parse_number(std::string_view(argument).substr(colon + 1), units))
       throw CommandError(usage_error,
                          desmo::in_quotes(argument) + ": how many " + std::string(c.unit_name) +
                              " there are is missing; write " + std::string(c.name) + ":5");

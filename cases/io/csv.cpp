@@ -1,7 +1,6 @@
 #include "cases/io/csv.h"
 
-#include <charconv>
-#include <system_error>
+#include "cases/mechanism/formatted.h"
 
 namespace desmo {
 
@@ -27,8 +26,7 @@ void split_fields(std::string_view line, std::vector<std::string_view>& fields) 
 
 bool to_number(std::string_view field, double& value) {
   if (field.starts_with('+')) field.remove_prefix(1);
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  return error == std::errc{} && end == field.data() + field.size();
+  return parse_number(field, value);
 }
 
 ColumnHeading column_heading(std::string_view field) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <charconv>
 #include <cstdarg>
 #include <cstdio>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 namespace desmo {
 
@@ -16,6 +19,14 @@ namespace desmo {
   va_end(again);
   va_end(values);
   return text;
+}
+
+/// Reads the whole of a text as a number. Returns whether it is one.
+template <class Number>
+bool parse_number(std::string_view text, Number& value) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end;
 }
 
 }  // namespace desmo

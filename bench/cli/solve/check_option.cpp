@@ -1,9 +1,9 @@
 #include "bench/cli/solve/check_option.h"
 
-#include <charconv>
 #include <string>
 
 #include "bench/cli/commands.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::cli {
 
@@ -21,9 +21,8 @@ void set(CheckOptions& options, const std::string& given) {
   };
   if (colon == std::string::npos) return;
   if (options.mode != CheckMode::sample) refuse("a number follows sample alone, as in sample:16");
-  const char* const end = given.data() + given.size();
-  const auto [read, error] = std::from_chars(given.data() + colon + 1, end, options.sample);
-  if (error != std::errc() || read != end || options.sample < 1)
+  if (!parse_number(std::string_view(given).substr(colon + 1), options.sample) ||
+      options.sample < 1)
     refuse("the number of rows is a whole number from 1 on");
 }
 
