@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,9 +56,7 @@ Value chosen(const std::string& option, std::string_view name, const Choices<Val
 template <class Value>
 CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& value,
                         const Choices<Value>& choices, const std::string& description) {
-  std::string names;
-  for (const auto& [name, meaning] : choices)
-    names += (names.empty() ? "" : "|") + std::string(name);
+  const std::string names = joined(choices | std::views::keys, std::identity{}, "|");
   const auto choose = [option, &value, choices](const std::string& given) {
     value = chosen(option, given, choices);
   };

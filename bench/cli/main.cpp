@@ -58,10 +58,9 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::string option = unknown->substr(0, unknown->find('='));
   const std::vector<std::string_view> near =
       nearest_names(option, std::vector<std::string_view>(options.begin(), options.end()));
-  std::string text = name + " has no option " + in_quotes(option);
-  for (std::size_t i = 0; i < near.size(); ++i)
-    text += (i == 0 ? "; did you mean " : ", ") + in_quotes(near[i]);
-  throw cli::CommandError(cli::usage_error, text + (near.empty() ? "" : "?") + help);
+  const std::string meant = near.empty() ? "" : "; did you mean " + joined(near, in_quotes) + "?";
+  throw cli::CommandError(cli::usage_error,
+                          name + " has no option " + in_quotes(option) + meant + help);
 }
 
 void run(int argc, char** argv) {

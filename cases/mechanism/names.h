@@ -20,12 +20,12 @@ bool is_name(std::string_view text);
 /// Returns whether a name matches a pattern, in which `*` stands for any number of characters.
 bool matches(std::string_view pattern, std::string_view name);
 
-/// Returns the entries of a list with ", " between them; `text`: what is shown of an entry.
+/// Returns the entries of a list one after the other; `text`: what is shown of an entry.
 template <class List, class Text = std::identity>
-std::string joined(List&& list, Text text = {}) {
+std::string joined(List&& list, Text text = {}, std::string_view between = ", ") {
   std::string all;
   for (const auto& entry : list) {
-    if (!all.empty()) all += ", ";
+    if (!all.empty()) all += between;
     all += std::invoke(text, entry);
   }
   return all;

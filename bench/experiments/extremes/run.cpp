@@ -13,8 +13,10 @@
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
 #include "bench/kit/checked_run.h"
+#include "bench/kit/problem.h"
 #include "bench/kit/process/progress.h"
 #include "cases/generators/cases.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo::extremes {
 
@@ -75,10 +77,7 @@ std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
 /// checked runs are timed, too, one of each kind.
 std::regex chosen_formulations(const Options& options) {
   if (!options.quick || !options.filter.empty()) return std::regex(options.filter);
-  std::string ids;
-  for (const std::string_view id : bench::checked_ids)
-    ids += (ids.empty() ? "^(" : "|") + std::string(id);
-  return std::regex(ids + ")$");
+  return std::regex("^(" + joined(bench::checked_ids, std::identity{}, "|") + ")$");
 }
 
 /// Returns whether no formulation gave wrong numbers without a flag.

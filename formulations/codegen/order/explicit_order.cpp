@@ -107,9 +107,8 @@ class OrderMaker {
   }
 
   std::string names(const std::vector<int>& rows) const {
-    std::string result;
-    for (const int r : rows) result += (result.empty() ? "" : " and ") + type_.row_names[r];
-    return result;
+    return joined(
+        rows, [&](int r) { return type_.row_names[r]; }, " and ");
   }
 
   const PartType& type_;

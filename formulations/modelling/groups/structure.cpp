@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <queue>
+#include <ranges>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "cases/mechanism/disjoint_sets.h"
+#include "cases/mechanism/names.h"
 #include "formulations/model/csparse.h"
 
 namespace desmo {
@@ -149,11 +151,9 @@ Structure order_groups(const RigidBodies& rigid, const std::vector<Restriction>&
 }
 
 std::string names_of(const Mechanism& d, const RigidBodies& rigid, const std::vector<int>& list) {
-  constexpr std::size_t shown = 8;
-  std::string text;
-  for (std::size_t i = 0; i < list.size() && i < shown; ++i)
-    text += (i == 0 ? "'" : ", '") + d.bodies[rigid.list[list[i]].bodies.front()].name + "'";
-  return list.size() > shown ? text + ", …" : text;
+  constexpr int shown = 8;
+  const auto name = [&](int i) { return "'" + d.bodies[rigid.list[i].bodies.front()].name + "'"; };
+  return joined(list | std::views::take(shown), name) + (std::ssize(list) > shown ? ", …" : "");
 }
 
 [[noreturn]] void refuse_undetermined(const Mechanism& d, const RigidBodies& rigid,

@@ -27,10 +27,8 @@ std::string where(const Model& m, const GroupSystem& s) {
 
 std::string driver_names(const Model& m, const GroupSystem& s) {
   const std::vector<EntityId> owner = entity_of_coordinate(m);
-  std::string text;
-  for (std::size_t j = s.unknowns; j < s.columns.size(); ++j)
-    text += (text.empty() ? "'" : ", '") + m.entities[owner[s.columns[j]]].name + "'";
-  return text;
+  return joined(s.columns | std::views::drop(s.unknowns),
+                [&](int coordinate) { return "'" + m.entities[owner[coordinate]].name + "'"; });
 }
 
 std::string counted(int n, const std::string& what) {
