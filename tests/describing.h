@@ -79,35 +79,14 @@ class Sketch : public MechanismBuilder {
     return d;
   }
 
-  Mechanism::Coordinate& angle(const std::string& name, const Mechanism::Direction& of,
-                               const Mechanism::Direction& from = {}) {
-    Mechanism::Coordinate& c = coordinate(name, CoordinateType::angle);
-    c.of = of;
-    c.from = from;
-    return c;
-  }
   /// In space: of the projection onto the plane of vectors `from` and `towards`.
   Mechanism::Coordinate& spatial_angle(const std::string& name, const Mechanism::Direction& of,
                                        int from, int towards) {
-    Mechanism::Coordinate& c = angle(name, of, {from});
-    c.towards = {towards};
-    return c;
+    return angle(name, of, {from}, {towards});
   }
   Mechanism::Coordinate& distance(const std::string& name, int from, int to) {
     Mechanism::Coordinate& c = coordinate(name, CoordinateType::distance);
     c.of = {-1, from, to};
-    return c;
-  }
-  Mechanism::Coordinate& along(const std::string& name, int from, int to, int vector) {
-    Mechanism::Coordinate& c = coordinate(name, CoordinateType::along);
-    c.of = {-1, from, to};
-    c.vector = vector;
-    return c;
-  }
-  Mechanism::Coordinate& component(const std::string& name, int point, int axis) {
-    Mechanism::Coordinate& c = coordinate(name, CoordinateType::component);
-    c.point = point;
-    c.axis = axis;
     return c;
   }
 };

@@ -87,10 +87,7 @@ inline Scene parallel_cranks(long double start, int digits, bool stated, long do
         stated ? d.link("crank" + name, a, b, typed(l, digits)) : d.body("crank" + name, {a, b});
     d.joint(revolute, MechanismBuilder::ground, crank, {a});
     d.joint(revolute, crank, coupler, {b});
-    if (number > 1) continue;
-    Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
-    theta.of = {-1, a, b};
-    theta.driven = true;
+    if (number == 1) d.angle("theta", {-1, a, b}).driven = true;
   }
   return {"parallel_cranks", d.release(), {Polynomial{{static_cast<double>(start), 1}}},
           {0, 0.05, 21},     {},          {}};

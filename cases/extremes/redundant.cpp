@@ -36,10 +36,7 @@ ExtremeCase parallel_cranks(std::string name, double off) {
     const int crank = d.link("crank" + name_of, a, b, 1);
     d.joint(revolute, MechanismBuilder::ground, crank, {a});
     d.joint(revolute, crank, coupler, {b});
-    if (number > 1) continue;
-    Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
-    theta.of = {-1, a, b};
-    theta.driven = true;
+    if (number == 1) d.angle("theta", {-1, a, b}).driven = true;
   }
   return {
       .name = std::move(name),
@@ -116,11 +113,7 @@ void hinge_loop(MechanismBuilder& d, const std::string& body, std::span<const in
   bodies.push_back(MechanismBuilder::ground);
   for (std::size_t i = 0; i < n; ++i)
     d.joint(revolute, bodies[(i + n - 1) % n], bodies[i], {corners[i]}, {axes[i]});
-  Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
-  theta.of = {-1, corners[0], corners[1]};
-  theta.from = {from, -1, -1};
-  theta.towards = {towards, -1, -1};
-  theta.driven = true;
+  d.angle("theta", {-1, corners[0], corners[1]}, {from}, {towards}).driven = true;
 }
 
 std::vector<ExtremeCase> redundant(Extent) {

@@ -1,7 +1,6 @@
 // Row 7: the same mechanism in other units, and mechanisms of different size in one model.
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "cases/extremes/rows.h"
@@ -54,11 +53,8 @@ ExtremeCase on_arm(std::string name, double arm, double rate = 1e-7) {
   d.joint(revolute, bodies[1], bodies[2], {b});
   d.joint(revolute, bodies[2], bodies[3], {c});
   d.joint(revolute, bodies[0], bodies[3], {e});
-  for (const auto& [angle, from, to] : {std::tuple{"alpha", o, a}, std::tuple{"theta", a, b}}) {
-    Mechanism::Coordinate& driven = d.coordinate(angle, Mechanism::CoordinateType::angle);
-    driven.of = {-1, from, to};
-    driven.driven = true;
-  }
+  d.angle("alpha", {-1, o, a}).driven = true;
+  d.angle("theta", {-1, a, b}).driven = true;
   return {.name = std::move(name),
           .scene = {"four_bar_on_arm",
                     d.release(),

@@ -17,8 +17,7 @@ void add(MechanismBuilder& d, const DyadChain& chain) {
   d.carry(MechanismBuilder::ground, {a});
   int before = d.link(crank, a, b, chain.crank);
   d.joint(revolute, MechanismBuilder::ground, before, {a});
-  Mechanism::Coordinate& theta = d.coordinate(crank + "/theta", Mechanism::CoordinateType::angle);
-  theta.of = {-1, a, b};
+  Mechanism::Coordinate& theta = d.angle(crank + "/theta", {-1, a, b});
   theta.estimate = chain.start;
   theta.driven = true;
 
@@ -33,9 +32,7 @@ void add(MechanismBuilder& d, const DyadChain& chain) {
     d.joint(revolute, before, coupler, {b});
     d.joint(revolute, coupler, rocker, {c});
     d.joint(revolute, MechanismBuilder::ground, rocker, {pivot});
-    Mechanism::Coordinate& psi = d.coordinate(name + "psi", Mechanism::CoordinateType::angle);
-    psi.of = {-1, pivot, c};
-    psi.estimate = dyad.angle;
+    d.angle(name + "psi", {-1, pivot, c}).estimate = dyad.angle;
     b = c;  // the next dyad hangs on this one
     before = rocker;
   }

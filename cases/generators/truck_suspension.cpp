@@ -12,7 +12,6 @@ namespace {
 
 using Vec = Mechanism::Vec;
 using enum Mechanism::JointType;
-using enum Mechanism::CoordinateType;
 
 Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -93,10 +92,7 @@ class Builder {
   }
 
   void drive_height(const std::string& name, int wheel_centre, const HarmonicSum::Term& term) {
-    Mechanism::Coordinate& height = d_.coordinate(axle_ + name, component);
-    height.point = wheel_centre;
-    height.axis = 2;
-    height.driven = true;
+    d_.component(axle_ + name, wheel_centre, 2).driven = true;
     motions_.push_back(HarmonicSum{0.5, {term}});
   }
 
@@ -117,11 +113,7 @@ class Builder {
     d_.joint(universal, lever_body, link_body, {B}, {e, u});
     d_.joint(spherical, MechanismBuilder::ground, link_body, {G});
 
-    Mechanism::Coordinate& phi = d_.coordinate(axle_ + "phi" + lever, angle);
-    phi.of = {-1, A, B};
-    phi.from = {x2_};
-    phi.opposite = true;
-    phi.towards = {z2_};
+    d_.angle(axle_ + "phi" + lever, {-1, A, B}, {x2_}, {z2_}).opposite = true;
   }
 
   /// Adds the rod and the tube of a damper; side is +1 on the left, −1 on the right.
@@ -140,9 +132,7 @@ class Builder {
     d_.joint(prismatic, rod_body, tube_body, {A, T}, {axis, u});
     d_.joint(spherical, MechanismBuilder::ground, tube_body, {T});
 
-    Mechanism::Coordinate& s = d_.coordinate(axle_ + "s" + rod, along);
-    s.of = {-1, A, T};
-    s.vector = axis;
+    d_.along(axle_ + "s" + rod, A, T, axis);
   }
 
   MechanismBuilder d_;

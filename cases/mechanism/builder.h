@@ -17,10 +17,7 @@ namespace desmo {
 ///   const int crank = builder.body("crank", {a, b});
 ///   builder.carry(MechanismBuilder::ground, {a});
 ///   builder.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, crank, {a});
-///   Mechanism::Coordinate& angle =
-///       builder.coordinate("angle", Mechanism::CoordinateType::angle);
-///   angle.of = {.from = a, .to = b};
-///   angle.driven = true;
+///   builder.angle("angle", {.from = a, .to = b}).driven = true;
 ///   const Mechanism mechanism = builder.release();
 class MechanismBuilder {
  public:
@@ -73,6 +70,28 @@ class MechanismBuilder {
     Mechanism::Coordinate& c = d_.coordinates.emplace_back();
     c.name = std::move(name);
     c.type = type;
+    return c;
+  }
+  /// Add coordinates of these types, with what Mechanism::Coordinate says of each.
+  Mechanism::Coordinate& angle(std::string name, const Mechanism::Direction& of,
+                               const Mechanism::Direction& from = {},
+                               const Mechanism::Direction& towards = {}) {
+    Mechanism::Coordinate& c = coordinate(std::move(name), Mechanism::CoordinateType::angle);
+    c.of = of;
+    c.from = from;
+    c.towards = towards;
+    return c;
+  }
+  Mechanism::Coordinate& along(std::string name, int from, int to, int vector) {
+    Mechanism::Coordinate& c = coordinate(std::move(name), Mechanism::CoordinateType::along);
+    c.of = {-1, from, to};
+    c.vector = vector;
+    return c;
+  }
+  Mechanism::Coordinate& component(std::string name, int point, int axis) {
+    Mechanism::Coordinate& c = coordinate(std::move(name), Mechanism::CoordinateType::component);
+    c.point = point;
+    c.axis = axis;
     return c;
   }
   /// Couples coordinates, given by their positions in the list.

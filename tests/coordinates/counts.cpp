@@ -125,9 +125,7 @@ TEST(Coordinates, TellWhatSlidesBesideItsLineFromRounding) {
     d.carry(MechanismBuilder::ground, {A, B}, {u});
     const int slider = d.body("slider", {C}, {u});
     d.joint(Mechanism::JointType::prismatic, MechanismBuilder::ground, slider, {A, C}, {u});
-    Mechanism::Coordinate& x = d.coordinate("x", Mechanism::CoordinateType::component);
-    x.point = C;
-    x.driven = true;
+    d.component("x", C, 0).driven = true;
     const Scene scene{"beside", d.release(), {Polynomial{{3, 1}}}, {0, 0.1, 11}, {}, {}};
     const Model m = make_model(scene, Modelling::relative);
     const auto f = make_formulation(find_variant("group_automatic_lapack"), m,

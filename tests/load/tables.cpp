@@ -32,11 +32,8 @@ class Rails : public Loading {
       const int crank = b.body(named("crank"), {o, a}), rod = b.body(named("rod"), {a, p});
       b.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, crank, {o});
       b.joint(Mechanism::JointType::revolute, crank, rod, {a});
-      for (const int axis : {0, 1}) {
-        Mechanism::Coordinate& c =
-            b.coordinate(named(axis ? "y" : "x"), Mechanism::CoordinateType::component);
-        c.point = p, c.axis = axis, c.driven = axis == 1;
-      }
+      b.component(named("x"), p, 0);
+      b.component(named("y"), p, 1).driven = true;
       b.couple(named("rail"), {{2 * k + 1, 1}, {2 * k, 1}});
       scene_.motions.push_back(HarmonicSum{0.105, {{0.02, 3, 0.9 * k}}});
     }

@@ -112,8 +112,7 @@ TEST(Frame, TellsWhetherDirectionsOfAnAngleArePerpendicular) {
   const int body = d.body("body", {O}, {z, x});
   d.joint(JointType::revolute, Sketch::ground, body, {O}, {z});
   d.joint(JointType::spherical, body, d.body("arm", {O, P}), {O}, {});
-  Mechanism::Coordinate& c = d.coordinate("a", Mechanism::CoordinateType::angle);
-  c.of = line(O, P), c.from = {z}, c.towards = {x};
+  d.spatial_angle("a", line(O, P), z, x);
   Mechanism m = d.release();
   using Direction = std::array<Derived, 3>;
   Mechanism::Frame& own = m.bodies[body].own.emplace();

@@ -83,9 +83,7 @@ class PlaneBuilder {
   /// Adds the angle of the line from a to b.
   Mechanism::Coordinate& angle(const std::string& name, const std::string& a,
                                const std::string& b) {
-    Mechanism::Coordinate& c = b_.coordinate(name, Mechanism::CoordinateType::angle);
-    c.of = {-1, points_[a], points_[b]};
-    return c;
+    return b_.angle(name, {-1, points_[a], points_[b]});
   }
   /// Drives the angle of the line from a to b.
   void drive_angle(const std::string& a, const std::string& b) {
@@ -93,10 +91,7 @@ class PlaneBuilder {
   }
   /// Drives the distance from a to b along a vector.
   void drive_along(const std::string& a, const std::string& b, int vector) {
-    Mechanism::Coordinate& c = b_.coordinate("s", Mechanism::CoordinateType::along);
-    c.of = {-1, points_[a], points_[b]};
-    c.vector = vector;
-    c.driven = true;
+    b_.along("s", points_[a], points_[b], vector).driven = true;
   }
   /// Returns the position of a point in the mechanism.
   int index(const std::string& name) { return points_[name]; }

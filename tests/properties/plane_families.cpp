@@ -134,9 +134,7 @@ Drawn oscillating_block(Random& r) {
   b.carry(rod, {}, {u});
   b.joint(revolute_on_slider, rod, MechanismBuilder::ground, {p.index("M"), p.index("G")}, {u});
   p.drive_angle("O", "M");
-  Mechanism::Coordinate& s = b.coordinate("s", Mechanism::CoordinateType::along);
-  s.of = {-1, p.index("M"), p.index("G")};
-  s.vector = u;
+  b.along("s", p.index("M"), p.index("G"), u);
   return {p.release(), {1.0}, 6.3};
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 using Vec = Mechanism::Vec;
 using enum Mechanism::JointType;
-using enum Mechanism::CoordinateType;
 constexpr int ground = MechanismBuilder::ground;
 
 Vec combined(double a, const Vec& x, double b, const Vec& y, double c = 0, const Vec& z = {}) {
@@ -43,11 +42,7 @@ Vec across(const Vec& a) {
 void drive(MechanismBuilder& b, const Mechanism::Direction& of, const Vec& zero, const Vec& axis) {
   const int u = b.vector("u", zero), v = b.vector("v", crossed(axis, zero));
   b.carry(ground, {}, {u, v});
-  Mechanism::Coordinate& theta = b.coordinate("theta", angle);
-  theta.of = of;
-  theta.from = {u, -1, -1};
-  theta.towards = {v, -1, -1};
-  theta.driven = true;
+  b.angle("theta", of, {u}, {v}).driven = true;
 }
 
 /// A crank OA about an axis through the origin, and a rod AB; returns the builder, B and the rod.
@@ -141,9 +136,7 @@ Drawn rssp(Random& r) {
   b.carry(ground, {c}, {w, n});
   b.joint(spherical, s.rod, slider, {s.tip});
   b.joint(prismatic, ground, slider, {c, s.tip}, {w, n});
-  Mechanism::Coordinate& stroke = b.coordinate("stroke", along);
-  stroke.of = {-1, c, s.tip};
-  stroke.vector = w;
+  b.along("stroke", c, s.tip, w);
   return {b.release(), {1.0}, 1};
 }
 

@@ -101,10 +101,7 @@ struct Trammel {
     builder.joint(JointType::revolute, 0, cylinder, {foot});
     builder.joint(JointType::prismatic, cylinder, rod, {foot, p}, {u});
     builder.joint(JointType::revolute, rod, bar, {p});
-    Mechanism::Coordinate& distance = builder.coordinate("s", Mechanism::CoordinateType::along);
-    distance.of = {-1, foot, p};
-    distance.vector = u;
-    distance.driven = true;
+    builder.along("s", foot, p, u).driven = true;
     Mechanism mechanism = builder.release();
     mechanism.joints[1].name = "along y";
     return model_mechanism(mechanism, {Polynomial{{length}}}).model;

@@ -197,10 +197,7 @@ TEST(FourBarRange, OfARackIsLookedForAtUpToTenTimesTheSize) {
     builder.carry(MechanismBuilder::ground, {m}, {x});
     const int body = builder.body("rack", {r}, {x});
     builder.joint(Mechanism::JointType::prismatic, MechanismBuilder::ground, body, {m, r}, {x});
-    Mechanism::Coordinate& along = builder.coordinate("s", Mechanism::CoordinateType::along);
-    along.of = {-1, m, r};
-    along.vector = x;
-    along.driven = true;
+    builder.along("s", m, r, x).driven = true;
     builder.couple("mesh", {{0, -rack}, {2, 1}});
     Mechanism mechanism = builder.release();
     mechanism.coordinates[0].driven = false;

@@ -101,9 +101,7 @@ DriverRange two_rockers(double longer, Names& locking, std::size_t& groups) {
     builder.joint(Mechanism::JointType::revolute, coupler, rocker, {c});
     builder.joint(Mechanism::JointType::revolute, rocker, MechanismBuilder::ground, {d});
   }
-  Mechanism::Coordinate& angle = builder.coordinate("theta", Mechanism::CoordinateType::angle);
-  angle.of = {-1, a, b};
-  angle.driven = true;
+  builder.angle("theta", {-1, a, b}).driven = true;
   const Model m = model_mechanism(builder.release(), {Polynomial{{1}}}).model;
   const DriverRange range = find_range(m, solved_start(m), 0);
   locking = moving(m, range.up);

@@ -74,9 +74,7 @@ TEST(Continuation, TurnsCoupledAnglesByATenthOfARadian) {
     d.carry(MechanismBuilder::ground, {a});
     const int gear = d.body("gear" + name, {a, b});
     d.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, gear, {a});
-    Mechanism::Coordinate& angle = d.coordinate("t" + name, Mechanism::CoordinateType::angle);
-    angle.of = {-1, a, b};
-    angle.driven = k == 0;
+    d.angle("t" + name, {-1, a, b}).driven = k == 0;
   }
   d.couple("mesh", {{0, 1}, {1, 1}});
   const double way = 3 * 2 * std::numbers::pi;
