@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cases/mechanism/builder.h"
+#include "cases/numbers/space.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "tests/refusal.h"
@@ -30,12 +31,8 @@ inline const Motion still = Polynomial{{1}};
 inline Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Vec operator*(double s, const Vec& a) { return {s * a[0], s * a[1], s * a[2]}; }
 inline Vec operator-(const Vec& a, const Vec& b) { return a + -1.0 * b; }
-inline double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
 inline Vec unit(const Vec& a) { return 1 / norm(a) * a; }
-inline Vec cross(const Vec& a, const Vec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 inline Vec polar(double r, double angle) { return {r * std::cos(angle), r * std::sin(angle), 0}; }
 /// Returns the angle from a to b [rad], counter-clockwise.
 inline double turn(const Vec& a, const Vec& b) { return std::atan2(cross(a, b)[2], dot(a, b)); }

@@ -4,6 +4,7 @@
 
 #include "cases/extremes/rows.h"
 #include "cases/mechanism/builder.h"
+#include "cases/numbers/space.h"
 #include "tests/properties/mechanisms.h"
 
 namespace desmo::properties {
@@ -19,15 +20,11 @@ Vec combined(double a, const Vec& x, double b, const Vec& y, double c = 0, const
   for (int i = 0; i < 3; ++i) v[i] = a * x[i] + b * y[i] + c * z[i];
   return v;
 }
-Vec crossed(const Vec& a, const Vec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double inner(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec unit(const Vec& a) { return combined(1 / std::sqrt(inner(a, a)), a, 0, a); }
+Vec unit(const Vec& a) { return combined(1 / std::sqrt(dot(a, a)), a, 0, a); }
 /// Turns v about a unit vector.
 Vec turned(const Vec& v, const Vec& about, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
-  return combined(c, v, s, crossed(about, v), (1 - c) * inner(about, v), about);
+  return combined(c, v, s, cross(about, v), (1 - c) * dot(about, v), about);
 }
 Vec random_direction(Random& r) {
   const double z = r.uniform(-1, 1), angle = r.uniform(-3, 3), s = std::sqrt(1 - z * z);
@@ -35,12 +32,12 @@ Vec random_direction(Random& r) {
 }
 /// A unit vector at a right angle.
 Vec across(const Vec& a) {
-  return unit(crossed(a, std::abs(a[0]) < 0.7 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
+  return unit(cross(a, std::abs(a[0]) < 0.7 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
 }
 
 /// A driven angle: direction `of` in the plane of u and v of the ground, where 0 is along u.
 void drive(MechanismBuilder& b, const Mechanism::Direction& of, const Vec& zero, const Vec& axis) {
-  const int u = b.vector("u", zero), v = b.vector("v", crossed(axis, zero));
+  const int u = b.vector("u", zero), v = b.vector("v", cross(axis, zero));
   b.carry(ground, {}, {u, v});
   b.angle("theta", of, {u}, {v}).driven = true;
 }
@@ -145,9 +142,9 @@ Drawn hooke_joint(Random& r) {
   b.set_length_unit("1");
   const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, axis, r.uniform(-0.8, 0.8));
   const Vec driven = turned(axis, turned(zero, axis, r.uniform(-3, 3)), r.uniform(0.1, 1.5));
-  const int o = b.point("O", {}), p = b.point("P", unit(crossed(driven, arm)));
+  const int o = b.point("O", {}), p = b.point("P", unit(cross(driven, arm)));
   const int a = b.vector("a", axis), d = b.vector("d", driven);
-  const int c = b.vector("c", arm), e = b.vector("e", unit(crossed(driven, arm)));
+  const int c = b.vector("c", arm), e = b.vector("e", unit(cross(driven, arm)));
   b.carry(ground, {o}, {a, d});
   const int first = b.body("first", {o}, {a, c}), second = b.body("second", {o, p}, {d, e});
   b.joint(revolute, ground, first, {o}, {a});
