@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "cases/mechanism/names.h"
-
 namespace desmo::report {
 namespace {
 
@@ -70,6 +68,13 @@ std::string escaped(std::string_view text, const std::map<char, std::string>& es
     else
       result += c;
   return result;
+}
+
+// Continuation bytes take no room.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
 }
 
 std::size_t row_width(const Table& table) {

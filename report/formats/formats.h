@@ -51,6 +51,9 @@ std::string to_index(const std::vector<IndexRow>& rows);
 /// Replaces some characters.
 std::string escaped(std::string_view text, const std::map<char, std::string>& escapes);
 
+/// Characters of UTF-8, not bytes.
+std::size_t characters(const std::string& text);
+
 /// Characters of a row in which every entry is its column's longest: how wide a table gets.
 std::size_t row_width(const Table& table);
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cases/mechanism/names.h"
 #include "report/formats/formats.h"
 
 namespace desmo::report {
