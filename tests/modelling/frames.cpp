@@ -57,7 +57,7 @@ TEST(Frame, LetsJointsKeepNothingOfTheDrawing) {
       const RigidBodies rigid = find_rigid_bodies(d);
       const Structure together = dimension == 2 ? Structure{{{{1, 2}, {}}}, {-1, 0, 0}}
                                                 : Structure{{{{1, 2, 3}, {}}}, {-1, 0, 0, 0}};
-      const Candidates all = make_candidate_equations(d, rigid, together, {});
+      const CandidateEquations all = make_candidate_equations(d, rigid, together, {});
       int found = 0;
       for (std::size_t c = 0; c < all.origins.size(); ++c)
         if (all.origins[c] == Origin::joint) {
