@@ -273,10 +273,11 @@ TEST(Passage, IsToldByTheFall) {
       const std::span<const double> q = crossing.go_to(crossing.distance(l))->values.position;
       return std::vector<double>(q.begin(), q.end());
     };
-    const double right = crossing.fall(level, at(level));
+    const double right = crossing.measure_fall(level, at(level));
     EXPECT_GE(right, 32);  // it is 64, where h is small enough
     EXPECT_LT(right, 320);
-    const double other = crossing.fall(level, on_other_branch(m, at(level), "crank/B", "dyad1"));
+    const double other =
+        crossing.measure_fall(level, on_other_branch(m, at(level), "crank/B", "dyad1"));
     EXPECT_LT(other, 32);  // it is 2, where h is small enough
     std::cout << right << ' ' << other << '\n';
   }
@@ -288,7 +289,8 @@ TEST(Passage, IsToldByTheFall) {
   for (const int level : {4, 5, 6}) {
     const double driver = crossing.line().at(crossing.distance(level))[0];
     const auto right = double_solution(touching_branches(driver), std::array{-1.0}).front().q;
-    const double other = crossing.fall(level, on_other_branch(m, right, "dyad1/C", "dyad2"));
+    const double other =
+        crossing.measure_fall(level, on_other_branch(m, right, "dyad1/C", "dyad2"));
     std::cout << other << '\n';
     EXPECT_GT(other, 3.2);
     EXPECT_LT(other, 32);
