@@ -209,7 +209,7 @@ TEST(Refused, TwoShapesThatDiffer) {
   for (const double size : {1e-6, 1.0, 1e5})
     for (const double other : {1.4, 1.01}) {
       expect_refused(driven(two_shapes(1, other, size, false), {"a", "b"}), {still, still},
-                     {"contradict"});
+                     {"A-B length", "shapes"});
       expect_refused(driven(two_shapes(1, other, size, true), {"a"}), {still},
                      {"'f: A-B length'", "contradict"});
     }
