@@ -159,7 +159,8 @@ void solve(const SolveOptions& options) {
   const Model whole = model_mechanism(input).model;
   if (!options.quiet) say(note_on_drawing(input.scene.mechanism, whole, input.units));
   const Plan plan = make_plan(whole, outputs_of(input, whole), extent_of(options.check.mode));
-  Measures measures(input.scene, plan.model);
+  using enum Measures::DrivenBy;
+  Measures measures(input.scene, plan.model, options.drivers.empty() ? motions : rows);
   if (options.explain) say(explain(plan, whole));
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
   const SeriesHeading heading{format,

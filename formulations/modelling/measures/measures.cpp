@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "cases/numbers/space.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/measures/frames.h"
+#include "formulations/modelling/measures/rest.h"
 
 namespace desmo {
 
@@ -51,8 +53,13 @@ double angle_about(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rotati
 
 class Builder {
  public:
-  Builder(const Scene& scene, const Model& model)
+  Builder(const Scene& scene, const Model& model, Measures::DrivenBy driven_by)
       : d_(scene.mechanism), m_(model), bodies_(d_, m_, inputs) {
+    for (const Driver& d : m_.drivers)
+      drivers_.push_back(
+          {m_.entities[d.coordinate].first, driven_by == Measures::DrivenBy::motions
+                                                ? std::make_shared<const Motion>(d.motion)
+                                                : nullptr});
     for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
       for (int i = 0; i < m_.entities[e].size; ++i)
         taken_.insert(coordinate_name(m_, e, m_.entities[e].first + i));
@@ -154,28 +161,30 @@ class Builder {
       of[k] = m_.coordinate(wanted.of[k]);
       inputs.push_back({owner[of[k]], Level::acceleration});
     }
-    std::vector<int> drivers;
-    for (const Driver& driver : m_.drivers) drivers.push_back(m_.entities[driver.coordinate].first);
     const std::size_t place = list.size();
     add({"", wanted.name, ""}, m_.entities[owner[of[0]]].kind);
     list.back().per = m_.entities[owner[of[1]]].kind;
-    rules.emplace_back(place, [=](const Instant& instant, auto values) {
-      const auto fastest = [&](std::span<const double> rates) {
+    rules.emplace_back(place, [=, drivers = drivers_](const Instant& instant, auto values) {
+      const auto fastest = [&](std::span<const double> rates, Level level) {
         double largest = 0;
-        for (const int i : drivers) largest = std::max(largest, std::abs(rates[i]) / magnitude[i]);
+        for (const auto& [i, motion] : drivers) {
+          const double rate = std::abs(rates[i]) / magnitude[i];
+          if (rate > largest && !(motion && vanishes(*motion, instant.time, level))) largest = rate;
+        }
         return largest;
       };
-      const auto vanishes = [&](std::span<const double> rates, int i, double scale) {
+      const auto is_nothing = [&](std::span<const double> rates, int i, double scale) {
         return scale == 0 || std::abs(rates[i]) / magnitude[i] <= Measures::min_rate * scale;
       };
       double& ratio = values[0].velocity = not_known;
       if (instant.qd.empty()) return;
       const auto [a, b] = of;
-      const double speed = fastest(instant.qd);
-      if (!vanishes(instant.qd, b, speed))
+      const double speed = fastest(instant.qd, Level::velocity);
+      if (!is_nothing(instant.qd, b, speed))
         ratio = instant.qd[a] / instant.qd[b];
-      else if (!instant.qdd.empty() && vanishes(instant.qd, a, speed) &&
-               !vanishes(instant.qdd, b, fastest(instant.qdd) + speed * speed))
+      else if (!instant.qdd.empty() && is_nothing(instant.qd, a, speed) &&
+               !is_nothing(instant.qdd, b,
+                           fastest(instant.qdd, Level::acceleration) + speed * speed))
         ratio = instant.qdd[a] / instant.qdd[b];
     });
   }
@@ -190,17 +199,24 @@ class Builder {
     list.push_back({std::move(names), kind});
   }
 
+  struct DriverRate {
+    int coordinate;
+    std::shared_ptr<const Motion> motion;  // null: of rows
+  };
+
   const Mechanism& d_;
   const Model& m_;
+  std::vector<DriverRate> drivers_;
   BodyFrames bodies_;
   std::set<std::string> taken_;
 };
 
 }  // namespace
 
-Measures::Measures(const Scene& scene, const Model& model) : coordinates_(model.coordinates()) {
+Measures::Measures(const Scene& scene, const Model& model, DrivenBy driven_by)
+    : coordinates_(model.coordinates()) {
   if (scene.measures.empty()) return;
-  Builder builder(scene, model);
+  Builder builder(scene, model, driven_by);
   list_ = std::move(builder.list);
   inputs_ = std::move(builder.inputs);
   rules_ = std::move(builder.rules);

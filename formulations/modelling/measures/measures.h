@@ -41,15 +41,22 @@ class Measures {
   /// Writes the values of a measure, and of those after it, at an instant.
   using Rule = std::function<void(const Instant&, std::span<PerLevel<double>>)>;
 
-  /// A velocity, over its nominal magnitude (nominal_magnitudes()), vanishes where it is at most
-  /// this part of the fastest driver's. An acceleration does where it is at most this part of the
-  /// greatest acceleration of a driver and the fastest driver's velocity squared, together.
-  /// Rounding errors are of the drivers' size.
+  /// A velocity v, over its nominal magnitude (nominal_magnitudes()), vanishes where
+  ///
+  ///   |v| <= min_rate V,  V: the fastest driver's velocity
+  ///
+  /// and an acceleration a where |a| <= min_rate (A + V²), A: the greatest of a driver's. Rounding
+  /// errors of coordinates are of the drivers' size. A driver whose own rate vanishes by its motion
+  /// (vanishes(), in rest.h) counts as 0 in V and A: rounding is all that is left of that. Where
+  /// all drivers do, everything vanishes.
   static constexpr double min_rate = 1e-10;
+
+  /// What tells the drivers' rates: the model's motions, or rows of numbers, which are exact.
+  enum class DrivenBy { motions, rows };
 
   /// Throws std::invalid_argument, naming the measure, for a body or joint whose points and vectors
   /// do not tell its rotation, for a coordinate that is fixed, and for a name that the model has.
-  Measures(const Scene& scene, const Model& model);
+  Measures(const Scene& scene, const Model& model, DrivenBy driven_by = DrivenBy::motions);
 
   const std::vector<Measure>& list() const { return list_; }
   /// Returns what they read, and to which level.
