@@ -29,6 +29,18 @@ TEST(StartAfterTurns, LeavesOutManyTurns) {
   EXPECT_LT(std::abs(m.value("s", found.q) - m.value("s", right)), 1e-10 * drawn_size(m));
 }
 
+/// Beyond 2⁵³ rad, whole turns left out, a step of a radian is lost in the rounding of the way.
+/// That costs no tests.
+TEST(StartAfterTurns, IsNotSoughtWhereStepsAreLostInRounding) {
+  const Model m = make_model(library_scene("slider_crank"));
+  for (const double to : {1e60, -1e97, 1e300}) {
+    const FoundStart found = find_start(held_at(m, {to}), 0);
+    EXPECT_EQ(found.stage, Stage::drivers) << to;
+    EXPECT_TRUE(found.out_of_tests) << to;
+    EXPECT_EQ(found.share, 0) << to;
+  }
+}
+
 /// A worm turns the crank of a four-bar by 2π/ratio a turn of the fast crank, whose slider takes
 /// all tests. What has moved is not back, however little: after 1,500 turns the four-bar is
 /// elsewhere.

@@ -133,6 +133,16 @@ struct Turns {
   std::vector<double> of_drivers, of_coordinates;
 };
 
+/// Returns whether a driver goes so far that a step of a radian is lost in the rounding of the
+/// whole way, 1: way × unit > 1 rad. No path ends there, and each step seems to be stuck.
+bool is_lost_in_rounding(const Model& going) {
+  return std::ranges::any_of(going.drivers, [&](const Driver& d) {
+    const double way = sample(d.motion, 0.).velocity;
+    return going.entities[d.coordinate].kind == EntityKind::angle &&
+           std::abs(way) * Interval::unit > 1;
+  });
+}
+
 /// Leads the drivers from the drawing to their values at a time, but for turns that lead back.
 FollowedStep lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
   Model going = m;
@@ -140,6 +150,12 @@ FollowedStep lead_drivers(const Model& m, double time, const Turns& left_out, Fo
     Motion& motion = going.drivers[d].motion;
     const double from = m.estimate[m.entities[m.drivers[d].coordinate].first];
     motion = straight(from, motion, time, left_out.of_drivers[d]);
+  }
+  if (is_lost_in_rounding(going)) {
+    FollowedStep none;
+    none.out_of_tests = true;
+    found.share = 0;
+    return none;
   }
   const FollowedStep step = follow(going, {}, true, found);
   if (step.end == PathEnd::stuck && !step.out_of_tests) pass_at_start(m, going, time, found);

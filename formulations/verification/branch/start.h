@@ -19,7 +19,8 @@ struct FoundStart {
   Stage stage = Stage::reached;
   double share = 1;              ///< of the way of the blocked stage: last proven, from 0 to 1
   GroupId group = no_position;   ///< blocked: where the last proof failed, if it is known
-  bool out_of_tests = false;     ///< blocked: the budget of the way ended; nothing else is known
+  bool out_of_tests = false;     ///< blocked: the budget of the way ended, or is far too small;
+                                 ///< nothing else is known
   std::vector<double> passed{};  ///< change points that the drivers passed, as shares of their way
   /// All coordinates: at the start where it is reached, else where the last proof was.
   std::vector<double> q;
