@@ -24,6 +24,12 @@ void split_fields(std::string_view line, std::vector<std::string_view>& fields) 
   }
 }
 
+std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  return text;
+}
+
 bool to_number(std::string_view field, double& value) {
   if (field.starts_with('+')) field.remove_prefix(1);
   return parse_number(field, value);

@@ -13,6 +13,9 @@ void split_fields(std::string_view line, std::vector<std::string_view>& fields);
 /// Returns a text without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
+/// Returns the text of a file without the byte order mark that some programs begin it with.
+std::string_view without_mark(std::string_view text);
+
 /// Reads a whole field as a number. Returns whether it is one.
 bool to_number(std::string_view field, double& value);
 

@@ -131,6 +131,7 @@ class RequestReader {
         for (const int i : selection.match(name)) want(i);
       } else {
         check_kind(name, selection);
+        if (&selection == &joints_) check_joint(name);
         want(selection.find(name));
       }
     }
@@ -162,6 +163,17 @@ class RequestReader {
     if (std::ranges::any_of(d_.points, is_named) || std::ranges::any_of(d_.vectors, is_named))
       name.complain(in_quotes(name.text()) +
                     " is carried by no body and has no motion; list it in a body");
+  }
+
+  // Refuses a joint that has neither a turn nor a travel.
+  void check_joint(const JsonValue& name) const {
+    if (joints_.position(name.text())) return;
+    const auto joint = std::ranges::find(d_.joints, name.text(), &Mechanism::Joint::name);
+    if (joint == d_.joints.end()) return;
+    name.complain(in_quotes(name.text()) + " is a joint of type " +
+                  in_quotes(find_joint_form(joint->type, d_.dimension)->name) +
+                  ", which neither turns about one axis nor slides along one; ask for rotations or "
+                  "points of its bodies");
   }
 
   void want(Kind kind, int index, Level level) {

@@ -20,7 +20,7 @@ struct TableFile {
   std::vector<std::string_view> fields{};
 
   void read() {
-    std::string_view rest = file.text;
+    std::string_view rest = without_mark(file.text);
     while (!rest.empty()) {
       const std::string_view line = rest.substr(0, rest.find('\n'));
       rest.remove_prefix(std::min(rest.size(), line.size() + 1));

@@ -111,6 +111,9 @@ TEST_F(Cli, FailedRunsNameThePlaceAndLeaveNothing) {
               "or take smaller steps");
   EXPECT_EQ(lines().size(), 12u);
   EXPECT_TRUE(says("instants before it, on standard output: 11")) << err_;
+  // What is not proven is told apart all the same.
+  expect_said(1, "solve locks.json --check none", "t = 0.11 s: no position was found (");
+  EXPECT_TRUE(says("' is off by ") && !says("a position exists")) << err_;
 }
 
 /// A slider-crank in millimetres, drawn at 180 mm, whose slider is driven.

@@ -199,7 +199,11 @@ TEST_F(TableFile, HasRowsOfTimesAndValues) {
   const double degree = std::acos(-1.0) / 180;
   for (const char* rows :
        {"0,0\n1,10\n2,40\n", "0 0\r\n\r\n1\t10\r\n2 40", "time,deflection\n0,0\n1,10\n2,40\n",
-        "angle [deg],flag,t [s]\n0,,0\n10,,1\n40,,2\n", "\"t\",\"angle\"\n0,0\n1,+1e1\n2,40\n"}) {
+        "angle [deg],flag,t [s]\n0,,0\n10,,1\n40,,2\n", "\"t\",\"angle\"\n0,0\n1,+1e1\n2,40\n",
+        "\xEF\xBB\xBF"
+        "0,0\n1,10\n2,40\n",
+        "\xEF\xBB\xBF"
+        "angle,flag,t\n0,,0\n10,,1\n40,,2\n"}) {
     Scene scene;
     ASSERT_EQ(read(rows, &scene), "accepted") << rows;
     EXPECT_EQ(sample(scene.motions[0], 1.0).position, 10 * degree) << rows;

@@ -121,6 +121,11 @@ TEST(SceneFile, MembersThatAreWrongAreNamed) {
   for (const auto& [member, message] : members)
     expect_start(scene_complaint(scene_of(slider_crank, driven + ", " + member)),
                  std::string("s.json: ") + message);
+  expect_start(
+      scene_complaint(
+          scene_of(spatial, driven + R"(, "request": [{"joints": ["spherical/crank/rod"]}])")),
+      "s.json: /request/0/joints/0: 'spherical/crank/rod' is a joint of type 'spherical', which "
+      "neither turns about one axis nor slides along one; ask for rotations or points of its bod");
   const std::string free = replaced(slider_crank, "\"mm\"", "\"1\"");
   EXPECT_EQ(scene_complaint(scene_of(free, driven)), "accepted");
   expect_start(scene_complaint(scene_of(free, driven + R"(, "units": {"length": "mm"})")),

@@ -55,7 +55,7 @@ bool DriverRows::read_line(std::string& line) {
     throw CommandError(unreadable_input,
                        source_ + ": cannot be read (" + std::strerror(errno) + ")");
   if (line.empty() && std::feof(file_.get())) return false;
-  ++line_;
+  if (++line_ == 1) line.erase(0, line.size() - without_mark(line).size());
   return true;
 }
 

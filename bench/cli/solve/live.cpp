@@ -41,7 +41,9 @@ std::string failure_of(const LiveSummary& s, const LiveRow& row, const LiveRun& 
                       .group = s.path.group,
                       .out_of_tests = s.path.out_of_tests},
                      plan.model, units) +
-           "; choose rows that keep away from it";
+           (s.path.out_of_tests ? ", or keep away from singular positions, such as change points, "
+                                  "near which tests run out"
+                                : "; choose rows that keep away from it");
   CheckedSummary failure;
   static_cast<BasicSummary&>(failure) = s;
   failure.instants = run.has_position();

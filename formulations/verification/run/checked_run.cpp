@@ -275,6 +275,8 @@ CheckedSummary run_checked(Formulation& formulation, const TimeGrid& grid, const
   if (options.mode == CheckMode::none) {
     CheckedSummary summary;
     static_cast<BasicSummary&>(summary) = formulation.run(grid, request, observer);
+    if (summary.status == Status::not_converged)
+      summary.assembly_error = assembly_error_at(formulation, summary.time);
     return summary;
   }
   return CheckedRun(formulation, grid, request, observer, options)();
