@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -52,13 +53,21 @@ class KluFactors final : public LinearSolver {
 
   void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
 
+  /// Returns where the irreducible blocks begin among the rows, and where the last ends.
+  std::span<const int> block_start() const {
+    return {symbolic_->R, static_cast<std::size_t>(symbolic_->nblocks) + 1};
+  }
+
  private:
+  Eigen::Map<const Eigen::ArrayXd> pivot_array() const {
+    return {static_cast<const double*>(numeric_->Udiag), n_};
+  }
+
   /// Returns whether the smallest pivot is large enough compared with the largest (klu_rcond). The
   /// bound is SUNDIALS'.
   bool pivots_are_good() const {
     static const double trusted = std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0);
-    const auto size =
-        Eigen::Map<const Eigen::ArrayXd>(static_cast<const double*>(numeric_->Udiag), n_).abs();
+    const auto size = pivot_array().abs();
     return size.minCoeff() > trusted * size.maxCoeff();
   }
 

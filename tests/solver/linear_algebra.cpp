@@ -11,6 +11,7 @@
 
 #include "cases/generators/cases.h"
 #include "formulations/algebra/backend.h"
+#include "formulations/algebra/klu_factors.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/model/magnitudes.h"
 #include "formulations/parts/newton_part.h"
@@ -106,6 +107,23 @@ std::vector<const Backend*> all_backends() { return {backends().begin(), backend
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryBackend, testing::ValuesIn(all_backends()),
                          [](const auto& info) { return std::string(info.param->name); });
+
+/// As many blocks as KLU finds, or one; and the same solution.
+TEST(Klu, LeavesOutTheBlocksOfAMatrix) {
+  const Pattern triangle{3, {0, 1, 2}, {0, 2, 4, 5}, {0, 1, 1, 2, 2}, {}};
+  const double values[] = {2, 1, 4, 3, 5};
+  for (const BlockTriangularForm btf : {BlockTriangularForm::on, BlockTriangularForm::off}) {
+    KluFactors klu(triangle, btf);
+    const std::size_t blocks = btf == BlockTriangularForm::on ? 3 : 1;
+    EXPECT_EQ(klu.block_start().size(), blocks + 1);
+    ASSERT_TRUE(klu.factor(values));
+    double x[] = {2, 9, 21};
+    klu.solve(x);
+    EXPECT_NEAR(x[0], 1, 1e-15);
+    EXPECT_NEAR(x[1], 2, 1e-15);
+    EXPECT_NEAR(x[2], 3, 1e-15);
+  }
+}
 
 TEST(Klu, SolvesAMechanismAsOneBlock) {
   const Model m = truck_model(2);
