@@ -46,7 +46,7 @@ std::string evidence(const accuracy::SearchResult& found) {
                     t.whole ? "whole" : "beginning", t.id});
   }
   if (rows.size() > rows_shown) rows.resize(rows_shown);
-  return "TriedConfiguration: " + count(static_cast<long>(found.tried.size()), "configuration") +
+  return "Tried: " + count(static_cast<long>(found.tried.size()), "configuration") +
          "; each of these is more accurate than every faster one:\n" + table(rows, "rr");
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace desmo {
@@ -24,8 +25,9 @@ bool matches(std::string_view pattern, std::string_view name);
 template <class List, class Text = std::identity>
 std::string joined(List&& list, Text text = {}, std::string_view between = ", ") {
   std::string all;
+  bool is_first = true;
   for (const auto& entry : list) {
-    if (!all.empty()) all += between;
+    if (!std::exchange(is_first, false)) all += between;
     all += std::invoke(text, entry);
   }
   return all;

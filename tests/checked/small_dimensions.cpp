@@ -112,7 +112,9 @@ TEST(SmallDimensions, FarFromTheOriginCount) {
     "motion": {"theta": {"type": "polynomial", "coefficients": [0, 1]}}, "time": {"at": 0}})",
                                          "eccentric.scene.json", ""));
   const int y = m.entities[m.find("C")].first + 1;
-  for (const CheckedRow& row : solve_checked(m, {0, 0.25, 8}, "block_automatic_eigen").rows) {
+  const CheckedRows run = solve_checked(m, {0, 0.25, 8}, "block_automatic_eigen");
+  ASSERT_EQ(run.rows.size(), 8u);
+  for (const CheckedRow& row : run.rows) {
     ASSERT_FALSE(row.flag);
     EXPECT_LE(std::abs(row.values.position[y] - 1e6 - off), row.radius.position[y]);
     EXPECT_LE(std::abs(row.values.velocity[y]), row.radius.velocity[y]);

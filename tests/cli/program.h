@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -86,6 +88,7 @@ class Cli : public InFolder {
   /// what it is to be interrupted at. Returns its exit code.
   int interrupt(const std::string& command, int signal, const auto& has_begun) {
     const pid_t child = ::fork();
+    if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (child == 0) {
       ::signal(signal, SIG_DFL);
       const std::string there = "cd '" + folder_.string() + "' && exec " + command;

@@ -19,7 +19,7 @@ TEST_F(Cli, TunesASceneAndStoresTheChoice) {
 
 TEST_F(Cli, TunesWithinABudget) {
   expect_printed("tune slider_crank --budget 1s --quiet",
-                 "those than which no faster one was as accurate");
+                 "each of these is more accurate than every faster one");
 }
 
 TEST_F(Cli, SaysWhenNothingIsAccurateOrFastEnough) {

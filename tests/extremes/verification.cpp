@@ -30,7 +30,7 @@ class CaseVerification : public testing::Test {
   }
   /// As a run says of an instant that it is no better than that, at all levels.
   void degrade(int instant, double bound) {
-    run.steps[instant].flag = CaseRun::Flag::unproven;
+    run.steps[instant].flag = CaseRun::Flag::degraded;
     run.stated[instant]->radius = {bound, bound, bound};
   }
   ExtremeVerdict verdict() const { return verify(known, run).verdict; }

@@ -78,7 +78,7 @@ TEST(Blocks, OfAnOrderedChainAreItsSmallestSteps) {
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 3, 3, 3}));
 }
 
-TEST(StepGrowth, OfEquationsAndOfWhatTheyReadIsLinear) {
+TEST(Growth, OfEquationsAndOfWhatTheyReadIsLinear) {
   const auto entries = [](int dyads) {
     const Model m = four_bar_model(dyads);
     long count = 0;

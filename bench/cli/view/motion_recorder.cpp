@@ -108,6 +108,7 @@ void MotionRecorder::flag(const CheckedInstant& checked) {
   const bool passes = f.kind == RowFlag::Kind::crossing || f.kind == RowFlag::Kind::on_point;
   const Flag::Kind kind = passes                            ? Flag::Kind::crossing
                           : f.kind == RowFlag::Kind::branch ? Flag::Kind::branch
+                          : f.kind == RowFlag::Kind::misfit ? Flag::Kind::misfit
                                                             : Flag::Kind::unproven;
   const int index = checked.instant.index;
   const double from = passes ? std::max(f.after, grid_.start) : f.time,

@@ -23,7 +23,7 @@ struct RecordedInstant {
 
 /// An interval that is flagged, and why.
 struct Flag {
-  enum class Kind { unproven, failed, crossing, branch };
+  enum class Kind { unproven, misfit, failed, crossing, branch };
   Kind kind;
   double from, to;  ///< [s]
   std::string text;

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t max_plotted = 100'000;  // numbers that are plotted and not drawn
 
 constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
-constexpr const char* flag_names[] = {"unproven", "failed", "crossing", "branch"};
+constexpr const char* flag_names[] = {"unproven", "misfit", "failed", "crossing", "branch"};
 
 /// Returns numbers as base64, the lowest byte of each first.
 std::string base64(const std::vector<float>& numbers) {

@@ -11,7 +11,7 @@ Object.assign(transforms, basic, axes, encode);
 
 const palette = Array.from({length: 8}, (_, j) => `var(--g${j})`);
 const shades = {
-  unproven: ['#e0a800', 0.28], failed: ['#c0392b', 0.22], crossing: ['#7b52ab', 0.4], branch: ['#0a7f8c', 0.4],
+  unproven: ['#e0a800', 0.28], misfit: ['#b5651d', 0.28], failed: ['#c0392b', 0.22], crossing: ['#7b52ab', 0.4], branch: ['#0a7f8c', 0.4],
 };
 const height = 120;
 const soft = 'rgba(128,128,128,0.25)';

@@ -100,7 +100,7 @@ class Record final : public Observer {
     using Kind = RowFlag::Kind;
     flag_ = !row.flag ? CaseRun::Flag::none
             : row.flag->kind == Kind::unproven || row.flag->kind == Kind::misfit
-                ? CaseRun::Flag::unproven
+                ? CaseRun::Flag::degraded
                 : CaseRun::Flag::doubtful;
     stated_ = {row.condition, row.relative_radius};
     if (case_.answers.empty()) return;

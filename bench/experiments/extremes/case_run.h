@@ -23,7 +23,7 @@ enum class CaseOutcome {
 struct CaseRun {
   enum class Flag {
     none,
-    unproven,  ///< numbers, said to be not proven
+    degraded,  ///< numbers, said to be not proven, or to contradict equations
     doubtful,  ///< numbers, said to be after a singular position or on another branch
     failed,    ///< no numbers
   };

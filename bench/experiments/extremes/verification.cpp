@@ -55,7 +55,7 @@ std::string needless_flag(const KnownCase& p, const CaseRun& a) {
     const Flag flag = a.steps[i].flag;
     has_reopened = has_reopened || !p.solvable[i];
     if (has_reopened && flag == Flag::doubtful) continue;
-    if (p.solvable[i] && flag != Flag::none && !(flag == Flag::unproven && is_excused(p, a, i)) &&
+    if (p.solvable[i] && flag != Flag::none && !(flag == Flag::degraded && is_excused(p, a, i)) &&
         !(flag == Flag::doubtful && is_near_singular(p, a, i)))
       return a.message.empty() ? "failed " + at(p, i) : a.message;
   }

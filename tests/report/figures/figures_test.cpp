@@ -281,7 +281,7 @@ TEST(History, NamesTheCommitsInWhichACandidateMoved) {
   EXPECT_EQ(spec["params"][0]["value"], Json({"old", "young"}));
 }
 
-TEST(StepGrowth, DrawsTheCachesOfTheMachine) {
+TEST(Growth, DrawsTheCachesOfTheMachine) {
   const Json lines = figure_of(sizes_record(), "growth")["datasets"]["lines"];
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0]["what"], "L1 10 KiB");

@@ -56,6 +56,13 @@ TEST(Extremes, BeginWithASentenceThatCountsDefects) {
                   .starts_with("No wrong number without a flag in any of 4 results;"));
 }
 
+TEST(Extremes, NameTheReasonOfTheWorst) {
+  const Section section = extremes_sections(record_from(extremes_record())).at(1);
+  const Table& cases = section.tables.at(1);
+  EXPECT_EQ(entry_at(cases, {"2", "b"}, "example").shown, "klu/tolerance:1e-13: so it is");
+  EXPECT_EQ(entry_at(cases, {"2", "b"}, "missed").shown, "1");
+}
+
 TEST(Extremes, ThatSayNothingAreRefused) {
   expect_refusals(
       extremes_record(),

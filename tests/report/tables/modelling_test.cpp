@@ -16,6 +16,15 @@ TEST(ModellingTimes, ThatSayNothingAreRefused) {
                    {"/modelling", {{"times", Json::array()}}, "nothing was measured"}});
 }
 
+TEST(ModellingTables, CompareWithinGroupsWithKlu) {
+  const Document document = make_report(record_from(modelling_record()));
+  expect_row(table_named(document, "modelling_ratios"),
+             {"truck_suspension", "in groups, dense over KLU"}, {{"relative", "0.25 …"}});
+  expect_row(table_named(document, "modelling"),
+             {"truck_suspension", "basis", "group_automatic_klu", "558"},
+             {{"unknowns", "279"}, {"condensation", "3906"}, {"condition", "80"}});
+}
+
 TEST(ModellingFigure, HasTheFormulations) {
   bool found = false;
   for (const NewFile& file : figures(make_report(record_from(modelling_record()))))

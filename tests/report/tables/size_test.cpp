@@ -36,7 +36,7 @@ TEST(Sizes, ThatSayNothingAreRefused) {
                     "nothing was measured"}});
 }
 
-TEST(StepGrowth, IsLinearUntilCachesEndIt) {
+TEST(Growth, IsLinearUntilCachesEndIt) {
   const Section front = size_sections(record_from(sizes_record())).at(0);
   EXPECT_EQ(front.paragraphs.at(0),
             "Up to 10000 coordinates time grows linearly in 1 of 2 pairs of case and formulation.");
