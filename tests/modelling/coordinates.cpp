@@ -167,6 +167,36 @@ TEST(Coordinates, SlideIsMeasuredAgainFromTheOtherEndAndFromAside) {
   }
 }
 
+/// A slider-crank whose slider is drawn beside the line through the crank's pivot, if only by a
+/// millionth, stays there as it does without the coordinates.
+TEST(Coordinates, DistanceAlongASlideLeavesItBesideTheLineAsItIsDrawn) {
+  const double r = 0.5, rate = 6;
+  for (const double off : {0.0, 1e-11, -9e-7, 9e-7, 0.1}) {
+    Sketch d("eccentric slider-crank", 2);
+    const int A = d.ground_point("A", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0});
+    const int B = d.point("B", {r, 0, 0}), C = d.point("C", {2, off, 0});
+    d.bodies({{"crank", {A, B}}, {"rod", {B, C}}});
+    const int slider = d.body("slider", {C}, {x});
+    d.joint(JointType::prismatic, Sketch::ground, slider, {A, C}, {x}, "slide");
+    d.angle("theta", line(A, B)).driven = true;
+    d.along("forward", A, C, x);
+    d.along("backward", C, A, x);
+    const std::vector<double> times = instants(1);
+    const Solved s(d.release_pinned(), {Polynomial{{0, rate}}}, times);
+    for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+      const double angle = rate * times[k], across = off - r * std::sin(angle);
+      const double along = std::sqrt(1.5 * 1.5 + off * off - across * across),
+                   c = r * std::cos(angle) + along,
+                   c_rate = rate * r * (across * std::cos(angle) / along - std::sin(angle));
+      expect_near(s.position(k, "C"), {c, off, 0}, 1e-12, "C");
+      expect_near(s.velocity(k, "C"), {c_rate, 0, 0}, 1e-11, "velocity of C");
+      EXPECT_NEAR(s.scalar(k, "forward"), c, 1e-12);
+      EXPECT_NEAR(s.scalar(k, "backward"), -c, 1e-12);
+    }
+    EXPECT_FALSE(HasFailure()) << off;
+  }
+}
+
 TEST(Coordinates, SpatialOnesMeasureGeometry) {
   // An arm that turns about y, and a sleeve that slides and turns on a shaft fixed to it.
   for (const double start : {0.3, 2.6, -0.8}) {

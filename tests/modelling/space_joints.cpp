@@ -100,6 +100,87 @@ TEST(PointOnPlane, MovesThePistonOfASwashPlate) {
   }
 }
 
+/// Returns a position on a body that turns about z by an angle.
+Vec turned(const Vec& own, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * own[0] - s * own[1], s * own[0] + c * own[1], own[2]};
+}
+
+constexpr double sizes_of_offsets[] = {0, 1e-11, 9e-7, -9e-7};
+
+TEST(SlidingJoint, LeavesABodyBesideTheLineAsItIsDrawn) {
+  for (const double off : sizes_of_offsets)
+    for (const JointType type : {JointType::prismatic, JointType::cylindrical}) {
+      Sketch d("beside the line", 3);
+      const int O = d.ground_point("O", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0}),
+                y = d.ground_vector("y", {0, 1, 0}), z = d.ground_vector("z", {0, 0, 1});
+      const int P = d.point("P", {1, off, 0}), Q = d.point("Q", {1.2, 0.3, 0.4});
+      const bool turns = type == JointType::cylindrical;
+      const int v = turns ? d.vector("v", {0, 1, 0}) : y;
+      d.joint(type, Sketch::ground, d.body("block", {P, Q}, {x, v}), {O, P},
+              turns ? std::vector{x} : std::vector{x, v});
+      d.along("s", P, O, x).driven = true;  // either way round
+      if (turns) d.spatial_angle("turn", {v}, y, z).driven = true;
+      const std::vector<double> times = instants(1);
+      std::vector<Motion> motions{Polynomial{{-1, -1}}};
+      if (turns) motions.push_back(Polynomial{{0, 2}});
+      const Solved s(d.release(), motions, times);
+      for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+        // The line leads through P.
+        const double angle = turns ? 2 * times[k] : 0, c = std::cos(angle), n = std::sin(angle);
+        const double b = 0.3 - off;
+        expect_near(s.position(k, "P"), {1 + times[k], off, 0}, tolerance, "P");
+        expect_near(s.position(k, "Q"), {1.2 + times[k], off + c * b - n * 0.4, n * b + c * 0.4},
+                    tolerance, "Q");
+      }
+      EXPECT_FALSE(HasFailure()) << off;
+    }
+}
+
+TEST(SlidingJoint, LeavesABodyBesideALineThatMovesAsItIsDrawn) {
+  for (const double off : sizes_of_offsets)
+    for (const bool is_first : {false, true}) {
+      Sketch d("beside a line that moves", 3);
+      const int O = d.ground_point("O", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0}),
+                y = d.ground_vector("y", {0, 1, 0}), z = d.ground_vector("z", {0, 0, 1});
+      const int u = d.vector("u", {1, 0, 0}), P = d.point("P", {2, off, -off});
+      const int arm = d.body("arm", {O}, {u, z}), collar = d.body("collar", {P}, {u});
+      d.joint(JointType::revolute, Sketch::ground, arm, {O}, {z});
+      // Nothing tells how the collar is turned about the line.
+      is_first ? d.joint(JointType::cylindrical, collar, arm, {P, O}, {u})
+               : d.joint(JointType::cylindrical, arm, collar, {O, P}, {u});
+      d.spatial_angle("theta", {u}, x, y).driven = true;
+      d.along("s", O, P, u).driven = true;
+      const std::vector<double> times = instants(1);
+      const Solved s(d.release(), {Polynomial{{0, 2}}, Polynomial{{2, 1}}}, times);
+      for (int k = 0; k < s.instants() && !HasFailure(); ++k)
+        expect_near(s.position(k, "P"), turned({2 + times[k], off, -off}, 2 * times[k]), tolerance,
+                    "P");
+      EXPECT_FALSE(HasFailure()) << off << ", " << is_first;
+    }
+}
+
+TEST(SlidingJoint, HasNoOffsetWhereNothingTellsItsSide) {
+  Sketch d("strut", 3);
+  const int O = d.ground_point("O", {0, 0, 0}), A = d.ground_point("A", {3, 0, 0}),
+            x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0}),
+            z = d.ground_vector("z", {0, 0, 1});
+  const int B = d.point("B", {1, 0, 0}), u = d.vector("u", unit(Vec{-1, 0, 4e-7}));
+  const int v = d.vector("v", {1, 0, 0});
+  const int crank = d.body("crank", {O, B}, {z, v}), cylinder = d.body("cylinder", {A}, {u}),
+            rod = d.body("rod", {B}, {u});
+  d.joint(JointType::revolute, Sketch::ground, crank, {O}, {z});
+  d.joint(JointType::spherical, Sketch::ground, cylinder, {A});
+  d.joint(JointType::cylindrical, cylinder, rod, {A, B}, {u}, "strut");
+  d.joint(JointType::spherical, crank, rod, {B});
+  d.spatial_angle("theta", {v}, x, y).driven = true;
+  const std::vector<double> times = instants(1);
+  const Solved s(d.release(), {Polynomial{{0, 2}}}, times);
+  for (int k = 0; k < s.instants() && !HasFailure(); ++k)
+    EXPECT_NEAR(s.scalar(k, "strut/distance"), norm(polar(1, 2 * times[k]) - Vec{3, 0, 0}),
+                tolerance);
+}
+
 TEST(Hinge, NeedsTwoPlaces) {
   Sketch d("door", 3);
   const int H1 = d.ground_point("H1", {0, 0, 1}), H2 = d.ground_point("H2", {0, 0, 1}),

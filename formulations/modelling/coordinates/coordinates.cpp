@@ -200,11 +200,14 @@ class Modeller {
 
 }  // namespace
 
+bool is_distance_of(const Mechanism::Joint& j, const Mechanism::Coordinate& c) {
+  return slides(j.type) && c.type == Mechanism::CoordinateType::along && c.vector == j.vectors[0] &&
+         std::minmax({c.of.from, c.of.to}) == std::minmax({j.points[0], j.points[1]});
+}
+
 bool declares_distance(const Mechanism& d, const Mechanism::Joint& j) {
-  return slides(j.type) && std::ranges::any_of(d.coordinates, [&](const Mechanism::Coordinate& c) {
-           return c.type == Mechanism::CoordinateType::along && c.vector == j.vectors[0] &&
-                  std::minmax({c.of.from, c.of.to}) == std::minmax({j.points[0], j.points[1]});
-         });
+  return std::ranges::any_of(d.coordinates,
+                             [&](const Mechanism::Coordinate& c) { return is_distance_of(j, c); });
 }
 
 Coordinates make_coordinates(const Mechanism& d, const RigidBodies& rigid,

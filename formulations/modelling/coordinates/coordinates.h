@@ -20,6 +20,9 @@ struct Coordinates {
   std::vector<GroupId> group_of_body;  ///< by rigid body; no_position: the ground
 };
 
+/// Returns whether a coordinate is the distance along a sliding joint, in either sense.
+bool is_distance_of(const Mechanism::Joint& joint, const Mechanism::Coordinate& coordinate);
+
 /// Returns whether the mechanism declares the distance along a sliding joint as a coordinate.
 bool declares_distance(const Mechanism& mechanism, const Mechanism::Joint& joint);
 

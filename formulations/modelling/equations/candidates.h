@@ -20,7 +20,8 @@ struct CandidateEquations {
 /// - bodies: constant products of the basis, linear relations for other points and vectors;
 /// - joints: an angle between vectors or an offset from a line; shared points and vectors need no
 ///   equation;
-/// - relative coordinates: their definitions, which also define the joints along which they slide;
+/// - relative coordinates: their definitions, which also define the joints along which they slide
+///   where these are drawn on their line (with_lines_as_drawn());
 /// - couplings: an equation each, linear unless by a table;
 /// - ground vectors that are coordinates: linear equations that hold them.
 /// An equation belongs to the last group that solves for one of its coordinates. motions: one per

@@ -9,13 +9,11 @@
 #include "cases/numbers/space.h"
 #include "formulations/modelling/contradiction_error.h"
 #include "formulations/modelling/equations/equation_writer.h"
+#include "formulations/modelling/equations/sliding_lines.h"
 
 namespace desmo {
 
 namespace {
-
-using nominal::Vec;
-using nominal::operator-;
 
 /// The definition of a relative coordinate: a constraint between it and points or vectors.
 struct Definition {
@@ -132,24 +130,10 @@ void define_spatial_angle(const Definition& definition) {
   }
 }
 
-/// Returns whether a body that carries one of these has a frame, so that the drawing is an
-/// estimate.
-bool is_estimated(const EquationWriter& w, const Mechanism::Coordinate& c) {
-  for (const auto& carriers :
-       {w.rigid.of_point[c.of.from], w.rigid.of_point[c.of.to], w.rigid.of_vector[c.vector]})
-    for (const int r : carriers)
-      if (w.mechanism.bodies[w.rigid.list[r].bodies.front()].own) return true;
-  return false;
-}
-
 void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
-  if (is_estimated(w, c)) return;
   const Mechanism& d = w.mechanism;
-  const Vec s = Drawing<double>{d}.direction(c.of), u = d.vectors[c.vector].direction;
-  const double along = dot(s, u);
-  const Vec off = s - Vec{along * u[0], along * u[1], along * u[2]};
-  const double distance = nominal::norm(off);
-  if (distance <= 1e-6 * nominal::extent(d)) return;
+  const double distance = drawn_off(d, w.rigid, w.reach, c.of, c.vector);
+  if (distance <= max_off_line * nominal::extent(d)) return;
   const bool is_of_joint =
       std::ranges::count(d.coordinates, c.name, &Mechanism::Coordinate::name) == 0;
   const std::string name =
@@ -172,15 +156,15 @@ void define_component(const Definition& definition) {
     definition.derived_as<Component<3, 2>>(operands);
 }
 
-/// Returns whether the tree, or closures of a joint, keep the points of a coordinate on its line.
+/// Returns whether the tree, or equations of a joint, keep the points of a coordinate on its line
+/// or beside it.
 bool is_kept_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
-  if (!w.framed) return false;
   for (int i = 0; i < static_cast<int>(w.mechanism.joints.size()); ++i) {
     const Mechanism::Joint& j = w.mechanism.joints[i];
-    if (slides(j.type) && j.vectors[0] == c.vector &&
-        std::minmax({j.points[0], j.points[1]}) == std::minmax({c.of.from, c.of.to}))
-      return w.mechanism.dimension == 2 || w.framed->tree.is_of_tree[i] ||
-             std::ranges::count(w.framed->lines, i, &NormalLine::joint) > 0;
+    if (!is_distance_of(j, c)) continue;
+    if (w.mechanism.dimension == 2) return writes_offset(w, j);
+    return w.framed && (w.framed->tree.is_of_tree[i] ||
+                        std::ranges::count(w.framed->lines, i, &NormalLine::joint) > 0);
   }
   return false;
 }
@@ -216,7 +200,8 @@ void write_coordinate_equations(EquationWriter& w) {
       for (const int c : {frame.angle, frame.travel})
         if (c >= 0) is_variable[c] = true;
   for (const Mechanism::Coordinate& c : all.measured)
-    if (c.type == Mechanism::CoordinateType::along) require_along(w, c);
+    if (c.type == Mechanism::CoordinateType::along && (D == 3 || !is_kept_along(w, c)))
+      require_along(w, c);
   for (std::size_t c = 0; c < all.measured.size(); ++c)
     if (!is_variable[c]) define<D>({w, all.measured[c], all.coordinates[c]});
 }

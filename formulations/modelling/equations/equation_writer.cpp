@@ -12,6 +12,7 @@
 #include "cases/numbers/interval.h"
 #include "formulations/model/derivations.h"
 #include "formulations/modelling/equations/plane_normals.h"
+#include "formulations/modelling/equations/sliding_lines.h"
 
 namespace desmo {
 
@@ -155,6 +156,11 @@ bool is_rounding(double value, double magnitude) {
   return std::abs(value) <= largest_rounding * magnitude;
 }
 
+bool writes_offset(const EquationWriter& w, const Mechanism::Joint& j) {
+  return w.framed || !declares_distance(w.mechanism, j) ||
+         drawn_off(w.mechanism, w.rigid, w.reach, j) > 0;
+}
+
 namespace {
 
 /// What was added to a mechanism serves the model alone.
@@ -169,16 +175,15 @@ void mark_internal(Coordinates& coordinates, const Mechanism& d) {
   mark(coordinates.vectors, d.vectors.size());
 }
 
-}  // namespace
-
-CandidateEquations make_candidate_equations(const Mechanism& d, const RigidBodies& rigid,
-                                            const Structure& structure,
-                                            const std::vector<Motion>& motions,
-                                            Modelling modelling) {
-  const std::optional<FramedMechanism> changed = has_frames(modelling)
-                                                     ? put_frames(d, rigid, structure, modelling)
-                                                     : with_plane_normals(d, rigid);
-  const Mechanism& mechanism = changed ? changed->mechanism : d;
+/// Makes the candidates of a mechanism to which points and vectors may have been added after those
+/// of `d`.
+CandidateEquations make_candidates(const Mechanism& drawn, const RigidBodies& rigid,
+                                   const Structure& structure, const std::vector<Motion>& motions,
+                                   Modelling modelling, const Mechanism& d) {
+  const std::optional<FramedMechanism> changed =
+      has_frames(modelling) ? put_frames(drawn, rigid, structure, modelling)
+                            : with_plane_normals(drawn, rigid);
+  const Mechanism& mechanism = changed ? changed->mechanism : drawn;
   const RigidBodies& bodies = changed ? changed->rigid : rigid;
   Coordinates coordinates = make_coordinates(mechanism, bodies, structure, motions, modelling);
   mark_internal(coordinates, d);
@@ -187,6 +192,17 @@ CandidateEquations make_candidate_equations(const Mechanism& d, const RigidBodie
   CandidateEquations candidates = d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
   keep_derivations(candidates.model);
   return candidates;
+}
+
+}  // namespace
+
+CandidateEquations make_candidate_equations(const Mechanism& d, const RigidBodies& rigid,
+                                            const Structure& structure,
+                                            const std::vector<Motion>& motions,
+                                            Modelling modelling) {
+  if (const auto drawn = with_lines_as_drawn(d, rigid))
+    return make_candidates(*drawn, find_rigid_bodies(*drawn), structure, motions, modelling, d);
+  return make_candidates(d, rigid, structure, motions, modelling, d);
 }
 
 }  // namespace desmo

@@ -93,6 +93,10 @@ inline constexpr double largest_rounding = 16 * std::numeric_limits<double>::eps
 /// Returns whether |value| ≤ largest_rounding · magnitude, and means zero.
 bool is_rounding(double value, double magnitude);
 
+/// Returns whether a sliding joint in the plane keeps its offset by an equation of its own. Where
+/// it is drawn without one, the definition of a distance that is declared along it says that, too.
+bool writes_offset(const EquationWriter& writer, const Mechanism::Joint& joint);
+
 /// Returns the dimensions that a kind measures. The doubles of those at rounding level are zero.
 ///
 /// - operands<S>(drawing): positions of the operands of the kind in a BodyDrawing<S>
@@ -123,9 +127,8 @@ template <int D>
 void write_body_equations(EquationWriter& writer);
 
 /// Writes the equations of joints between different rigid bodies: offsets of planar sliding joints
-/// whose distance is not declared, angles of universal joints, distances from planes in space.
-/// Shared points and vectors and relative coordinates imply all others. With frames, joints of the
-/// tree have none, and cut ones their offsets even where the distance is declared.
+/// (writes_offset()), angles of universal joints, distances from planes in space. Shared points and
+/// vectors and relative coordinates imply all others. With frames, joints of the tree have none.
 void write_joint_equations(EquationWriter& writer);
 
 /// Writes the couplings of coordinates.

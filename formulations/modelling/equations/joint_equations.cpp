@@ -46,8 +46,7 @@ void write_joint_equations(EquationWriter& w) {
         (w.framed && w.framed->tree.is_of_tree[i]))
       continue;
     if (w.mechanism.dimension == 2) {
-      if (slides(j.type) && (w.framed || !declares_distance(w.mechanism, j)))
-        keep_off<Offset>(w, j, ": offset");
+      if (slides(j.type) && writes_offset(w, j)) keep_off<Offset>(w, j, ": offset");
     } else if (find_joint_form(j.type, 3)->in_plane) {
       keep_off<Projection<3>>(w, j, ": distance from the plane");
     } else if (j.type == Mechanism::JointType::universal) {

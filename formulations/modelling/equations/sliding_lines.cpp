@@ -1,0 +1,127 @@
+#include "formulations/modelling/equations/sliding_lines.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "cases/mechanism/joint_forms.h"
+#include "cases/numbers/space.h"
+#include "formulations/modelling/bodies/drawing.h"
+#include "formulations/modelling/coordinates/coordinates.h"
+#include "formulations/modelling/equations/equation_writer.h"
+#include "formulations/modelling/frames/axes.h"
+
+namespace desmo {
+
+namespace {
+
+using Exact = Mechanism::ExactVec;
+
+Mechanism::Direction between(const Mechanism::Joint& j) { return {-1, j.points[0], j.points[1]}; }
+
+/// Adds to a mechanism the points through which its lines are drawn.
+class LineMaker {
+ public:
+  LineMaker(const Mechanism& mechanism, const RigidBodies& rigid) : d_(mechanism), rigid_(rigid) {
+    for (const auto& p : d_.points) names_.insert(p.name);
+    for (const auto& v : d_.vectors) names_.insert(v.name);
+    for (const auto& c : d_.coordinates) names_.insert(c.name);
+  }
+
+  std::optional<Mechanism> make() {
+    const double reach = reach_of(d_), max_off = max_off_line * nominal::extent(d_);
+    const std::size_t points = d_.points.size();
+    for (Mechanism::Joint& j : d_.joints) {
+      if (!slides(j.type) || rigid_.of_body[j.bodies[0]] == rigid_.of_body[j.bodies[1]]) continue;
+      const double off = drawn_off(d_, rigid_, reach, j);
+      if (off == 0 || off > max_off) continue;
+      for (const int end : {0, 1})
+        if (is_turn_known(j.bodies[end])) {
+          put_on_line(j, end);
+          break;
+        }
+    }
+    return d_.points.size() > points ? std::optional(std::move(d_)) : std::nullopt;
+  }
+
+ private:
+  /// Returns whether what a body carries, as it is drawn, tells how it is turned about any line.
+  bool is_turn_known(int body) const {
+    const RigidBody& rigid = rigid_.list[rigid_.of_body[body]];
+    return rigid.bodies.front() == 0 || (rigid.basis.directions.size() > 1 && !rigid.has_shape());
+  }
+
+  /// Replaces a point of a joint by one of the same body, the nearest on the line through the other
+  /// point.
+  void put_on_line(Mechanism::Joint& j, int end) {
+    const Exact off = across(Drawing<Derived>{d_}.direction(between(j)),
+                             Drawing<Derived>{d_}.vector(j.vectors[0]));
+    const int old = j.points[end], added = static_cast<int>(d_.points.size());
+    Mechanism::Point point = d_.points[old];
+    const Exact from = point.exact();
+    point.name = unique(j.name + "/foot");
+    for (int i = 0; i < 3; ++i)
+      set(point.position[i], point.remainder[i], end == 0 ? from[i] + off[i] : from[i] - off[i]);
+    d_.points.push_back(point);
+    d_.bodies[j.bodies[end]].points.push_back(added);
+    complete_basis(j.bodies[end], j.name);
+    for (Mechanism::Coordinate& c : d_.coordinates)
+      if (is_distance_of(j, c)) (c.of.from == old ? c.of.from : c.of.to) = added;
+    j.points[end] = added;
+  }
+
+  /// Adds a third direction to a body that has two, in which a point may now be off their plane.
+  void complete_basis(int body, const std::string& joint) {
+    const int r = rigid_.of_body[body];
+    const auto& directions = rigid_.list[r].basis.directions;
+    if (r == 0 || directions.size() != 2) return;
+    const BodyDrawing<Derived> drawing{d_};
+    const Exact normal = unit(cross(drawing.direction(rigid_.list[r], directions[0]),
+                                    drawing.direction(rigid_.list[r], directions[1])));
+    Mechanism::Vector vector;
+    vector.name = unique(joint + "/normal");
+    for (int i = 0; i < 3; ++i) set(vector.direction[i], vector.remainder[i], normal[i]);
+    d_.bodies[body].vectors.push_back(static_cast<int>(d_.vectors.size()));
+    d_.vectors.push_back(vector);
+  }
+
+  static void set(double& value, Remainder& remainder, const Derived& x) {
+    const Derived rounded = x.rounded();
+    value = rounded.value;
+    remainder = rounded.remainder();
+  }
+
+  std::string unique(std::string name) {
+    while (!names_.insert(name).second) name += "'";  // a user's
+    return name;
+  }
+
+  Mechanism d_;
+  const RigidBodies& rigid_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+double drawn_off(const Mechanism& d, const RigidBodies& rigid, double reach,
+                 const Mechanism::Direction& line, int vector) {
+  for (const auto& carriers :
+       {rigid.of_point[line.from], rigid.of_point[line.to], rigid.of_vector[vector]})
+    for (const int r : carriers)
+      if (d.bodies[rigid.list[r].bodies.front()].own) return 0;
+  const Drawing<double> drawing{d};
+  const double off = nominal::norm(cross(drawing.vector(vector), drawing.direction(line)));
+  return is_rounding(off, reach) ? 0 : off;
+}
+
+double drawn_off(const Mechanism& d, const RigidBodies& rigid, double reach,
+                 const Mechanism::Joint& j) {
+  return drawn_off(d, rigid, reach, between(j), j.vectors[0]);
+}
+
+std::optional<Mechanism> with_lines_as_drawn(const Mechanism& d, const RigidBodies& rigid) {
+  return d.dimension == 3 ? LineMaker(d, rigid).make() : std::nullopt;
+}
+
+}  // namespace desmo
