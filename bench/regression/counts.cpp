@@ -75,7 +75,7 @@ void add_point(Json& history, const Side& programs, const Commit& commit,
     instructions[place_of(counted[i], history)] = counts[i];
   const Json point = {{"commit", commit.name},
                       {"date", commit.date},
-                      {"subject", commit.subject},
+                      {"subject", commit.message},
                       {"compiler", DESMO_COMPILER ", " + bench::counting_tool()},
                       {"instructions", instructions}};
   Json& points = history["points"];

@@ -19,7 +19,7 @@ std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
 struct Commit {
   std::string name;     ///< its hash, shortened
   std::string date;     ///< when it was committed (UTC, ISO 8601), which gives the order
-  std::string subject;  ///< its first line
+  std::string message;  ///< its first line
 };
 
 /// Counts the candidates in a commit's programs and adds a point to a history, which may be empty.

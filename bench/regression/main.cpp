@@ -218,7 +218,7 @@ int run(int argc, char** argv) {
   history->add_option("file", o.file, "History to add to; made where there is none")->required();
   history->add_option("--commit", o.commit.name)->required();
   history->add_option("--date", o.commit.date)->required();
-  history->add_option("--subject", o.commit.subject)->required();
+  history->add_option("--subject", o.commit.message)->required();
   history->add_option("candidates", o.names)->required();
   try {
     app.parse(argc, argv);

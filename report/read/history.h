@@ -10,7 +10,7 @@
 namespace desmo::report {
 
 struct HistoryPoint {
-  std::string commit, date, subject, compiler;
+  std::string commit, date, title, compiler;
   std::vector<std::optional<std::int64_t>>
       instructions;  ///< by candidate; nothing: the commit lacks it
 };

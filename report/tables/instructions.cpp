@@ -87,7 +87,7 @@ Section history_section(const History& history) {
   for (const HistoryPoint& point : history.points) {
     const std::string date = point.date.substr(0, 10);
     std::vector<Entry>& row = lines.rows.emplace_back();
-    row = {++number, point.commit, date, point.subject};
+    row = {++number, point.commit, date, point.title};
     for (std::size_t i = 0; i < history.candidates.size(); ++i) {
       if (!point.instructions[i]) {
         row.push_back(note_entry(missing_mark));
@@ -99,7 +99,7 @@ Section history_section(const History& history) {
       last[i] = count;
       if (std::abs(change) <= marked) continue;
       add_note(row.back(), "moved");
-      moves.rows.push_back({point.commit, date, point.subject, history.candidates[i],
+      moves.rows.push_back({point.commit, date, point.title, history.candidates[i],
                             static_cast<std::int64_t>(before), *point.instructions[i],
                             composed("{} %", {percent_of(change)})});
     }
