@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <boost/multiprecision/float128.hpp>
 #include <cmath>
 #include <initializer_list>
 #include <random>
@@ -16,6 +17,7 @@
 namespace desmo::small_dimensions_test {
 namespace {
 
+using Wide = boost::multiprecision::float128;
 using Place = std::array<double, 3>;
 
 /// A body that turns about the z axis at 1 rad/s, from where it is drawn: O in the origin, B in
@@ -54,16 +56,15 @@ void expect_turned(const Model& m, const std::vector<std::pair<std::string, Plac
   ASSERT_EQ(run.rows.size(), 8u);
   for (const CheckedRow& row : run.rows) {
     ASSERT_FALSE(row.flag) << row.time;
-    const long double c = std::cos(static_cast<long double>(row.time)),
-                      s = std::sin(static_cast<long double>(row.time));
+    const Wide c = cos(Wide(row.time)), s = sin(Wide(row.time));
     for (const auto& [name, p] : drawn) {
       const Entity& e = m.entities[m.find(name)];
-      const long double norm = e.kind == EntityKind::vector ? std::hypot(p[0], p[1], p[2]) : 1,
-                        x = p[0] / norm, y = p[1] / norm;
-      const std::array exact{c * x - s * y, s * x + c * y, p[2] / norm};
+      const Wide x(p[0]), y(p[1]), z(p[2]),
+          norm = e.kind == EntityKind::vector ? sqrt(x * x + y * y + z * z) : Wide(1);
+      const std::array<Wide, 3> exact{(c * x - s * y) / norm, (s * x + c * y) / norm, z / norm};
       for (int i = 0; i < 3; ++i)
-        EXPECT_LE(std::abs(row.values.position[e.first + i] - exact[i]),
-                  row.radius.position[e.first + i] + 1e-18L)
+        EXPECT_LE(abs(row.values.position[e.first + i] - exact[i]),
+                  row.radius.position[e.first + i])
             << name << i << " at " << row.time;
     }
   }
