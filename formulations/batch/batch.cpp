@@ -130,7 +130,7 @@ void Batch::for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& 
 }
 
 void Batch::begin_step(const StepHistory& history, const MotionRow& row) {
-  predicted_ = history.last.has_value();
+  predicted_ = kept_ && history.last;
   if (predicted_) state_.predict(history);
   lanes_ == 8 ? write_drivers<8>(row) : write_drivers<4>(row);
   is_driven_ = true;
@@ -146,12 +146,13 @@ void Batch::write_drivers(MotionRow row) {
   }
 }
 
-Batch::Step Batch::solve(const State& s) {
-  Step step{.accepted = assembled_ ? all() : 0};
+const Batch::Step& Batch::solve(const State& s) {
+  step_.accepted = assembled_ ? all() : 0;
+  step_.iterations = 0;
   if (!std::exchange(is_driven_, false))
     undriven_.gather<3>({s.q.data(), s.qd.data(), s.qdd.data()},
                         {state_.now().q.data(), state_.now().qd.data(), state_.now().qdd.data()});
-  if (!assembled_) return step;
+  if (!assembled_) return step_;
   if (!moving_.empty())
     moving_.gather<3>({s.q.data(), s.qd.data(), s.qdd.data()},
                       {state_.now().q.data(), state_.now().qd.data(), state_.now().qdd.data()});
@@ -161,14 +162,15 @@ Batch::Step Batch::solve(const State& s) {
     const LaneResult r = part.solve(state_.now(), of_part);
     of_part += max_lanes;
     // What is refused goes on without meaning, and never converges.
-    if (step.accepted == all()) step.iterations = std::max(step.iterations, r.iterations);
-    step.accepted &= r.accepted;
+    if (step_.accepted == all()) step_.iterations = std::max(step_.iterations, r.iterations);
+    step_.accepted &= r.accepted;
   }
   std::array<double, max_lanes> sums{};
   for (const double* r = residuals2_.data(); r != of_part; r += max_lanes)
     for (int l = 0; l < max_lanes; ++l) sums[l] += r[l];
-  step.residual2 = sums;
-  return step;
+  step_.residual2 = sums;
+  kept_ = true;
+  return step_;
 }
 
 void Batch::copy_from(const State& s) {
@@ -180,6 +182,7 @@ void Batch::copy_from(const State& s) {
     });
   std::ranges::for_each(parts_, &KernelBatch::take_branches);
   assembled_ = std::ranges::all_of(parts_, &KernelBatch::assembled);
+  kept_ = true;
 }
 
 void Batch::write_observed(State& s, Level level) const {

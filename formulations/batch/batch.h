@@ -70,11 +70,11 @@ class Batch {
   /// Returns whether the step starts from the instant before, which is kept, and not from the
   /// state.
   bool predicted() const { return predicted_; }
-  void forget() { assembled_ = predicted_ = is_driven_ = false; }
+  void forget() { assembled_ = kept_ = predicted_ = is_driven_ = false; }
 
   /// Solves positions, velocities and accelerations of all subsystems. Accepts none where a part
   /// has no branch yet (see assembled_). Results that are not accepted are unspecified.
-  Step solve(const State& state);
+  const Step& solve(const State& state);
   /// Copies constants, drivers and unknowns of all subsystems from the state; takes their branches.
   void copy_from(const State& state);
 
@@ -124,9 +124,10 @@ class Batch {
   Gather starts_;                       // unknowns, read where none are predicted
   Scatter observed_, delivered_;        // numbers to write to the state, and to lent outputs
   BatchState state_;
-  LaneValues residuals2_;   // by part, for the largest number of lanes
+  LaneValues residuals2_;  // by part, for the largest number of lanes
+  Step step_;
   bool assembled_ = false;  // every part has found a position since forget()
-  bool predicted_ = false, is_driven_ = false;
+  bool kept_ = false, predicted_ = false, is_driven_ = false;
 };
 
 /// Returns whether both have parts of the same types, in the same order, that take the same from

@@ -44,7 +44,7 @@ PartResult BatchPart::solve(State& s, std::span<const double> last, Level level)
 
 void BatchPart::solve(Batch& batch, State& s, std::span<const double> last, Level level,
                       PartResult& all) {
-  const Batch::Step step = batch.solve(s);
+  const Batch::Step& step = batch.solve(s);
   double residual2 = 0;
   for (std::size_t l = 0; l < batch.subsystems().size(); ++l)
     if (step.accepted >> l & 1) residual2 += step.residual2[l];
