@@ -162,7 +162,7 @@ struct TimeGrid {
   int instants = 0;            ///< number of instants, both ends included; 1: the start alone
   int steps_per_interval = 1;  ///< number of steps between instants
 
-  /// Returns start + i·step, each operation rounded.
+  /// Returns start + (i · steps_per_interval) · step, each operation rounded.
   double time(int i) const;
   double interval() const { return steps_per_interval * step; }  ///< time between instants [s]
 

@@ -108,12 +108,14 @@ TEST(SegmentsOnThreads, StaysOnOneThreadWhereThereIsLittleToDo) {
 
 TEST(SegmentsOnThreads, LeavesTheLastInstantToStepOnFrom) {
   const Model m = truck_model(2);
-  const auto f = formulated("group_symbolic_explicit/threads:2", m),
-             g = formulated("group_symbolic_explicit", m);
-  const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
-  everything_of(*f, grid);
-  ASSERT_TRUE(g->assemble(2).ok());
-  expect_to_step_on_alike(*f, *g, 2);
+  for (const char* id :
+       {"group_symbolic_explicit/threads:2", "group_symbolic_explicit/lanes:4/threads:3"}) {
+    const auto f = formulated(id, m), g = formulated("group_symbolic_explicit", m);
+    const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
+    everything_of(*f, grid);
+    ASSERT_TRUE(g->assemble(2).ok());
+    expect_to_step_on_alike(*f, *g, 2);
+  }
 }
 
 /// Only what is asked for is solved on threads, too.

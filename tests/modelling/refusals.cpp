@@ -213,6 +213,7 @@ TEST(Refused, TwoShapesThatDiffer) {
       expect_refused(driven(two_shapes(1, other, size, true), {"a"}), {still},
                      {"'f: A-B length'", "contradict"});
     }
+  EXPECT_NO_THROW(model_mechanism(driven(two_shapes(0.3, 0.3, 1, true), {"a"}), {still}));
   EXPECT_NO_THROW(
       model_mechanism(driven(two_shapes(0.7, 0.7, 1e-6, false), {"a", "b"}), {still, still}));
 }

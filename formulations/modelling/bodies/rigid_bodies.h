@@ -52,7 +52,7 @@ void require_representable(const Mechanism& mechanism);
 /// naming the body, when
 /// - a body carries neither point nor vector,
 /// - a declared length is not the nominal one, although a fixed joint adds points to the body,
-/// - a body with a frame of its own is drawn as in a mirror.
+/// - a body with a frame of its own is drawn as in a mirror, unless it is nearly flat.
 RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 
 /// Geometry of a mechanism in its nominal position.

@@ -8,9 +8,8 @@
 #include <optional>
 #include <span>
 
-#include "cases/mechanism/names.h"
-#include "cases/numbers/interval.h"
 #include "formulations/model/derivations.h"
+#include "formulations/modelling/equations/constant_equations.h"
 #include "formulations/modelling/equations/plane_normals.h"
 #include "formulations/modelling/equations/sliding_lines.h"
 
@@ -24,40 +23,6 @@ double max_coordinate(const Points& points, Position position = {}) {
   for (const auto& p : points)
     for (const double x : std::invoke(position, p)) largest = std::max(largest, std::abs(x));
   return largest;
-}
-
-/// Throws std::invalid_argument where an equation between constants does not hold, whatever their
-/// roundings: what rests on the ground is described twice, in different ways.
-void require_holds(const Model& m, const Constraint& c, double reach) {
-  const auto is_fixed = [&](EntityId e) { return m.entities[e].fixed; };
-  if (!std::ranges::all_of(c.operands, is_fixed)) return;  // drivers alone
-  const auto within_rounding = [](double value, double magnitude) {
-    return Interval(value, largest_rounding * magnitude);
-  };
-  visit_kind(c.kind, [&]<class Kind>(Kind) {
-    if constexpr (!has_table<Kind>) {
-      std::array<std::array<Interval, max_components>, Kind::operand_sizes.size()> components;
-      std::array<const Interval*, Kind::operand_sizes.size()> x;
-      for (std::size_t k = 0; k < x.size(); ++k) {
-        const Entity& e = m.entities[c.operands[k]];
-        for (int i = 0; i < e.size; ++i)
-          components[k][i] = within_rounding(m.fixed_values[e.first + i],
-                                             e.kind == EntityKind::vector ? 1 : reach);
-        x[k] = components[k].data();
-      }
-      std::array<Interval, Kind::constants + 1> constants;
-      for (int k = 0; k < Kind::constants; ++k)
-        constants[k] = within_rounding(c.constants[k], std::abs(c.constants[k]));
-      std::array<Interval, Kind::rows> phi;
-      Kind::residual(x.data(), constants.data(), phi.data());
-      for (const Interval& row : phi)
-        if (std::abs(row.mid) > row.radius)
-          throw std::invalid_argument(
-              in_quotes(c.name) +
-              " does not hold: the places on the ground and the shape of the body, or two shapes, "
-              "contradict each other; make them the same");
-    }
-  });
 }
 
 template <int D>
@@ -78,7 +43,11 @@ EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
       rigid(bodies),
       framed(frames),
       reach(reach_of(d)),
-      coordinates_(std::move(coordinates)) {}
+      coordinates_(std::move(coordinates)),
+      farthest_(reach) {
+  for (const RigidBody& body : bodies.list)
+    farthest_ = std::max(farthest_, reach_of(d, body, reach));
+}
 
 EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vector& vector) {
   return coordinates_.model.add_fixed(EntityKind::vector, std::move(name),
@@ -103,8 +72,10 @@ bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism
     return Key{1, std::min(d.from, d.to), std::max(d.from, d.to)};
   };
   const Key first = key(a), second = key(b);
-  const auto [it, is_new] = products_.emplace(std::minmax(first, second), product);
-  return is_new || !is_rounding(it->second - product, magnitude);
+  const auto [it, is_new] =
+      products_.try_emplace(std::minmax(first, second), Product{product, magnitude});
+  const Product& recorded = it->second;
+  return is_new || !is_rounding(recorded.value - product, std::max(recorded.magnitude, magnitude));
 }
 
 std::string EquationWriter::text(const Mechanism::Direction& d) const {
@@ -138,7 +109,7 @@ void EquationWriter::constrain(Origin origin, std::string name, int kind,
     made.constants.push_back(d.value);
     made.remainders.push_back(d.remainder());
   }
-  if (made.group < 0) return require_holds(coordinates_.model, made, reach);
+  if (made.group < 0) return require_holds(coordinates_.model, made, farthest_);
   coordinates_.model.add(std::move(made));
   origins_.push_back(origin);
 }

@@ -79,7 +79,11 @@ class EquationWriter {
   using Key = std::array<int, 3>;
   Coordinates coordinates_;
   std::vector<Origin> origins_;  // source of each constraint
-  std::map<std::pair<Key, Key>, double> products_;
+  double farthest_;              // reach, nominally or in a body's own frame
+  struct Product {
+    double value, magnitude;
+  };
+  std::map<std::pair<Key, Key>, Product> products_;
 };
 
 /// Returns the largest absolute coordinate of a point, nominally.

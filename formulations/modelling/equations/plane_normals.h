@@ -10,8 +10,8 @@ namespace desmo {
 /// where no direction leads farther than 6° out of the plane of two others, but some point or
 /// vector lies off it by more than rounding. A third direction of the body's own would make
 /// equations that are nearly dependent, and without one the body would be flat. Returns the
-/// mechanism with these vectors, and its rigid bodies (the other members are empty); nothing where
-/// it needs none.
+/// mechanism with these vectors, and its rigid bodies (its other members mean nothing); nothing
+/// where it needs none.
 std::optional<FramedMechanism> with_plane_normals(const Mechanism& mechanism,
                                                   const RigidBodies& rigid);
 

@@ -51,6 +51,8 @@ class PathProof {
   /// Allocates everything. Shares the blocks of the model, and of a homotopy, with a certifier, so
   /// that one thread at a time may use both. The model must outlive this.
   PathProof(const Model& model, const Certifier& certifier);
+  PathProof(const PathProof&) = delete;
+  PathProof& operator=(const PathProof&) = delete;
 
   /// Proves the step between two instants of the model's motions, from.time < to.time. A step that
   /// contains a knot of a spline has no proof, since its driver is no polynomial. Allocates
