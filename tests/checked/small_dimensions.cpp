@@ -96,31 +96,5 @@ TEST(SmallDimensions, OfPlatesThatAreTypedWithFewDigitsCount) {
   }
 }
 
-TEST(SmallDimensions, FarFromTheOriginCount) {
-  const double off = 1000000.000000003 - 1e6;
-  const Model m = make_model(parse_scene(R"({"format": "desmo-scene", "version": 2, "mechanism": {
-      "format": "desmo-mechanism", "version": 1, "name": "eccentric", "dimension": 2,
-      "points": {"A": [1e6, 1e6], "B": [1000000.5, 1e6], "C": [1000002, 1000000.000000003]},
-      "vectors": {"x": [1, 0]}, "ground": {"points": ["A"], "vectors": ["x"]},
-      "bodies": {"crank": {"points": ["A", "B"]}, "rod": {"points": ["B", "C"]},
-                 "slider": {"points": ["C"], "vectors": ["x"]}},
-      "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
-                 {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]},
-                 {"type": "revolute", "bodies": ["rod", "slider"], "points": ["C"]},
-                 {"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"],
-                  "points": ["A", "C"]}],
-      "coordinates": {"theta": {"angle": ["A", "B"]}}, "drivers": ["theta"]},
-    "motion": {"theta": {"type": "polynomial", "coefficients": [0, 1]}}, "time": {"at": 0}})",
-                                         "eccentric.scene.json", ""));
-  const int y = m.entities[m.find("C")].first + 1;
-  const CheckedRows run = solve_checked(m, {0, 0.25, 8}, "block_automatic_eigen");
-  ASSERT_EQ(run.rows.size(), 8u);
-  for (const CheckedRow& row : run.rows) {
-    ASSERT_FALSE(row.flag);
-    EXPECT_LE(std::abs(row.values.position[y] - 1e6 - off), row.radius.position[y]);
-    EXPECT_LE(std::abs(row.values.velocity[y]), row.radius.velocity[y]);
-  }
-}
-
 }  // namespace
 }  // namespace desmo::small_dimensions_test

@@ -16,7 +16,7 @@ void require_holds(const Model& m, const Constraint& c, double reach) {
   const auto is_fixed = [&](EntityId e) { return m.entities[e].fixed; };
   if (!std::ranges::all_of(c.operands, is_fixed)) return;
   const auto rounded = [](double value, double magnitude) {
-    return Interval(value, largest_rounding * magnitude);
+    return Interval(value, max_rounding * magnitude);
   };
   visit_kind(c.kind, [&]<class Kind>(Kind) {
     if constexpr (!has_table<Kind>) {

@@ -8,7 +8,7 @@ namespace desmo {
 /// whatever their roundings: what rests on the ground is described twice, in different ways. Does
 /// nothing for equations between drivers, and for tables.
 /// - reach: largest absolute coordinate of a point [unit of length], nominally or in a body's own
-///   frame. Each length may be off by largest_rounding of it
+///   frame. Each length may be off by max_rounding of it
 void require_holds(const Model& model, const Constraint& constraint, double reach);
 
 }  // namespace desmo

@@ -124,7 +124,7 @@ double reach_of(const Mechanism& d, const RigidBody& body, double reach) {
 }
 
 bool is_rounding(double value, double magnitude) {
-  return std::abs(value) <= largest_rounding * magnitude;
+  return std::abs(value) <= max_rounding * magnitude;
 }
 
 bool writes_offset(const EquationWriter& w, const Mechanism::Joint& j) {

@@ -92,16 +92,16 @@ double reach_of(const Mechanism& mechanism);
 double reach_of(const Mechanism& mechanism, const RigidBody& body, double reach);
 
 /// The largest rounding of what a file describes: 16 ε, of the magnitude of what is subtracted.
-inline constexpr double largest_rounding = 16 * std::numeric_limits<double>::epsilon();
+inline constexpr double max_rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Returns whether |value| ≤ largest_rounding · magnitude, and means zero.
+/// Returns whether |value| ≤ max_rounding · magnitude, and means zero.
 bool is_rounding(double value, double magnitude);
 
 /// Returns whether a sliding joint in the plane keeps its offset by an equation of its own. Where
 /// it is drawn without one, the definition of a distance that is declared along it says that, too.
 bool writes_offset(const EquationWriter& writer, const Mechanism::Joint& joint);
 
-/// Returns the dimensions that a kind measures. The doubles of those at rounding level are zero.
+/// Returns the dimensions that a kind measures, zero where they are at rounding level.
 ///
 /// - operands<S>(drawing): positions of the operands of the kind in a BodyDrawing<S>
 /// - magnitude: that of what a dimension is the difference of; 0: of nothing
@@ -120,7 +120,7 @@ std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double
   const std::array<double, Kind::constants> rounded = in(BodyDrawing<double>{mechanism});
   std::array<Derived, Kind::constants> c = in(BodyDrawing<Derived>{mechanism});
   for (int k = 0; k < Kind::constants; ++k)
-    c[k] = c[k].about(is_rounding(rounded[k], magnitude) ? 0 : rounded[k]);
+    c[k] = is_rounding(rounded[k], magnitude) ? Derived(0) : c[k].about(rounded[k]);
   return c;
 }
 
