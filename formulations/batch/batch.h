@@ -93,7 +93,7 @@ class Batch {
   void restore(std::size_t subsystem, std::span<double> q) const;
 
  private:
-  /// What the parts do with a number.
+  /// Uses of a number by the parts.
   struct Use {
     bool is_read = false;  // before any of them has written it
     bool is_unknown = false, is_unwrapped = false;

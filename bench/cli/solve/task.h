@@ -23,7 +23,7 @@ struct SolveOptions {
   GenerationOptions own_code;
 };
 
-/// What is solved, how, and where the answers go.
+/// A task of `desmo solve`: the input, how it is solved, and where the answers go.
 struct Task {
   const SolveOptions& options;
   const Input& input;

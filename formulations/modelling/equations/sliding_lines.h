@@ -6,8 +6,9 @@
 
 namespace desmo {
 
-/// How far off its line a point of a sliding joint in space may be drawn, over the extent of the
-/// mechanism: by digits of a file.
+/// Largest distance of a point of a sliding joint in space from its line, as drawn, over the extent
+/// of the mechanism (nominal::extent): distance ≤ max_off_line · extent. Files of six digits keep
+/// it.
 inline constexpr double max_off_line = 1e-6;
 
 /// Returns how far a line is drawn off the direction of a vector: 0 at rounding level, or where a

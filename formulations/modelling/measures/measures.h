@@ -51,7 +51,7 @@ class Measures {
   /// all drivers do, everything vanishes.
   static constexpr double min_rate = 1e-10;
 
-  /// What tells the drivers' rates: the model's motions, or rows of numbers, which are exact.
+  /// Source of the drivers' rates: the model's motions, or rows of numbers, which are exact.
   enum class DrivenBy { motions, rows };
 
   /// Throws std::invalid_argument, naming the measure, for a body or joint whose points and vectors

@@ -14,7 +14,7 @@
 
 namespace desmo {
 
-/// What follows a motion, with one choice of equations.
+/// Follower of a motion, with one choice of equations.
 struct Follower {
   /// - chosen: equations that were chosen anew; null: the model's
   /// - model, levels: of CheckedMotion
