@@ -187,35 +187,40 @@ struct Combination : LinearKind<D> {
   }
 };
 
+/// What a planar relation defines.
+enum class PlanarTarget { vector, point };
+
 /// Definition of a point or vector p of a planar body by a direction d of the body, two equations.
 /// J is the quarter turn counter-clockwise, J (x, y) = (−y, x); c = {c₁, c₂}.
-///   Point:      p − a − c₁ d − c₂ J d = 0
-///   not Point:  p − c₁ d − c₂ J d = 0
-/// Operands p, then the origin a (of a point), then d: a vector x; or, with Line, the points a
-/// and b, d = b − a. The line of a point starts at its origin, which is listed once: p, a, b.
-template <bool Point, bool Line>
+///   point:   p − a − c₁ d − c₂ J d = 0
+///   vector:  p − c₁ d − c₂ J d = 0
+/// Operands p, then the origin a (of a point), then d: a vector x, or the points a and b of a line,
+/// d = b − a. The line of a point starts at its origin, which is listed once: p, a, b.
+template <PlanarTarget target, DirectionOf of>
 struct PlanarRelation : LinearKind<2> {
+  static constexpr bool is_point = target == PlanarTarget::point;
+  static constexpr bool is_line = of == DirectionOf::line;
   static constexpr std::string_view name =
-      Point ? (Line ? "planar_point_by_segment" : "planar_point_by_vector")
-            : (Line ? "planar_vector_by_segment" : "planar_vector_by_vector");
+      is_point ? (is_line ? "planar_point_by_segment" : "planar_point_by_vector")
+               : (is_line ? "planar_vector_by_segment" : "planar_vector_by_vector");
   /// Operand that is the vector, or the start of the line.
-  static constexpr int first = Point && !Line ? 2 : 1;
-  static constexpr auto operand_sizes = vec::sizes<first + vec::direction_operands<Line>>(2);
-  static constexpr int constants = 2, entries = Line ? 10 : Point ? 8 : 6;
+  static constexpr int first = is_point && !is_line ? 2 : 1;
+  static constexpr auto operand_sizes = vec::sizes<first + vec::direction_operands<is_line>>(2);
+  static constexpr int constants = 2, entries = is_line ? 10 : is_point ? 8 : 6;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    const auto d = vec::direction<2, Line>(x + first);
+    const auto d = vec::direction<2, is_line>(x + first);
     phi[0] = x[0][0] - c[0] * d[0] + c[1] * d[1];
     phi[1] = x[0][1] - c[0] * d[1] - c[1] * d[0];
-    if constexpr (Point)
+    if constexpr (is_point)
       for (int i = 0; i < 2; ++i) phi[i] = phi[i] - x[1][i];
   }
   template <class S>
   static void measure(const S* const* x, S* c) {
-    const auto d = vec::direction<2, Line>(x + first);
+    const auto d = vec::direction<2, is_line>(x + first);
     const auto p = vec::direction<2, false>(x);
-    const auto from_origin = Point ? vec::difference<2>(x[1], x[0]) : p;
+    const auto from_origin = is_point ? vec::difference<2>(x[1], x[0]) : p;
     const S square = vec::dot<2>(d.data(), d.data());
     c[0] = vec::dot<2>(d.data(), from_origin.data()) / square;
     c[1] = vec::cross(d.data(), from_origin.data()) / square;
@@ -226,9 +231,9 @@ struct PlanarRelation : LinearKind<2> {
       const int other = 1 - i;
       const S across = i == 0 ? c[1] : -c[1];  // −c₂ J
       entry(i, 0, i, S(1));
-      if constexpr (Point && !Line) entry(i, 1, i, S(-1));
-      if constexpr (Line) {
-        entry(i, first, i, Point ? c[0] - S(1) : c[0]);
+      if constexpr (is_point && !is_line) entry(i, 1, i, S(-1));
+      if constexpr (is_line) {
+        entry(i, first, i, is_point ? c[0] - S(1) : c[0]);
         entry(i, first, other, -across);
       }
       constexpr int last = operand_sizes.size() - 1;

@@ -1,10 +1,9 @@
 #pragma once
 
-// Constraint kinds that define a relative coordinate by one equation. They suit directions whose
-// length, and points whose line, other equations determine already. The definitions in
-// planar_angles.h and joints.h have several equations and determine these as well. Without them,
-// one equation alone would be singular in some positions and hold in wrong ones. The concept of a
-// kind is described in formulations/constraints/constraints.h.
+// Constraint kinds that define a relative coordinate by one equation. They serve where other
+// equations already fix the length of the direction, or keep the point on its line. Elsewhere one
+// equation would be singular in some positions and hold in wrong ones: planar_angles.h and joints.h
+// have kinds with several equations. constraints.h describes a kind.
 
 #include <array>
 #include <cmath>
@@ -74,11 +73,12 @@ struct Parallel {
 }  // namespace vec
 
 /// Angle θ of a plane direction d from the x axis: (cos θ, sin θ) × d = 0. Operands d, θ. The
-/// direction is a vector or, with Line, the points a, b with d = b − a. It holds modulo π.
-template <bool Line>
+/// direction is a vector, or the points a, b of a line with d = b − a. It holds modulo π.
+template <DirectionOf of>
 struct PlanarBearing : NonlinearKind<1> {
-  static constexpr std::string_view name = Line ? "planar_bearing" : "planar_bearing_of_vector";
-  static constexpr int theta = vec::direction_operands<Line>;
+  static constexpr bool is_line = of == DirectionOf::line;
+  static constexpr std::string_view name = is_line ? "planar_bearing" : "planar_bearing_of_vector";
+  static constexpr int theta = vec::direction_operands<is_line>;
   static constexpr auto operand_sizes = vec::sizes_and_scalar<theta>(2);
   static constexpr int constants = 0, entries = 2 * theta + 1;
 
@@ -90,21 +90,21 @@ struct PlanarBearing : NonlinearKind<1> {
   static void jacobian(const S* const* x, const S*, Entry&& entry) {
     const vec::Parallel<S> p = parallel(x);
     for (int i = 0; i < 2; ++i) {
-      if constexpr (Line) entry(0, 0, i, -p.of_d(i));
+      if constexpr (is_line) entry(0, 0, i, -p.of_d(i));
       entry(0, theta - 1, i, p.of_d(i));
     }
     entry(0, theta, 0, p.of_theta());
   }
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S*, S* gamma) {
-    gamma[0] = parallel(x).quadratic({S(0), S(0)}, vec::direction<2, Line>(v), v[theta][0]);
+    gamma[0] = parallel(x).quadratic({S(0), S(0)}, vec::direction<2, is_line>(v), v[theta][0]);
   }
 
  private:
   template <class S>
   static vec::Parallel<S> parallel(const S* const* x) {
     using std::cos, std::sin;
-    return {{cos(x[theta][0]), sin(x[theta][0])}, vec::direction<2, Line>(x)};
+    return {{cos(x[theta][0]), sin(x[theta][0])}, vec::direction<2, is_line>(x)};
   }
 };
 
@@ -164,8 +164,8 @@ struct PlanarBearingFrom : NonlinearKind<1>, vec::AngleOperands<between> {
 void scalar_definition(...);
 template <int D>
 Reach<D> scalar_definition(Along<D>);
-PlanarBearing<true> scalar_definition(PlanarAngle);
-PlanarBearing<false> scalar_definition(PlanarDirection);
+PlanarBearing<DirectionOf::line> scalar_definition(PlanarAngle);
+PlanarBearing<DirectionOf::vector> scalar_definition(PlanarDirection);
 template <Between between>
 PlanarBearingFrom<between> scalar_definition(PlanarTurn<between>);
 

@@ -5,7 +5,13 @@
 #include <array>
 #include <cmath>
 
-namespace desmo::vec {
+namespace desmo {
+
+/// What a direction among the operands of a kind is: a vector, or a line given by two points, start
+/// first.
+enum class DirectionOf { vector, line };
+
+namespace vec {
 
 template <int D, class S>
 S dot(const S* u, const S* v) {
@@ -66,9 +72,7 @@ constexpr std::array<int, operands + 1> sizes_and_scalar(int D) {
 template <bool Line>
 inline constexpr int direction_operands = Line ? 2 : 1;
 
-}  // namespace desmo::vec
-
-namespace desmo {
+}  // namespace vec
 
 /// The common part of all linear kinds.
 template <int Rows>

@@ -227,10 +227,14 @@ TEST(Meaning, OfPlanarRelations) {
   // To the right of d instead of to the left, it is off by 2 J d.
   const Vec a{10, 20}, d{3, 1}, b{13, 21}, left{2, 1}, right_of_d{2, -1};
   for (const auto& [c, off] : {std::pair(left, Vec{0, 0}), {right_of_d, Vec{-2, 6}}}) {
-    expect_residual<PlanarRelation<true, false>>({{{15, 25}, a, d}}, c, off);
-    expect_residual<PlanarRelation<true, true>>({{{15, 25}, a, b}}, c, off);
-    expect_residual<PlanarRelation<false, false>>({{{5, 5}, d}}, c, off);
-    expect_residual<PlanarRelation<false, true>>({{{5, 5}, a, b}}, c, off);
+    expect_residual<PlanarRelation<PlanarTarget::point, DirectionOf::vector>>({{{15, 25}, a, d}}, c,
+                                                                              off);
+    expect_residual<PlanarRelation<PlanarTarget::point, DirectionOf::line>>({{{15, 25}, a, b}}, c,
+                                                                            off);
+    expect_residual<PlanarRelation<PlanarTarget::vector, DirectionOf::vector>>({{{5, 5}, d}}, c,
+                                                                               off);
+    expect_residual<PlanarRelation<PlanarTarget::vector, DirectionOf::line>>({{{5, 5}, a, b}}, c,
+                                                                             off);
   }
 }
 
@@ -297,9 +301,9 @@ void expect_modulo_pi(std::array<Vec, Kind::operand_sizes.size()> q, const Vec& 
 
 TEST(Meaning, OfABearingIsAnAngleModuloPi) {
   const Vec a{1, 1}, after_a{1 - 2, 1}, up{0, 1}, none{0};
-  expect_modulo_pi<PlanarBearing<false>>({{up, none}}, {}, right);
-  expect_modulo_pi<PlanarBearing<true>>({{a, after_a, none}}, {}, pi);
-  expect_residual<PlanarBearing<true>>({{a, after_a, {right}}}, {}, {2});
+  expect_modulo_pi<PlanarBearing<DirectionOf::vector>>({{up, none}}, {}, right);
+  expect_modulo_pi<PlanarBearing<DirectionOf::line>>({{a, after_a, none}}, {}, pi);
+  expect_residual<PlanarBearing<DirectionOf::line>>({{a, after_a, {right}}}, {}, {2});
 
   // As in PlanarTurn: e = (2, 1)/10 turned by π/2 and stretched by 3 is d = (−3, 6)/10.
   const Vec d{-0.3, 0.6}, e{0.2, 0.1}, b{0.7, 1.6}, p{0, 0}, q{0.2, 0.1}, end{-0.3, 0.6};
@@ -320,13 +324,15 @@ TEST(Meaning, OfAFrameAngle) {
   const auto after = [&](const Vec& w) { return Vec{a[0] + w[0], a[1] + w[1], a[2] + w[2]}; };
   for (const double missing : {0.0, 0.1}) {
     const Vec given{angle - missing}, off{2 * std::sin(missing)};
-    expect_residual<FrameAngle<1, false>>({{x, z, from_x, given}}, {}, off);
-    expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), given}}, {}, off);
-    expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, given}}, {}, off);
-    expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), given}}, {}, off);
+    expect_residual<FrameAngle<1, DirectionOf::vector>>({{x, z, from_x, given}}, {}, off);
+    expect_residual<FrameAngle<1, DirectionOf::line>>({{x, z, a, after(from_x), given}}, {}, off);
+    expect_residual<FrameAngle<-1, DirectionOf::vector>>({{x, z, from_minus_x, given}}, {}, off);
+    expect_residual<FrameAngle<-1, DirectionOf::line>>({{x, z, a, after(from_minus_x), given}}, {},
+                                                       off);
   }
-  expect_modulo_pi<FrameAngle<1, false>>({{x, z, from_x, {}}}, {}, angle);
-  expect_modulo_pi<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), {}}}, {}, angle);
+  expect_modulo_pi<FrameAngle<1, DirectionOf::vector>>({{x, z, from_x, {}}}, {}, angle);
+  expect_modulo_pi<FrameAngle<-1, DirectionOf::line>>({{x, z, a, after(from_minus_x), {}}}, {},
+                                                      angle);
 }
 
 }  // namespace

@@ -30,21 +30,22 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
   const Direction& d = basis.directions.front();
   const double length = nominal::norm(BodyDrawing<double>{w.mechanism}.direction(r.body, d));
   // Seen from the origin, all four kinds measure the same.
-  const auto c = measured<PlanarRelation<false, false>>(
+  const auto c = measured<PlanarRelation<PlanarTarget::vector, DirectionOf::vector>>(
       w.mechanism, r.magnitude / length, [&](const auto& drawing) {
         return std::array{drawing.direction(r.body, r.offset), drawing.direction(r.body, d)};
       });
   if (r.is_point() && d.is_line())
-    w.derive<PlanarRelation<true, true>>(Origin::body, r.name,
-                                         {r.target, w.point(d.from), w.point(d.to)}, c);
+    w.derive<PlanarRelation<PlanarTarget::point, DirectionOf::line>>(
+        Origin::body, r.name, {r.target, w.point(d.from), w.point(d.to)}, c);
   else if (r.is_point())
-    w.derive<PlanarRelation<true, false>>(Origin::body, r.name,
-                                          {r.target, w.point(basis.origin), w.vector(d.vector)}, c);
+    w.derive<PlanarRelation<PlanarTarget::point, DirectionOf::vector>>(
+        Origin::body, r.name, {r.target, w.point(basis.origin), w.vector(d.vector)}, c);
   else if (d.is_line())
-    w.derive<PlanarRelation<false, true>>(Origin::body, r.name,
-                                          {r.target, w.point(d.from), w.point(d.to)}, c);
+    w.derive<PlanarRelation<PlanarTarget::vector, DirectionOf::line>>(
+        Origin::body, r.name, {r.target, w.point(d.from), w.point(d.to)}, c);
   else
-    w.derive<PlanarRelation<false, false>>(Origin::body, r.name, {r.target, w.vector(d.vector)}, c);
+    w.derive<PlanarRelation<PlanarTarget::vector, DirectionOf::vector>>(
+        Origin::body, r.name, {r.target, w.vector(d.vector)}, c);
 }
 
 /// A line ends at the sum of itself and the origin, so that its term is its end and takes as

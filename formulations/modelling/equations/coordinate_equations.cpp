@@ -121,12 +121,12 @@ void define_spatial_angle(const Definition& definition) {
   const EntityId from = w.vector(c.from.vector), towards = w.vector(c.towards.vector);
   if (c.of.is_line()) {
     const std::array operands{from, towards, w.point(c.of.from), w.point(c.of.to), value};
-    c.opposite ? definition.as<FrameAngle<-1, true>>(operands)
-               : definition.as<FrameAngle<1, true>>(operands);
+    c.opposite ? definition.as<FrameAngle<-1, DirectionOf::line>>(operands)
+               : definition.as<FrameAngle<1, DirectionOf::line>>(operands);
   } else {
     const std::array operands{from, towards, w.vector(c.of.vector), value};
-    c.opposite ? definition.as<FrameAngle<-1, false>>(operands)
-               : definition.as<FrameAngle<1, false>>(operands);
+    c.opposite ? definition.as<FrameAngle<-1, DirectionOf::vector>>(operands)
+               : definition.as<FrameAngle<1, DirectionOf::vector>>(operands);
   }
 }
 
