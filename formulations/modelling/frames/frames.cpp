@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <stdexcept>
 #include <tuple>
 
 #include "cases/mechanism/joint_forms.h"
@@ -73,8 +74,10 @@ class FramePlanner {
       turn_about_two(r, j);
     else if (j.type == spherical)
       turn_freely(r);
-    else
+    else if (turns(j.type))
       turn_about(r, j.vectors[0]);
+    else
+      throw std::logic_error("joint '" + j.name + "' has variables, but no frame");
   }
 
   void place_origin(int r, int point, bool of_its_own) {
