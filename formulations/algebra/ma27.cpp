@@ -124,17 +124,17 @@ class Ma27 final : public LinearSolver {
     a_.dialogue.set_least_pivot(std::numeric_limits<double>::epsilon() *
                                 std::ranges::max(a_.normal.values()));
     do factor_once();
-    while (has_grown());
+    while (enlarge_memory());
     return a_.dialogue.succeeded();
   }
 
   void solve(double* b) override {
-    a_.normal.right_side(values_, b, right_.data());
+    a_.normal.form_right_side(values_, b, right_.data());
     const int reals = count(reals_), integers = count(integers_);
     coinhsl().ma27.solve(&n_, reals_.data(), &reals, integers_.data(), &integers, front_.data(),
                          &max_front_, right_.data(), a_.work.data(), &a_.steps,
                          a_.dialogue.icntl.data(), a_.dialogue.info.data());
-    a_.normal.solution(values_, right_.data(), b);
+    a_.normal.recover_solution(values_, right_.data(), b);
   }
 
  private:
@@ -147,8 +147,8 @@ class Ma27 final : public LinearSolver {
                              a_.work.data(), d.icntl.data(), d.cntl.data(), d.info.data());
   }
 
-  /// Whether memory was short, and there is more of it now.
-  bool has_grown() {
+  /// Enlarges memory that was short. Returns whether it did.
+  bool enlarge_memory() {
     const Ma27Dialogue& d = a_.dialogue;
     return (d.lacks_reals() && grow(reals_, d.may_suffice())) ||
            (d.lacks_integers() && grow(integers_, d.may_suffice()));

@@ -55,14 +55,15 @@ void NormalEquations::refill(const double* jacobian) {
   entries_(jacobian, jacobian, values_.data());
 }
 
-void NormalEquations::right_side(const double* jacobian, const double* b, double* right) const {
+void NormalEquations::form_right_side(const double* jacobian, const double* b,
+                                      double* right) const {
   if (form_ == NormalForm::columns)
     transposed_(jacobian, b, right);
   else
     for (int k = 0; k < n_; ++k) right[k] = b[permutation_[k]];
 }
 
-void NormalEquations::solution(const double* jacobian, const double* y, double* x) const {
+void NormalEquations::recover_solution(const double* jacobian, const double* y, double* x) const {
   if (form_ == NormalForm::columns)
     for (int k = 0; k < n_; ++k) x[permutation_[k]] = y[k];
   else

@@ -28,10 +28,10 @@ class NormalEquations {
   /// Overwrites values() with N of these values of Φ_φ.
   void refill(const double* jacobian);
   /// Overwrites right (n) with P Φ_φᵀ b (columns) or P b (rows).
-  void right_side(const double* jacobian, const double* b, double* right) const;
+  void form_right_side(const double* jacobian, const double* b, double* right) const;
   /// Overwrites x (n), the solution of Φ_φ x = b, from y = N⁻¹ right: Pᵀ y (columns) or Φ_φᵀ Pᵀ y
   /// (rows).
-  void solution(const double* jacobian, const double* y, double* x) const;
+  void recover_solution(const double* jacobian, const double* y, double* x) const;
 
  private:
   int n_;

@@ -7,12 +7,12 @@ namespace desmo {
 
 namespace {
 
-/// The equations of definitions carry on what is left in those of a core; that it be no more than
-/// the tolerance costs less than an iteration.
+/// Share of the tolerance at which a core stops. Later definitions amplify what a core leaves; an
+/// eighth costs less than another iteration.
 constexpr double core_share = 1.0 / 8;
 
-/// Numbers of equal steps in which torn unknowns are led to where a step ends.
-constexpr int leading_steps[] = {1, 4};
+/// Numbers of equal steps of a continuation of the torn unknowns: first one, then more.
+constexpr int continuation_steps[] = {1, 4};
 
 /// Parts that share a kernel, solved in one call of it. One that the kernel refuses is tried by it
 /// once more when it is solved by itself.
@@ -97,10 +97,10 @@ PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level lev
   return {Status::solved, r.iterations, r.residual2};
 }
 
-/// Leads the torn unknowns from the last position to where they start, in so many steps of what is
-/// known, by their rates: the change of what is known is taken for its velocity. Returns whether
-/// the code accepts all positions on the way.
-bool ExplicitPart::lead_torn(State& s, std::span<const double> last, int steps) {
+/// Continues the torn unknowns from the last position to the present one in `steps` equal steps of
+/// the known coordinates, by their rates: the change of what is known is taken for its velocity.
+/// Returns whether the code accepts all positions on the way.
+bool ExplicitPart::continue_torn(State& s, std::span<const double> last, int steps) {
   for (std::size_t i = 0; i < known_.size(); ++i) {
     const int k = known_[i];
     at_end_[i] = {s.q[k], s.qd[k]};
@@ -120,12 +120,12 @@ bool ExplicitPart::lead_torn(State& s, std::span<const double> last, int steps) 
   return accepted;
 }
 
-/// Apart, for the registers that it needs would have to be saved in every step.
+/// Not inlined: every step would have to save the registers that it needs.
 [[gnu::noinline]] PartResult ExplicitPart::solve_refused(State& s, std::span<const double> last,
                                                          Level level) {
   if (!kernel_.torn.empty())
-    for (const int steps : leading_steps)
-      if (lead_torn(s, last, steps))
+    for (const int steps : continuation_steps)
+      if (continue_torn(s, last, steps))
         if (const ExplicitRunResult r = run(s, level); r.accepted == 1)
           return {Status::solved, r.iterations, r.residual2};
   ++fallbacks_;
@@ -148,7 +148,7 @@ bool ExplicitPart::lead_torn(State& s, std::span<const double> last, int steps) 
   return result;
 }
 
-/// Ascending.
+/// Returns the positions of some inputs in the state, ascending.
 std::vector<int> ExplicitPart::in_state(std::span<const int> inputs) const {
   std::vector<int> result;
   for (const int input : inputs) result.push_back(inputs_[input]);
