@@ -53,7 +53,7 @@ std::string said(const std::string& arguments) { return run(DESMO_BENCH " " + ar
 TEST_F(Bench, HasEveryExperimentByItsName) {
   EXPECT_TRUE(said("--version").starts_with("desmo_bench 0."));
   const std::string help = said("--help");
-  for (const char* name : {"paper", "accuracy", "size", "instructions", "extremes"}) {
+  for (const char* name : {"paper", "accuracy", "size", "instructions", "extremes", "modelling"}) {
     EXPECT_CONTAINS(help, "\n  " + std::string(name) + " ") << name;
     const std::string options = said(name + std::string(" --help"));
     for (const char* common : {"--record FILE", "--quick", "--filter REGEX"})
