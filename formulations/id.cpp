@@ -67,7 +67,7 @@ Suffix whole_number(std::string_view key, int Settings::*number, int largest) {
           }};
 }
 
-/// As many as a register has lanes.
+/// Returns the suffix of a number of lanes.
 Suffix at_once(std::string_view key, int Settings::*count) {
   return {
       key, joined(lane_counts, [](int lanes) { return std::to_string(lanes); }),

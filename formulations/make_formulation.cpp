@@ -25,7 +25,7 @@ namespace {
 /// Every build has it.
 const Backend& pivoting_backend() { return *find_backend("eigen"); }
 
-/// What all parts of a formulation are made of.
+/// Ingredients that all parts of a formulation share.
 struct Common {
   const Model& model;
   const Variant& variant;
@@ -82,8 +82,8 @@ void make_explicit(const Common& common, Draft& d) {
                                                  std::move(d.part.solver));
 }
 
-/// One kind of part after the other: what is at work in every step then stands together in memory,
-/// apart from the workspaces of what is fallen back to.
+/// Makes the parts kind by kind: Newton parts, then inlined, then explicit ones. So the memory that
+/// every step uses lies together, apart from the workspaces of fallbacks.
 std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefinition> definitions) {
   std::vector<Draft> drafts;
   drafts.reserve(definitions.size());

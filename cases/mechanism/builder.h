@@ -94,7 +94,8 @@ class MechanismBuilder {
     c.axis = axis;
     return c;
   }
-  /// Couples coordinates, given by their positions in the list.
+  /// Couples two to four coordinates: Σ factor · coordinate keeps its nominal value. Factors are
+  /// for SI units and [rad].
   void couple(std::string name, std::vector<Mechanism::Coupling::Term> terms) {
     d_.couplings.push_back({std::move(name), std::move(terms)});
   }

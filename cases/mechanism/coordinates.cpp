@@ -115,7 +115,8 @@ class CoordinateCheck {
                ", where its projection vanishes and has no angle; choose another direction");
   }
 
-  // Of two vectors, if possible on a body with a frame: others are but drawn.
+  // Returns the cosine between two vectors: on a body with a frame if one carries both, else as
+  // drawn.
   double cosine(int u, int v) const {
     int carrier = 0;
     for (const auto& [vector, body] : vectors_.of(u))

@@ -62,9 +62,9 @@ struct Mechanism {
     /// Distance between the two points of a body that has no others, where nominal positions are
     /// only estimates. Without it the nominal distance holds.
     std::optional<Derived> length;
-    /// Its shape, where nominal positions and directions are only estimates. Points that joints of
-    /// the body slide then stay on the line or in the plane, without an offset, and universal
-    /// joints are at a right angle.
+    /// Shape in the body's own frame; nominal positions and directions are then estimates. Points
+    /// that joints of the body slide then stay on the line or in the plane, without an offset, and
+    /// universal joints are at a right angle.
     std::optional<Frame> own{};
   };
 
@@ -105,7 +105,7 @@ struct Mechanism {
   enum class CoordinateType {
     angle,      ///< of direction `of` from `from`; in space of its projection onto the plane of
                 ///< `from` and `towards`
-    distance,   ///< between two points, positive
+    distance,   ///< between two points; positive as drawn, its sign may change where they meet
     along,      ///< signed, from one point to another along a parallel vector
     component,  ///< of a point along an axis of the ground's frame
   };

@@ -172,8 +172,9 @@ struct TimeGrid {
   }
 };
 
-/// Makes a grid from 0 to the multiple of that step nearest to `seconds` [s], both included. Throws
-/// std::invalid_argument unless both are positive and finite and the grid has 2 to 10⁹ instants.
+/// Makes a grid from 0 to the multiple of `step` [s] nearest to `seconds` [s], both included.
+/// Throws std::invalid_argument unless both are positive and finite and the grid has 2 to 10⁹
+/// instants.
 TimeGrid time_grid(double seconds, double step);
 
 }  // namespace desmo

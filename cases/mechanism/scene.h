@@ -32,8 +32,7 @@ struct RequestedMeasure {
   std::array<std::string, 2> of{};  ///< a ratio's coordinates, as Model::coordinate() knows them
 };
 
-/// Default limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude. It is
-/// used in scenes, settings and benchmarks.
+/// Default limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude.
 inline constexpr double default_tolerance = 1e-12;
 
 /// An analysis to be done: a mechanism, its drivers' motions, the instants and the request.

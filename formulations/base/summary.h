@@ -2,6 +2,7 @@
 
 namespace desmo {
 
+/// How the solution of an instant ended.
 enum class Status {
   solved,
   not_converged,  ///< the tolerance was not met in the iterations allowed

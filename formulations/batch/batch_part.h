@@ -21,8 +21,8 @@ class BatchPart final : public Part, public ResidentPart {
             const std::vector<StateKind>& kinds, Guess guess);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
-  /// Names as predicted the inputs of the subsystem that is left over, if one is: batches predict
-  /// from what they keep.
+  /// Returns drivers and other inputs of the batches, and all inputs of the subsystem that is left
+  /// over. Batches predict from what they keep, so only the latter has predicted unknowns.
   PartInputs inputs(PartInputs equations) const override;
   ResidentPart* resident() override { return this; }
   void bind(const PartOutputs& outputs) override;

@@ -28,7 +28,7 @@ bool is_explicit(const Constraint& c) {
   return result;
 }
 
-/// Which constraint derives each entity, and what it reads.
+/// The graph of derivations: the constraint that derives each entity, and its inputs.
 class DerivationGraph {
  public:
   explicit DerivationGraph(const Model& m) : m_(m), by_(m.entities.size(), no_position) {}

@@ -20,6 +20,7 @@ using GroupId = int;   ///< position in Model::groups
 /// known.
 inline constexpr int no_position = -1;
 
+/// Kinds of entities.
 enum class EntityKind { point, vector, angle, distance, orientation };
 /// Returns the letters of components in names: "xyz", or "0123" of an orientation.
 std::string_view component_letters(EntityKind kind);
@@ -133,16 +134,18 @@ struct Model {
   double value(const std::string& name, std::span<const double> values,
                Level level = Level::position) const;
 
+  /// Adds a group after all others. Returns its position.
   GroupId add_group(std::string group_name, std::vector<std::string> bodies);
 
   /// Adds an entity whose components are coordinates. They have an initial estimate, and a group
   /// whose solution yields them.
   EntityId add(EntityKind kind, std::string entity_name, std::span<const double> initial_estimate,
                GroupId group);
-  /// Adds an entity that never moves.
+  /// Adds an entity that never moves. remainders: one for each value; none: all are 0.
   EntityId add_fixed(EntityKind kind, std::string entity_name, std::span<const double> values,
                      std::span<const Remainder> remainders = {});
-  /// Prescribes the motion of a scalar coordinate.
+  /// Prescribes the motion of a scalar coordinate. Throws std::invalid_argument for any other
+  /// entity.
   void drive(EntityId coordinate, Motion motion);
 
   /// Adds a constraint to its group. Throws std::invalid_argument, naming the constraint, when an

@@ -30,7 +30,7 @@ std::vector<double> nominal_magnitudes(const Model& model);
 ///                  points, distances                directions, angles
 ///   position       nominal size of the mechanism    1, 1 rad
 ///   velocity       largest speed                    largest rate
-///   acceleration   largest                          largest
+///   acceleration   largest acceleration             largest second derivative
 ///
 /// A column that does not move gets the other's velocity scale, multiplied or divided by the size.
 /// A column that does not accelerate gets velocity² over the position scale. The scales of rates

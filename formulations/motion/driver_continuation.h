@@ -20,7 +20,7 @@ std::vector<double> driver_changes(const Model& model, const State& from, double
 /// count whole turns, drivers turn by at most 0.1 rad in a step.
 int continuation_steps(const Model& model, std::span<const double> changes);
 
-/// A continuation takes at most so many steps: some 16,000 turns, or a second of a small mechanism.
+/// Largest number of steps of a continuation: some 16,000 turns, or a second of a small mechanism.
 inline constexpr int max_continuation_steps = 1000000;
 
 /// End of a continuation.
@@ -30,13 +30,14 @@ enum class ContinuationEnd {
   too_long,  ///< it would take more than max_continuation_steps
 };
 
-/// Moves the drivers of a solved state in proportion to where they are at time t [s], give or take
-/// whole turns: how an instant in the middle of a motion is reached without those before it. solve:
-/// solves the positions of a state for its drivers, given the last ones, and returns whether it
-/// could; it is first called where the state is, to find its branches. A step that cannot be solved
-/// is halved. Where that leads nowhere, whole turns are made. Of more than
-/// max_continuation_steps, turns that lead back (is_back()) are left out. Where t is not
-/// reached, the state is on the way. Not for timed loops.
+/// Moves the drivers of a solved state in proportion from their positions to those at time t [s],
+/// without whole turns. So an instant within a motion is reached without those before it.
+/// - state: solved; overwritten, on failure with a position on the way
+/// - solve: solves the positions of a state for its drivers, given the last positions; returns
+///   whether it could. The first call is at the state itself, to find its branches
+/// A failed step is halved. Where the short way is blocked, whole turns are made. Where they would
+/// take more than max_continuation_steps, turns that lead back (is_back()) are left out. Not for
+/// timed loops.
 ContinuationEnd continue_drivers_to(
     const Model& model, double t, State& state,
     const std::function<bool(State&, std::span<const double> last)>& solve);

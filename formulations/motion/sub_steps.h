@@ -4,10 +4,11 @@
 
 namespace desmo {
 
-/// Goes from one time to another in sub-steps. A sub-step that fails is halved, down to 2⁻¹⁰ of
-/// the whole step; after one that succeeds the next is twice as long. go(t) goes to time t, and
-/// returns whether it could. Returns whether `to` was reached, with max_tries calls; false where
-/// `from` or `to` is not finite, and where no double lies between two times.
+/// Goes from one time to another in sub-steps, and returns whether `to` was reached.
+/// - go(t): goes to time t; returns whether it could
+/// - max_tries: largest number of calls of go
+/// A failed sub-step is halved, down to 2⁻¹⁰ of the whole; after a success the next is twice as
+/// long. Returns false where `from` or `to` is not finite, or no double lies between two times.
 template <class Go>
 bool go_in_sub_steps(double from, double to, int max_tries, Go&& go) {
   if (!std::isfinite(to - from)) return false;  // halves of it would not end

@@ -86,7 +86,7 @@ Descriptor open_to_read(int folder, const std::string& name) {
   return Descriptor(::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
 }
 
-/// Of a regular file of the user's own, in bytes; −1: it is none.
+/// Returns the size [bytes] of a regular file that the user owns; −1: it is no such file.
 off_t size_of(const Descriptor& file, mode_t forbidden = 0) {
   struct stat status {};
   const bool good = file.is_open() && ::fstat(file.number(), &status) == 0 &&

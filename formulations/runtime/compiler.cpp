@@ -19,9 +19,9 @@ namespace desmo::load {
 
 namespace {
 
-/// As those of the kernels that desmo is built with (formulations/CMakeLists.txt).
+/// Options of the kernels that desmo is built with, and those of a shared library.
 constexpr const char* all_flags = DESMO_KERNEL_FLAGS " -w -pipe -fPIC -shared -fvisibility=hidden";
-/// Of several options that name a processor the last one counts.
+/// Further options. Of several that name a processor the last one counts.
 constexpr const char* more_for_eight_lanes = " -march=x86-64-v4 -mno-red-zone";
 
 constexpr std::chrono::seconds time_for_version{10};
@@ -60,7 +60,7 @@ std::string locate_any() {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// What matters of a compiler's output: from its first error on.
+/// Returns a compiler's output from its first error on.
 std::string error_text(const std::string& output) {
   const std::size_t error = output.find("error");
   const std::size_t line = error == std::string::npos ? 0 : output.rfind('\n', error) + 1;

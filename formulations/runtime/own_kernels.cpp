@@ -33,7 +33,7 @@ std::string_view bytes(const std::vector<double>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
 }
 
-/// Of all that decides what a library's source is.
+/// Returns the digest of all that a library's source depends on.
 std::string digest_of(const std::vector<SampledType>& types, LibraryContents contents) {
   Digest digest;
   digest.add(generate::generator_digest());

@@ -10,12 +10,7 @@
 namespace desmo::report {
 
 /// The verdict of a check; its number is the exit code of `desmo_report check`. Where several hold,
-/// the first of this order counts:
-/// 1. invalid
-/// 2. regression
-/// 3. incomparable
-/// 4. inconclusive
-/// 5. pass
+/// the gravest counts: invalid, then regression, incomparable, inconclusive, pass.
 enum class CheckVerdict {
   pass = 0,          ///< nothing became slower
   regression = 1,    ///< time or work of some candidate raised an alarm, twice for time

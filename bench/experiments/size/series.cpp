@@ -36,9 +36,9 @@ constexpr int quick_coordinates = 336, quick_unknowns = 100;
 constexpr int growth_instants = 401;
 constexpr int break_even_instants = 51;
 
-/// Rounding leaves more in the equations of points far from the origin, and the more coordinates
-/// there are, the further the last ones are: the paper's tolerance up to 200 of them, and above
-/// three times what solving by groups cannot do without.
+/// Returns a tolerance that rounding allows. More coordinates reach farther from the origin, where
+/// equations are rounded more coarsely: up to 200 of them it is the paper's, above three times what
+/// groups need.
 double tolerance_of(int coordinates) { return 5e-15 * std::max(200, coordinates); }
 
 TimeGrid begin_of(const Case& c, int instants) {
@@ -47,7 +47,7 @@ TimeGrid begin_of(const Case& c, int instants) {
   return grid;
 }
 
-/// Returns all unknowns at once by every library that is meant to be fast.
+/// Returns the ids of the global automatic variants whose library is not slow.
 std::vector<std::string_view> all_at_once() {
   std::vector<std::string_view> ids;
   for (const Variant& v : variants())

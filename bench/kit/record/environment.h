@@ -8,7 +8,7 @@
 
 namespace desmo::bench {
 
-/// A run of this program, as far as the environment of a record tells of it.
+/// The run of this process that a record describes: when, by which command, under which load.
 struct Run {
   std::string date;     ///< UTC, when it began
   std::string command;  ///< program name and arguments

@@ -27,7 +27,7 @@ struct Axle::Roll {
   Moving<double> base;
 };
 
-/// The axle at some ψ and θ.
+/// Quantities of the axle at given ψ and θ, and its closure equations g of the two rods.
 struct Axle::Closure {
   double m, m_pitch;          // m(θ) and its derivative
   Vec roll_axis;              // Rz(ψ) e_x
@@ -36,9 +36,9 @@ struct Axle::Closure {
   Vec rise;                   // of S for each unit of its height: it moves on a circle about R
   double pitch_lift;          // of S for each unit of θ: ∂S/∂θ = pitch_lift · rise
   std::array<Vec, 2> r, rod;  // C − S, C − G
-  Eigen::Vector2d g;
-  Eigen::Matrix2d jacobian;  // ∂g/∂(ψ, θ)
-  double error;              // √Σ (gᵢ/Lᵢ²)²
+  Eigen::Vector2d g;          // ‖C − G‖² − L² of each rod
+  Eigen::Matrix2d jacobian;   // ∂g/∂(ψ, θ)
+  double error;               // √Σ (gᵢ/Lᵢ²)²
 };
 
 Axle::Axle(const Mechanism& d, const std::string& prefix, double tolerance)

@@ -22,7 +22,7 @@ void write_header(std::ostream& out, std::string_view text) {
 struct Section {
   std::ostringstream kernels, rows, lane_rows;
 
-  /// Whether the kernel could be written.
+  /// Adds a kernel. Returns whether it could be written.
   bool add(const SampledType& t, void (*write)(std::ostream&, const SampledType&)) {
     std::ostringstream kernel;
     try {

@@ -143,7 +143,7 @@ class Modeller {
     }
   }
 
-  /// Of what a body carries, that which this group finds.
+  /// Adds the points and vectors of a body that this group determines.
   void add_entities(int body, int position, GroupId g) {
     for (const int p : d_.bodies[body].points)
       if (result_.points[p] < 0 && placement_.of_point[p] == position)
@@ -161,7 +161,8 @@ class Modeller {
       if (d_.coordinates[c].driven) m_.drive(result_.coordinates[c], motions_.at(motion++));
   }
 
-  /// As the paper counts: what the bodies carry and the joints name, unless a later group finds it.
+  /// Lists the entities of each group as the paper counts them: those of its bodies and joints,
+  /// unless a later group finds them.
   void list_group_entities() {
     std::vector<std::set<EntityId>> seen(m_.groups.size());
     const auto list = [&](GroupId g, EntityId e) {

@@ -29,8 +29,8 @@ int DeclaredVariables::angle(int body, int axis) const {
   return Mechanism::none;
 }
 
-/// Returns whether an angle of a direction of a body counts from one of its parent, in space about
-/// the axis.
+/// Returns whether an angle of a body is the turn of its tree joint: it is measured from directions
+/// of the parent and, in space, all its directions are normal to the axis.
 bool DeclaredVariables::turns(const Mechanism::Coordinate& a, int parent, int body,
                               int axis) const {
   if (!a.from.is_given()) return parent == 0;

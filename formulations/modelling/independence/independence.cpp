@@ -17,14 +17,16 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Movement of the drivers, in natural magnitudes: far enough for equations that contradict each
-/// other to show it, although other bodies give way to first order.
+/// Movement of the drivers, in natural magnitudes. It is so large that a contradiction shows
+/// although other bodies give way to first order.
 constexpr double moved = 0.1;
 /// Near enough, each, for Newton's method; an even number.
 constexpr int steps = 10;
 
-/// Φ where Gauss and Newton's method, over the unknowns alone, ends; the state with it.
-VectorXd min_residual(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
+/// Minimises Φ over the unknowns by Gauss and Newton's method. Overwrites the state; returns what
+/// is left of Φ, relative to its scales.
+VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
+                           Lineariser& lineariser) {
   constexpr int most = 50;
   constexpr double vanishes = 1e-12;
   for (int iteration = 0;; ++iteration) {
@@ -79,7 +81,7 @@ std::optional<Contradiction> find_contradiction(const Model& m, const GroupSyste
     VectorXd half, whole;
     for (int i = 1; i <= steps; ++i) {
       lineariser.move(state, s, step);
-      whole = min_residual(state, s, lineariser);
+      whole = minimise_residual(state, s, lineariser);
       if (i == steps / 2) half = whole;
     }
     Eigen::Index worst = 0;
@@ -117,7 +119,8 @@ std::vector<std::string> sources(const Model& m, const GroupSystem& s, const Sel
   return names;
 }
 
-/// Marks what was not selected in the mechanism.
+/// Marks the rows of the model that were not selected, and lists them with the constraints that
+/// they follow from.
 void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
                    std::vector<LeftOut>& left_out) {
   for (std::size_t i = 0; i < selected.taken.size(); ++i) {

@@ -10,6 +10,7 @@
 
 namespace desmo {
 
+/// Precision of a reference solution: double, or 113 bits.
 enum class Precision { standard, quadruple };
 
 /// Returns positions, velocities and accelerations at ascending times [s], solved group by group.

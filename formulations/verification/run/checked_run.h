@@ -71,7 +71,8 @@ struct Gap {
   std::optional<AssemblyError> assembly_error;
 };
 
-/// Outcome of a checked run. outcome() says whether its answers may be used.
+/// Summary of a checked run: counts, flags and gaps. outcome() says whether its answers may be
+/// used.
 struct [[nodiscard]] CheckedSummary : BasicSummary {
   bool refused = false;  ///< a strict run ended at a row that is flagged: `first_flag`
   FoundStart::Stage start = FoundStart::Stage::reached;  ///< of the way from the drawing

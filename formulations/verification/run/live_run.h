@@ -17,6 +17,7 @@ namespace desmo {
 
 struct RefinedInstant;
 
+/// Settings of a live run.
 struct LiveOptions {
   Level level = Level::acceleration;  ///< highest level that is solved and proven
   /// Level asked for of each coordinate (Plan::levels); empty: `level`. The memory must last until
