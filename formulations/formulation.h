@@ -87,7 +87,7 @@ class Formulation {
   double value(const std::string& name, Level level = Level::position) const;
 
  private:
-  // What every formulation is. The rest of the library sees more of it; its header is not
+  // The base of every formulation. The library sees more of it through a header that is not
   // installed.
   friend class TimeStepping;
   Formulation(const Model& model, const Settings& settings, double tolerance)

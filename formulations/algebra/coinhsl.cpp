@@ -10,7 +10,7 @@ namespace desmo {
 
 namespace {
 
-/// As COIN-OR's build of HSL names it, and as HSL's own distribution of binaries does.
+/// File names of the library: of COIN-OR's build of HSL, and of HSL's own binaries.
 constexpr const char* usual_names[] = {"libcoinhsl.so", "libhsl.so"};
 
 std::string loader_message() {
@@ -77,8 +77,8 @@ CoinHsl load_coinhsl(const char* file) {
   std::string tried;
   for (const char* name : usual_names) {
     if (void* const library = open(name)) return use(library, name);
-    // What nobody has installed is named as it was asked for; what is there and cannot be loaded,
-    // by its file or by the library that it lacks.
+    // The loader's message begins with the name asked for where no such file is installed; else
+    // with the file that cannot be loaded, or the library that it lacks.
     const std::string message = loader_message();
     if (!message.starts_with(std::string(name) + ":"))
       return absent("what was found cannot be loaded: " + message, true);

@@ -72,7 +72,7 @@ Condensed::Condensed(const Pattern& pattern, std::span<const Derivation> derivat
     std::ranges::copy(operations[d], std::back_inserter(operations_));
   }
 
-  // Where they stand: A_r compressed by columns, then C_y, then the terms of derivations.
+  // Positions in the values: A_r compressed by columns, then C_y, then the terms of derivations.
   std::vector<int> position(count, -1);
   reduced_.column_start.push_back(0);
   for (const int j : column_) {

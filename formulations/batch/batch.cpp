@@ -161,7 +161,7 @@ const Batch::Step& Batch::solve(const State& s) {
   for (const KernelBatch& part : parts_) {
     const LaneResult r = part.solve(state_.now(), of_part);
     of_part += max_lanes;
-    // What is refused goes on without meaning, and never converges.
+    // Lanes that are refused go on without meaning, and never converge.
     if (step_.accepted == all()) step_.iterations = std::max(step_.iterations, r.iterations);
     step_.accepted &= r.accepted;
   }
@@ -209,7 +209,7 @@ void Batch::bind(const PartOutputs& outputs) {
   for (std::size_t i = 0; i < in_state.size(); ++i)
     in_state[i] = outputs.observed[i] ? static_cast<int>(i) : -1;
   observed_ = targets(unknowns_, in_state);
-  // What is solved to a lower level has drivers up to that only.
+  // Drivers of a lower level are known up to that level only.
   if (!outputs.places.empty())
     delivered_ = targets(outputs.level == Level::acceleration ? own_ : unknowns_, outputs.places);
 }

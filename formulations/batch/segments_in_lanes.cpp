@@ -29,7 +29,7 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
   for (std::size_t i = 0; i < parts[0].size(); ++i) {
     if (parts[0][i].definition.constant) continue;
     const PartInLanes& part = parts_.emplace_back(put_in_lanes(parts, i, table));
-    // What is solved lane by lane may start from any of its unknowns.
+    // A part that is solved lane by lane may start from any of its unknowns.
     PartInputs inputs{.predicted = part.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
     if (part.together) inputs = part.members[0]->inputs(std::move(inputs));
     std::ranges::copy(inputs.predicted, std::back_inserter(predicted));

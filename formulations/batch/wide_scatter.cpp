@@ -7,8 +7,8 @@
 #include <array>
 #include <cstddef>
 
-// These functions are compiled for wide registers, and not the file: what the language's headers
-// define in it would be, too, and the linker might choose that for everybody.
+// Only these functions are compiled for wide registers, not the file: inline functions of the
+// language's headers would be, too, and the linker might choose those for everybody.
 #define DESMO_WIDE [[gnu::target("arch=x86-64-v4")]]
 
 namespace desmo {

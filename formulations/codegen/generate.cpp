@@ -122,7 +122,7 @@ bool write_natural(const std::string& folder) {
   for (const Case& c : cases()) collect(c.with_units(2), types);
   for (const RequestScene& r : request_scenes())
     collect(parse_scene(r.scene, std::string(r.name), {}), types);
-  // What is timed against the paper's algorithm is the paper's: one order, and pivoting.
+  // Types of the cases are timed against the paper's algorithm: one order, and pivoting.
   for (SampledType& type : types) type.has_one_order = true;
   const std::size_t of_cases = types.size();
   for (const LibraryMechanism& l : library())

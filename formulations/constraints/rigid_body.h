@@ -187,7 +187,7 @@ struct Combination : LinearKind<D> {
   }
 };
 
-/// What a planar relation defines.
+/// Entity that a planar relation defines.
 enum class PlanarTarget { vector, point };
 
 /// Definition of a point or vector p of a planar body by a direction d of the body, two equations.

@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-/// What a direction among the operands of a kind is: a vector, or a line given by two points, start
+/// Form of a direction among the operands of a kind: a vector, or a line given by two points, start
 /// first.
 enum class DirectionOf { vector, line };
 

@@ -48,7 +48,7 @@ template <class Kind>
 struct ObjectsOf : AutomaticEquations::Loops {
   struct Object {
     std::array<int, Kind::operand_sizes.size()> operands;  // positions in the state
-    /// Those of a table are many.
+    /// A table has many.
     std::conditional_t<has_table<Kind>, std::vector<double>, std::array<double, Kind::constants>>
         constants;
     std::array<int, Kind::entries> slots;

@@ -79,7 +79,7 @@ void keep_derivations(Model& m) {
 }
 
 std::vector<Derivation> derivations(const Model& m, const PartDefinition& part) {
-  // Of whole constraints: an equation may stand in another part than the others (Partition::block).
+  // Derivations are whole constraints: Partition::block may put one equation into another part.
   std::vector<std::vector<Derivation>> of_entity(m.entities.size());
   std::vector<int> by(m.entities.size(), no_position);
   std::vector<EntityId> order;

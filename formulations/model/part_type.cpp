@@ -52,8 +52,8 @@ PartType describe_type(const Model& m, const PartDefinition& part) {
       own.operands.push_back(it->second);
       type.fingerprint += std::to_string(it->second) + ' ';
     }
-    // What is at a right angle, or has no offset, is simpler: that a dimension is zero, and which,
-    // belongs to the type.
+    // A right angle, or no offset, makes simpler code: which dimensions are zero belongs to the
+    // type.
     std::size_t dimensions = c.constants.size();
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       if constexpr (has_table<Kind>) {

@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t max_output = std::size_t{1} << 16;
 
-// It leads a process group of the same number.
+// The running child, which leads a process group of its number; 0: none.
 std::atomic<pid_t> running{0};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
@@ -110,12 +110,12 @@ bool read_all(int from, Clock::time_point end, std::string& text) {
   }
 }
 
-/// Whether the child has ended before then; if so, how.
+/// Waits for a child until `end`. Returns whether it has ended; status: how.
 bool wait_until(pid_t child, Clock::time_point end, int& status) {
   constexpr int pause = 2;  // ms
   for (;;) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
-    // Where SIGCHLD is ignored nobody learns how it ended: what it has made will show.
+    // SIGCHLD may be ignored; then nobody learns how the child ended: its output will show.
     if (ended == child || (ended < 0 && errno == ECHILD)) return true;
     const int left = remaining(end);
     if (left == 0) return false;

@@ -19,8 +19,8 @@ Expr square(const Vector& a, const Facts& facts) {
   return sum;
 }
 
-/// What position and rates share. The foot p is the point nearest to the centre that is in all
-/// planes; the solution is beyond it, along all planes.
+/// Terms that position and rates share. The foot p is the point nearest to the centre that is in
+/// all planes; the solution is beyond it, along all planes.
 struct Geometry {
   SphereAndPlanes given;
   Vector y;                     ///< x − centre
@@ -105,11 +105,12 @@ std::string name(const Geometry& g) {
   return g.through_centre ? "normal of two" : "sphere and planes";
 }
 
-/// Where planes are nearly parallel, or the sphere hardly reaches the line that they leave.
+/// Returns monitors of nearly parallel planes, and of a sphere that hardly reaches the line that
+/// they leave.
 std::vector<SizeMonitor> monitors(const Geometry& g, Expr discriminant) {
   std::vector<SizeMonitor> result;
   const Expr radius2 = g.given.sphere.radius2;
-  // Of two circles r and s, at the angle γ, the discriminant is (r s sin γ)², and tells as well
+  // The discriminant of two circles r and s that meet at the angle γ is (r s sin γ)². It also tells
   // where their centres coincide.
   if (g.y.size() == 2 && g.given.further_radii2.size() == 1)
     return {{discriminant, 1e-8, magnitude(radius2 * g.given.further_radii2[0])}};

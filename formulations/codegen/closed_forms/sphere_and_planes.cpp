@@ -37,7 +37,8 @@ std::optional<Sphere> as_sphere(const Quadratic& q, std::size_t n) {
   return s;
 }
 
-/// Where another sphere, the equation `row`, meets the first: their equations' difference.
+/// Returns the plane in which another sphere, the equation `row`, meets the first: the difference
+/// of their equations.
 Plane plane_between(const Sphere& first, int first_row, const Sphere& other, int row) {
   Vector normal;
   for (std::size_t i = 0; i < first.centre.size(); ++i)

@@ -31,8 +31,8 @@ Cofactor cofactor(const std::vector<std::vector<Expr>>& m, std::size_t row, std:
 
 using Rows = std::vector<std::map<int, Expr>>;
 
-// Of a pivot beside the largest entry of its column. A constant costs nothing to divide by, and
-// what it lets through is bounded: KLU prefers its diagonal down to the same ratio.
+// Least ratio of a pivot to the largest entry of its column. Dividing by a constant costs nothing,
+// and the growth that it allows is bounded: KLU prefers its diagonal down to the same ratio.
 constexpr double min_constant = 1e-3, min_variable = 0.1;
 
 double min_ratio(Expr pivot) { return pivot.is_constant() ? min_constant : min_variable; }
@@ -121,7 +121,7 @@ std::vector<int> columns_of(const Rows& rows) {
   return {columns.begin(), columns.end()};
 }
 
-/// How much worse than the worst sample a pivot may become before it is distrusted.
+/// Factors by which a ratio may exceed its worst sample before the pivot is distrusted.
 constexpr double magnification_allowed = 1e3, cancellation_allowed = 1e6;
 
 /// A bound that ratios of that size are far from, the power of two below it: the text of the code
@@ -219,7 +219,7 @@ void Elimination::solve_last_by_adjugate(const Rows& rows) {
         {what, {}, {{against, 1 / bound(cancellation_allowed, max_ratio(against, what, at_))}}});
   };
   add_monitors(last_->inverse.determinant(), last_->inverse.magnitude());
-  // What is left of a column beside the entries that it was eliminated with.
+  // Compares the rest of a column with the entries that it was eliminated with.
   for (std::size_t k = 0; k < last_->columns.size(); ++k) {
     Expr size = 0, before = 0;
     for (const std::vector<Expr>& row : matrix) size = size + abs(row[k]);

@@ -10,7 +10,7 @@ namespace {
 
 using Vector = std::vector<Expr>;
 
-/// Where all entries of a row are twice something, halves them; what rows were multiplied by.
+/// Halves rows whose entries are all twice something. Returns the multiplier of each row.
 Vector take_factors(std::vector<std::map<int, Expr>>& matrix) {
   Vector scales;
   for (std::map<int, Expr>& row : matrix) {

@@ -209,9 +209,10 @@ class SolveWriter {
   std::set<int> open_;              // nodes of unknowns that are not yet defined
   std::set<std::size_t> verified_;  // equations
   int defined_angles_ = 0;
-  /// Whether unknowns are solved together, in a core. Without one, rates come after all positions:
-  /// angles, which take long, begin early, and the next part's positions need not wait. A part
-  /// with a core is too long for that; its rates follow while what they share is in registers.
+  /// True where unknowns are solved together, in a core. Without one, rates come after all
+  /// positions: angles, which take long, begin early, and the next part's positions need not wait.
+  /// A part with a core is too long for that; its rates follow while what they share is in
+  /// registers.
   const bool has_core_;
 };
 

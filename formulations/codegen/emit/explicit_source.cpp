@@ -12,7 +12,7 @@ namespace desmo::generate {
 
 namespace {
 
-/// What makes a number without unit of what is left of some equations.
+/// Returns the weight that makes a residual of some equations a number without unit.
 Expr weight(const std::vector<int>& rows) {
   Graph& graph = Graph::current();
   const std::vector<double> unsampled(Expr(1).samples().size(), 1.0);
@@ -92,8 +92,8 @@ void write_list(std::ostream& out, const char* name, const std::vector<int>& inp
   out << "};\n";
 }
 
-/// What a caller who brings inputs together has to bring, and what it gets. Of its unknowns, the
-/// kernel reads the last positions of those that are torn, and of angles with a bearing.
+/// Writes the lists of inputs that a caller brings together, and of those it gets. Of its unknowns,
+/// the kernel reads the last positions of those that are torn, and of angles with a bearing.
 void write_lists(std::ostream& out, const ExplicitPlan& plan) {
   std::vector<int> torn, angles, read;
   std::vector<bool> is_read(plan.type.inputs.size(), true);

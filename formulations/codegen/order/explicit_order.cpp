@@ -62,7 +62,7 @@ class OrderMaker {
     }
   }
 
-  /// What is known but for its sign is not solved for again.
+  /// Returns a form by an earlier one where both differ by their sign alone; else itself.
   ClosedForm by_earlier(ClosedForm form) const {
     for (const Solved& earlier : solved_)
       if (auto opposite = as_earlier_or_opposite(form, earlier.form, earlier.x)) return *opposite;

@@ -114,7 +114,7 @@ void hold_ground_vectors(EquationWriter& w) {
   }
 }
 
-/// Of two different directions of a basis, in space; vectors come before lines.
+/// Keeps the product of two different directions of a basis, in space; vectors come before lines.
 void keep_product_of_two(EquationWriter& w, const std::string& name, const RigidBody& body,
                          const Direction& a, const Direction& b) {
   const std::string product_name = name + w.text(a) + " with " + w.text(b);

@@ -30,7 +30,7 @@ std::string roman(int n) {
   return text;
 }
 
-/// What the names of the bodies have in common up to a "/": "axle1/".
+/// Returns the common prefix of the names of bodies up to a "/": "axle1/".
 std::string common_prefix(const std::vector<std::string>& names) {
   std::string prefix = names.front();
   for (const std::string& name : names)

@@ -8,8 +8,8 @@ namespace {
 
 using Direction = Mechanism::Direction;
 
-/// What drivers and couplings are measured from, and so is needed by the first group that carries
-/// it.
+/// Points and vectors that drivers and couplings are measured from: the first group that carries
+/// one needs it.
 struct NeededAtOnce {
   explicit NeededAtOnce(const Mechanism& d)
       : points(d.points.size(), false), vectors(d.vectors.size(), false) {

@@ -134,7 +134,7 @@ bool writes_offset(const EquationWriter& w, const Mechanism::Joint& j) {
 
 namespace {
 
-/// What was added to a mechanism serves the model alone.
+/// Marks entities that were added to a mechanism: they serve the model alone.
 void mark_internal(Coordinates& coordinates, const Mechanism& d) {
   const auto mark = [&](const std::vector<EntityId>& entities, std::size_t own) {
     for (std::size_t i = own; i < entities.size(); ++i) {

@@ -54,7 +54,8 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coord
     add(b);
   };
   if (c.type == Mechanism::CoordinateType::along) {
-    // What slides along the vector are the bodies that carry it, as far as they do.
+    // Bodies that carry a point and the vector slide along it; where none carries both, those of
+    // the point.
     for (const int point : {c.of.from, c.of.to}) {
       std::vector<int> both;
       std::ranges::set_intersection(rigid.of_point[point], rigid.of_vector[c.vector],

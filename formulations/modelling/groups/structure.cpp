@@ -158,7 +158,7 @@ std::string names_of(const Mechanism& d, const RigidBodies& rigid, const std::ve
 
 [[noreturn]] void refuse_undetermined(const Mechanism& d, const RigidBodies& rigid,
                                       const std::vector<int>& bodies, int missing) {
-  // Those that a request defines come after the mechanism's own.
+  // Coordinates that a request defines come after the mechanism's own.
   const auto measured = std::ranges::find_if(d.coordinates, [&](const Mechanism::Coordinate& c) {
     return !c.driven && std::ranges::any_of(bodies_related(rigid, c), [&](int b) {
       return std::ranges::binary_search(bodies, b);

@@ -154,7 +154,7 @@ std::vector<LeftOut> leave_out_dependent(CandidateEquations& candidates,
     std::optional<Contradiction> contradiction;
     if (s.redundant && s.drivers() > 0)
       contradiction = find_contradiction(m, s, positions[1], linearisers.usual);
-    // Of whole definitions: parts of them contradict nothing.
+    // Asks before definitions are shortened: parts of them contradict nothing.
     require_determined(m, s, selected, contradiction);
     selector.shorten(s, selected);
     mark_left_out(m, s, selected, left_out);

@@ -13,8 +13,8 @@ namespace desmo {
 
 namespace {
 
-/// How much of what comes before an equation may be uncertain: its share of a derivative below
-/// which this may be zero.
+/// Largest share of a derivative that uncertainty of earlier equations explains: below it the
+/// derivative may be zero.
 constexpr double certain = 1e-8;
 /// Shortest of a point's lengths that counts, relative to the longest: others are all but zero.
 constexpr double min_share = 1e-10;

@@ -108,8 +108,7 @@ VectorXd uncertainty(const Model& m, const std::vector<double>& state, const Gro
   return result;
 }
 
-/// Whether the constraint is a definition of several equations, replaced by the one that says the
-/// same.
+/// Replaces a definition of several equations by its single one. Returns whether it has one.
 bool make_scalar(Constraint& constraint) {
   bool shorter = false;
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
@@ -200,7 +199,7 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
       selected.uncertain = uncertain.maxCoeff();
   }
   if (std::ranges::find(selected.taken, false) == selected.taken.end()) return selected;
-  // Of rows that would do, those that do in the nominal position, too: a motion may rest there.
+  // Prefers rows that also serve in the nominal position, where a motion may rest.
   if (auto [rank, taken] = take(0, all);
       rank == s.unknowns && take(0, selected.taken).first < rank && take(1, taken).first == rank)
     selected.taken = std::move(taken);
@@ -227,7 +226,7 @@ std::vector<int> RowSelector::preference(const GroupSystem& s) const {
   return order;
 }
 
-/// Whether there was any.
+/// Shortens definitions of which one row is taken. Returns whether there was any.
 bool RowSelector::shorten_definitions(const GroupSystem& s, const std::vector<bool>& taken) {
   std::vector<int> rows_taken(s.end_constraint - s.first_constraint, 0);
   for (std::size_t i = 0; i < taken.size(); ++i)

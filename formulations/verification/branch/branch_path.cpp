@@ -136,8 +136,8 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       if (c.proven) {
         ++result.sub_steps;
         result.time = time;
-        // Else the rates of an instant that is proven are lost in rounding: the next step begins
-        // with what is known here.
+        // Rates of a proven instant may be lost in rounding: then the next step begins with what is
+        // known here.
         if (start_at(*to)) result.end = PathEnd::same;
         return result;
       }
@@ -157,7 +157,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     } else {
       result.group = found.last.group;
     }
-    // Where both ends may be the same solution, the last sub-step was too long to tell.
+    // The last sub-step was too long to tell if both ends may be the same solution.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
       growth.failed();
       step = (next - present_.time) / 2;

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// By how much the smallest pivot of other equations is larger where they are worth it.
+/// Least ratio of the smallest pivots, new over old, at which other equations are taken.
 constexpr double better = 1.5;
 
 /// Rows of a group in the order of their pivots, and the pivot of the last one needed.

@@ -179,7 +179,7 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
     note(Between{*misfit, point.instant.time});
     return true;
   }
-  // What digits leave open in a point is not told by a shorter step, either.
+  // A shorter step does not tell either what digits leave open in a point.
   const Interval phi = residual(equations_[i], point.instant.q, point.radius.position);
   return !(relative(i, phi.magnitude()) <= max_misfit / 2);
 }

@@ -6,7 +6,7 @@
 
 namespace desmo {
 
-/// By how much an equation does not hold.
+/// Misfit of an equation: the change of a point, length or direction by which it would hold.
 struct Misfit {
   int constraint = no_position;
   /// Distance by which a point, or a length, would have to change for the equation to hold. An

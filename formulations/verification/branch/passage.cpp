@@ -49,7 +49,7 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, dou
   BranchPath path(m);
   if (!path.start_at(certified(r))) return false;
   const FollowedStep step = path.go_to(later);
-  // Where another group is stuck, far enough from here, that is a point of its own.
+  // Another group that is stuck far enough from here is at a point of its own.
   const bool leads_away =
       step.group != group && path.present().time - point.after >= 2 * (time - point.after);
   if (step.end != PathEnd::same && !(group != no_position && leads_away)) return false;
@@ -117,7 +117,7 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
     const double time = departure.time_at(d);
     if (time == INFINITY) return point;
     if (departure.has_corner(d, crossing.reach())) return {};
-    // Where they turn back, they may be at the point again.
+    // Drivers that turn back may be at the point again.
     const double far = departure.time_at(crossing.reach());
     const double later = departure.turn_after(time, far < INFINITY ? far : time + (time - start));
     if (!prove_beyond(m, crossing, group, time, later, point)) continue;
@@ -174,8 +174,8 @@ std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInst
   return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time, group);
 }
 
-/// Where the drivers of one group lead to no point beyond, another group may be singular there,
-/// too.
+/// Passes a change point with the drivers that `group` depends on. Where they lead to no point
+/// beyond, another group may be singular there, too: then all drivers move.
 std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
                                              std::span<const double> direction, double start,
                                              GroupId group) {

@@ -139,8 +139,8 @@ double StraightCrossing::measure_fall(int level, std::span<const double> positio
     const bool is_led = distance(k) > Interval::unit && reach_nodes(k + 2) &&
                         beyond_.go_to(distance(k)).end == PathEnd::same;
     const std::optional<Node> end = is_led ? node(beyond_.present()) : std::nullopt;
-    // Where lengths are in line but for their rounding, the branches pass each other by, and the
-    // miss grows again towards the point. That of another branch falls all the way.
+    // Lengths may be in line but for their rounding. Then branches pass each other by, and the miss
+    // grows again towards the point. The miss of another branch falls all the way.
     if (!end) return !falls && deepest >= bottom ? least : 0;
     const Miss now = miss(k, *end);
     if (k == level) {
@@ -151,7 +151,7 @@ double StraightCrossing::measure_fall(int level, std::span<const double> positio
       deepest = now.over(last.rounding);
       continue;
     }
-    // What is a quintic itself is extended without a miss.
+    // A motion that is a quintic itself is extended without a miss.
     if (now.is_hidden && k == level && !(level == 0 && now.shows_jumps)) return 0;
     const double coarse = k > level ? last.over(now.rounding) : 0;
     const double fine = std::max(now.over(now.rounding), 2.0);

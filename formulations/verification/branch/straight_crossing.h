@@ -73,7 +73,7 @@ class StraightCrossing {
     PerLevel<std::vector<double>> values, radius;
   };
 
-  /// By how much a continuation misses an instant beyond.
+  /// Distance by which a continuation misses an instant beyond.
   struct Miss {
     std::vector<double> amount, rounding;  ///< of each coordinate
     bool is_hidden = true;                 ///< no coordinate's miss is more than rounding

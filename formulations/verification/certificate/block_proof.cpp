@@ -89,7 +89,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   LaneMask proven{};
   for (int attempt = 0; attempt < max_trial_boxes && (lanes & !proven).any(); ++attempt) {
     for (int i = 0; i < n; ++i) {
-      // It is never zero: rates are compared with it.
+      // The trial box is never zero: rates are compared with it.
       const LaneNumbers last = attempt < 2 ? LaneNumbers(0) : 2 * contracted_[i];
       const LaneNumbers trial = attempt == 0 && !linear
                                     ? b.magnitudes[i] * first_trial

@@ -30,7 +30,7 @@ struct ErrorTable {
   };
 
   std::vector<Row> rows;
-  // Of the coordinates, once write_bounds() was called:
+  // Bounds of each coordinate, once write_bounds() was called:
   std::vector<double> radius;      ///< bounds on their errors
   std::vector<double> correction;  ///< centres of their errors; 0: unknown
   std::vector<double> rest;        ///< bounds on what corrections leave of the errors

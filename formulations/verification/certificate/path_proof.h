@@ -13,7 +13,7 @@
 
 namespace desmo {
 
-/// What is proven of the motion between two instants.
+/// Proof about the motion between two instants.
 struct PathCertificate {
   bool proven = false;
   /// Structural group of the block whose proof failed; no_position where none has, or a knot lies
@@ -83,7 +83,7 @@ class PathProof {
   CoordinatePaths paths_;
   std::vector<double> radius_;  // of each coordinate, where the tube is proven
 
-  // Of the present batch.
+  // Values of the present batch.
   std::vector<Value> states_, phi_;
   std::vector<Slope> slopes_;
   std::vector<LaneNumbers> curved_;       // what slopes_ lack of states_

@@ -196,7 +196,7 @@ void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, Lane
   if (s.unknowns > 1) {
     LaneNumbers worst(0);
     for (int i = 0; i < s.unknowns * s.unknowns; ++i) worst += remainder[i];
-    // What the remainder leaves of a first X is then less than a unit.
+    // Below this bound the remainder changes a first X by less than a unit.
     constexpr double good = Interval::unit / first_trial;
     const LaneMask poor = lanes & !less(worst, good);
     if (poor.any()) {

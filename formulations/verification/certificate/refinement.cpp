@@ -11,7 +11,7 @@ namespace desmo {
 
 namespace {
 
-/// What a pass leaves of the bounds on errors, at most, while Newton's method converges. A proof of
+/// Largest share of the bounds that a pass leaves while Newton's method converges. A proof of
 /// errors e needs 16 c e < 1, c e² being the next ones (curvature c). So these are less than e/16,
 /// and bounds are of second order. What falls less is rounding.
 constexpr double max_left = 1.0 / 256;
@@ -84,7 +84,7 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     }
     result_.proven = true;
     if (is_right) break;
-    // What another pass takes off is of second order in the errors: is it seen in the last digit?
+    // Another pass takes off an amount of second order in the errors. Is it seen in the last digit?
     const double second = c.condition * before;
     if (converges && second * second * Interval::unit > 0.5) continue;
     if (sets == ErrorSets::bases || !certifier_.has_long_chains()) break;

@@ -11,8 +11,8 @@
 
 namespace desmo {
 
-/// How a Taylor model bounds its coefficients. S: double or LaneNumbers, whose operations round:
-/// the remainder takes that up; or Compensated<double>, which bounds its own error.
+/// Rule by which a Taylor model bounds its coefficients. S: double or LaneNumbers, whose operations
+/// round: the remainder takes that up; or Compensated<double>, which bounds its own error.
 template <class S>
 struct Coefficient {
   using Bound = S;

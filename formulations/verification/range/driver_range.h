@@ -40,7 +40,7 @@ struct ChangePoint {
                            ///< or the driver rests for an instant
 };
 
-/// How far a driver can go from a position while the others rest.
+/// Range of a driver from a position, while the others rest.
 struct DriverRange {
   double start;          ///< value of the driver at the given position
   bool is_idle = false;  ///< the driver moves nothing but itself

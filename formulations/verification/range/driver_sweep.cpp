@@ -183,7 +183,7 @@ RangeEnd DriverSweep::run_from(Point point) {
     const auto again = [&] { return (length /= 2) > min_step; };
     std::optional<Point> next = curve().step(point, length);
     if (!next && again()) continue;
-    // So near to a crossing rounding decides, and may turn a step back; from further away the curve
+    // Rounding decides so near to a crossing, and may turn a step back; from further away the curve
     // leads across it.
     bool is_across = false;
     if (length <= crossing_step && (!next || forward(*next) <= 0)) {

@@ -70,7 +70,7 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
   const std::optional<Point> before =
       curve.step(far.point, far.arc + (is_low ? at_low : at_high) - locking_arc);
   LockedLoops all = before ? find_locked_loops(m, curve, *before, nearest) : first;
-  // Where rounding hides the singular values, the tangent tells of one loop at least.
+  // Rounding may hide the singular values; the tangent then tells of one loop at least.
   const bool is_seen = std::ranges::find(all.groups, first.groups.front()) != all.groups.end();
   name_culprits(curve, is_seen ? std::move(all) : first, nearest, direction, e);
   return DeadPoint{std::move(e), *std::move(high)};
@@ -84,7 +84,7 @@ std::optional<RangeEnd> find_joint_lock(const Model& m, SolutionCurve& curve, co
   if (!(speed > 0 && 2 * mean - speed < speed / 2)) return {};  // it has to halve, too
   RangeEnd e{
       .stop = RangeStop::dead_point, .value = curve.value(last), .beyond = curve.value(last)};
-  // So near to a crossing a tangent may be that of any of its curves.
+  // A tangent so near to a crossing may be that of any of its curves.
   const Point end{last.state, before.tangent, last.sign, last.log_determinant};
   LockedLoops locked = find_locked_loops(m, curve, before, end);
   if (locked.moving.empty()) return {};

@@ -58,8 +58,8 @@ void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
   equations.take(x);
 }
 
-/// Whether a group is assembled there, though Newton's method may not have found the position, or
-/// not accept it as it is singular. Rounding may leave more than a small tolerance.
+/// Returns whether a group's equations hold at a state, even where Newton's method does not accept
+/// it. Rounding may leave more than a small tolerance.
 bool holds(const DenseGroup& group, const std::vector<double>& state, const Settings& settings) {
   return group.weights().cwiseProduct(group.residual(state)).norm() <
          std::max(settings.tolerance, default_tolerance);

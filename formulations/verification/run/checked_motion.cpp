@@ -67,7 +67,7 @@ void CheckedMotion::return_to_last() {
 
 bool CheckedMotion::is_on_step(const Instant& instant) const {
   if (step_.end != PathEnd::same || step_.sub_steps != 1) return false;
-  // So far may a position be from the exact one that meets the tolerance of the equations.
+  // A position that meets the tolerance of the equations may be so far from the exact one.
   return follower_->path.contains(instant.time, instant.q, tolerances_, result_.condition);
 }
 
@@ -84,7 +84,7 @@ const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
 /// not, and the motion does not lead there.
 bool CheckedMotion::take(const Instant& at, bool is_solved) {
   keep_last();
-  // What is regular by other equations is no change point.
+  // A position that is regular by other equations is no change point.
   for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
     result_ = {};
     elsewhere_ = !is_solved;
@@ -110,7 +110,7 @@ bool CheckedMotion::take(const Instant& at, bool is_solved) {
                  .group = step_.group,
                  .out_of_tests = step_.out_of_tests};
       point_.reset();
-      // Where tests ran out once they would in each step: the path does not begin again.
+      // Tests that ran out once would do so in each step: the path does not begin again.
       on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(*found, levels_));
     }
     deliver(*refined);

@@ -15,7 +15,7 @@
 
 namespace desmo {
 
-/// What proves the rows.
+/// The proofs of the rows, and their memory.
 struct LiveRun::Checks {
   RowMotions motions;
   std::vector<Level> levels;  // of each coordinate

@@ -7,7 +7,7 @@ namespace desmo {
 
 namespace {
 
-/// What unknowns do at least of what drivers do, before they have been seen.
+/// Least scale of unknowns over that of the drivers, before any instant is seen.
 constexpr double min_scale = 0.01;
 
 }  // namespace
@@ -22,7 +22,7 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
   for (const Driver& d : m.drivers)
     for (int i = 0; i < std::max(1, grid.instants); ++i) {
       const MotionSample<double> z = sample(d.motion, grid.time(i));
-      // What is no number will end the motion before it.
+      // A rate that is no finite number ends the motion before that instant.
       if (!std::isfinite(z.velocity) || !std::isfinite(z.acceleration)) continue;
       PerLevel<double>& most = is_length(m.entities[d.coordinate].kind) ? length : rotation;
       most.velocity = std::max(most.velocity, std::abs(z.velocity));
@@ -59,7 +59,7 @@ bool RunningScales::grow(const Instant& instant) {
   return v || a;
 }
 
-/// What does not accelerate is judged by its speed.
+/// Completes scales: an acceleration counts at least as min_scale · velocity² / position.
 Scales RunningScales::completed(Scales seen) {
   for (PerLevel<double>* of : {&seen.length, &seen.rotation})
     of->acceleration =
