@@ -20,7 +20,7 @@ int report_current_exception() noexcept {
   try {
     throw;
   } catch (const OutputError& error) {
-    // Where the reader of a pipe is gone, nobody waits for a message.
+    // Nobody waits for a message when the reader of a pipe is gone.
     return error.code() == EPIPE ? output_closed : complain(error.what(), unwritable_output);
   } catch (const CommandError& error) {
     return complain(error.what(), error.code());

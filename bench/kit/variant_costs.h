@@ -5,7 +5,7 @@
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 
-// Which variants are too slow to be solved or timed with many coordinates.
+// Variants that are too slow to be solved or timed with many coordinates.
 
 namespace desmo::bench {
 

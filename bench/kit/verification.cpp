@@ -147,7 +147,8 @@ std::vector<double> spread_times(const TimeGrid& grid, int count) {
 
 std::span<const ReferenceInstant> shared_reference(const Model& m, const TimeGrid& grid,
                                                    int stride) {
-  // By model_digest(), start and step of the grid [s], its instants, and whether it is strided.
+  // References by model_digest(), start and step of the grid [s], its instants, and whether it is
+  // strided.
   static std::map<std::tuple<std::string, double, double, int, bool>, Reference> all;
   const bool is_strided = stride > 1;
   Reference& reference = all[{model_digest(m), grid.start, grid.step, grid.instants, is_strided}];

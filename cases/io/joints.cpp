@@ -7,7 +7,7 @@
 namespace desmo {
 namespace {
 
-/// What others call a joint, and how it is written as a coupling of angles in degrees or radians.
+/// A coupling that others call a joint, and how it is written for angles in degrees or radians.
 struct CouplingName {
   std::string_view type, in_degrees, in_radians, meaning;
 };

@@ -16,7 +16,7 @@ JsonValue place_of(const JsonValue& root, std::string_view kind, const std::stri
   return root;
 }
 
-// Where the file describes what validate() refuses.
+// Returns the place of the file that describes what validate() refuses.
 JsonValue place_of(const JsonValue& root, const Mechanism& d, const MechanismError& error) {
   using Part = MechanismError::Part;
   const int i = error.index();

@@ -17,7 +17,7 @@
 
 namespace desmo {
 
-// What both kinds of file have:
+// Readers of parts that both kinds of file have:
 
 /// Returns the file's version, from 1 to `latest`. Throws InputError unless `format` is the file's,
 /// the version is known, and the optional `$schema` (for editors) is a text.

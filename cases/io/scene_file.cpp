@@ -16,7 +16,8 @@ constexpr double max_instants = 1e9;
 
 constexpr int latest_version = 2;
 
-// What the mechanism brings: motions and times as well when it is a library or a scalable one.
+// The mechanism of a scene, with its motions and times where it is of the library or a scalable
+// one.
 struct Start {
   Mechanism mechanism;
   DisplayUnits units;  // of the mechanism's file

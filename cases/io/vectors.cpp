@@ -88,7 +88,8 @@ class VectorReader {
     return d.is_line() ? line(place, d.from, d.to) : vectors_[d.vector].direction;
   }
 
-  // What a normal is defined by comes before it. That is of any depth: not by recursion.
+  // Resolves normals after the vectors that define them. Not by recursion, since any depth is
+  // possible.
   void resolve_normals() {
     std::map<int, Normal*> normal_of;  // of each vector that is not resolved
     for (Normal& normal : normals_) normal_of[normal.vector] = &normal;

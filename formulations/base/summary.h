@@ -2,7 +2,7 @@
 
 namespace desmo {
 
-/// How the solution of an instant ended.
+/// End of the solution of an instant.
 enum class Status {
   solved,
   not_converged,  ///< the tolerance was not met in the iterations allowed

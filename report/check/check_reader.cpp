@@ -58,7 +58,8 @@ bool is_sound(const MeasuredCandidate& candidate) {
   return candidate.status != Status::failed && candidate.verification;
 }
 
-// What is sound on every side was measured by every means that the check used.
+// Refuses a candidate that is sound on every side, but was not measured by every means of the
+// check.
 void check_complete(const CheckRecord& check, const RecordValue& root) {
   const RecordValue head = root["head"];
   const bool timed = root.find(control_name).has_value();

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
-// What stays on one line: words, and parts of an id up to "/"; an interval is a word.
+// Divides a text into pieces that stay on one line: words, and parts of an id up to "/"; an
+// interval is a word.
 std::vector<std::string> pieces(const std::string& text) {
   std::vector<std::string> result{""};
   bool inside = false;
@@ -55,7 +56,7 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return result;
 }
 
-// Of each column, so that a row fits into a line; wider where its pieces are.
+// Returns widths of columns with which a row fits into a line; wider where pieces are wider.
 std::vector<std::size_t> column_widths(const Table& table) {
   std::vector<std::size_t> widths, least;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {

@@ -16,7 +16,7 @@ TimedSize failed(TimedSize entry, std::string why) {
   return entry;
 }
 
-/// It grows as the tolerance does beyond the record's.
+/// Returns the errors allowed: they grow with a tolerance beyond the record's.
 LevelNumbers allowed_of(const TimedSize& entry, const RecordSettings& settings) {
   const double times = std::max(1.0, entry.tolerance / settings.tolerance);
   const LevelNumbers& allowed = *settings.allowed;

@@ -9,7 +9,7 @@
 namespace desmo::report {
 namespace {
 
-// Of the CPU clock, like everything that is done once.
+// Reads a time of the CPU clock, by which everything is measured that is done once.
 double read_setup(const RecordValue& time) {
   require_clock(time, Clock::cpu, "a set-up");
   const std::vector<double> samples = time["seconds"].list(&RecordValue::not_negative);

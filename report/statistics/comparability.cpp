@@ -58,7 +58,7 @@ CandidateKey reference_of(const CandidateKey& key) {
 
 namespace {
 
-/// What differs, each once for all candidates of a case and size.
+/// Differences, each once for all candidates of a case and size.
 struct Comparison {
   void require_same(const std::string& what, const std::optional<std::string>& first,
                     const std::optional<std::string>& second) {
@@ -98,8 +98,8 @@ void compare_settings(Comparison& all, const RecordSettings& a, const RecordSett
   all.require_same("duration", a.duration_seconds, b.duration_seconds);
 }
 
-// Of what has no time in one of them, there is nothing to compare. Peers find other coordinates, of
-// which there is no digest.
+// Compares candidates that have a time on both sides. Peers have no digest, since they find other
+// coordinates.
 void compare_timings(Comparison& all, const TimedGroup& a, const TimedGroup& b) {
   for (const auto& [key, one] : a.timings) {
     const auto other = b.timings.find(key);

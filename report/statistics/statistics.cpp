@@ -35,7 +35,8 @@ double average(std::span<const double> values) {
   return sum(values) / static_cast<double>(values.size());
 }
 
-// Of the 95 % interval of S = Σa / Σb over n pairs: t √(n/(n-1) Σ(a - S b)²) / Σb.
+// Returns half the width of the 95 % interval of S = Σa / Σb over n pairs: t √(n/(n-1) Σ(a - S b)²)
+// / Σb.
 double half_width_of_ratio(std::span<const double> a, std::span<const double> b) {
   const std::size_t n = a.size();
   const double ratio = sum(a) / sum(b), all = static_cast<double>(n);
@@ -64,7 +65,8 @@ double bound(const WindowPoint& point, double updates) {
   return point.seconds * std::max(1.0, updates / point.updates);
 }
 
-// What two points on either side allow: no more than either, nor than the chord between them.
+// Returns the bound by two points on either side: no more than either, nor than the chord between
+// them.
 double bound(const WindowPoint& left, const WindowPoint& right, double updates) {
   const double of_one = std::min(bound(left, updates), bound(right, updates));
   const double width = right.updates - left.updates;
@@ -79,7 +81,7 @@ double undisturbed(const Windows& s, std::optional<std::size_t> left_out) {
   const double instants = std::accumulate(s.instants.begin(), s.instants.end(), 0.0),
                updates = std::accumulate(s.updates.begin(), s.updates.end(), 0.0) / instants;
   const std::vector<WindowPoint> all = points(s, left_out);
-  // Of all chords over a place, the lowest there is the envelope's.
+  // The envelope at a place is the lowest of all chords over it.
   double lowest = std::numeric_limits<double>::infinity();
   for (const WindowPoint& left : all)
     for (const WindowPoint& right : all)

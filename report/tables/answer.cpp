@@ -82,8 +82,8 @@ TextValues words_of(const Record& record) {
                      {{"case", case_in_front(record)}, {"coordinates", size_compared(record)}});
 }
 
-/// How many times as fast a formulation is as the fastest global_automatic_<sparse> with the same
-/// guess and tolerance, and with the paper's settings.
+/// Speed-ups of a formulation over the fastest global_automatic_<sparse>: with the same guess and
+/// tolerance, and with the paper's settings.
 struct Best {
   std::optional<SpeedUp> like_for_like, papers_settings;
 };

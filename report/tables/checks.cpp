@@ -1,4 +1,4 @@
-// What it costs to check a run.
+// The table of costs of checking a run.
 #include <algorithm>
 #include <numeric>
 
@@ -23,7 +23,7 @@ std::string word_of(std::string_view suffix) {
   return std::string(suffix.substr(suffix.find_last_of("/:") + 1));
 }
 
-/// What a checked run takes more than a bare one.
+/// Additional time of a checked run over a bare one.
 struct Price {
   std::optional<double> step, share, start;  // µs, % of the bare step, ms
 };

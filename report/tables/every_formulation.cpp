@@ -86,10 +86,11 @@ Section every_formulation(const Record& record) {
 
 namespace {
 
-/// What stands in a row, in the order of rows: the analysis is the id without threads and clock.
+/// Key of a row, in the order of rows: the analysis is the id without threads and clock.
 using Place = std::tuple<std::int64_t, std::string, std::string, std::int64_t>;
 
-/// Where a failure recorded no number of threads, the id names it.
+/// Returns the key of a candidate. The id names the number of threads where a failure recorded
+/// none.
 Place place_of(const CandidateKey& key) {
   const std::string_view threads = setting(key.id, "threads"), request = setting(key.id, "request");
   std::string analysis = key.id;

@@ -143,10 +143,11 @@ Table speed_ups(const Record& record, std::string_view family) {
   return table;
 }
 
-/// How the paper's own solver is named next to the families.
+/// Name of the paper's own solver next to the families.
 constexpr const char* paper_solver = "MA27 (the paper)";
 
-/// What stands under the same line of the legend in every panel: TS-TPA_MA27 -> TS-TPA sparse.
+/// Returns the name of a variant that is the same in the legends of all panels: TS-TPA_MA27 ->
+/// TS-TPA sparse.
 std::string legend(const PaperVariant& variant) {
   std::string name = family_name(variant, "sparse");
   for (char& c : name)

@@ -1,4 +1,5 @@
-// What a user would pick instead: peers next to the formulations that start from the same guess.
+// The table of peers, which a user might pick instead, next to the formulations that start from the
+// same guess.
 #include <algorithm>
 #include <map>
 
@@ -33,8 +34,8 @@ Ours ours_with(const Record& record, const Peer& peer) {
   return ours;
 }
 
-/// How many times as long as ours a peer takes.
-struct TimesOurs {
+/// Ratio of a peer's time to ours.
+struct PeerRatio {
   std::string peer;
   SpeedUp times;
 };
@@ -44,7 +45,7 @@ using PeersByGuess = std::map<std::pair<std::int64_t, std::string>, std::vector<
 /// Says which peer is fastest, and which slowest, at a case's largest size where any has a ratio.
 std::string found(const Record& record, const std::string& case_name, const PeersByGuess& all) {
   std::int64_t size = 0;
-  std::vector<TimesOurs> ratios;
+  std::vector<PeerRatio> ratios;
   for (const auto& [place, peers] : all)  // sizes ascend
     for (const Peer* peer : peers) {
       const Measured time = measured(peer->solved);
@@ -56,7 +57,7 @@ std::string found(const Record& record, const std::string& case_name, const Peer
     }
   if (ratios.empty()) return sentence("peers.none");
   const auto [fastest, slowest] =
-      std::ranges::minmax(ratios, {}, [](const TimesOurs& ratio) { return ratio.times.value; });
+      std::ranges::minmax(ratios, {}, [](const PeerRatio& ratio) { return ratio.times.value; });
   TextValues words{{"case", case_name},       {"coordinates", size},
                    {"fastest", fastest.peer}, {"least", ratio_text(fastest.times)},
                    {"slowest", slowest.peer}, {"most", ratio_text(slowest.times)}};
@@ -65,9 +66,9 @@ std::string found(const Record& record, const std::string& case_name, const Peer
   return sentence("peers.found", words);
 }
 
-/// How many times as long as ours: "6.10 [5.90, 6.32]", quantities {ratio, low, high}.
-Entry times_ours(const Record& record, const std::optional<CandidateKey>& ours,
-                 const CandidateKey& key, const Measured& time) {
+/// Returns the entry of that ratio: "6.10 [5.90, 6.32]", quantities {ratio, low, high}.
+Entry peer_ratio_entry(const Record& record, const std::optional<CandidateKey>& ours,
+                       const CandidateKey& key, const Measured& time) {
   if (ours == key) return reference_entry();
   if (!ours) return note_entry(missing_mark);
   if (!time.seconds) return note_entry(time.mark);
@@ -82,8 +83,8 @@ void add_solver(Table& table, const Record& record, const Ours& ours, const Cand
       name,
       seconds_entry(time),
       instant_entry(record, time),
-      times_ours(record, ours.global, key, time),
-      times_ours(record, ours.fastest, key, time),
+      peer_ratio_entry(record, ours.global, key, time),
+      peer_ratio_entry(record, ours.fastest, key, time),
       number_entry(time.seconds ? candidate.iterations_per_step : std::nullopt, 3)};
   add_errors(row, candidate);
   row.push_back(remark(candidate));

@@ -1,4 +1,4 @@
-// What it costs to solve only what is asked.
+// The table of costs of solving only what a request needs.
 #include <map>
 #include <set>
 

@@ -19,7 +19,7 @@ struct Claimed {
 };
 constexpr std::array<Claimed, 5> claimed{{{0, 1}, {2, 3}, {2, 4}, {2, 5}, {2, 6}}};
 
-/// What was chosen otherwise, all else as in the paper.
+/// A setting that differs from the paper's, all else as there.
 struct Variation {
   std::string what, value;
   double step;  ///< s

@@ -1,5 +1,5 @@
-// How the time of a step grows with the number of coordinates, where caches end it, and from how
-// many unknowns on sparse matrices are faster than dense ones.
+// Tables of size: how the time of a step grows with the number of coordinates, where caches end it,
+// and from how many unknowns on sparse matrices are faster than dense ones.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,10 +11,10 @@
 namespace desmo::report {
 namespace {
 
-/// What the paper says: near 60 variables, comparing LAPACK with MA27.
+/// Break-even of the paper: near 60 variables, comparing LAPACK with MA27.
 constexpr const char* published_break_even = "60";
 
-/// Where d, linear in log n, becomes zero.
+/// Returns the n at which d, linear in log n, becomes zero.
 double zero_between(const SizeOfBoth& a, const SizeOfBoth& b) {
   return a.n * std::pow(b.n / a.n, a.d / (a.d - b.d));
 }

@@ -1,5 +1,5 @@
-// What the work–precision figure of a case shows, as a table: the design in report/figures draws
-// these numbers.
+// The table of the work–precision figure of a case: the design in report/figures draws these
+// numbers.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -24,8 +24,9 @@ double seconds_of(const NamedPoint* point) {
   return is_solved(*point) ? step_time(*point).seconds : std::numeric_limits<double>::infinity();
 }
 
-/// Of points by time, what is drawn: of each formulation and scalar the settings that no others of
-/// its own beat in both time and error, and the paper's; and all that failed.
+/// Returns the points that are drawn, of points by time: of each formulation and scalar the
+/// settings that no others of its own beat in both time and error, and the paper's; and all that
+/// failed.
 Points drawn(Points points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::map<std::tuple<std::string, std::string, bool>, double> least;

@@ -88,7 +88,7 @@ bool is_known(const Column& column, const Instant& instant) {
   return column.coordinate < 0 || (!instant.q.empty() && !std::isnan(column.value(instant)));
 }
 
-/// As RFC 4180 has it.
+/// Returns a field of CSV, quoted where RFC 4180 requires it.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -1,4 +1,4 @@
-// What `desmo solve` is to do.
+// The task of `desmo solve`.
 #pragma once
 
 #include <optional>

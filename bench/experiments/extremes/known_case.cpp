@@ -78,7 +78,7 @@ Model alone(const KnownCase& p, std::size_t index) {
   return model_mechanism(d.release(), {c.scene.motions[index]}).model;
 }
 
-/// Where, on the way from a time to another, a chain that has an answer at one of them ceases or
+/// Returns the time between two others at which a chain that has an answer at one of them ceases or
 /// begins to have one.
 double end_between(ChainSolution& solution, double from, double to) {
   const bool known = solution.solve(from);

@@ -37,7 +37,7 @@ std::vector<std::string_view> compared_ids() {
 
 std::string id_in(std::string_view id, Modelling kind) {
   const Variant& v = find_variant(id);
-  // What is derived in `basis` stands first in the order of generated code for natural coordinates.
+  // Generated code for natural coordinates solves first what `basis` derives: it would be the same.
   if (kind == Modelling::basis && v.evaluation == Evaluation::symbolic) return {};
   return id_with(v, Settings{.coordinates = kind});
 }
