@@ -29,7 +29,7 @@ std::unique_ptr<bench::Child> start(const Side& side, int core) {
 double ask(bench::Child& probe, const std::string& name, Random& random) {
   probe.say(name + ' ' + std::to_string(TimingSettings::repetitions) + ' ' +
             std::to_string(random() % placements));
-  return std::stod(probe.answer());
+  return std::stod(probe.read_answer());
 }
 
 }  // namespace

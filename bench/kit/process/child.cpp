@@ -111,7 +111,7 @@ void Child::say(std::string_view line) {
   if (std::fflush(in_) != 0) throw std::runtime_error(program_ + " has ended early");
 }
 
-std::string Child::answer() {
+std::string Child::read_answer() {
   char* line = nullptr;
   std::size_t size = 0;
   const ssize_t length = getline(&line, &size, out_);

@@ -20,7 +20,7 @@ struct Launch {
   bool fresh_copy = false;
 };
 
-/// A running program that is asked and answers by lines. Constructor, say() and answer() throw
+/// A running program that is asked and answers by lines. Constructor, say() and read_answer() throw
 /// std::runtime_error when it is not started or has ended; one that cannot be executed ends with
 /// 127.
 class Child {
@@ -31,7 +31,7 @@ class Child {
   ~Child();  ///< closes its input and waits for its end
 
   void say(std::string_view line);
-  std::string answer();  ///< the next line, without its end
+  std::string read_answer();  ///< the next line, without its end
 
   /// Closes its input and waits. Returns its exit code; output: receives all that it has still to
   /// say.
