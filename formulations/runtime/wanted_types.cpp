@@ -122,18 +122,19 @@ std::vector<SampledType> wanted_types(const Variant& v, LibraryContents contents
   if (!parts.empty() && states.empty()) throw Unavailable("the mechanism cannot be assembled");
   told.parts_too_large = static_cast<int>(too_large);
   std::vector<SampledType> types;
+  std::vector<TypeUse> uses;  // of each
   for (const PartDefinition& part : parts) {
     SampledType& type = generate::add_part(m, part, states, types);
     if (type.name.empty()) {
       type.name = "type_" + std::to_string(types.size() - 1);
       type.type = generate::without_names(std::move(type.type));
-      told.types.push_back(
-          {m.groups[part.groups.front()].name, static_cast<int>(part.unknowns.size())});
+      uses.push_back({m.groups[part.groups.front()].name, static_cast<int>(part.unknowns.size())});
     }
     type.samples.resize(std::min(type.samples.size(), enough_samples));
     type.pivot_samples.resize(std::min(type.pivot_samples.size(), enough_for_pivots));
-    ++told.types[&type - types.data()].parts;
+    ++uses[&type - types.data()].parts;
   }
+  told.types = std::move(uses);
   return types;
 }
 
