@@ -67,8 +67,8 @@ std::string error_text(const std::string& output) {
   return printable(first_line(output.substr(line)), max_shown);
 }
 
-Ending run(const std::string& file, std::vector<std::string> arguments, int folder,
-           std::chrono::milliseconds time) {
+ProgramEnd run(const std::string& file, std::vector<std::string> arguments, int folder,
+               std::chrono::milliseconds time) {
   arguments.insert(arguments.begin(), file);
   try {
     return run_program(arguments, folder, time);
@@ -86,7 +86,7 @@ Compiler Compiler::find(int lanes) {
   if (lanes == 8) compiler.flags_ += more_for_eight_lanes;
   compiler.file_ = locate_any();
   const Descriptor root(::open("/", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  const Ending ending = run(compiler.file_, {"--version"}, root.number(), time_for_version);
+  const ProgramEnd ending = run(compiler.file_, {"--version"}, root.number(), time_for_version);
   if (!ending.good || ending.output.empty())
     throw Unavailable(printable(compiler.file_, 200) +
                       ": does not say its version; set CXX to a C++ compiler");
@@ -103,7 +103,7 @@ void Compiler::compile(const std::string& source, const std::string& library, in
   std::istringstream words(flags_);
   std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
   arguments.insert(arguments.end(), {"-o", library, source});
-  const Ending ending = run(file_, arguments, folder, time);
+  const ProgramEnd ending = run(file_, arguments, folder, time);
   if (ending.late) {
     std::ostringstream seconds;
     seconds << std::chrono::duration<double>(time).count();

@@ -125,8 +125,8 @@ bool wait_until(pid_t child, Clock::time_point end, int& status) {
 
 }  // namespace
 
-Ending run_program(const std::vector<std::string>& arguments, int folder,
-                   std::chrono::milliseconds time) {
+ProgramEnd run_program(const std::vector<std::string>& arguments, int folder,
+                       std::chrono::milliseconds time) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
   Descriptor read_end(ends[0]), write_end(ends[1]);
@@ -134,7 +134,7 @@ Ending run_program(const std::vector<std::string>& arguments, int folder,
   const pid_t child = start(arguments, folder, write_end.number());
   write_end.close();
 
-  Ending ending;
+  ProgramEnd ending;
   int status = 0;
   ending.late = !read_all(read_end.number(), end, ending.output) || !wait_until(child, end, status);
   if (ending.late) {

@@ -7,7 +7,7 @@
 namespace desmo::load {
 
 /// The end of another program.
-struct Ending {
+struct ProgramEnd {
   bool good = false;   ///< exit code 0
   bool late = false;   ///< killed because its time was over
   std::string output;  ///< standard output and error, at most 64 KiB
@@ -19,8 +19,8 @@ struct Ending {
 /// - arguments: the first is the program's file.
 /// - folder: descriptor of its working directory.
 /// - time: limit, after which it is killed with all processes it has started.
-Ending run_program(const std::vector<std::string>& arguments, int folder,
-                   std::chrono::milliseconds time);
+ProgramEnd run_program(const std::vector<std::string>& arguments, int folder,
+                       std::chrono::milliseconds time);
 
 /// Terminates the program that run_program() is running, if any, and all processes it has started.
 /// May be called in a signal handler.

@@ -89,13 +89,13 @@ TEST_F(CompilerTest, ThatTakesTooLongIsEndedWithAllThatItHasStarted) {
 struct Programs : testing::Test {
   Descriptor root{::open("/", O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
 
-  Ending run(const std::vector<std::string>& arguments, int milliseconds = 60000) {
+  ProgramEnd run(const std::vector<std::string>& arguments, int milliseconds = 60000) {
     return run_program(arguments, root.number(), std::chrono::milliseconds(milliseconds));
   }
 };
 
 TEST_F(Programs, GetTheirArgumentsAsTheyAre) {
-  const Ending ending = run({"/bin/echo", "$(touch /tmp/pwned); `x`", "*", "a\nb", "\"'"});
+  const ProgramEnd ending = run({"/bin/echo", "$(touch /tmp/pwned); `x`", "*", "a\nb", "\"'"});
   EXPECT_TRUE(ending.good);
   EXPECT_EQ(ending.output, "$(touch /tmp/pwned); `x` * a\nb \"'\n");
   EXPECT_EQ(run({"/bin/pwd"}).output, "/\n");
@@ -116,7 +116,7 @@ TEST_F(Programs, GetLittleOfOurEnvironment) {
 }
 
 TEST_F(Programs, AreReadToTheirEndAndNoFurther) {
-  const Ending ending = run({"/bin/sh", "-c", "head -c 1000000 /dev/zero; echo >&2; exit 3"});
+  const ProgramEnd ending = run({"/bin/sh", "-c", "head -c 1000000 /dev/zero; echo >&2; exit 3"});
   EXPECT_FALSE(ending.good);
   EXPECT_FALSE(ending.late);
   EXPECT_EQ(ending.output, std::string(65536, '\0'));
@@ -127,7 +127,7 @@ TEST_F(Programs, AreEndedWhenTheirTimeIsOverEvenWhenTheySayNothingMore) {
   for (const char* commands :
        {"sleep 600", "exec >&- 2>&-; sleep 600", "trap '' TERM; sleep 600"}) {
     const auto start = std::chrono::steady_clock::now();
-    const Ending ending = run({"/bin/sh", "-c", commands}, 200);
+    const ProgramEnd ending = run({"/bin/sh", "-c", commands}, 200);
     EXPECT_TRUE(ending.late) << commands;
     EXPECT_FALSE(ending.good) << commands;
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60)) << commands;
