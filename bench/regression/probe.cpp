@@ -17,7 +17,7 @@
 #include "bench/kit/memory.h"
 #include "bench/kit/options.h"
 #include "bench/kit/time/clock.h"
-#include "bench/regression/checked.h"
+#include "bench/regression/measured_candidates.h"
 #include "bench/regression/rounds.h"
 #include "bench/regression/stepped_formulation.h"
 #include "formulations/algebra/blas.h"
@@ -104,7 +104,7 @@ int run(std::vector<std::string> arguments) {
   std::cout.precision(9);
   const std::string command = arguments.empty() ? "" : arguments[0];
   if (command == "names" && arguments.size() == 1) {
-    for (const std::string& name : checked_names()) std::cout << name << '\n';
+    for (const std::string& name : measured_candidates()) std::cout << name << '\n';
   } else if (command == "verify" && arguments.size() > 2) {
     std::cout << verified_record(bench::whole_number(arguments[1], 2, max_number),
                                  {arguments.begin() + 2, arguments.end()})

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/kit/process/child.h"
-#include "bench/regression/checked.h"
+#include "bench/regression/measured_candidates.h"
 #include "bench/regression/rounds.h"
 #include "bench/regression/stepped_formulation.h"
 #include "formulations/algebra/backend.h"
@@ -44,7 +44,7 @@ TEST(Checked, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
     if (const auto* b = find_backend(v.algebra); b && b->absence)
       continue;  // on some machines only
     bool partition = false, evaluation = false, algebra = false;
-    for (const std::string& name : checked_names()) {
+    for (const std::string& name : measured_candidates()) {
       const std::string id = parse_name(name).id;
       const auto same = [&](std::size_t from, std::size_t to) {
         return id.find(v.id.substr(from, to - from)) != std::string::npos;

@@ -1,4 +1,4 @@
-#include "bench/regression/checked.h"
+#include "bench/regression/measured_candidates.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -44,7 +44,7 @@ Json verified(const std::string& name, int instants) {
 
 }  // namespace
 
-std::vector<std::string> checked_names() {
+std::vector<std::string> measured_candidates() {
   std::vector<std::string> names{
       "four_bar/114/global_automatic_klu",
       "four_bar/114/group_symbolic_inlined",
