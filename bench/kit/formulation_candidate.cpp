@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/digests.h"
 #include "bench/kit/memory.h"
 #include "formulations/variants.h"
@@ -30,7 +31,7 @@ std::string FormulationCandidate::id() const {
 }
 
 std::string FormulationCandidate::name() const {
-  return case_name() + "/" + std::to_string(coordinates()) + "/" + id();
+  return CandidateName{case_name(), coordinates(), id()}.text();
 }
 
 const std::string& FormulationCandidate::case_name() const {

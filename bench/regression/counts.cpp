@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/options.h"
 #include "bench/kit/process/callgrind.h"
-#include "bench/regression/candidate_name.h"
 
 namespace desmo::regression {
 
@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::vector<std::string> steps_command(const Side& side, const std::string& name, int count) {
-  const CandidateName parsed = parse_name(name);
+  const bench::CandidateName parsed = bench::parse_name(name);
   return {side.folder + "/desmo_steps",
           parsed.case_name,
           std::to_string(parsed.coordinates),

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/options.h"
 #include "bench/kit/process/callgrind.h"
 #include "bench/kit/record/record.h"
@@ -82,9 +83,7 @@ std::vector<Side> sides_of(const Options& o) {
 }
 
 std::string name_of(const Json& candidate) {
-  return candidate["case"].get<std::string>() + "/" +
-         std::to_string(candidate["coordinates"].get<int>()) + "/" +
-         candidate["id"].get<std::string>();
+  return bench::CandidateName{candidate["case"], candidate["coordinates"], candidate["id"]}.text();
 }
 
 /// Returns the record of each side, with every candidate verified.

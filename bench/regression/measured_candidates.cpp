@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json verified(const std::string& name, int instants) {
-  const CandidateName parsed = parse_name(name);
+  const bench::CandidateName parsed = bench::parse_name(name);
   Json j = {{"case", parsed.case_name}, {"coordinates", parsed.coordinates}, {"id", parsed.id}};
   try {
     const bench::Problem problem = problem_of(parsed, instants);

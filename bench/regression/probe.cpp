@@ -77,7 +77,7 @@ double time(const std::string& name, int instants, double percent, int repetitio
   // The place of the candidate's data in cache lines and pages is luck; it is drawn anew every
   // time.
   const std::vector<char> shift(16 * static_cast<std::size_t>(placement));
-  const CandidateName parsed = parse_name(name);
+  const bench::CandidateName parsed = bench::parse_name(name);
   const bench::Problem problem = problem_of(parsed, instants);
   SteppedFormulation stepped(problem, parsed.id);
   const int last = stepped.last_instant(), extra = extra_steps(last, percent);

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string_view>
 
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/delivery.h"
 #include "bench/kit/problem.h"
-#include "bench/regression/candidate_name.h"
 #include "formulations/base/output_writer.h"
 #include "formulations/formulation.h"
 #include "formulations/id.h"
@@ -14,7 +14,7 @@ namespace desmo::regression {
 
 /// Returns a case at one size over its first instants, 10 ms apart, without a reference. Throws
 /// std::invalid_argument when this build has no such case or size.
-bench::Problem problem_of(const CandidateName& name, int instants);
+bench::Problem problem_of(const bench::CandidateName& name, int instants);
 
 /// A formulation ready to be run, or stepped through, while its instructions are counted. It is no
 /// bench::Candidate: that would link the quadruple reference, whose copies of templates are

@@ -17,7 +17,7 @@ TEST(Counts, AreOfThePapersAnalysesAndOfWhatGoesBeyond) {
   std::set<std::string> names;
   for (const StepCount& count : all) {
     EXPECT_EQ(count.coordinates, 558);
-    EXPECT_TRUE(names.insert(count.name()).second) << count.name();
+    EXPECT_TRUE(names.insert(count.text()).second) << count.text();
     EXPECT_NO_THROW(parse_id(bench::formulation_of(count.id))) << count.id;
   }
   for (const char* name : {"truck_suspension", "four_bar"})

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/process/child.h"
 #include "bench/regression/measured_candidates.h"
 #include "bench/regression/rounds.h"
@@ -22,12 +23,13 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 TEST(CandidateNames, AreReadOrRefused) {
-  const CandidateName name = parse_name("four_bar/24/group_symbolic_klu");
+  const bench::CandidateName name = bench::parse_name("four_bar/24/group_symbolic_klu");
   EXPECT_EQ(name.case_name, "four_bar");
   EXPECT_EQ(name.coordinates, 24);
   EXPECT_EQ(name.id, "group_symbolic_klu");
+  EXPECT_EQ(name.text(), "four_bar/24/group_symbolic_klu");
   for (const char* bad : {"", "four_bar", "four_bar/24", "four_bar/24/", "four_bar/x/id", "a//b"})
-    EXPECT_THROW(parse_name(bad), std::invalid_argument) << bad;
+    EXPECT_THROW(bench::parse_name(bad), std::invalid_argument) << bad;
 }
 
 TEST(Control, HasTheNameThatTheReportReads) { EXPECT_STREQ(control_name, report::control_name); }
@@ -45,7 +47,7 @@ TEST(Checked, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
       continue;  // on some machines only
     bool partition = false, evaluation = false, algebra = false;
     for (const std::string& name : measured_candidates()) {
-      const std::string id = parse_name(name).id;
+      const std::string id = bench::parse_name(name).id;
       const auto same = [&](std::size_t from, std::size_t to) {
         return id.find(v.id.substr(from, to - from)) != std::string::npos;
       };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bench/experiments/accuracy/settings_grid.h"
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/variant_costs.h"
 #include "formulations/algebra/backend.h"
 
@@ -70,14 +71,14 @@ std::vector<Settings> usual_settings(const Variant& v, bool largest) {
 /// that has none yet, each id once. Adds the series unless it is empty.
 void add(std::vector<AccuracySeries>& all, AccuracySeries series, const std::regex& filter,
          const auto& formulations, const auto& settings_of) {
-  const std::string place =
-      std::string(series.definition->name) + "/" + std::to_string(series.coordinates) + "/";
+  bench::CandidateName name{std::string(series.definition->name), series.coordinates, {}};
   std::set<std::string> ids;
   for (const Variant& v : formulations)
-    for (const Settings& settings : settings_of(v))
-      if (const std::string id = id_with(v, settings);
-          ids.insert(id).second && std::regex_search(place + id, filter))
+    for (const Settings& settings : settings_of(v)) {
+      name.id = id_with(v, settings);
+      if (ids.insert(name.id).second && std::regex_search(name.text(), filter))
         series.configurations.push_back({&v, settings});
+    }
   if (!series.configurations.empty()) all.push_back(std::move(series));
 }
 

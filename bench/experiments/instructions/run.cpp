@@ -63,7 +63,7 @@ void measure(const Options& options, const bench::CommandLine& line) {
   std::vector<StepCount> counts =
       to_be_counted(options.coordinates > 0 ? options.coordinates : coordinates);
   std::erase_if(counts,
-                [&](const StepCount& c) { return !std::regex_search(c.name(), expression); });
+                [&](const StepCount& c) { return !std::regex_search(c.text(), expression); });
   if (counts.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   const std::string tool = bench::counting_tool();
   if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");

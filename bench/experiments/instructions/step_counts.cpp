@@ -51,7 +51,7 @@ std::vector<std::string> counted_ids() {
 void count(StepCount& one, const std::string& desmo_steps) {
   const auto counted = [&](const std::string& id, int taken) {
     return bench::count_steps(
-        one.name(),
+        one.text(),
         {desmo_steps, one.case_name, std::to_string(one.coordinates), id, std::to_string(taken)});
   };
   const auto step = [&](const std::string& id) {
@@ -76,16 +76,12 @@ void count(StepCount& one, const std::string& desmo_steps) {
 
 }  // namespace
 
-std::string StepCount::name() const {
-  return case_name + "/" + std::to_string(coordinates) + "/" + id;
-}
-
 std::vector<StepCount> to_be_counted(int coordinates) {
   std::vector<StepCount> all;
   for (const Case& c : cases()) {
     const int size = coordinates > 0 ? coordinates : c.sizes.back();
     make_scene(c, size);  // throws where there is no such size
-    for (const std::string& id : counted_ids()) all.push_back({std::string(c.name), size, id});
+    for (const std::string& id : counted_ids()) all.push_back({{std::string(c.name), size, id}});
   }
   return all;
 }

@@ -4,18 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "bench/kit/candidate_name.h"
+
 namespace desmo::instructions {
 
-/// Instructions of a step of one formulation.
-struct StepCount {
-  std::string case_name;
-  int coordinates;
-  std::string id;                 ///< with one of bench::check_suffixes where the run is checked
+/// Instructions of a step of one formulation. Its id has one of bench::check_suffixes where the run
+/// is checked.
+struct StepCount : bench::CandidateName {
   std::int64_t instructions = 0;  ///< per step, with as many Newton iterations as it takes
   std::int64_t checks = 0;        ///< of these, what checks take
   int steps = 0;                  ///< number of counted steps
-
-  std::string name() const;  ///< <case>/<coordinates>/<id>
 };
 
 /// Returns what is to be counted of both cases: all formulations but blocks, dense global solves

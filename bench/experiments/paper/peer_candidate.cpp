@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/experiments/paper/entry_json.h"
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/digests.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/motion/prediction/guess.h"
@@ -56,8 +57,8 @@ PeerCandidate::PeerCandidate(std::shared_ptr<const MeasuredCase> measured, const
       limit_(options.peer_limit) {}
 
 std::string PeerCandidate::name() const {
-  return model().name + "/" + std::to_string(model().coordinates()) +
-         "/peer:" + std::string(peer_.name);
+  return CandidateName{model().name, model().coordinates(), "peer:" + std::string(peer_.name)}
+      .text();
 }
 
 PeerCandidate::Checked PeerCandidate::check(VerifyingRun& found) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "bench/kit/candidate_name.h"
 #include "bench/kit/problem.h"
 #include "bench/kit/variant_costs.h"
 #include "formulations/model/plan.h"
@@ -101,10 +102,11 @@ std::vector<SizeSeries> make_series(bool quick, const std::regex& filter) {
   std::vector<SizeSeries> all;
   const auto add = [&](Question question, const Case& c, int size, const auto& ids) {
     SizeSeries series{question, &c, size, {}};
-    const std::string place = std::string(name_of(question)) + "/" + std::string(c.name) + "/" +
-                              std::to_string(size) + "/";
-    for (const std::string_view id : ids)
-      if (std::regex_search(place + std::string(id), filter)) series.ids.push_back(id);
+    const std::string place = std::string(name_of(question)) + "/";
+    for (const std::string_view id : ids) {
+      const bench::CandidateName name{std::string(c.name), size, std::string(id)};
+      if (std::regex_search(place + name.text(), filter)) series.ids.push_back(id);
+    }
     if (!series.ids.empty()) all.push_back(std::move(series));
   };
   for (const Case& c : cases()) {
