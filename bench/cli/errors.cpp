@@ -21,7 +21,7 @@ int report_current_exception() noexcept {
     throw;
   } catch (const OutputError& error) {
     // Nobody waits for a message when the reader of a pipe is gone.
-    return error.code() == EPIPE ? output_closed : complain(error.what(), unwritable_output);
+    return error.code() == EPIPE ? output_closed : complain(error.what(), not_completed);
   } catch (const CommandError& error) {
     return complain(error.what(), error.code());
   } catch (const InputError& error) {

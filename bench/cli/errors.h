@@ -1,24 +1,16 @@
-// Errors that end the program, and their exit codes, from sysexits.h where it has one.
+// Errors that end the program, with their exit codes.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
+#include "bench/kit/exit_codes.h"
 #include "cases/io/files.h"
 
 namespace desmo::cli {
 
-enum ExitCode {
-  success = 0,
-  not_solved = 1,         ///< the mechanism cannot be solved
-  usage_error = 64,       ///< wrong command line
-  bad_input = 65,         ///< wrong content of a file
-  unreadable_input = 66,  ///< file missing or not readable
-  unavailable = 69,       ///< the page of `view` was not built
-  internal_error = 70,
-  unwritable_output = 74,
-  output_closed = 141,  ///< standard output was closed by its reader: 128 + SIGPIPE
-};
+using bench::ExitCode;
+using enum bench::ExitCode;
 
 /// Error with a message for people, safe on terminals: "<file>: <place>: <what is wrong>;
 /// <remedy>".

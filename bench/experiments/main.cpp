@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "bench/experiments/experiments.h"
+#include "bench/kit/exit_codes.h"
 #include "bench/kit/memory.h"
-#include "bench/kit/options.h"
 #include "bench/kit/record/environment.h"
 #include "cases/io/input_error.h"
 #include "cases/io/text_file.h"
@@ -36,10 +36,6 @@ constexpr Experiment all_experiments[] = {
     {"instructions", "Instructions a step, counted by callgrind", desmo::instructions::run},
     {"extremes", "Every formulation where most go wrong", desmo::extremes::run},
 };
-
-/// bad_input, unreadable_input: of a scene file. not_completed: something cannot be measured or
-/// written.
-enum ExitCode { success = 0, bad_input = 65, unreadable_input = 66, not_completed = 74 };
 
 void print_experiments() {
   std::cout << "desmo_bench [EXPERIMENT] [OPTION...]: measures, and writes a record. Experiments:\n"
@@ -75,7 +71,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto failed = [](const std::string& message, int code) {
+  const auto failed = [](const std::string& message, ExitCode code) {
     std::cerr << "desmo_bench: " << message << '\n';
     return code;
   };

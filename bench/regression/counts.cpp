@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bench/kit/candidate_name.h"
-#include "bench/kit/options.h"
+#include "bench/kit/exit_codes.h"
 #include "bench/kit/process/callgrind.h"
 
 namespace desmo::regression {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bench/kit/candidate_name.h"
+#include "bench/kit/exit_codes.h"
 #include "bench/kit/options.h"
 #include "bench/kit/process/callgrind.h"
 #include "bench/kit/record/record.h"
@@ -29,8 +30,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
-
-constexpr int not_measured = 74;  // exit code: as bench/check says
 
 struct Options {
   std::string base, head, file, slow;
@@ -222,7 +221,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : bench::usage_error;
+    return app.exit(error) == 0 ? bench::success : bench::usage_error;
   }
   if (all->parsed())
     measure(o);
@@ -245,6 +244,6 @@ int main(int argc, char** argv) {
     return desmo::bench::usage_error;
   } catch (const std::exception& e) {
     std::cerr << "desmo_check: " << e.what() << '\n';
-    return desmo::regression::not_measured;
+    return desmo::bench::not_completed;
   }
 }

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/kit/exit_codes.h"
 #include "bench/kit/memory.h"
 #include "bench/kit/options.h"
 #include "bench/kit/time/clock.h"

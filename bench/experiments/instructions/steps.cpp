@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "bench/kit/checked_run.h"
+#include "bench/kit/exit_codes.h"
 #include "bench/kit/options.h"
 #include "bench/regression/rounds.h"
 #include "bench/regression/stepped_formulation.h"

@@ -22,7 +22,7 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/peer_candidate.h"
 #include "bench/experiments/paper/request.h"
-#include "bench/kit/options.h"
+#include "bench/kit/exit_codes.h"
 #include "bench/kit/process/own_process.h"
 #include "formulations/variants.h"
 
