@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -14,8 +15,26 @@
 
 namespace desmo::cli {
 
-/// Adds a subcommand, whose callback does the work and throws the errors of errors.h.
+/// Adds a subcommand with its options and examples.
 using AddCommand = void(CLI::App& program);
+
+/// A subcommand and its options, which it keeps.
+template <class Options>
+struct Command {
+  CLI::App& app;
+  Options& options;
+};
+
+/// Adds a subcommand, to which its options are then added. run: does the work once these are read;
+/// throws the errors of errors.h.
+template <class Options>
+Command<Options> add_command(CLI::App& program, const std::string& name,
+                             const std::string& description, void (*run)(const Options&)) {
+  CLI::App* const app = program.add_subcommand(name, description);
+  const auto options = std::make_shared<Options>();
+  app->callback([options, run] { run(*options); });
+  return {*app, *options};
+}
 
 /// Rejects an empty option text, most likely from an unset variable. Returns the message.
 inline std::string refuse_empty(const std::string& text) {
@@ -34,6 +53,19 @@ inline void add_scene(CLI::App& command, std::string& scene) {
                   "Scene file, - for standard input, library mechanism (its scene), or scalable "
                   "case with its units, such as truck_suspension:5")
       ->required();
+}
+
+/// Adds the option that names the output of a command, a file.
+inline void add_output(CLI::App& command, std::string& output) {
+  command
+      .add_option("-o,--output", output,
+                  "Write to this file, whole or not at all, instead of standard output")
+      ->check(refuse_empty);
+}
+
+/// Adds the option that leaves out progress and all notes but flags.
+inline void add_quiet(CLI::App& command, bool& quiet) {
+  command.add_flag("--quiet", quiet, "No progress, and no notes but flags");
 }
 
 /// Names of an option's values.

@@ -1,6 +1,5 @@
 // desmo list: the mechanisms, scalable cases and formulations of the program.
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "bench/cli/commands.h"
@@ -129,17 +128,15 @@ void list(const ListOptions& options) {
 }  // namespace
 
 void add_list(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("list", "Mechanisms, scalable cases and formulations that there are");
-  const auto options = std::make_shared<ListOptions>();
-  command->add_option("what", options->what, "What to list; everything by default")
+  const auto [command, options] = add_command(
+      program, "list", "Mechanisms, scalable cases and formulations that there are", list);
+  command.add_option("what", options.what, "What to list; everything by default")
       ->check(CLI::IsMember({"mechanisms", "cases", "formulations"}));
-  command->add_flag("--json", options->json, "As JSON");
-  command->footer(
+  command.add_flag("--json", options.json, "As JSON");
+  command.footer(
       "Examples:\n"
       "  desmo list mechanisms\n"
       "  desmo list formulations --json");
-  command->callback([options] { list(*options); });
 }
 
 }  // namespace desmo::cli

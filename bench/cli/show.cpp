@@ -1,5 +1,4 @@
 // desmo show: a library mechanism as JSON, as a starting point.
-#include <memory>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
@@ -26,16 +25,14 @@ void show(const ShowOptions& options) {
 }  // namespace
 
 void add_show(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("show", "Print a library mechanism, or its scene, as JSON");
-  const auto options = std::make_shared<ShowOptions>();
-  command->add_option("name", options->name, "Library mechanism (see desmo list)")->required();
-  command->add_flag("--scene", options->scene, "Print its scene instead");
-  command->footer(
+  const auto [command, options] =
+      add_command(program, "show", "Print a library mechanism, or its scene, as JSON", show);
+  command.add_option("name", options.name, "Library mechanism (see desmo list)")->required();
+  command.add_flag("--scene", options.scene, "Print its scene instead");
+  command.footer(
       "Examples:\n"
       "  desmo show slider_crank > mine.json\n"
       "  desmo show slider_crank --scene > mine.scene.json");
-  command->callback([options] { show(*options); });
 }
 
 }  // namespace desmo::cli

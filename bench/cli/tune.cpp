@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <memory>
 #include <string>
 
 #include "bench/cli/commands.h"
@@ -133,35 +132,34 @@ void tune(const TuneOptions& options) {
 }  // namespace
 
 void add_tune(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "tune", "Find the cheapest formulation and settings that are accurate enough for a scene");
-  const auto options = std::make_shared<TuneOptions>();
-  add_scene(*command, options->scene);
+  const auto [command, options] = add_command(
+      program, "tune",
+      "Find the cheapest formulation and settings that are accurate enough for a scene", tune);
+  add_scene(command, options.scene);
   command
-      ->add_option("--max-error", options->max_error,
-                   "Largest error, relative to the size (speed, acceleration) of the mechanism")
+      .add_option("--max-error", options.max_error,
+                  "Largest error, relative to the size (speed, acceleration) of the mechanism")
       ->check(refuse_nan)
       ->check(CLI::PositiveNumber);
   command
-      ->add_option("--budget", options->budget,
-                   "Time that a step may take, such as 50us: the most accurate within it. "
-                   "Either --max-error or --budget is required")
+      .add_option("--budget", options.budget,
+                  "Time that a step may take, such as 50us: the most accurate within it. "
+                  "Either --max-error or --budget is required")
       ->transform(CLI::AsNumberWithUnit(
           std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
       ->check(CLI::PositiveNumber);
   Choices<Level> levels;
   for (const Level level : all_levels) levels.emplace_back(bench::level_names[level], level);
-  add_choice(*command, "--level", options->level, levels,
+  add_choice(command, "--level", options.level, levels,
              "Which error is meant; position by default");
-  command->add_flag("--write", options->write, "Store the choice in the scene file");
-  add_options(*command, options->own_code);
-  command->add_flag("--quiet", options->quiet, "No progress");
-  command->footer(
+  command.add_flag("--write", options.write, "Store the choice in the scene file");
+  add_options(command, options.own_code);
+  command.add_flag("--quiet", options.quiet, "No progress");
+  command.footer(
       "Examples:\n"
       "  desmo tune slider_crank --max-error 1e-9\n"
       "  desmo tune mine.scene.json --budget 20us --level acceleration --write");
-  command->callback([options] { tune(*options); });
 }
 
 }  // namespace desmo::cli

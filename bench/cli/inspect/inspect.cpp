@@ -1,6 +1,5 @@
 // desmo inspect: the structure of a mechanism.
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -30,26 +29,24 @@ void run(const InspectOptions& options) {
 }  // namespace
 
 void add_inspect(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "inspect", "Structural groups, coordinates and equations of a mechanism");
-  const auto options = std::make_shared<InspectOptions>();
+  const auto [command, options] = add_command(
+      program, "inspect", "Structural groups, coordinates and equations of a mechanism", run);
   command
-      ->add_option("mechanism", options->mechanism,
-                   "Mechanism or scene file, - for standard input, library mechanism, or scalable "
-                   "case with its units, such as truck_suspension:5")
+      .add_option("mechanism", options.mechanism,
+                  "Mechanism or scene file, - for standard input, library mechanism, or scalable "
+                  "case with its units, such as truck_suspension:5")
       ->required();
   Choices<Modelling> kinds;
   for (const Modelling kind : modelling_kinds) kinds.emplace_back(name_of(kind), kind);
-  add_choice(*command, "--coordinates", options->coordinates, kinds,
+  add_choice(command, "--coordinates", options.coordinates, kinds,
              "natural (default), basis, reference or relative: the tree, its variables, the joints "
              "that are cut, and what each group solves for");
-  command->add_flag("--json", options->json, "As JSON, with equations and unknowns by name");
-  command->footer(
+  command.add_flag("--json", options.json, "As JSON, with equations and unknowns by name");
+  command.footer(
       "Examples:\n"
       "  desmo inspect slider_crank\n"
       "  desmo inspect mine.json --json\n"
       "  desmo inspect truck_suspension:1 --coordinates relative");
-  command->callback([options] { run(*options); });
 }
 
 }  // namespace desmo::cli

@@ -1,7 +1,6 @@
 // desmo range: how far each driver can go from the start of a scene.
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 
 #include "bench/cli/commands.h"
@@ -115,17 +114,16 @@ void range(const RangeOptions& options) {
 }  // namespace
 
 void add_range(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "range", "How far each driver can go from a scene's start, the others at rest");
-  const auto options = std::make_shared<RangeOptions>();
-  add_scene(*command, options->scene);
-  add_units(*command, options->units);
-  command->add_flag("--json", options->json, "As JSON, with all digits and constraints by name");
-  command->footer(
+  const auto [command, options] =
+      add_command(program, "range",
+                  "How far each driver can go from a scene's start, the others at rest", range);
+  add_scene(command, options.scene);
+  add_units(command, options.units);
+  command.add_flag("--json", options.json, "As JSON, with all digits and constraints by name");
+  command.footer(
       "Examples:\n"
       "  desmo range stewart\n"
       "  desmo range mine.scene.json --json --units si");
-  command->callback([options] { range(*options); });
 }
 
 }  // namespace desmo::cli

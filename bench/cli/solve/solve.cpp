@@ -184,52 +184,48 @@ void solve(const SolveOptions& options) {
 }  // namespace
 
 void add_solve(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("solve", "Solve a scene and write what it asks for");
-  const auto options = std::make_shared<SolveOptions>();
-  add_scene(*command, options->scene);
-  command
-      ->add_option("-o,--output", options->output,
-                   "Write to this file, whole or not at all, instead of standard output")
-      ->check(refuse_empty);
-  add_choice(*command, "--format", options->format,
+  const auto [command, options] =
+      add_command(program, "solve", "Solve a scene and write what it asks for", solve);
+  add_scene(command, options.scene);
+  add_output(command, options.output);
+  add_choice(command, "--format", options.format,
              {{"csv", SeriesFormat::csv}, {"jsonl", SeriesFormat::jsonl}},
              "csv, or jsonl (JSON lines); by default as the name of the output ends, in .csv or "
              ".jsonl");
-  add_units(*command, options->units);
+  add_units(command, options.units);
   command
-      ->add_option("--formulation", options->formulation,
-                   "Formulation (see desmo list formulations), settings as suffixes such as "
-                   "/guess:hermite5; by default the scene's, or " +
-                       std::string(default_formulation))
+      .add_option("--formulation", options.formulation,
+                  "Formulation (see desmo list formulations), settings as suffixes such as "
+                  "/guess:hermite5; by default the scene's, or " +
+                      std::string(default_formulation))
       ->check(refuse_empty);
   command
-      ->add_option("--drivers", options->drivers,
-                   "Take the drivers' values from this file, - for standard input: a line for each "
-                   "instant, answered at once, of t, then z of each driver, dz/dt of each and "
-                   "d2z/dt2 of each; the scene's own motion and time are not used")
+      .add_option("--drivers", options.drivers,
+                  "Take the drivers' values from this file, - for standard input: a line for each "
+                  "instant, answered at once, of t, then z of each driver, dz/dt of each and "
+                  "d2z/dt2 of each; the scene's own motion and time are not used")
       ->check(refuse_empty);
   add_choice(
-      *command, "--columns", options->flags, {{"flag", true}},
+      command, "--columns", options.flags, {{"flag", true}},
       "Further columns: flag, which says of each row why it is not proven, or that it is beyond "
       "a change point; JSON lines have it anyway")
       ->excludes("--drivers");
-  add_check(*command, options->check);
-  add_options(*command, options->own_code);
-  command->add_flag("--explain", options->explain,
-                    "Say on standard error what has to be solved for what is asked, and why");
-  CLI::Option* past_failures = command->add_flag(
-      "--past-failures", options->check.past_failures,
+  add_check(command, options.check);
+  add_options(command, options.own_code);
+  command.add_flag("--explain", options.explain,
+                   "Say on standard error what has to be solved for what is asked, and why");
+  CLI::Option* past_failures = command.add_flag(
+      "--past-failures", options.check.past_failures,
       "Go on after an interval that cannot be assembled, and say from when to when");
-  command->add_flag("--strict", options->check.strict, "Fail at the first row that is flagged")
+  command.add_flag("--strict", options.check.strict, "Fail at the first row that is flagged")
       ->excludes(past_failures);
-  command->add_flag("--quiet", options->quiet, "No progress, and no notes but flags");
-  command->footer(
+  add_quiet(command, options.quiet);
+  command.footer(
       "Examples:\n"
       "  desmo solve slider_crank -o motion.csv\n"
       "  desmo solve mine.scene.json --format jsonl --units si | program\n"
       "  echo 0 90 360 0 | desmo solve slider_crank --drivers -\n"
       "  desmo solve truck_suspension:5 --formulation group_symbolic_klu --quiet -o truck.csv");
-  command->callback([options] { solve(*options); });
 }
 
 }  // namespace desmo::cli

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <optional>
 
 #include "bench/cli/commands.h"
@@ -114,21 +113,16 @@ void view(const ViewOptions& options) {
 }  // namespace
 
 void add_view(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("view", "Show a scene in motion, as one page for a browser");
-  const auto options = std::make_shared<ViewOptions>();
-  add_scene(*command, options->scene);
-  command
-      ->add_option("-o,--output", options->output,
-                   "Write to this file, whole or not at all, instead of standard output")
-      ->check(refuse_empty);
-  add_units(*command, options->units);
-  command->add_flag("--quiet", options->quiet, "No progress, and no notes but flags");
-  command->footer(
+  const auto [command, options] =
+      add_command(program, "view", "Show a scene in motion, as one page for a browser", view);
+  add_scene(command, options.scene);
+  add_output(command, options.output);
+  add_units(command, options.units);
+  add_quiet(command, options.quiet);
+  command.footer(
       "Examples:\n"
       "  desmo view slider_crank -o motion.html\n"
       "  desmo view - -o motion.html < mine.scene.json");
-  command->callback([options] { view(*options); });
 }
 
 }  // namespace desmo::cli
