@@ -1,0 +1,126 @@
+#include "cases/io/requestable.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "cases/mechanism/carriers.h"
+#include "cases/mechanism/joint_forms.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+constexpr int max_patterns = 100;  // each is compared with every name
+
+/// Adds the names of those entries of a list that can be asked for, from the `first` on.
+template <class Entry>
+void fill(RequestKey& names, const std::vector<Entry>& list, const auto& can_be_asked_for,
+          int first = 0) {
+  for (int i = first; i < static_cast<int>(list.size()); ++i)
+    if (can_be_asked_for(i)) names.add(list[i].name, i);
+}
+
+}  // namespace
+
+Requestable::Requestable(const Mechanism& mechanism) : d_(mechanism) {
+  const Carriers of_points(d_, &Mechanism::Body::points), of_vectors(d_, &Mechanism::Body::vectors);
+  const auto is_angle = [&](int c) {
+    return d_.coordinates[c].type == Mechanism::CoordinateType::angle;
+  };
+  const auto any = [](int) { return true; };
+  fill(points, d_.points, [&](int p) { return of_points.is_carried(p); });
+  fill(vectors, d_.vectors, [&](int v) { return of_vectors.is_carried(v); });
+  fill(angles, d_.coordinates, is_angle);
+  fill(distances, d_.coordinates, std::not_fn(is_angle));
+  fill(bodies, d_.bodies, any);
+  fill(rotations, d_.bodies, any, 1);  // without the ground
+  fill(joints, d_.joints,
+       [&](int j) { return turns(d_.joints[j].type) || slides(d_.joints[j].type); });
+}
+
+void Requestable::read(const JsonValue& entry, const RequestKey& names,
+                       const std::function<void(int)>& want) {
+  const auto list = entry.find(names.key);
+  if (!list) return;
+  if (list->is_object() && defines_in_place(names)) {
+    for (const JsonValue& defined : list->members()) want(names.find(defined, defined.key()));
+    return;
+  }
+  const std::vector<JsonValue> listed = list->elements();
+  if (listed.empty()) list->complain("is an empty list; name something or leave it out");
+  for (const JsonValue& name : listed) {
+    if (name.is_object() && defines_in_place(names))
+      name.complain("defines something in a list of names; give \"" + names.key +
+                    "\": {\"NAME\": …} in an entry of its own");
+    if (name.text().find('*') != std::string_view::npos) {
+      for (const int i : match(name, names)) want(i);
+    } else {
+      check_kind(name, names);
+      if (&names == &joints) check_joint(name);
+      want(names.find(name));
+    }
+  }
+}
+
+bool Requestable::defines_in_place(const RequestKey& names) const {
+  return &names == &points || &names == &angles || &names == &distances;
+}
+
+std::vector<int> Requestable::match(const JsonValue& pattern, const RequestKey& names) {
+  if (characters(pattern.text()) > max_name)
+    pattern.complain("the pattern is longer than " + std::to_string(max_name) +
+                     " characters; shorten it");
+  if (++patterns_ > max_patterns)
+    pattern.complain("the request has more than " + std::to_string(max_patterns) +
+                     " patterns with *; join some");
+  std::vector<int> found;
+  for (const std::string_view name : names.names())
+    if (matches(pattern.text(), name)) found.push_back(*names.position(name));
+  if (found.empty())
+    pattern.complain("the pattern " + in_quotes(pattern.text()) + " matches none of the " +
+                     names.key + "; " + suggestion(pattern.text(), names.names()));
+  return found;
+}
+
+/// Refuses a name of another kind, and one that no body carries. It is more likely meant than a
+/// similar one of this kind, which a complaint about an unknown name would offer.
+void Requestable::check_kind(const JsonValue& name, const RequestKey& names) const {
+  if (names.position(name.text()) || &names == &rotations || &names == &joints) return;
+  for (const RequestKey* other : {&points, &vectors, &angles, &distances, &bodies})
+    if (other->position(name.text()))
+      name.complain(in_quotes(name.text()) + " is none of the " + names.key +
+                    "; ask for it under \"" + other->key + "\"");
+  const auto is_named = [&](const auto& entry) { return entry.name == name.text(); };
+  if (std::ranges::any_of(d_.points, is_named) || std::ranges::any_of(d_.vectors, is_named))
+    name.complain(in_quotes(name.text()) +
+                  " is carried by no body and has no motion; list it in a body");
+}
+
+/// Refuses a joint that has neither a turn nor a travel.
+void Requestable::check_joint(const JsonValue& name) const {
+  if (joints.position(name.text())) return;
+  const auto joint = std::ranges::find(d_.joints, name.text(), &Mechanism::Joint::name);
+  if (joint == d_.joints.end()) return;
+  name.complain(in_quotes(name.text()) + " is a joint of type " +
+                in_quotes(find_joint_form(joint->type, d_.dimension)->name) +
+                ", which neither turns about one axis nor slides along one; ask for rotations or "
+                "points of its bodies");
+}
+
+std::string Requestable::read_component(const JsonValue& value) const {
+  const std::string_view name = value.text(), entity = name.substr(0, name.rfind('.'));
+  const bool is_component =
+      entity.size() + 2 == name.size() &&
+      std::string_view("xyz").substr(0, d_.dimension).find(name.back()) != std::string_view::npos &&
+      (points.position(entity) || vectors.position(entity));
+  if (!is_component && !angles.position(name) && !distances.position(name)) {
+    std::vector<std::string_view> known;
+    for (const Mechanism::Coordinate& c : d_.coordinates) known.push_back(c.name);
+    value.complain("unknown coordinate " + in_quotes(name) +
+                   "; give one, or a component of a point or vector such as 'C.x'; " +
+                   suggestion(name, known));
+  }
+  return std::string(name);
+}
+
+}  // namespace desmo

@@ -1,0 +1,49 @@
+// What a request can ask for, by name.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/io/json_document.h"
+#include "cases/io/name_table.h"
+#include "cases/mechanism/mechanism.h"
+
+namespace desmo {
+
+/// The names that a request may list under one of its keys, with their positions in the mechanism.
+struct RequestKey : NameTable {
+  RequestKey(std::string key, std::string kind) : NameTable(std::move(kind)), key(std::move(key)) {}
+
+  const std::string key;  ///< "points"
+};
+
+/// Everything that a request of a mechanism can ask for. Functions that read throw InputError.
+class Requestable {
+ public:
+  /// mechanism: outlives this, and has what the request defines.
+  explicit Requestable(const Mechanism& mechanism);
+
+  /// Reads what an entry of a request lists, or has defined, under a key. Calls want() with the
+  /// position of each; of a pattern, of all that match.
+  void read(const JsonValue& entry, const RequestKey& names, const std::function<void(int)>& want);
+
+  /// Reads the name of a coordinate, or of a component of a point or vector: "C.x".
+  std::string read_component(const JsonValue& value) const;
+
+  RequestKey points{"points", "point"}, vectors{"vectors", "vector"}, angles{"angles", "angle"},
+      distances{"distances", "distance"}, bodies{"bodies", "body"},
+      rotations{"rotations", "moving body"}, joints{"joints", "joint that turns or slides"};
+
+ private:
+  bool defines_in_place(const RequestKey& names) const;
+  std::vector<int> match(const JsonValue& pattern, const RequestKey& names);
+  void check_kind(const JsonValue& name, const RequestKey& names) const;
+  void check_joint(const JsonValue& name) const;
+
+  const Mechanism& d_;
+  int patterns_ = 0;
+};
+
+}  // namespace desmo
