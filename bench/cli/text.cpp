@@ -4,6 +4,7 @@
 #include <ranges>
 #include <sstream>
 
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo::cli {
@@ -21,6 +22,21 @@ std::string enumerate(const std::vector<std::string>& names, std::size_t most) {
   std::string text = joined(names | std::views::take(most));
   if (names.size() > most) text += ", … (" + std::to_string(names.size() - most) + " more)";
   return text;
+}
+
+std::string named_group(const Group& group) {
+  return "group '" + group.name + "' (" + enumerate(group.bodies, 8) + ")";
+}
+
+std::string in_group(GroupId group, const Model& m) {
+  return group < 0 ? "" : named_group(m.groups[group]) + ", ";
+}
+
+std::string moment(double time) { return formatted("t = %.9g s", time); }
+
+std::string interval(double from, double to) {
+  const std::string first = formatted("%.12g s", from), last = formatted("%.12g s", to);
+  return "t = " + (first == last ? first : first + " to " + last);
 }
 
 std::vector<std::string> driver_names(const Model& m) {

@@ -25,6 +25,18 @@ std::vector<std::string> names_at(const std::vector<Named>& all,
   return names;
 }
 
+/// Returns "group 'SG-II' (rod, slider)", with at most eight bodies.
+std::string named_group(const Group& group);
+
+/// Returns "group 'SG-II' (rod, slider), ", with which notes begin; "" for no group, -1.
+std::string in_group(GroupId group, const Model& model);
+
+/// Returns "t = 0.3 s".
+std::string moment(double time);
+
+/// Returns "t = 1 s to 2 s"; one moment where both are the same in print.
+std::string interval(double from, double to);
+
 /// Returns the names of the driven coordinates.
 std::vector<std::string> driver_names(const Model& model);
 

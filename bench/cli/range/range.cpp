@@ -8,6 +8,7 @@
 #include "bench/cli/input.h"
 #include "bench/cli/range/ranges.h"
 #include "bench/cli/solve/check_notes.h"
+#include "bench/cli/solve/failure_notes.h"
 #include "bench/cli/text.h"
 #include "bench/kit/delivery.h"
 #include "cases/io/new_files.h"

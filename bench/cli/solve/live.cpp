@@ -5,6 +5,7 @@
 #include "bench/cli/errors.h"
 #include "bench/cli/solve/check_notes.h"
 #include "bench/cli/solve/driver_rows.h"
+#include "bench/cli/solve/failure_notes.h"
 #include "bench/cli/solve/task.h"
 #include "bench/cli/text.h"
 #include "cases/mechanism/formatted.h"

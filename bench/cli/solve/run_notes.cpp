@@ -99,9 +99,7 @@ std::string note_on_steps(const Formulation& f) {
 std::string note_on_unseen(const Plan& plan, const Model& whole) {
   std::vector<std::string> groups;
   for (std::size_t g = 0; g < plan.groups.size(); ++g)
-    if (plan.groups[g].may_lock)
-      groups.push_back("group '" + whole.groups[g].name + "' (" +
-                       enumerate(whole.groups[g].bodies, names_shown) + ")");
+    if (plan.groups[g].may_lock) groups.push_back(named_group(whole.groups[g]));
   if (groups.empty()) return "";
   return "note: nobody looked at " + enumerate(groups, names_shown) +
          ", which the request does not need: what moves may lock there (--check mechanism looks)\n";

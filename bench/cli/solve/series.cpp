@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "bench/cli/solve/check_notes.h"
+#include "bench/cli/solve/failure_notes.h"
 
 namespace desmo::cli {
 namespace {

@@ -15,6 +15,7 @@
 #include "bench/cli/interruption.h"
 #include "bench/cli/solve/check_notes.h"
 #include "bench/cli/solve/check_option.h"
+#include "bench/cli/solve/failure_notes.h"
 #include "bench/cli/solve/run_notes.h"
 #include "bench/cli/solve/task.h"
 #include "cases/mechanism/names.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bench/cli/solve/check_notes.h"
+#include "bench/cli/solve/failure_notes.h"
 
 namespace desmo::cli {
 
