@@ -8,6 +8,8 @@
 #include <tuple>
 
 #include "bench/cli/solve/columns.h"
+#include "bench/cli/view/drawn_entities.h"
+#include "bench/kit/problem.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/measures/measures.h"
 
@@ -18,7 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t max_plotted = 100'000;  // numbers that are plotted and not drawn
 
-constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
 constexpr const char* flag_names[] = {"unproven", "misfit", "failed", "crossing", "branch"};
 
 /// Returns numbers as base64, the lowest byte of each first.
@@ -37,25 +38,6 @@ std::string base64(const std::vector<float>& numbers) {
       add(std::bit_cast<std::uint32_t>(number) >> shift & 255);
   if (waiting > 0) text += letters[bits << (6 - waiting) & 63];
   return text.append((4 - text.size() % 4) % 4, '=');
-}
-
-/// Returns which points a body carries; the model knows no others.
-std::vector<bool> carried_points(const Mechanism& mechanism) {
-  std::vector<bool> carried(mechanism.points.size());
-  for (const Mechanism::Body& body : mechanism.bodies)
-    for (const int p : body.points) carried[p] = true;
-  return carried;
-}
-
-/// Returns which vectors are drawn: those of joints and of driven coordinates.
-std::vector<bool> drawn_vectors(const Mechanism& mechanism) {
-  std::vector<bool> drawn(mechanism.vectors.size());
-  for (const Mechanism::Joint& joint : mechanism.joints)
-    for (const int v : joint.vectors) drawn[v] = true;
-  for (const Mechanism::Coordinate& c : mechanism.coordinates)
-    for (const int v : {c.of.vector, c.from.vector, c.vector})
-      if (c.driven && v >= 0) drawn[v] = true;
-  return drawn;
 }
 
 /// Writes the JSON, and packs a column whenever it names one.
@@ -168,7 +150,7 @@ class Writer {
         continue;
       }
       const int place = pack(column);
-      const char* level = level_names[static_cast<int>(column.level)];
+      const char* level = bench::level_names[column.level];
       if (!result.contains(level)) result[level] = place;
     }
     return result;
@@ -230,9 +212,9 @@ class Writer {
     json_["condition"] = pack({{"name", "condition number"}, {"unit", "1"}},
                               [](const RecordedInstant& i) { return i.condition; });
     for (const Level level : all_levels)
-      json_["radii"].push_back(pack(
-          {{"name", std::string("radius, ") + level_names[static_cast<int>(level)]}, {"unit", "1"}},
-          [&](const RecordedInstant& i) { return i.radius[level]; }));
+      json_["radii"].push_back(
+          pack({{"name", std::string("radius, ") + bench::level_names[level]}, {"unit", "1"}},
+               [&](const RecordedInstant& i) { return i.radius[level]; }));
   }
 
   const Scene& scene_;
@@ -247,14 +229,6 @@ class Writer {
 };
 
 }  // namespace
-
-std::size_t drawn_numbers(const Mechanism& mechanism) {
-  const auto count = [](const std::vector<bool>& list) {
-    return static_cast<std::size_t>(std::ranges::count(list, true));
-  };
-  return 1 + static_cast<std::size_t>(mechanism.dimension) *
-                 (3 * count(carried_points(mechanism)) + count(drawn_vectors(mechanism)));
-}
 
 std::string page_data(const ShownMotion& motion, int every) { return Writer(motion, every)(); }
 

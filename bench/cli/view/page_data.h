@@ -22,10 +22,6 @@ struct ShownMotion {
 /// Bytes that a number takes in a page: four, in base64.
 inline constexpr double text_per_number = 16. / 3;
 
-/// Returns how many numbers an instant has for what is drawn: no less than 1, and no more than
-/// this.
-std::size_t drawn_numbers(const Mechanism& mechanism);
-
 /// Returns the data as page.html takes them: JSON, with the columns of numbers one after the other
 /// as base64 of floats of 32 bits. It has every `every`th of the recorded instants, and the last
 /// ones before gaps and the end. All numbers are in the scene's units and have seven digits; so

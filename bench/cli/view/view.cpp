@@ -10,6 +10,7 @@
 #include "bench/cli/input.h"
 #include "bench/cli/interruption.h"
 #include "bench/cli/solve/check_notes.h"
+#include "bench/cli/view/drawn_entities.h"
 #include "bench/cli/view/page_data.h"
 #include "bench/cli/view/page_template.h"
 #include "cases/io/new_files.h"
