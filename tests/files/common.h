@@ -69,6 +69,24 @@ inline const std::string spatial = R"({
   "drivers": ["theta"]
 })";
 
+/// A crank of 3 and 4 and a slider, with coordinates of all kinds; `driver` is driven.
+inline std::string drawn(const std::string& driver) {
+  return R"({"format": "desmo-mechanism", "version": 1, "name": "drawn", "dimension": 2,
+    "units": {"angle": "deg"},
+    "points": {"A": [1, 2], "B": [4, 6], "C": [9, 2]}, "vectors": {"u": [3, 1]},
+    "ground": {"points": ["A"], "vectors": ["u"]},
+    "bodies": {"crank": {"points": ["A", "B"]}, "rod": {"points": ["B", "C"]}},
+    "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
+               {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]}],
+    "coordinates": {"angle": {"angle": ["A", "B"], "estimate": 370},
+                    "turn": {"angle": ["C", "B"], "from": "u"},
+                    "distance": {"distance": ["A", "B"]}, "diagonal": {"distance": ["B", "C"]},
+                    "along": {"distance": ["A", "C"], "along": "u"},
+                    "height": {"component": "B", "axis": "y"}},
+    "drivers": [")" +
+         driver + "\"]}";
+}
+
 inline std::string scene_with(const std::string& members) {
   return "{\"format\": \"desmo-scene\", \"version\": 2, " + members + "}";
 }
