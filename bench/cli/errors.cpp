@@ -5,6 +5,7 @@
 #include <new>
 
 #include "cases/io/new_files.h"
+#include "cases/io/text_file.h"
 
 namespace desmo::cli {
 namespace {
@@ -24,6 +25,8 @@ int report_current_exception() noexcept {
     return error.code() == EPIPE ? output_closed : complain(error.what(), not_completed);
   } catch (const CommandError& error) {
     return complain(error.what(), error.code());
+  } catch (const UnreadableFile& error) {
+    return complain(error.what(), unreadable_input);
   } catch (const InputError& error) {
     return complain(error.what(), bad_input);
   } catch (const std::invalid_argument& error) {

@@ -18,8 +18,8 @@ struct Input : ReadScene {
   std::string file;    ///< path of what was read, /dev/stdin where that is "-"; empty: none
 };
 
-/// Loads a scene. Throws InputError and CommandError (unreadable_input; usage_error for a number of
-/// units), naming the source. The argument is:
+/// Loads a scene. Throws InputError, UnreadableFile and CommandError (unreadable_input; usage_error
+/// for a number of units), naming the source. The argument is:
 /// - a scene file, if it contains "/" or ".", or has none of these names; "-" is standard input
 /// - the name of a library mechanism, for its scene
 /// - a scalable case with its number of units, "truck_suspension:5"

@@ -73,7 +73,7 @@ std::string evidence(const accuracy::SearchResult& found) {
 }
 
 void write_scene(const std::string& path, const std::string& id) {
-  const std::string text = with_formulation(read_text(path), id);
+  const std::string text = with_formulation(read_named_text(path), id);
   OutputFile output(path, remove_when_interrupted);
   output.write(text);
   output.finish();

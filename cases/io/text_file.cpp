@@ -48,10 +48,16 @@ std::string read_text(const std::filesystem::path& file) {
   return text;
 }
 
-std::string read_input(const std::filesystem::path& file) try {
+std::string read_named_text(const std::filesystem::path& file) try {
   return read_text(file);
 } catch (const UnreadableFile& error) {
-  throw InputError(printable(file.string(), 300) + ": " + error.what());
+  throw UnreadableFile(printable(file.string(), 300) + ": " + error.what());
+}
+
+std::string read_input(const std::filesystem::path& file) try {
+  return read_named_text(file);
+} catch (const UnreadableFile& error) {
+  throw InputError(error.what());
 }
 
 }  // namespace desmo

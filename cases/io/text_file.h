@@ -8,7 +8,7 @@ namespace desmo {
 
 constexpr std::size_t max_file = std::size_t{64} << 20;  ///< [bytes]
 
-/// Reason why a file cannot be read, and the remedy.
+/// Error of a file that cannot be read. The message is the reason and the remedy.
 class UnreadableFile : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -16,6 +16,9 @@ class UnreadableFile : public std::runtime_error {
 
 /// Returns the bytes of a regular file of at most `max_file`. Throws UnreadableFile.
 std::string read_text(const std::filesystem::path& file);
+
+/// Does the same; the message begins with the file's name.
+std::string read_named_text(const std::filesystem::path& file);
 
 /// Does the same for a file that is part of the input: throws InputError, naming it.
 std::string read_input(const std::filesystem::path& file);

@@ -34,14 +34,8 @@ std::string name_of(const std::string& file) {
 }
 
 Scene read(const std::string& file) {
-  const std::string shown = printable(file, 300);
-  std::string text;
-  try {
-    text = read_text(file);
-  } catch (const UnreadableFile& error) {
-    throw UnreadableFile(shown + ": " + error.what());
-  }
-  return parse_scene(text, shown, std::filesystem::path(file).parent_path());
+  return parse_scene(read_named_text(file), printable(file, 300),
+                     std::filesystem::path(file).parent_path());
 }
 
 Model model_of(const Scene& scene, const std::string& file) {
