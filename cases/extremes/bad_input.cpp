@@ -1,6 +1,5 @@
 // Row 10: invalid mechanisms, and drivers that stop being finite numbers.
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -12,7 +11,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double start = std::numbers::pi / 3;
 constexpr TimeGrid grid{0, 0.1, 41};
 
 using Dyad = DyadChain::Dyad;
@@ -25,26 +23,27 @@ ExtremeCase refused(ExtremeCase c) {
 
 /// The last dyad is what `damage` makes of it.
 ExtremeCase damaged(std::string name, void (*damage)(Dyad&)) {
-  DyadChain chain = usual_chain(2, start);
+  DyadChain chain = usual_chain(2, chain_start);
   damage(chain.dyads.back());
   return refused(case_of(std::move(name), chain, 1, grid));
 }
 
 ExtremeCase driven_by(std::string name, Motion motion) {
-  return case_of(std::move(name), std::vector{usual_chain(2, start)}, {std::move(motion)}, grid);
+  return case_of(std::move(name), std::vector{usual_chain(2, chain_start)}, {std::move(motion)},
+                 grid);
 }
 
 /// sin(ω t) is no number once ω t has overflowed, here after 1.8 s, and nothing before: its
 /// amplitude is 0.
 Motion not_a_number_from(double seconds) {
   const double overflowing = std::numeric_limits<double>::max() / seconds;
-  return HarmonicSum{start, {{1, 0.5, 0}, {0, overflowing, 0}}};
+  return HarmonicSum{chain_start, {{1, 0.5, 0}, {0, overflowing, 0}}};
 }
 
 /// 1e-100 t¹⁶⁰ is beneath notice before 4 s and has overflowed at 500 s.
 Motion infinite_at_500_s() {
   std::vector<Derived> coefficients(161);
-  coefficients[0] = start;
+  coefficients[0] = chain_start;
   coefficients[1] = 0.001;
   coefficients.back() = 1e-100;
   return Polynomial{std::move(coefficients)};
@@ -70,7 +69,7 @@ std::vector<ExtremeCase> bad_input(Extent) {
                     d.pivot = {nan, 0, 0};
                   }),
           damaged("a rocker's pivots coincide", [](Dyad& d) { d.pivot = d.joint; }),
-          refused(driven_by("a motion with NaN", Polynomial{{start, nan}})),
+          refused(driven_by("a motion with NaN", Polynomial{{chain_start, nan}})),
           may_be_unproven(driven_by("a driver NaN after 1.75 s", not_a_number_from(1.75))),
           infinite};
 }

@@ -1,5 +1,4 @@
 // Row 9: estimates that are exact, or far off.
-#include <numbers>
 #include <string>
 
 #include "cases/extremes/rows.h"
@@ -26,7 +25,7 @@ std::vector<ExtremeCase> bad_starts(Extent extent) {
   std::vector<ExtremeCase> all;
   for (const int dyads : {1, 3}) {
     const ExtremeCase chain = case_of("four-bar, K = " + std::to_string(dyads),
-                                      usual_chain(dyads, std::numbers::pi / 3), 1, only_start);
+                                      usual_chain(dyads, chain_start), 1, only_start);
     all.push_back(off_by(chain, 0, 1));
     for (const double off : {0.1, 0.5, 2.0}) all.push_back(off_by(chain, off, count));
   }

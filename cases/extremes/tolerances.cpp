@@ -1,5 +1,4 @@
 // Row 13: tolerances from coarse ones to some beyond double precision.
-#include <numbers>
 #include <string>
 
 #include "cases/extremes/rows.h"
@@ -10,7 +9,7 @@ std::vector<ExtremeCase> tolerances(Extent) {
   std::vector<ExtremeCase> all;
   for (int digits = 3; digits <= 16; ++digits) {
     const std::string tolerance = "1e-" + std::to_string(digits);
-    ExtremeCase c = case_of(tolerance, usual_chain(5, std::numbers::pi / 3), 1, {0, 0.03, 101});
+    ExtremeCase c = case_of(tolerance, usual_chain(5, chain_start), 1, {0, 0.03, 101});
     c.scene.tolerance = std::stod(tolerance);
     all.push_back(c);
   }
