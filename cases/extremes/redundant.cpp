@@ -73,14 +73,6 @@ ExtremeCase bennett(std::string name, double start, Polynomial motion, double to
       std::sin((twists[1] + twists[0]) / 2) / std::sin((twists[1] - twists[0]) / 2);
   const double other = 2 * std::atan(ratio / std::tan(start / 2));
   const double angles[] = {start, other, -start, -other};
-  const auto turned = [](const Vec& v, const Vec& axis, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    const double along = dot(axis, v);
-    const Vec across = cross(axis, v);
-    Vec result;
-    for (int i = 0; i < 3; ++i) result[i] = c * v[i] + s * across[i] + (1 - c) * along * axis[i];
-    return result;
-  };
   MechanismBuilder d("bennett", 3);
   d.set_length_unit("1");
   Vec x{1, 0, 0}, z{0, 0, 1}, at{};
@@ -88,9 +80,9 @@ ExtremeCase bennett(std::string name, double start, Polynomial motion, double to
   for (int i = 0; i < 4; ++i) {
     p[i] = d.point("P" + std::to_string(i + 1), at);
     v[i] = d.vector("z" + std::to_string(i + 1), z);
-    x = turned(x, z, angles[i]);
+    x = turned_about(z, angles[i], x);
     for (int k = 0; k < 3; ++k) at[k] += lengths[i % 2] * x[k];
-    z = turned(z, x, twists[i % 2]);
+    z = turned_about(x, twists[i % 2], z);
   }
   const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
   hinge_loop(d, "link", p, v, from, towards);

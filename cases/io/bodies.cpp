@@ -3,6 +3,7 @@
 
 #include "cases/io/readers.h"
 #include "cases/mechanism/names.h"
+#include "cases/numbers/space.h"
 
 namespace desmo {
 namespace {
@@ -13,12 +14,7 @@ using Vec = Mechanism::Vec;
 Vec turned(const Vec& x, const Vec& rotation) {
   const double angle = std::hypot(rotation[0], rotation[1], rotation[2]);
   if (angle == 0) return x;
-  const Vec k{rotation[0] / angle, rotation[1] / angle, rotation[2] / angle};
-  const double cosine = std::cos(angle), sine = std::sin(angle);
-  const double along = (1 - cosine) * (k[0] * x[0] + k[1] * x[1] + k[2] * x[2]);
-  return {cosine * x[0] + sine * (k[1] * x[2] - k[2] * x[1]) + along * k[0],
-          cosine * x[1] + sine * (k[2] * x[0] - k[0] * x[2]) + along * k[1],
-          cosine * x[2] + sine * (k[0] * x[1] - k[1] * x[0]) + along * k[2]};
+  return turned_about({rotation[0] / angle, rotation[1] / angle, rotation[2] / angle}, angle, x);
 }
 
 class BodyReader {

@@ -1,8 +1,9 @@
 #pragma once
 
-// Products of vectors in space, for any scalar.
+// Products of vectors in space, for any scalar, and turns.
 
 #include <array>
+#include <cmath>
 
 namespace desmo {
 
@@ -14,6 +15,17 @@ S dot(const std::array<S, 3>& a, const std::array<S, 3>& b) {
 template <class S>
 std::array<S, 3> cross(const std::array<S, 3>& a, const std::array<S, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Returns a vector turned by an angle [rad] about an axis of length 1 (Rodrigues).
+inline std::array<double, 3> turned_about(const std::array<double, 3>& axis, double angle,
+                                          const std::array<double, 3>& v) {
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  const double along = (1 - cosine) * dot(axis, v);
+  const std::array<double, 3> across = cross(axis, v);
+  std::array<double, 3> result;
+  for (int i = 0; i < 3; ++i) result[i] = cosine * v[i] + sine * across[i] + along * axis[i];
+  return result;
 }
 
 }  // namespace desmo
