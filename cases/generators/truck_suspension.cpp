@@ -5,6 +5,7 @@
 
 #include "cases/generators/cases.h"
 #include "cases/mechanism/builder.h"
+#include "cases/numbers/space.h"
 
 namespace desmo {
 
@@ -17,13 +18,11 @@ Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[
 Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vec operator-(const Vec& a) { return {-a[0], -a[1], -a[2]}; }
 Vec unit(const Vec& a) {
-  const double n = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+  const double n = std::sqrt(dot(a, a));
   return {a[0] / n, a[1] / n, a[2] / n};
 }
 /// The unit vector along a × b.
-Vec normal(const Vec& a, const Vec& b) {
-  return unit({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
-}
+Vec normal(const Vec& a, const Vec& b) { return unit(cross(a, b)); }
 
 constexpr Vec x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 

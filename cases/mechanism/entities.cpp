@@ -7,6 +7,7 @@
 #include "cases/mechanism/checks.h"
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/names.h"
+#include "cases/numbers/space.h"
 
 namespace desmo {
 namespace {
@@ -20,7 +21,7 @@ bool finite(const Mechanism::Vec& x) {
 }
 
 bool is_unit(const Mechanism::Vec& u) {
-  return std::abs(std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1) <= unit_length_rounding;
+  return std::abs(std::sqrt(dot(u, u)) - 1) <= unit_length_rounding;
 }
 
 template <class Entry>
