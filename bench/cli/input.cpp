@@ -78,9 +78,9 @@ std::optional<Scene> scalable_case(const std::string& argument) {
     int units = 0;
     if (colon == std::string::npos ||
         !parse_number(std::string_view(argument).substr(colon + 1), units))
-      throw CommandError(usage_error,
-                         desmo::in_quotes(argument) + ": how many " + std::string(c.unit_name) +
-                             " there are is missing; write " + std::string(c.name) + ":5");
+      throw CommandError(usage_error, desmo::in_quotes(argument) + ": has no number of " +
+                                          std::string(c.unit_name) + "; write " +
+                                          std::string(c.name) + ":5");
     try {
       return c.with_units(units);
     } catch (const std::invalid_argument& wrong) {

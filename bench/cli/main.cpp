@@ -50,8 +50,7 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   if (unknown == extras.end())
     throw cli::CommandError(
         cli::usage_error,
-        in_quotes(extras.front()) + ": " + name +
-            " takes nothing after what stands before it; leave it out" +
+        in_quotes(extras.front()) + ": " + name + " takes no further argument; leave it out" +
             (command.get_option_no_throw("-o") ? ", or write -o before the name of an output"
                                                : "") +
             help);

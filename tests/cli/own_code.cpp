@@ -42,9 +42,9 @@ TEST_F(OwnCode, IsMadeOnceAndGivesTheSameAnswer) {
 
 TEST_F(OwnCode, IsNotMadeUnlessItsFormulationIsNamed) {
   expect_said(0, "solve own.json", "note: no generated code for ");
-  EXPECT_TRUE(says("with --formulation, has it made")) << err_;
+  EXPECT_TRUE(says("with --formulation to have it generated")) << err_;
   expect_said(0, explicit_order + std::string("--no-compile"), "note: no generated code for ");
-  EXPECT_FALSE(says("has it made")) << err_;
+  EXPECT_FALSE(says("to have it generated")) << err_;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "desmo"));
   write("own.json",
         swinging_plates(1, one_second + R"(, "formulation": "block_symbolic_inlined")"));
@@ -56,8 +56,8 @@ TEST_F(OwnCode, IsMadeWhereOtherCodeRefusesStepsWhoseCostIsTold) {
   write("own.json",
         text_of(DESMO_SOURCE_DIR "/tests/load/scenes/double_cardan_wrong_phase.scene.json"));
   expect_said(0, "solve own.json",
-              "to a more general solver, some 10 times slower; the numbers are as exact (a "
-              "formulation that is named, with --formulation, has better code made)");
+              "to a more general solver, some 10 times slower; the numbers are as exact (name "
+              "a formulation with --formulation to have better code generated)");
   expect_said(0, "solve own.json --formulation block_symbolic_inlined", "note: code for ");
   EXPECT_FALSE(says("general solver")) << err_;
 }

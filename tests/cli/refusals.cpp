@@ -197,7 +197,7 @@ TEST_F(Cli, UsageErrors) {
   EXPECT_EQ(desmo("solve"), 64);
   EXPECT_EQ(desmo("solve slider_crank --no-such-option"), 64);
   EXPECT_EQ(desmo("solve slider_crank --format xml"), 64);
-  EXPECT_EQ(desmo("solve truck_suspension"), 64);
+  expect_said(64, "solve truck_suspension", "has no number of axles; write truck_suspension:5");
   EXPECT_EQ(desmo("solve truck_suspension:0"), 64);
   EXPECT_EQ(desmo("solve truck_suspension:1x"), 64);
   expect_said(64, "solve slider_crank --formulation group_symbolic_kul",
@@ -209,7 +209,9 @@ TEST_F(Cli, UsageErrors) {
   expect_said(64, "range --jsn=1 slider_crank",
               "desmo range has no option '--jsn'; did you mean '--json'?");
   EXPECT_EQ(desmo("solve slider_crank x.csv"), 64);
-  EXPECT_TRUE(says("desmo: 'x.csv': desmo solve takes nothing after") && says("-o before")) << err_;
+  EXPECT_TRUE(says(
+      "desmo: 'x.csv': desmo solve takes no further argument; leave it out, or write -o before"))
+      << err_;
   EXPECT_EQ(desmo("range slider_crank x.csv y.csv"), 64);
   EXPECT_TRUE(says("desmo: 'x.csv': ") && !says("-o ")) << err_;
   expect_said(64, "tune slider_crank --max-error 1e-6 --level speed",

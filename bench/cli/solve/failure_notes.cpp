@@ -16,7 +16,7 @@ namespace {
 std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m,
                                 const DisplayUnits& units) {
   if (!d || d->constraint < 0 || !std::isfinite(d->amount)) return "";
-  return "; at the nearest to it " + off_by(d->constraint, d->amount, d->is_length, m, units);
+  return "; in the nearest one " + off_by(d->constraint, d->amount, d->is_length, m, units);
 }
 
 /// Newton's method has failed, and there is no assembly error.

@@ -67,7 +67,7 @@ std::string note_on_code(const Formulation& f, bool named) {
   return "note: no generated code for " + std::to_string(without) + " of " +
          count(static_cast<long>(parts_of(f).size()), "part") +
          (without == 1 ? "; it is evaluated automatically" : "; they are evaluated automatically") +
-         (named ? "\n" : " (a formulation that is named, with --formulation, has it made)\n");
+         (named ? "\n" : " (name a formulation with --formulation to have it generated)\n");
 }
 
 std::string note_on_tolerance(const Formulation& f, double asked) {
@@ -87,7 +87,7 @@ std::string note_on_refusals(const Formulation& f, bool named) {
                      " to a more general solver, some 10 times slower; the numbers are as exact";
   if (changes > 0)
     note += "; " + std::to_string(changes) + " of them on another assembly branch than before";
-  if (!named) note += " (a formulation that is named, with --formulation, has better code made)";
+  if (!named) note += " (name a formulation with --formulation to have better code generated)";
   return note + "\n";
 }
 
@@ -101,8 +101,8 @@ std::string note_on_unseen(const Plan& plan, const Model& whole) {
   for (std::size_t g = 0; g < plan.groups.size(); ++g)
     if (plan.groups[g].may_lock) groups.push_back(named_group(whole.groups[g]));
   if (groups.empty()) return "";
-  return "note: nobody looked at " + enumerate(groups, names_shown) +
-         ", which the request does not need: what moves may lock there (--check mechanism looks)\n";
+  return "note: not checked, for the request does not need it: " + enumerate(groups, names_shown) +
+         "; the motion may lock there (--check mechanism checks all)\n";
 }
 
 }  // namespace desmo::cli

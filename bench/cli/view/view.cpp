@@ -77,7 +77,7 @@ void view(const ViewOptions& options) {
   protect_input(options.output, input);
   OutputFile output(options.output, remove_when_interrupted);
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
-    throw CommandError(usage_error, "a page is nothing for a terminal; give --output FILE.html");
+    throw CommandError(usage_error, "a terminal cannot show a page; give --output FILE.html");
   const Model model = model_mechanism(input).model;
   outputs_of(input, model);  // refuses measures that there are not
   Measures measures(input.scene, model);
