@@ -10,7 +10,7 @@ ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector
   d.set_length_unit("1");
   for (const DyadChain& chain : chains) add(d, chain);
   return {.name = std::move(name),
-          .scene = {"dyad_chain", d.release(), std::move(motions), grid, {}, {}},
+          .scene = {"dyad_chain", d.release(), std::move(motions), grid},
           .chains = std::move(chains)};
 }
 

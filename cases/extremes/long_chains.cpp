@@ -37,7 +37,7 @@ ExtremeCase nothing_moves() {
   MechanismBuilder d("ground", 2);
   d.set_length_unit("1");
   d.carry(MechanismBuilder::ground, {d.point("A", {0, 0, 0}), d.point("B", {1, 0, 0})});
-  ExtremeCase c{.name = "no group", .scene = {"ground", d.release(), {}, long_chain_grid, {}, {}}};
+  ExtremeCase c{.name = "no group", .scene = {"ground", d.release(), {}, long_chain_grid}};
   c.is_refused = true;  // nothing is left to be solved, which the message says
   return c;
 }

@@ -38,9 +38,8 @@ ExtremeCase parallel_cranks(std::string name, double off) {
     d.joint(revolute, crank, coupler, {b});
     if (number == 1) d.angle("theta", {-1, a, b}).driven = true;
   }
-  return {
-      .name = std::move(name),
-      .scene = {"parallel_cranks", d.release(), {Polynomial{{start, 1}}}, redundant_grid, {}, {}}};
+  return {.name = std::move(name),
+          .scene = {"parallel_cranks", d.release(), {Polynomial{{start, 1}}}, redundant_grid}};
 }
 
 /// Bricard's mechanism with right angles: six edges of a cube, hinged at its corners. The fourth
@@ -61,7 +60,7 @@ ExtremeCase bricard(std::string name, double off) {
   const int from = d.vector("x", {1, 0, 0}), towards = d.vector("minus_z", {0, 0, -1});
   hinge_loop(d, "edge", p, v, from, towards);
   return {.name = std::move(name),
-          .scene = {"bricard", d.release(), {Polynomial{{0, 0.5}}}, redundant_grid, {}, {}}};
+          .scene = {"bricard", d.release(), {Polynomial{{0, 0.5}}}, redundant_grid}};
 }
 
 /// Bennett's mechanism, drawn with its crank at `start`. Where the crank is folded, some of its

@@ -59,9 +59,7 @@ ExtremeCase on_arm(std::string name, double arm, double rate = 1e-7) {
           .scene = {"four_bar_on_arm",
                     d.release(),
                     {Polynomial{{0, rate}}, Polynomial{{start, 1}}},
-                    scale_grid,
-                    {},
-                    {}},
+                    scale_grid},
           .factor = 1000};  // rounding of points so far away
 }
 

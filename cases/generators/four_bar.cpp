@@ -20,7 +20,7 @@ Scene four_bar(int dyads) {
   MechanismBuilder d("four_bar", 2);
   d.set_length_unit("1");
   add(d, chain);
-  return {"four_bar", d.release(), {Polynomial{{chain.start, 1}}}, time_grid(30, 0.01), {}, {}};
+  return {"four_bar", d.release(), {Polynomial{{chain.start, 1}}}, time_grid(30, 0.01)};
 }
 
 }  // namespace desmo

@@ -44,7 +44,7 @@ class Builder {
   }
 
   Scene scene() {
-    return {"truck_suspension", d_.release(), std::move(motions_), time_grid(30, 0.01), {}, {}};
+    return {"truck_suspension", d_.release(), std::move(motions_), time_grid(30, 0.01)};
   }
 
  private:

@@ -25,14 +25,14 @@ class BodyReader {
   void read(const JsonValue& root) {
     const JsonValue ground = root["ground"];
     ground.allow({"points", "vectors"});
-    d_.bodies.push_back({"ground", {}, {}, {}});
+    d_.bodies.push_back({"ground"});
     names_.bodies.add(ground.key());
     const std::vector<JsonValue> members = root["bodies"].members();
     for (const JsonValue& value : members) {
       if (value.key() == ground.key())
         value.complain("'ground' is the name of the ground; choose another for this body");
       value.allow({"at", "points", "vectors", "length"});
-      d_.bodies.push_back({checked_name(value, value.key()), {}, {}, {}});
+      d_.bodies.push_back({checked_name(value, value.key())});
       names_.bodies.add(value.key());
     }
     drawn_points_ = d_.points.size();
@@ -66,7 +66,7 @@ class BodyReader {
     }
     for (const auto& [name, u, along, remainder] : read_vectors(value, d_.dimension, points, own)) {
       body.vectors.push_back(place(d_.vectors, names_.vectors, own.vectors, body.vectors,
-                                   {name, turned(u, frame.rotation), {}}));
+                                   {name, turned(u, frame.rotation)}));
       frame.vectors.push_back(Mechanism::exact(u, remainder));
     }
   }

@@ -25,7 +25,7 @@ class MechanismBuilder {
   explicit MechanismBuilder(std::string name, int dimension) {
     d_.name = std::move(name);
     d_.dimension = dimension;
-    d_.bodies.push_back({"ground", {}, {}, {}});
+    d_.bodies.push_back({"ground"});
   }
 
   static constexpr int ground = 0;  ///< position of the ground among the bodies
@@ -35,7 +35,7 @@ class MechanismBuilder {
     return static_cast<int>(d_.points.size()) - 1;
   }
   int vector(std::string name, const Mechanism::Vec& direction) {
-    d_.vectors.push_back({std::move(name), direction, {}});
+    d_.vectors.push_back({std::move(name), direction});
     return static_cast<int>(d_.vectors.size()) - 1;
   }
   /// Adds a vector that always points from one point to another of a body that carries it.
@@ -45,7 +45,7 @@ class MechanismBuilder {
     return v;
   }
   int body(std::string name, std::vector<int> points, std::vector<int> vectors = {}) {
-    d_.bodies.push_back({std::move(name), std::move(points), std::move(vectors), {}});
+    d_.bodies.push_back({std::move(name), std::move(points), std::move(vectors)});
     return static_cast<int>(d_.bodies.size()) - 1;
   }
   /// Adds a body with two points at that distance, whose nominal positions are only estimates.

@@ -41,7 +41,7 @@ struct Mechanism {
     Vec direction;  ///< nominal direction, of length 1, each component rounded
     /// Two points of the body: the vector always points from the first to the second. It then
     /// follows from the points by a linear equation.
-    std::optional<std::array<int, 2>> along;
+    std::optional<std::array<int, 2>> along{};
     std::array<Remainder, 3> remainder{};  ///< of the direction
 
     ExactVec exact() const { return Mechanism::exact(direction, remainder); }
@@ -58,10 +58,10 @@ struct Mechanism {
   /// coordinates. Several bodies may carry the same point or vector if joints connect them there.
   struct Body {
     std::string name;
-    std::vector<int> points, vectors;
+    std::vector<int> points{}, vectors{};
     /// Distance between the two points of a body that has no others, where nominal positions are
     /// only estimates. Without it the nominal distance holds.
-    std::optional<Derived> length;
+    std::optional<Derived> length{};
     /// Shape in the body's own frame; nominal positions and directions are then estimates. Points
     /// that joints of the body slide then stay on the line or in the plane, without an offset, and
     /// universal joints are at a right angle.

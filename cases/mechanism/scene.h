@@ -47,8 +47,8 @@ struct Scene {
   TimeGrid grid;                ///< instants to solve
   /// Requested entities, without duplicates; empty, without measures: everything, at the level of
   /// acceleration.
-  std::vector<RequestedEntity> request;
-  std::string formulation;                   ///< id; empty: the program chooses
+  std::vector<RequestedEntity> request{};
+  std::string formulation{};                 ///< id; empty: the program chooses
   double tolerance = default_tolerance;      ///< Settings::tolerance
   std::vector<RequestedMeasure> measures{};  ///< requested as well, without duplicates
 
