@@ -4,7 +4,6 @@
 #include <cmath>
 #include <exception>
 #include <iterator>
-#include <numeric>
 #include <random>
 #include <span>
 #include <stdexcept>
@@ -54,12 +53,15 @@ void add_floors(Answers& a, const std::vector<double>& conditions,
   a.scales = make_scales(a.model, motion);
 }
 
-std::vector<int> coordinates_of(const Model& part, const Model& whole) {
-  std::vector<int> coordinate(part.coordinates());
-  for (const Entity& e : part.entities)
+/// Returns answers for a part of the case's mechanism, or all of it, that have still to be found.
+Answers answers_of(Model part, const KnownCase& p) {
+  const Model& whole = p.modelled->model;
+  Answers a{.model = std::move(part)};
+  a.coordinate.resize(a.model.coordinates());
+  for (const Entity& e : a.model.entities)
     for (int i = 0; !e.fixed && i < e.size; ++i)
-      coordinate[e.first + i] = whole.entities[whole.find(e.name)].first + i;
-  return coordinate;
+      a.coordinate[e.first + i] = whole.entities[whole.find(e.name)].first + i;
+  return a;
 }
 
 double max_link(const DyadChain& chain) {
@@ -94,8 +96,7 @@ double end_between(ChainSolution& solution, double from, double to) {
 Answers chain_answers(KnownCase& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   const DyadChain& chain = c.chains[index];
-  Answers a{.model = alone(p, index)};
-  a.coordinate = coordinates_of(a.model, p.modelled->model);
+  Answers a = answers_of(alone(p, index), p);
   const double size = nominal_size(a.model), longest = max_link(chain);
   const std::size_t links = std::max<std::size_t>(1, chain.dyads.size());
   a.chain_length = longest * static_cast<double>(links) / size;
@@ -130,9 +131,7 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
 /// std::runtime_error where they do not converge or do not agree.
 Answers reference_answers(const KnownCase& p) {
   const ExtremeCase& c = *p.definition;
-  Answers a{.model = p.modelled->model};
-  a.coordinate.resize(a.model.coordinates());
-  std::iota(a.coordinate.begin(), a.coordinate.end(), 0);
+  Answers a = answers_of(p.modelled->model, p);
   std::vector<double> times;
   for (const int i : p.compared)
     if (p.solvable[i]) times.push_back(c.scene.grid.time(i));
@@ -148,9 +147,7 @@ Answers reference_answers(const KnownCase& p) {
 /// Returns the answers to each start: the branch that it means is where the references' homotopy
 /// leads. None where they do not converge or do not agree.
 Answers answers_to_starts(const KnownCase& p) {
-  Answers a{.model = p.modelled->model};
-  a.coordinate.resize(a.model.coordinates());
-  std::iota(a.coordinate.begin(), a.coordinate.end(), 0);
+  Answers a = answers_of(p.modelled->model, p);
   const double time = p.definition->scene.grid.time(0);
   Model started = a.model;
   for (const int i : p.compared) {
