@@ -1,12 +1,12 @@
 #include "bench/experiments/paper/phases.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
 #include "bench/kit/delivery.h"
+#include "bench/kit/time/clock.h"
 #include "formulations/motion/internals.h"
 
 namespace desmo::paper {
@@ -19,10 +19,9 @@ double clock_seconds() {
   double best = 1;
   for (int i = 0; i < 5; ++i) {
     Profile empty;
-    const auto start = std::chrono::steady_clock::now();
+    const double start = now(Clock::wall);
     for (int call = 0; call < calls; ++call) empty.measure(Phase::residual, [] {});
-    const std::chrono::duration<double> d = std::chrono::steady_clock::now() - start;
-    best = std::min(best, d.count() / calls);
+    best = std::min(best, (now(Clock::wall) - start) / calls);
   }
   return best;
 }
@@ -32,9 +31,9 @@ PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& 
                     double clock) {
   Delivery observer(formulation.model().coordinates());
   profile = {};
-  const auto start = std::chrono::steady_clock::now();
+  const double start = now(Clock::wall);
   const Summary summary = formulation.run(grid, {}, observer);
-  const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
+  const double total = now(Clock::wall) - start;
   if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
 
   const long calls = std::accumulate(profile.calls.begin(), profile.calls.end(), 0L);
@@ -46,7 +45,7 @@ PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& 
     times.seconds[p] = seconds / grid.instants;
     measured += seconds;
   }
-  times.rest = std::max(0.0, total.count() - calls * clock - measured) / grid.instants;
+  times.rest = std::max(0.0, total - calls * clock - measured) / grid.instants;
   return times;
 }
 

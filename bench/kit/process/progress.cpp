@@ -39,8 +39,6 @@ void Progress::clear() const {
   if (terminal_) std::fputs("\r\x1b[K", stderr);
 }
 
-double Progress::elapsed() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-}
+double Progress::elapsed() const { return now(Clock::wall) - begin_; }
 
 }  // namespace desmo::bench

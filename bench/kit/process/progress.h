@@ -1,8 +1,9 @@
 #pragma once
 
-#include <chrono>
 #include <mutex>
 #include <string>
+
+#include "bench/kit/time/clock.h"
 
 namespace desmo::bench {
 
@@ -31,7 +32,7 @@ class Progress {
   const double all_;
   double done_ = 0;
   const bool terminal_, only_there_;
-  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const double begin_ = now(Clock::wall);
   double shown_ = 0, shown_done_ = 0;  // s after the beginning, and the work then done
 };
 
