@@ -41,7 +41,7 @@ TEST(Launch, PassesOnWhereLibrariesAre) {
   EXPECT_EQ(std::ranges::count(all, "DESMO_LIBCOINHSL=/some/libcoinhsl.so"), 1);
 }
 
-TEST(Checked, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
+TEST(MeasuredCandidates, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   for (const Variant& v : variants()) {
     if (const auto* b = find_backend(v.algebra); b && b->absence)
       continue;  // on some machines only
