@@ -21,10 +21,7 @@ inline Model locking_four_bar(const Motion& crank = Polynomial{{std::numbers::pi
   Model m = four_bar_model(1);
   m.drivers[0].motion = crank;
   for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler")) {
-      c.constants[0] = 3 * 3;
-      if (!c.remainders.empty()) c.remainders[0] = {};
-    }
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;
   const auto place = [&](const char* name, double x, double y) {
     const Entity& e = m.entities[m.find(name)];
     double* at = (e.fixed ? m.fixed_values : m.estimate).data() + e.first;

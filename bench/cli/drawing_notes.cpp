@@ -26,7 +26,7 @@ std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const 
   const std::string name = j.name + (has_normal ? ": distance from the plane" : ": offset");
   const auto kept = std::ranges::find(m.constraints, name, &Constraint::name);
   if (kept == m.constraints.end()) return "";
-  const double offset = std::abs(kept->constants[0]);
+  const double offset = std::abs(kept->constants[0].value);
   if (offset <= max_meant_as_zero * CharacteristicLengths(m).of(*kept)) return "";
   return "note: " + j.name + ": " + d.points[j.points[1]].name + " is drawn " +
          quantity(offset, units.length, "%.3g") + " off the " + (has_normal ? "plane" : "line") +
@@ -38,10 +38,11 @@ std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const 
 /// c: the equation of a coupling by a table, of which the first coordinate follows the second.
 std::string note_on_table(const Constraint& c, const Model& m, const DisplayUnits& units) {
   const Entity &first = m.entities[c.operands[0]], &second = m.entities[c.operands[1]];
-  const double drawn = m.estimate[first.first], at = c.constants[1] * m.estimate[second.first];
+  const auto number = [&c](int k) { return c.constants[k].value; };
+  const auto table = [&number](int k) { return number(TableCoupling::table + k); };
+  const double drawn = m.estimate[first.first];
   const double given =
-      c.constants[2] +
-      c.constants[0] * table_coefficient<0>(c.constants.data() + TableCoupling::table, at);
+      number(2) + number(0) * table_number<0>(table, number(1) * m.estimate[second.first]);
   const bool is_of_length = is_length(first.kind);
   const double off = is_of_length ? (given - drawn) / CharacteristicLengths(m).of(c)
                                   : std::remainder(given - drawn, 2 * std::numbers::pi);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -36,7 +37,8 @@ class ConstraintCost final : public ceres::CostFunction {
   ConstraintCost(const Constraint& constraint,
                  const std::array<const double*, Kind::operand_sizes.size()>& fixed,
                  const std::array<double, Kind::rows>& weights)
-      : fixed_(fixed), weights_(weights), constants_(constraint.constants) {
+      : fixed_(fixed), weights_(weights) {
+    std::ranges::transform(constraint.constants, std::back_inserter(constants_), &Derived::value);
     int kept = 0;
     for (int r = 0; r < Kind::rows; ++r)
       place_[r] = (constraint.left_out >> r & 1U) != 0 ? -1 : kept++;

@@ -97,6 +97,20 @@ struct TableCoupling : NonlinearKind<1> {
             table_coefficient<2>(t, at),
             table_coefficient<3>(t, at)};
   }
+  /// Returns the same from number(k), number k of a constraint, in a scalar that compares.
+  template <class S, class Number>
+  static std::array<S, constants> about(const Number& number, const S& s2) {
+    const S at = number(1) * s2;
+    const auto t = [&number](int k) { return number(table + k); };
+    return {number(0),
+            number(1),
+            number(2),
+            at,
+            table_number<0>(t, at),
+            table_number<1>(t, at),
+            table_number<2>(t, at),
+            table_number<3>(t, at)};
+  }
 
  private:
   template <class S>

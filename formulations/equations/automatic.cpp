@@ -120,7 +120,7 @@ AutomaticEquations::AutomaticEquations(const Model& m, const PartDefinition& par
       for (std::size_t k = 0; k < o.operands.size(); ++k)
         o.operands[k] = m.state_index(constraint.operands[k]);
       if constexpr (has_table<Kind>) o.constants.resize(constraint.constants.size());
-      std::ranges::copy(constraint.constants, o.constants.begin());
+      std::ranges::transform(constraint.constants, o.constants.begin(), &Derived::value);
       o.rows.fill(-1);
       const int first = row;
       for (; row < n && part.equations[row].constraint == position; ++row)

@@ -17,7 +17,7 @@ bool is_explicit(const Constraint& c) {
     static constexpr std::array<double, max_components> any{1, 1, 1, 1};
     std::array<const double*, Kind::operand_sizes.size()> x;
     x.fill(any.data());
-    Kind::jacobian(x.data(), constants_at<Kind>(c.constants.data(), x.data()).data(),
+    Kind::jacobian(x.data(), dimensions_at<Kind>(c, x.data()).data(),
                    [&](int row, int operand, int component, double value) {
                      if (operand != c.derives) return;
                      ++entries;

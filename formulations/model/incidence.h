@@ -2,13 +2,27 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "cases/numbers/derived.h"
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
+
+/// Returns the constants that the functions of a kind take at x, from the dimensions of a
+/// constraint as the file means them, in the scalar of x: see constants_at(). The result has
+/// data().
+template <class Kind, class S>
+auto dimensions_at(const Constraint& constraint, const S* const* x) {
+  const auto number = [&](int k) { return as<S>(constraint.constants[k]); };
+  if constexpr (has_table<Kind>) {
+    return Kind::about(number, x[1][0]);
+  } else {
+    std::array<S, Kind::constants + 1> all{};
+    for (int k = 0; k < Kind::constants; ++k) all[k] = number(k);
+    return all;
+  }
+}
 
 /// Calls visit(row, state) for each structurally nonzero entry of a constraint's Jacobian.
 /// row: row of the constraint. state: index of the variable in the state.
@@ -19,7 +33,7 @@ void visit_incidence(const Model& m, const Constraint& constraint, Visit&& visit
     static constexpr std::array<double, max_components> any{1, 1, 1, 1};
     std::array<const double*, Kind::operand_sizes.size()> x;
     x.fill(any.data());
-    Kind::jacobian(x.data(), constants_at<Kind>(constraint.constants.data(), x.data()).data(),
+    Kind::jacobian(x.data(), dimensions_at<Kind>(constraint, x.data()).data(),
                    [&](int row, int operand, int component, double) {
                      visit(row, m.state_index(constraint.operands[operand]) + component);
                    });
@@ -33,23 +47,6 @@ auto operands_of(const Model& m, const Constraint& constraint, const S* state) {
   std::array<const S*, Kind::operand_sizes.size()> x;
   for (std::size_t k = 0; k < x.size(); ++k) x[k] = state + m.state_index(constraint.operands[k]);
   return x;
-}
-
-/// Returns the constants that the functions of a kind take at x, from the dimensions of a
-/// constraint as the file means them, in the scalar of x: see constants_at(). The result has
-/// data().
-template <class Kind, class S>
-auto dimensions_at(const Constraint& constraint, const S* const* x) {
-  if constexpr (has_table<Kind>) {
-    std::vector<S> all;
-    for (std::size_t k = 0; k < constraint.constants.size(); ++k)
-      all.push_back(as<S>(constraint.dimension(k)));
-    return Kind::about(all.data(), x[1][0]);
-  } else {
-    std::array<S, Kind::constants + 1> all{};
-    for (std::size_t k = 0; k < Kind::constants; ++k) all[k] = as<S>(constraint.dimension(k));
-    return all;
-  }
 }
 
 }  // namespace desmo

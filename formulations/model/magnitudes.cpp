@@ -53,7 +53,7 @@ RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
   }
   RowSizes<Kind::rows> result;
   std::array<double, Kind::rows> second;
-  const auto numbers = constants_at<Kind>(c.constants.data(), x.data());
+  const auto numbers = dimensions_at<Kind>(c, x.data());
   Kind::jacobian(x.data(), numbers.data(), [&](int row, int operand, int, double value) {
     result.magnitude[row] = std::hypot(result.magnitude[row], value * size[operand]);
     result.rounding[row] += std::abs(value) * change[operand];

@@ -127,7 +127,9 @@ void Model::add(Constraint constraint) {
                                                     std::to_string(Kind::operand_sizes[k]));
     }
   });
-  require(all_finite(constraint.constants), where + ": a dimension is not finite");
+  require(std::ranges::all_of(constraint.constants,
+                              [](const Derived& c) { return std::isfinite(c.value); }),
+          where + ": a dimension is not finite");
   constraints.push_back(std::move(constraint));
 }
 

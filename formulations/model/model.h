@@ -41,20 +41,15 @@ struct Constraint {
   std::string name;
   int kind;  ///< position in the fixed list of kinds; constraint_kind_name() tells its name
   std::vector<EntityId> operands;
-  std::vector<double> constants;
-  GroupId group;          ///< group that it determines
-  unsigned left_out = 0;  ///< bit r: row r depends on other equations and is omitted
-  /// Rest of each dimension in the file over its constant, none where there are fewer; then, of a
-  /// linear kind, that of each row of Φ. Formulations leave both out; proofs take them in.
-  std::vector<Remainder> remainders{};
+  std::vector<Derived> constants;  ///< formulations use their values; proofs all of them
+  GroupId group;                   ///< group that it determines
+  unsigned left_out = 0;           ///< bit r: row r depends on other equations and is omitted
+  /// By how much each row of Φ may be off besides, by digits of a file; none: by nothing. Proofs
+  /// alone take it in.
+  std::vector<double> slack{};
   /// Operand that Φ is explicit in, ∂Φ/∂operand = ±1: the constraint is a *derivation* of it from
   /// the others. no_position: the constraint is a *closure*.
   int derives = no_position;
-
-  /// Returns a dimension as the file means it.
-  Derived dimension(std::size_t k) const {
-    return {constants[k], k < remainders.size() ? remainders[k] : Remainder()};
-  }
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are
@@ -91,7 +86,7 @@ struct Model {
   std::vector<Driver> drivers;
   std::vector<double> estimate;             ///< initial estimate of q (coordinates())
   std::vector<double> fixed_values;         ///< components of the fixed entities
-  std::vector<Remainder> fixed_remainders;  ///< what each of them lacks, as in Constraint
+  std::vector<Remainder> fixed_remainders;  ///< what each of them lacks of the file's
 
   int coordinates() const { return static_cast<int>(estimate.size()); }
   int degrees_of_freedom() const { return static_cast<int>(drivers.size()); }

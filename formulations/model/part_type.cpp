@@ -1,6 +1,7 @@
 #include "formulations/model/part_type.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <string>
@@ -62,9 +63,9 @@ PartType describe_type(const Model& m, const PartDefinition& part) {
       }
     });
     for (std::size_t k = 0; k < dimensions; ++k)
-      if (c.constants[k] == 0) type.fingerprint += 'c' + std::to_string(k) + "=0 ";
+      if (c.constants[k].value == 0) type.fingerprint += 'c' + std::to_string(k) + "=0 ";
     type.fingerprint.back() = ')';
-    type.constants.insert(type.constants.end(), c.constants.begin(), c.constants.end());
+    std::ranges::transform(c.constants, std::back_inserter(type.constants), &Derived::value);
     type.constraints.push_back(std::move(own));
   }
   return type;

@@ -34,10 +34,10 @@ inline bool is_back(const Model& m, std::span<const double> from, std::span<cons
     if (c.kind != kind_index<TableCoupling>()) continue;
     const Entity& argument = m.entities[c.operands[1]];
     if (argument.fixed) continue;
-    const double* const table = c.constants.data() + TableCoupling::table;
-    const double length = table[3 + static_cast<int>(table[0])] - table[3];
-    const double moved = c.constants[1] * (to[argument.first] - from[argument.first]);
-    const double drift = table[1] != 0 ? std::remainder(moved, length) : moved;
+    const auto table = [&c](int k) { return c.constants[TableCoupling::table + k].value; };
+    const double length = table(3 + static_cast<int>(table(0))) - table(3);
+    const double moved = c.constants[1].value * (to[argument.first] - from[argument.first]);
+    const double drift = table(1) != 0 ? std::remainder(moved, length) : moved;
     if (!(std::abs(drift) <= max_drift * length)) return false;
   }
   return true;

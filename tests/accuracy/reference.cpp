@@ -156,7 +156,7 @@ WideJet driven(const Model& m, double t) {
 /// The constant of the only constraint with these operands: a length as the file means it.
 Quadruple constant(const Model& m, const std::vector<EntityId>& operands) {
   for (const Constraint& c : m.constraints)
-    if (c.operands == operands) return as<Quadruple>(c.dimension(0));
+    if (c.operands == operands) return as<Quadruple>(c.constants[0]);
   throw std::invalid_argument("no such constraint");
 }
 

@@ -158,7 +158,7 @@ TEST(SegmentsOnThreads, IsGivenUpWhereSegmentsDoNotMeet) {
   const Model m = truck_model(1);
   Model other = m;
   for (Constraint& c : other.constraints)
-    for (double& constant : c.constants) constant *= 1 + 1e-5;
+    for (Derived& constant : c.constants) constant = constant * (1 + 1e-5);
   std::vector<std::unique_ptr<TimeStepping>> workers;
   for (const Model* model : std::initializer_list<const Model*>{&m, &other})
     workers.emplace_back(&stepping_of(*formulated("group_automatic_eigen", *model).release()));

@@ -54,7 +54,7 @@ TEST_F(ModelDigest, IsThatOfTheSameModelMadeAgain) {
 TEST_F(ModelDigest, DoesNotFollowTheLastBitsOrNames) {
   for (double& value : m.estimate) value += 1e-15;
   for (Constraint& c : m.constraints)
-    for (double& value : c.constants) value = std::nextafter(value, 10);
+    for (Derived& constant : c.constants) constant.value = std::nextafter(constant.value, 10);
   m.entities.front().name = "renamed";
   m.groups.front().name = "renamed";
   EXPECT_EQ(model_digest(m), original);
@@ -69,7 +69,7 @@ TEST_F(ModelDigest, FollowsEverythingThatIsSolved) {
   const auto with_constants =
       std::ranges::find_if(m.constraints, [](const Constraint& c) { return !c.constants.empty(); });
   const auto at = with_constants - m.constraints.begin();
-  EXPECT_TRUE(changed([&](Model& o) { o.constraints[at].constants[0] += 1e-6; }));
+  EXPECT_TRUE(changed([&](Model& o) { o.constraints[at].constants[0].value += 1e-6; }));
   EXPECT_TRUE(changed([&](Model& o) { ++o.constraints[at].kind; }));
   EXPECT_TRUE(changed([&](Model& o) { o.constraints[at].left_out ^= 1; }));
   EXPECT_TRUE(changed(

@@ -82,7 +82,7 @@ TEST(TruckSuspension, NominalPositionSatisfiesEveryEquation) {
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       const auto x = operands_of<Kind>(m, c, state.data());
       double phi[Kind::rows];
-      Kind::residual(x.data(), c.constants.data(), phi);
+      Kind::residual(x.data(), dimensions_at<Kind>(c, x.data()).data(), phi);
       for (const double r : phi) EXPECT_NEAR(r, 0, 1e-15) << c.name;
     });
 }

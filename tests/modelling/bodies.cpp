@@ -271,7 +271,7 @@ TEST(GivenLength, IsKeptToTheLastBit) {
   const Model m = model_mechanism(d.release_pinned(), turning).model;
   int lengths = 0;
   for (const Constraint& c : m.constraints)
-    for (const double constant : c.constants) {
+    for (const double constant : values_of(c)) {
       EXPECT_EQ(constant, 1) << c.name;
       ++lengths;
     }

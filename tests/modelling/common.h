@@ -18,6 +18,12 @@ struct Stated {
   std::vector<double> constants;
 };
 
+inline std::vector<double> values_of(const Constraint& c) {
+  std::vector<double> values;
+  for (const Derived& constant : c.constants) values.push_back(constant.value);
+  return values;
+}
+
 /// Returns the equation with interchangeable operands in alphabetical order.
 inline Stated canonical(Stated s) {
   const auto starts = [&](const char* prefix) { return s.kind.starts_with(prefix); };
@@ -41,7 +47,7 @@ inline std::vector<Stated> equations_of(const Model& m, GroupId g) {
   std::vector<Stated> result;
   for (const Constraint& c : m.constraints) {
     if (c.group != g || kept_rows(c) == 0) continue;
-    Stated s{std::string(constraint_kind_name(c.kind)), {}, c.constants};
+    Stated s{std::string(constraint_kind_name(c.kind)), {}, values_of(c)};
     for (const EntityId e : c.operands) s.operands.push_back(m.entities[e].name);
     result.push_back(canonical(std::move(s)));
   }

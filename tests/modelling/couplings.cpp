@@ -72,7 +72,7 @@ TEST(Coupling, OfAngleAndLengthHasTheUnitOfLength) {
   EXPECT_NEAR(s.scalar(1, "s"), 2 + 7 * 7.5, 1e-12);
   for (const Constraint& c : s.model().constraints)
     if (c.name == "rack: coupling") {
-      EXPECT_EQ(c.constants, (std::vector<double>{-7.5, 1, 2}));
+      EXPECT_EQ(values_of(c), (std::vector<double>{-7.5, 1, 2}));
     }
 }
 

@@ -35,7 +35,7 @@ Model in_unit(Model m, double unit) {
                               (has("rigid") && of_point) || has("planar_point_by_vector")
                           ? unit
                           : 1;
-    for (double& constant : c.constants) constant *= by;
+    for (Derived& constant : c.constants) constant = constant * by;
   }
   return m;
 }

@@ -31,7 +31,7 @@ void require_holds(const Model& m, const Constraint& c, double reach) {
       }
       std::array<Interval, Kind::constants + 1> constants;
       for (int k = 0; k < Kind::constants; ++k)
-        constants[k] = rounded(c.constants[k], std::abs(c.constants[k]));
+        constants[k] = rounded(c.constants[k].value, std::abs(c.constants[k].value));
       std::array<Interval, Kind::rows> phi;
       Kind::residual(x.data(), constants.data(), phi.data());
       if (std::ranges::any_of(phi, [](const Interval& y) { return std::abs(y.mid) > y.radius; }))

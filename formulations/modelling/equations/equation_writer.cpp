@@ -101,14 +101,14 @@ CandidateEquations EquationWriter::release() {
 void EquationWriter::constrain(Origin origin, std::string name, int kind,
                                std::span<const EntityId> operands,
                                std::span<const Derived> dimensions, int derives) {
-  Constraint made{std::move(name), kind, {operands.begin(), operands.end()}, {}, no_position};
+  Constraint made{std::move(name),
+                  kind,
+                  {operands.begin(), operands.end()},
+                  {dimensions.begin(), dimensions.end()},
+                  no_position};
   made.derives = derives;
   for (const EntityId e : operands)
     made.group = std::max(made.group, coordinates_.model.entities.at(e).group);
-  for (const Derived& d : dimensions) {
-    made.constants.push_back(d.value);
-    made.remainders.push_back(d.remainder());
-  }
   if (made.group < 0) return require_holds(coordinates_.model, made, farthest_);
   coordinates_.model.add(std::move(made));
   origins_.push_back(origin);

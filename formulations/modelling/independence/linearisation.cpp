@@ -79,7 +79,7 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
     const Constraint& constraint = m_.constraints[c];
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
       const auto x = operands_of<Kind>(m_, constraint, state.data());
-      const auto numbers = constants_at<Kind>(constraint.constants.data(), x.data());
+      const auto numbers = dimensions_at<Kind>(constraint, x.data());
       Kind::residual(x.data(), numbers.data(), &phi[row]);
       Kind::jacobian(x.data(), numbers.data(), [&](int r, int operand, int i, double value) {
         const int at = m_.state_index(constraint.operands[operand]) + i;

@@ -116,7 +116,6 @@ bool make_scalar(Constraint& constraint) {
     if constexpr (!std::is_void_v<Scalar>) {
       constraint.kind = kind_index<Scalar>();
       constraint.constants.resize(Scalar::constants);
-      constraint.remainders.resize(Scalar::constants);
       shorter = true;
     }
   });

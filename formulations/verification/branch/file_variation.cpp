@@ -47,7 +47,6 @@ class VariedDrawing {
       if constexpr (has_table<Kind>) {
         vary_table<Kind>(c);
       } else if constexpr (Kind::constants > 0) {
-        c.remainders.resize(Kind::constants + Kind::rows);
         if constexpr (Kind::linear)
           vary_rows<Kind>(c);
         else
@@ -62,12 +61,12 @@ class VariedDrawing {
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       if constexpr (Kind::linear && Kind::constants == 1 && is_measured<Kind>) {
         const std::array<const Derived*, 3> x = operands_of<Kind>(m_, c, state_.data());
-        if (c.constants[0] == 0) return;
+        if (c.constants[0].value == 0) return;
         const int first = m_.state_index(c.operands[2]);
         for (int i = 0; i < Kind::operand_sizes[2]; ++i)
           state_[first + i].radius =
               std::max(state_[first + i].radius,
-                       (x[0][i].radius + x[1][i].radius) / std::abs(c.constants[0]));
+                       (x[0][i].radius + x[1][i].radius) / std::abs(c.constants[0].value));
       }
     });
   }
@@ -80,12 +79,12 @@ class VariedDrawing {
     Kind::measure(operands_of<Kind>(m_, c, state_.data()).data(), drawn.data());
     bool is_drawn = true;
     for (int k = 0; k < Kind::constants; ++k) {
-      const Derived off = drawn[k] - c.dimension(k);
+      const Derived off = drawn[k] - c.constants[k];
       is_drawn &= std::abs(off.value + off.correction) <= drawn[k].radius;
     }
     for (int k = 0; k < Kind::constants; ++k) {
-      const double stated = is_drawn ? 0 : stated_digits * std::abs(c.constants[k]);
-      c.remainders[k].radius += (drawn[k].radius + stated) * above;
+      const double stated = is_drawn ? 0 : stated_digits * std::abs(c.constants[k].value);
+      c.constants[k].radius += (drawn[k].radius + stated) * above;
     }
   }
 
@@ -95,10 +94,8 @@ class VariedDrawing {
   template <class Kind>
   void vary_rows(Constraint& c) const {
     const auto x = operands_of<Kind>(m_, c, state_.data());
-    std::array<Derived, Kind::constants> factors;
-    for (int k = 0; k < Kind::constants; ++k) factors[k] = c.dimension(k);
     std::array<Derived, Kind::rows> phi;
-    Kind::residual(x.data(), factors.data(), phi.data());
+    Kind::residual(x.data(), c.constants.data(), phi.data());
     bool is_drawn = true;
     double squares = 0;
     for (const Derived& row : phi) {
@@ -107,27 +104,25 @@ class VariedDrawing {
     }
     double radius = std::sqrt(squares);
     if (!is_drawn)
-      for (const Derived& factor : factors)
+      for (const Derived& factor : c.constants)
         radius += stated_digits * std::abs(factor.value) * reach<Kind>(c);
-    for (int row = 0; row < Kind::rows; ++row)
-      c.remainders[Kind::constants + row].radius = radius * above;
+    c.slack.assign(Kind::rows, radius * above);
   }
 
   /// The equation of a table may be off by what the digits of its arguments and values make up.
   template <class Kind>
   void vary_table(Constraint& c) const {
-    const std::vector<double>& numbers = c.constants;
-    const auto size = [&](std::size_t k) { return std::abs(numbers[Kind::table + k]); };
-    const auto pieces = static_cast<std::size_t>(numbers[Kind::table]);
+    const std::vector<Derived>& numbers = c.constants;
+    const auto size = [&](std::size_t k) { return std::abs(numbers[Kind::table + k].value); };
+    const auto pieces = static_cast<std::size_t>(numbers[Kind::table].value);
     double largest = 0;  // of f
     for (std::size_t i = 0; i < pieces; ++i) {
       const std::size_t first = 4 + pieces + 4 * i;
       largest =
           std::max(largest, size(first) + size(first + 1) * std::max(size(3), size(3 + pieces)));
     }
-    c.remainders.resize(numbers.size() + Kind::rows);
-    c.remainders.back().radius =
-        stated_digits * (std::abs(numbers[0]) * largest + std::abs(numbers[2])) * above;
+    const double value = std::abs(numbers[0].value) * largest + std::abs(numbers[2].value);
+    c.slack.assign(Kind::rows, stated_digits * value * above);
   }
 
   /// Returns the largest length of a vector, or distance of two points, among a constraint's

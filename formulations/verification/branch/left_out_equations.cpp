@@ -51,22 +51,15 @@ S value_of(const Model& m, const Equation& equation, const auto& coordinate) {
     }
     std::array<S, Kind::constants + 1> dimensions;
     constexpr int count = has_table<Kind> ? 3 : Kind::constants;
-    for (int k = 0; k < count; ++k) dimensions[k] = S(c.dimension(k));
+    for (int k = 0; k < count; ++k) dimensions[k] = S(c.constants[k]);
     if constexpr (has_table<Kind>)
       read_table<Kind>(dimensions, x.data(),
-                       [&](int, int k) { return c.dimension(Kind::table + k); });
+                       [&](int, int k) { return c.constants[Kind::table + k]; });
     std::array<S, Kind::rows> phi;
     Kind::residual(x.data(), dimensions.data(), phi.data());
     result = phi[equation.row];
   });
   return result;
-}
-
-/// Returns by how much the digits of the file may move Φ of an equation, besides its dimensions.
-double slack_of(const Model& m, const Equation& equation) {
-  const Constraint& c = m.constraints[equation.constraint];
-  const std::size_t slack = c.constants.size() + equation.row;
-  return slack < c.remainders.size() ? c.remainders[slack].radius : 0;
 }
 
 }  // namespace
@@ -89,7 +82,8 @@ Interval LeftOutEquations::residual(const Equation& equation, std::span<const do
   Interval phi = value_of<Number>(varied_, equation, [&](int i) {
                    return Number(q[i], 0, radius[i]);
                  }).enclosure();
-  phi.radius += slack_of(varied_, equation);
+  const Constraint& c = varied_.constraints[equation.constraint];
+  if (!c.slack.empty()) phi.radius += c.slack[equation.row];
   return phi;
 }
 

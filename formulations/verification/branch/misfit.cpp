@@ -17,7 +17,7 @@ Misfit misfit_of(const Model& m, int constraint, int row, double residual,
   visit_kind(c.kind, [&]<class Kind>(Kind) {
     const auto x = operands_of<Kind>(m, c, state.data());
     std::array<double, Kind::operand_sizes.size()> slope{};  // of each operand
-    Kind::jacobian(x.data(), constants_at<Kind>(c.constants.data(), x.data()).data(),
+    Kind::jacobian(x.data(), dimensions_at<Kind>(c, x.data()).data(),
                    [&](int r, int operand, int, double value) {
                      if (r == row) slope[operand] = std::hypot(slope[operand], value);
                    });

@@ -68,11 +68,11 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
     const Constraint& c = m.constraints[i];
     if (c.kind != kind_index<TableCoupling>()) continue;
     const Entity& e = m.entities[c.operands[1]];
-    const auto number = [&c](int k) { return c.dimension(table + k); };
-    const double at = c.constants[1] * (e.fixed ? m.fixed_values : q)[e.first];
+    const auto number = [&c](int k) { return c.constants[table + k]; };
+    const double at = c.constants[1].value * (e.fixed ? m.fixed_values : q)[e.first];
     const auto [piece, turns] = find_in_table<double>([&](int k) { return number(k).value; }, at);
     if (piece < 0) continue;
-    const int n = static_cast<int>(c.constants[table]);
+    const int n = static_cast<int>(c.constants[table].value);
     const Derived length = number(3 + n) - number(3), begin = at - 8 * length.value,
                   t = begin - (number(3 + piece) + length * turns);
     const auto a = [&](int k) { return number(4 + n + 4 * piece + k); };
@@ -88,13 +88,9 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
         a3 * 3 * t + a2,
         a3};
     if (!smooth) smooth = m;
-    Constraint& to = smooth->constraints[i];
-    to.constants.resize(numbers);
-    to.remainders.resize(numbers);
-    for (std::size_t k = 0; k < single.size(); ++k) {
-      to.constants[table + k] = single[k].value;
-      to.remainders[table + k] = single[k].remainder();
-    }
+    std::vector<Derived>& to = smooth->constraints[i].constants;
+    to.resize(numbers);
+    std::ranges::copy(single, to.begin() + table);
   }
   return smooth;
 }

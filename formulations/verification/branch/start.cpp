@@ -31,7 +31,7 @@ std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       const auto x = operands_of<Kind>(m, c, state.data());
       std::vector<double> phi(Kind::rows);
-      Kind::residual(x.data(), constants_at<Kind>(c.constants.data(), x.data()).data(), phi.data());
+      Kind::residual(x.data(), dimensions_at<Kind>(c, x.data()).data(), phi.data());
       all.push_back(std::move(phi));
     });
   return all;

@@ -25,8 +25,7 @@ class Builder {
           state < m_.coordinates() ? Remainder() : m_.fixed_remainders[state - m_.coordinates()]);
     for (const Equation& e : part_.equations) {
       const Constraint& c = m_.constraints[e.constraint];
-      const std::size_t at = c.constants.size() + e.row;
-      block_.slack.push_back(at < c.remainders.size() ? c.remainders[at].radius : 0);
+      block_.slack.push_back(c.slack.empty() ? 0 : c.slack[e.row]);
     }
     if (!initial.empty())
       for (const Equation& e : part_.equations)
@@ -48,7 +47,7 @@ class Builder {
                     Kind::rows <= BlockShape::max_rows);
       block_.shape.linear &= Kind::linear;
     });
-    for (std::size_t k = 0; k < c.constants.size(); ++k) block_.constants.push_back(c.dimension(k));
+    block_.constants.insert(block_.constants.end(), c.constants.begin(), c.constants.end());
     block_.shape.objects.push_back(std::move(o));
     constraints_.push_back(&c);
   }

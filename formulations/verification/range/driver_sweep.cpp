@@ -80,8 +80,7 @@ bool DriverSweep::is_violated(const Point& point) const {
     std::array<double, 3> phi{};
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
       const auto x = operands_of<Kind>(model(), constraint, point.state.data());
-      Kind::residual(x.data(), constants_at<Kind>(constraint.constants.data(), x.data()).data(),
-                     phi.data());
+      Kind::residual(x.data(), dimensions_at<Kind>(constraint, x.data()).data(), phi.data());
     });
     for (int row = 0; row < rows(constraint); ++row) {
       if (!(constraint.left_out >> row & 1)) continue;

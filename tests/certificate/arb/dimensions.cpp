@@ -168,14 +168,14 @@ void expect_closed(const RandomFile& file, std::map<std::string, Attained>& atta
         x[k] = p->data();
       }
       std::array<Ball, Kind::constants + 1> dimensions;
-      for (int k = 0; k < Kind::constants; ++k) dimensions[k] = Ball(c.dimension(k));
+      for (int k = 0; k < Kind::constants; ++k) dimensions[k] = Ball(c.constants[k]);
       std::array<Ball, Kind::rows> phi;
       Kind::residual(x.data(), dimensions.data(), phi.data());
       for (Ball& row : phi) EXPECT_TRUE(arb_contains_zero(row.get())) << c.name;
       if constexpr (Kind::constants == 1 && Kind::rows == 1) {
         dimensions[0] = Ball(0);
         Kind::residual(x.data(), dimensions.data(), phi.data());
-        attained[std::string(Kind::name)].add(c.dimension(0), phi[0]);
+        attained[std::string(Kind::name)].add(c.constants[0], phi[0]);
       }
     });
 }

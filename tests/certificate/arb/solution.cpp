@@ -91,7 +91,7 @@ class System {
       const Constraint& c = m_.constraints[equations_[row].constraint];
       visit_kind(c.kind, [&]<class Kind>(Kind) {
         std::array<Jet<Ball>, Kind::constants + 1> constants;
-        for (int k = 0; k < Kind::constants; ++k) constants[k] = Jet<Ball>(Ball(c.dimension(k)));
+        for (int k = 0; k < Kind::constants; ++k) constants[k] = Jet<Ball>(Ball(c.constants[k]));
         const auto operands = [&](const State& from) {
           return operands_of<Kind>(m_, c, from.data());
         };
