@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -14,17 +12,14 @@
 #include "cases/mechanism/drawing.h"
 #include "cases/mechanism/joint_forms.h"
 #include "cases/numbers/space.h"
-#include "formulations/model/scales.h"
 #include "formulations/modelling/measures/frames.h"
-#include "formulations/modelling/measures/rest.h"
+#include "formulations/modelling/measures/rate_ratio.h"
 
 namespace desmo {
 
 namespace {
 
 using namespace frames;
-
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::Vector3d part(const Vector& a, double Number::*which) {
   return {a[0].*which, a[1].*which, a[2].*which};
@@ -54,12 +49,7 @@ double angle_about(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rotati
 class Builder {
  public:
   Builder(const Scene& scene, const Model& model, Measures::DrivenBy driven_by)
-      : d_(scene.mechanism), m_(model), bodies_(d_, m_, inputs) {
-    for (const Driver& d : m_.drivers)
-      drivers_.push_back(
-          {m_.entities[d.coordinate].first, driven_by == Measures::DrivenBy::motions
-                                                ? std::make_shared<const Motion>(d.motion)
-                                                : nullptr});
+      : d_(scene.mechanism), m_(model), driven_by_(driven_by), bodies_(d_, m_, inputs) {
     for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
       for (int i = 0; i < m_.entities[e].size; ++i)
         taken_.insert(coordinate_name(m_, e, m_.entities[e].first + i));
@@ -155,38 +145,20 @@ class Builder {
 
   void add_ratio(const RequestedMeasure& wanted) {
     const std::vector<EntityId> owner = entity_of_coordinate(m_);
-    const std::vector<double> magnitude = nominal_magnitudes(m_);
     std::array<int, 2> of;
+    std::array<EntityKind, 2> kinds;
     for (int k = 0; k < 2; ++k) {
       of[k] = m_.coordinate(wanted.of[k]);
+      kinds[k] = m_.entities[owner[of[k]]].kind;
       inputs.push_back({owner[of[k]], Level::acceleration});
     }
     const std::size_t place = list.size();
-    add({"", wanted.name, ""}, m_.entities[owner[of[0]]].kind);
-    list.back().per = m_.entities[owner[of[1]]].kind;
-    rules.emplace_back(place, [=, drivers = drivers_](const Instant& instant, auto values) {
-      const auto fastest = [&](std::span<const double> rates, Level level) {
-        double largest = 0;
-        for (const auto& [i, motion] : drivers) {
-          const double rate = std::abs(rates[i]) / magnitude[i];
-          if (rate > largest && !(motion && vanishes(*motion, instant.time, level))) largest = rate;
-        }
-        return largest;
-      };
-      const auto is_nothing = [&](std::span<const double> rates, int i, double scale) {
-        return scale == 0 || std::abs(rates[i]) / magnitude[i] <= Measures::min_rate * scale;
-      };
-      double& ratio = values[0].velocity = not_known;
-      if (instant.qd.empty()) return;
-      const auto [a, b] = of;
-      const double speed = fastest(instant.qd, Level::velocity);
-      if (!is_nothing(instant.qd, b, speed))
-        ratio = instant.qd[a] / instant.qd[b];
-      else if (!instant.qdd.empty() && is_nothing(instant.qd, a, speed) &&
-               !is_nothing(instant.qdd, b,
-                           fastest(instant.qdd, Level::acceleration) + speed * speed))
-        ratio = instant.qdd[a] / instant.qdd[b];
-    });
+    add({"", wanted.name, ""}, kinds[0]);
+    list.back().per = kinds[1];
+    rules.emplace_back(
+        place, [ratio = RateRatio(m_, of, driven_by_)](const Instant& instant, auto values) {
+          values[0].velocity = ratio(instant);
+        });
   }
 
   void add(PerLevel<std::string> names, EntityKind kind) {
@@ -199,14 +171,9 @@ class Builder {
     list.push_back({std::move(names), kind});
   }
 
-  struct DriverRate {
-    int coordinate;
-    std::shared_ptr<const Motion> motion;  // null: of rows
-  };
-
   const Mechanism& d_;
   const Model& m_;
-  std::vector<DriverRate> drivers_;
+  Measures::DrivenBy driven_by_;
   BodyFrames bodies_;
   std::set<std::string> taken_;
 };

@@ -47,8 +47,8 @@ class Measures {
   ///
   /// and an acceleration a where |a| <= min_rate (A + V²), A: the greatest of a driver's. Rounding
   /// errors of coordinates are of the drivers' size. A driver whose own rate vanishes by its motion
-  /// (vanishes(), in rest.h) counts as 0 in V and A: rounding is all that is left of that. Where
-  /// all drivers do, everything vanishes.
+  /// counts as 0 in V and A: rounding is all that is left of that. Where all drivers do, everything
+  /// vanishes.
   static constexpr double min_rate = 1e-10;
 
   /// Source of the drivers' rates: the model's motions, or rows of numbers, which are exact.
