@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <tuple>
+#include <vector>
+
+#include "formulations/modelling/independence/linearisation.h"
+
+namespace desmo {
+
+/// The states at which the dependence of equations is judged: the nominal position, then two
+/// perturbed ones.
+using JudgedPositions = std::array<std::vector<double>, 3>;
+
+/// The linearisers of a model: by the longest lengths and, where these hide small bodies on large
+/// ones, by the shortest.
+struct Linearisers {
+  explicit Linearisers(const Model& model)
+      : usual(model), of_small(model, Lineariser::Lengths::shortest) {}
+  Lineariser usual, of_small;
+};
+
+/// Assembles these positions. Each group may move its unknowns and its drivers. A perturbed
+/// position that cannot be assembled is replaced by the nominal one. Where a redundant group cannot
+/// be assembled, or not move with its drivers, but for max_misfit, sets what its equations depend
+/// below. Throws std::invalid_argument, naming group, bodies and constraint, when the nominal
+/// position cannot be assembled.
+JudgedPositions assemble_positions(const Model& model, std::vector<GroupSystem>& systems,
+                                   Linearisers& linearisers);
+
+/// Scaled Jacobians of all rows (rows × columns), at each judged position.
+using JudgedJacobians = std::array<Eigen::MatrixXd, std::tuple_size_v<JudgedPositions>>;
+
+/// Returns the Jacobians of a group.
+JudgedJacobians judged_jacobians(const GroupSystem& system, const JudgedPositions& positions,
+                                 Linearisers& linearisers);
+
+/// Returns the freedoms that the candidates leave to a group, drivers free, at the most general
+/// position.
+int mobility(const GroupSystem& system, const JudgedJacobians& jacobians);
+
+}  // namespace desmo
