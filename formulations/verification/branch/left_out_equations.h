@@ -7,8 +7,8 @@
 
 #include "cases/numbers/interval.h"
 #include "formulations/base/live_row.h"
+#include "formulations/model/misfit.h"
 #include "formulations/model/partition.h"
-#include "formulations/verification/branch/misfit.h"
 #include "formulations/verification/certificate/path_proof.h"
 #include "formulations/verification/certificate/refinement.h"
 

@@ -10,10 +10,10 @@
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/incidence.h"
+#include "formulations/model/misfit.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/independence/linearisation.h"
 #include "formulations/verification/branch/chosen_equations.h"
-#include "formulations/verification/branch/misfit.h"
 #include "formulations/verification/range/locked_loops.h"
 #include "formulations/verification/range/singular_points.h"
 

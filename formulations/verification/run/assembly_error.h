@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "formulations/base/settings.h"
+#include "formulations/model/misfit.h"
 #include "formulations/model/model.h"
-#include "formulations/verification/branch/misfit.h"
 
 namespace desmo {
 

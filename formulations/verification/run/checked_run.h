@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "formulations/formulation.h"
+#include "formulations/model/misfit.h"
 #include "formulations/model/scales.h"
-#include "formulations/verification/branch/misfit.h"
 #include "formulations/verification/branch/start.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "formulations/verification/run/assembly_error.h"

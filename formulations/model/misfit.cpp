@@ -1,4 +1,4 @@
-#include "formulations/verification/branch/misfit.h"
+#include "formulations/model/misfit.h"
 
 #include <algorithm>
 #include <array>
