@@ -10,6 +10,16 @@
 
 namespace desmo {
 
+std::vector<double> residual_of(const Model& m, const Constraint& c,
+                                std::span<const double> state) {
+  std::vector<double> phi(rows(c));
+  visit_kind(c.kind, [&]<class Kind>(Kind) {
+    const auto x = operands_of<Kind>(m, c, state.data());
+    Kind::residual(x.data(), dimensions_at<Kind>(c, x.data()).data(), phi.data());
+  });
+  return phi;
+}
+
 Misfit misfit_of(const Model& m, int constraint, int row, double residual,
                  std::span<const double> state) {
   const Constraint& c = m.constraints[constraint];

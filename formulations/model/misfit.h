@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "formulations/model/model.h"
 
@@ -13,7 +14,14 @@ struct Misfit {
   /// equation without lengths has the change of a direction's component or of an angle instead.
   double amount = 0;
   bool is_length = false;  ///< amount is in the model's unit of length; else a number or [rad]
+
+  /// Returns the amount over a length of the equation; without lengths, the amount itself.
+  double over(double length) const { return is_length ? amount / length : amount; }
 };
+
+/// Returns Φ of a constraint at a state (rows).
+std::vector<double> residual_of(const Model& model, const Constraint& constraint,
+                                std::span<const double> state);
 
 /// Returns the misfit of an equation: |Φ| over its steepest slope by a length, else by any operand.
 /// - constraint, row: the equation

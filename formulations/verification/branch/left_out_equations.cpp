@@ -111,14 +111,12 @@ std::optional<Misfit> LeftOutEquations::check(const RefinedInstant& refined,
 
 double LeftOutEquations::relative(std::size_t i, double residual) const {
   const auto& [constraint, row] = equations_[i];
-  const Misfit misfit = misfit_of(m_, constraint, row, residual, state_);
-  return misfit.is_length ? misfit.amount / length_[i] : misfit.amount;
+  return misfit_of(m_, constraint, row, residual, state_).over(length_[i]);
 }
 
 bool LeftOutEquations::is_contradiction(const Misfit& misfit) const {
   const auto equation = std::ranges::find(equations_, misfit.constraint, &Equation::constraint);
-  const double length = length_[equation - equations_.begin()];
-  return misfit.amount > max_misfit * (misfit.is_length ? length : 1);
+  return misfit.over(length_[equation - equations_.begin()]) > max_misfit;
 }
 
 bool LeftOutEquations::look_along(const PathProof& step) {

@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "cases/numbers/compensated.h"
-#include "formulations/constraints/constraints.h"
-#include "formulations/model/incidence.h"
+#include "formulations/model/misfit.h"
 #include "formulations/model/whole_turns.h"
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/chosen_equations.h"
@@ -27,13 +26,7 @@ constexpr double turn = 2 * std::numbers::pi;
 std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
   const std::vector<double> state = m.state_of(m.estimate);
   std::vector<std::vector<double>> all;
-  for (const Constraint& c : m.constraints)
-    visit_kind(c.kind, [&]<class Kind>(Kind) {
-      const auto x = operands_of<Kind>(m, c, state.data());
-      std::vector<double> phi(Kind::rows);
-      Kind::residual(x.data(), dimensions_at<Kind>(c, x.data()).data(), phi.data());
-      all.push_back(std::move(phi));
-    });
+  for (const Constraint& c : m.constraints) all.push_back(residual_of(m, c, state));
   return all;
 }
 

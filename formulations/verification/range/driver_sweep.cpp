@@ -1,7 +1,6 @@
 #include "formulations/verification/range/driver_sweep.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -9,7 +8,6 @@
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/model/characteristic_lengths.h"
-#include "formulations/model/incidence.h"
 #include "formulations/model/misfit.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/independence/linearisation.h"
@@ -77,15 +75,11 @@ bool DriverSweep::is_violated(const Point& point) const {
   for (int c = 0; c < static_cast<int>(model().constraints.size()); ++c) {
     const Constraint& constraint = model().constraints[c];
     if (constraint.left_out == 0) continue;
-    std::array<double, 3> phi{};
-    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-      const auto x = operands_of<Kind>(model(), constraint, point.state.data());
-      Kind::residual(x.data(), dimensions_at<Kind>(constraint, x.data()).data(), phi.data());
-    });
+    const std::vector<double> phi = residual_of(model(), constraint, point.state);
     for (int row = 0; row < rows(constraint); ++row) {
       if (!(constraint.left_out >> row & 1)) continue;
       const Misfit misfit = misfit_of(model(), c, row, phi[row], point.state);
-      if (misfit.amount > max_misfit * (misfit.is_length ? lengths.of(constraint) : 1)) return true;
+      if (misfit.over(lengths.of(constraint)) > max_misfit) return true;
     }
   }
   return false;
