@@ -179,6 +179,10 @@ int kept_rows(const Constraint& constraint) {
   return rows(constraint) - std::popcount(constraint.left_out);
 }
 
+bool is_constant(const Model& m, const Constraint& c) {
+  return std::ranges::all_of(c.operands, [&m](EntityId e) { return m.entities[e].fixed; });
+}
+
 void require_natural(const Model& m) {
   require(m.modelling == Modelling::natural,
           m.name + ": natural coordinates alone can be checked; ask for no checks");

@@ -182,6 +182,10 @@ int rows(const Constraint& constraint);
 /// Returns the number of scalar equations of a constraint without omitted ones.
 int kept_rows(const Constraint& constraint);
 
+/// Returns whether a constraint is between fixed entities alone. It determines nothing: all of its
+/// rows are left out, and it stands after the others of its group.
+bool is_constant(const Model& model, const Constraint& constraint);
+
 /// Throws std::invalid_argument unless coordinates are natural: proofs speak of them alone.
 void require_natural(const Model& model);
 

@@ -24,11 +24,13 @@ class Upstream {
         constraint_kept(m.constraints.size(), false),
         serves(m.entities.size(), -1),
         m_(m),
+        has_unknowns_(m.groups.size(), false),
         group_needed_(m.groups.size(), false),
         owner_(entity_of_coordinate(m)),
         block_of_coordinate_(m.coordinates(), -1),
         blocks_of_constraint_(m.constraints.size()) {
     for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
+      has_unknowns_[blocks[b].groups.front()] = true;
       for (const int i : blocks[b].unknowns) block_of_coordinate_[i] = b;
       for (const Equation& e : blocks[b].equations)
         blocks_of_constraint_[e.constraint].push_back(b);
@@ -67,7 +69,8 @@ class Upstream {
         for (const EntityId operand : c->operands) need_output({operand, Level::position});
   }
 
-  /// Keeps the constraints left out whole that speak of what is kept: they can be checked.
+  /// Keeps the constraints left out whole that speak of what is kept: they can be checked. Those
+  /// between constants go with their group; a group without unknowns can be checked always.
   void keep_consequences() {
     for (std::size_t c = 0; c < m_.constraints.size(); ++c) {
       const Constraint& constraint = m_.constraints[c];
@@ -75,6 +78,8 @@ class Upstream {
       constraint_kept[c] = std::ranges::all_of(constraint.operands, [&](EntityId id) {
         return m_.entities[id].fixed || entity_level[id];
       });
+      const GroupId g = constraint.group;
+      if (is_constant(m_, constraint)) constraint_kept[c] = group_needed_[g] || !has_unknowns_[g];
       if (!constraint_kept[c]) continue;
       for (const EntityId id : constraint.operands)
         if (m_.entities[id].fixed) need(id, Level::position, constraint.operands.front());
@@ -98,7 +103,7 @@ class Upstream {
   }
 
   const Model& m_;
-  std::vector<bool> group_needed_;
+  std::vector<bool> has_unknowns_, group_needed_;  // by group
   std::vector<EntityId> owner_;
   std::vector<int> block_of_coordinate_;  // -1: driven
   std::vector<std::vector<int>> blocks_of_constraint_;
@@ -114,6 +119,8 @@ std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstrea
   std::vector<GroupId> group(whole.groups.size(), -1);
   for (std::size_t e = 0; e < whole.entities.size(); ++e)
     if (up.entity_level[e] && !whole.entities[e].fixed) group[whole.entities[e].group] = 0;
+  for (std::size_t c = 0; c < whole.constraints.size(); ++c)
+    if (up.constraint_kept[c]) group[whole.constraints[c].group] = 0;
   for (std::size_t g = 0; g < group.size(); ++g) {
     if (group[g] < 0) continue;
     group[g] = m.add_group(whole.groups[g].name, whole.groups[g].bodies);

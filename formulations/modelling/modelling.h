@@ -8,7 +8,7 @@
 
 namespace desmo {
 
-/// A candidate equation that was left out because it follows from others.
+/// A candidate equation that was left out because it follows from others, or is between constants.
 struct LeftOut {
   std::string equation;                   ///< name of the constraint
   std::vector<int> rows;                  ///< its rows that were left out

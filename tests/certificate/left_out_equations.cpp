@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "cases/io/files.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/groupwise/double_solution.h"
@@ -140,6 +142,29 @@ TEST(LeftOutEquations, ExplainHardlyMoreThanTheDigits) {
       EXPECT_EQ(misfit(cranks(explained / of_longer)), 0);
       EXPECT_NEAR(misfit(cranks(12 * explained / of_longer)), 12 * explained, 5 * explained);
     }
+}
+
+/// A flap on a hinge, whose own points are farther apart than those of the ground.
+TEST(LeftOutEquations, HaveTheMisfitOfAShapeOnTheGround) {
+  for (const double farther : {0., 1e-9, 4e-7}) {
+    const Model m = make_model(parse_scene(R"({"format": "desmo-scene", "version": 2, "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "flap", "dimension": 3,
+      "points": {"H": [0, 0, 0], "K": [0, 0.4, 0]}, "vectors": {"x": [1, 0, 0], "z": [0, 0, 1]},
+      "ground": {"points": ["H", "K"], "vectors": ["x", "z"]},
+      "bodies": {"flap": {"at": [0, 0, 0, 0, 0, 0], "points": {"H": [0, 0, 0], "K": [0, )" +
+                                               formatted("%.17g", 0.4 + farther) +
+                                               R"(, 0], "F": [0.3, 0, 0]}}},
+      "joints": [{"type": "hinge", "bodies": ["ground", "flap"], "points": ["H", "K"]}],
+      "coordinates": {"open": {"angle": ["H", "F"], "from": "x", "towards": "z"}},
+      "drivers": ["open"]}, "motion": {"open": {"type": "polynomial", "coefficients": [0, 1]}},
+      "time": {"end": 1, "step": 0.1}})",
+                                           "flap.json", ""));
+    EXPECT_EQ(LeftOutEquations(m).any(), farther > 0);
+    const Found found = find(m, {0, 0.5, 1});
+    EXPECT_EQ(found.proven, found.instants);
+    EXPECT_EQ(found.flagged, farther > 0 ? found.instants : 0);
+    EXPECT_NEAR(found.largest.amount, farther, 1e-3 * farther);
+  }
 }
 
 /// What a drawing may leave, 1e-4 of the lengths of an equation's points, is no contradiction.

@@ -4,6 +4,7 @@
 
 #include "cases/io/files.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/model/plan.h"
 #include "tests/contains.h"
 #include "tests/modelling/common.h"
 #include "tests/overconstrained.h"
@@ -216,6 +217,24 @@ TEST(Refused, TwoShapesThatDiffer) {
   EXPECT_NO_THROW(model_mechanism(driven(two_shapes(0.3, 0.3, 1, true), {"a"}), {still}));
   EXPECT_NO_THROW(
       model_mechanism(driven(two_shapes(0.7, 0.7, 1e-6, false), {"a", "b"}), {still, still}));
+}
+
+/// What digits make of a shape is left out, up to 1e-4 of the distance of B and D, which is √2.
+TEST(Refused, ShapesOnTheGroundThatDifferByMoreThanDigits) {
+  for (const double size : {1e-6, 1.0, 1e5}) {
+    const auto shapes = [&](double longer) {
+      return driven(two_shapes(1, 1 + longer, size, true), {"a"});
+    };
+    for (const double longer : {0., 1e-12, 1e-6, 1e-4}) {
+      const ModellingResult nearly = model_mechanism(shapes(longer), {still});
+      EXPECT_EQ(std::ranges::count(nearly.left_out, "f: A-B length", &LeftOut::equation),
+                longer > 0);
+      const Model kept = make_plan(nearly.model, {}).model;
+      EXPECT_EQ(std::ranges::count(kept.constraints, "f: A-B length", &Constraint::name),
+                longer > 0);
+    }
+    expect_refused(shapes(2e-4), {still}, {"'f: A-B length'", "contradict"});
+  }
 }
 
 }  // namespace

@@ -173,7 +173,9 @@ void keep_along(EquationWriter& w, const std::string& name, const RigidBody& bod
 }
 
 template <int D>
-void write_body(EquationWriter& w, const RigidBody& body) {
+void write_body(EquationWriter& w, int r) {
+  const RigidBody& body = w.rigid.list[r];
+  w.begin(r);
   const std::string name = w.mechanism.bodies[body.bodies.front()].name + ": ";
   const std::vector<Direction>& directions = body.basis.directions;
   for (std::size_t i = 0; i < directions.size(); ++i)
@@ -193,6 +195,7 @@ void write_body(EquationWriter& w, const RigidBody& body) {
 template <int D>
 void write_framed_body(EquationWriter& w, int r) {
   const RigidBody& body = w.rigid.list[r];
+  w.begin(r);
   const std::string name = w.mechanism.bodies[body.bodies.front()].name + ": ";
   write_frame<D>(w, r);
   for (const int p : body.points)
@@ -209,10 +212,10 @@ void write_body_equations(EquationWriter& w) {
   hold_ground_vectors<D>(w);
   if (w.framed) {
     for (const int r : w.framed->tree.order)
-      w.framed->tree.has_frame[r] ? write_framed_body<D>(w, r) : write_body<D>(w, w.rigid.list[r]);
+      w.framed->tree.has_frame[r] ? write_framed_body<D>(w, r) : write_body<D>(w, r);
     return;
   }
-  for (std::size_t r = 1; r < w.rigid.list.size(); ++r) write_body<D>(w, w.rigid.list[r]);
+  for (int r = 1; r < static_cast<int>(w.rigid.list.size()); ++r) write_body<D>(w, r);
 }
 
 template void write_body_equations<2>(EquationWriter&);

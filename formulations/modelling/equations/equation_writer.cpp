@@ -49,6 +49,10 @@ EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
     farthest_ = std::max(farthest_, reach_of(d, body, reach));
 }
 
+void EquationWriter::begin(int body, int other) {
+  group_ = std::max(coordinates_.group_of_body[body], coordinates_.group_of_body[other]);
+}
+
 EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vector& vector) {
   return coordinates_.model.add_fixed(EntityKind::vector, std::move(name),
                                       std::span(vector.direction).first(mechanism.dimension),
@@ -87,7 +91,9 @@ CandidateEquations EquationWriter::release() {
   Model& m = coordinates_.model;
   std::vector<int> order(origins_.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](int c) { return m.constraints[c].group; });
+  std::ranges::stable_sort(order, {}, [&m](int c) {
+    return std::pair(m.constraints[c].group, is_constant(m, m.constraints[c]));
+  });
   std::vector<Constraint> constraints;
   std::vector<Origin> origins;
   for (const int c : order) {
@@ -109,7 +115,11 @@ void EquationWriter::constrain(Origin origin, std::string name, int kind,
   made.derives = derives;
   for (const EntityId e : operands)
     made.group = std::max(made.group, coordinates_.model.entities.at(e).group);
-  if (made.group < 0) return require_holds(coordinates_.model, made, farthest_);
+  if (made.group < 0) {
+    if (holds(coordinates_.model, made, farthest_)) return;
+    made.group = group_;
+    made.left_out = (1u << rows(made)) - 1;
+  }
   coordinates_.model.add(std::move(made));
   origins_.push_back(origin);
 }

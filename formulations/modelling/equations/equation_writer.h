@@ -39,9 +39,12 @@ class EquationWriter {
   /// is another one where the mechanism has that.
   EntityId add_variable(EntityKind kind, std::string name, std::span<const double> start, int body);
 
+  /// Begins the equations of a rigid body, or of a joint between two.
+  void begin(int body, int other = 0);
+
   /// Adds an equation of a kind, by its position, to the last group that solves for one of its
-  /// operands. Adds nothing when all operands are fixed; throws std::invalid_argument, naming the
-  /// equation, where it does not hold of these.
+  /// operands. When all operands are fixed, adds nothing where it holds; where it does not, adds it
+  /// to the group of what begin() was told, and leaves it out.
   void constrain(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
                  std::span<const Derived> dimensions, int derives = no_position);
   template <class Kind>
@@ -80,6 +83,7 @@ class EquationWriter {
   Coordinates coordinates_;
   std::vector<Origin> origins_;  // source of each constraint
   double farthest_;              // reach, nominally or in a body's own frame
+  GroupId group_ = no_position;  // of equations between constants
   struct Product {
     double value, magnitude;
   };

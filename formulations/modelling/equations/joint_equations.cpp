@@ -42,9 +42,9 @@ void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
 void write_joint_equations(EquationWriter& w) {
   for (std::size_t i = 0; i < w.mechanism.joints.size(); ++i) {
     const Mechanism::Joint& j = w.mechanism.joints[i];
-    if (w.rigid.of_body[j.bodies[0]] == w.rigid.of_body[j.bodies[1]] ||
-        (w.framed && w.framed->tree.is_of_tree[i]))
-      continue;
+    const int first = w.rigid.of_body[j.bodies[0]], second = w.rigid.of_body[j.bodies[1]];
+    if (first == second || (w.framed && w.framed->tree.is_of_tree[i])) continue;
+    w.begin(first, second);
     if (w.mechanism.dimension == 2) {
       if (slides(j.type) && writes_offset(w, j)) keep_off<Offset>(w, j, ": offset");
     } else if (find_joint_form(j.type, 3)->in_plane) {

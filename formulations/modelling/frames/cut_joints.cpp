@@ -84,6 +84,7 @@ void write_cut_joints(EquationWriter& w) {
                         {w.vector(vector), w.vector(normal)}, {Derived(0)});
   for (const auto& [joint, normal] : w.framed->lines) {
     const Mechanism::Joint& j = w.mechanism.joints[joint];
+    w.begin(w.rigid.of_body[j.bodies[0]], w.rigid.of_body[j.bodies[1]]);
     w.constrain<Projection<D>>(Origin::joint, j.name + ": off along " + w.text({normal}),
                                {w.vector(normal), w.point(j.points[0]), w.point(j.points[1])},
                                {Derived(0)});

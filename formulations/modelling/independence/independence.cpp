@@ -5,8 +5,11 @@
 #include <cmath>
 #include <optional>
 
+#include "cases/mechanism/names.h"
 #include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/misfit.h"
 #include "formulations/model/scales.h"
+#include "formulations/modelling/contradiction_error.h"
 #include "formulations/modelling/independence/refusal.h"
 #include "formulations/modelling/independence/row_selection.h"
 
@@ -138,17 +141,42 @@ void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
   }
 }
 
+/// Returns the equations between constants, which do not hold to rounding. Throws
+/// ContradictionError where one is off by more than digits of a file leave.
+std::vector<LeftOut> constant_equations(const Model& m) {
+  const std::vector<double> state = m.state_of(m.estimate);
+  const CharacteristicLengths lengths(m);
+  std::vector<LeftOut> all;
+  for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c) {
+    const Constraint& constraint = m.constraints[c];
+    if (!is_constant(m, constraint)) continue;
+    all.push_back({constraint.name, {}, constraint.group, {}, false});
+    const std::vector<double> phi = residual_of(m, constraint, state);
+    for (int row = 0; row < std::ssize(phi); ++row) {
+      const Misfit misfit = misfit_of(m, c, row, phi[row], state);
+      if (misfit.over(lengths.of(constraint)) > max_misfit)
+        throw ContradictionError(
+            in_quotes(constraint.name) + " is off by ", misfit.amount,
+            ": the places on the ground and the shape of the body, or two shapes, contradict each "
+            "other; make them the same",
+            misfit.is_length ? m.length_unit : "1");
+      all.back().rows.push_back(row);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<LeftOut> leave_out_dependent(CandidateEquations& candidates,
                                          const std::vector<int>& surplus) {
   Model& m = candidates.model;
+  std::vector<LeftOut> left_out = constant_equations(m);
   std::vector<GroupSystem> systems = group_systems(m);
   for (GroupSystem& s : systems) s.redundant = surplus[s.group] > 0;
   Linearisers linearisers(m);
   const JudgedPositions positions = assemble_positions(m, systems, linearisers);
   RowSelector selector(candidates, positions, linearisers);
-  std::vector<LeftOut> left_out;
   for (GroupSystem& s : systems) {
     SelectedRows selected = selector.select(s);
     std::optional<Contradiction> contradiction;

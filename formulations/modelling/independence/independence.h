@@ -20,6 +20,7 @@ namespace desmo {
 /// surplus: for each group, restrictions minus freedoms.
 /// Throws std::invalid_argument, naming group, bodies and equations, when
 /// - the nominal position cannot be assembled,
+/// - an equation between constants does not hold by more than 1e-4 of its length,
 /// - a group is under-constrained,
 /// - a group cannot follow its drivers (too many drivers, or constraints that contradict each other
 ///   by more than 1e-4 of its size).

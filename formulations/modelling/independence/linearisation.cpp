@@ -40,11 +40,12 @@ std::vector<GroupSystem> list_columns(const Model& m) {
 
 std::vector<GroupSystem> group_systems(const Model& m) {
   std::vector<GroupSystem> systems = list_columns(m);
+  const int constraints = static_cast<int>(m.constraints.size());
   int c = 0;
   for (GroupSystem& s : systems) {
-    s.first_constraint = c;
-    while (c < static_cast<int>(m.constraints.size()) && m.constraints[c].group == s.group) ++c;
-    s.end_constraint = c;
+    s.first_constraint = s.end_constraint = c;
+    for (; c < constraints && m.constraints[c].group == s.group; ++c)
+      if (!is_constant(m, m.constraints[c])) s.end_constraint = c + 1;
     list_rows(m, s);
   }
   return systems;

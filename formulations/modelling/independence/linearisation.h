@@ -17,8 +17,8 @@ inline constexpr double max_misfit = 1e-4;
 /// A row whose derivatives are uncertain depends on others below this times the uncertainty.
 inline constexpr double uncertainty_margin = 10;
 
-/// The system of a group: its candidate equations are rows; its unknowns, then drivers, are
-/// columns.
+/// The system of a group: its candidate equations, without those between constants, are rows; its
+/// unknowns, then drivers, are columns.
 struct GroupSystem {
   GroupId group;
   int first_constraint = 0, end_constraint = 0;

@@ -15,10 +15,11 @@
 namespace desmo {
 
 /// The equations of a model that modelling left out, since they follow from others where a linkage
-/// closes. One holds at an instant if its residual is explained by the digits of the file: if it
-/// may vanish for some mechanism that rounds to the same file (with_file_variation()). A
-/// certificate for these mechanisms bounds how far their positions are from those of the file. So
-/// what closes before rounding is never flagged, and what is flagged is proven not to close.
+/// closes, or are between constants. One holds at an instant if its residual is explained by the
+/// digits of the file: if it may vanish for some mechanism that rounds to the same file
+/// (with_file_variation()). A certificate for these mechanisms bounds how far their positions are
+/// from those of the file. So what closes before rounding is never flagged, and what is flagged is
+/// proven not to close.
 ///
 ///   LeftOutEquations left_out(model);
 ///   if (const auto misfit = left_out.check(refined)) …   // no exact motion exists
