@@ -12,7 +12,7 @@
 #include "cases/mechanism/drawing.h"
 #include "cases/mechanism/joint_forms.h"
 #include "cases/numbers/space.h"
-#include "formulations/modelling/measures/frames.h"
+#include "formulations/modelling/measures/body_frames.h"
 #include "formulations/modelling/measures/rate_ratio.h"
 
 namespace desmo {

@@ -1,4 +1,4 @@
-#include "formulations/modelling/measures/frames.h"
+#include "formulations/modelling/measures/body_frames.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
