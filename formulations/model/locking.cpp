@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "formulations/constraints/constraints.h"
-
 namespace desmo {
 
 namespace {
@@ -28,11 +26,8 @@ bool may_lock(const Model& m, const PartDefinition& block, const std::vector<Ent
   };
   if (std::ranges::none_of(block.unknowns, is_geometric)) return false;
   if (m.groups[block.groups.front()].bodies.size() == 1) return !is_linear(m, block, drawn);
-  return !std::ranges::all_of(block.equations, [&](const Equation& e) {
-    bool linear = false;
-    visit_kind(m.constraints[e.constraint].kind, [&](auto kind) { linear = kind.linear; });
-    return linear;
-  });
+  return !std::ranges::all_of(
+      block.equations, [&](const Equation& e) { return is_linear(m.constraints[e.constraint]); });
 }
 
 }  // namespace desmo

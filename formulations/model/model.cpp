@@ -175,6 +175,12 @@ int rows(const Constraint& constraint) {
   return result;
 }
 
+bool is_linear(const Constraint& constraint) {
+  bool result = false;
+  visit_kind(constraint.kind, [&](auto kind) { result = kind.linear; });
+  return result;
+}
+
 int kept_rows(const Constraint& constraint) {
   return rows(constraint) - std::popcount(constraint.left_out);
 }

@@ -179,6 +179,8 @@ std::string_view constraint_kind_name(int kind);
 
 /// Returns the number of scalar equations of a constraint, omitted ones included.
 int rows(const Constraint& constraint);
+/// Returns whether the derivatives of a constraint do not depend on positions.
+bool is_linear(const Constraint& constraint);
 /// Returns the number of scalar equations of a constraint without omitted ones.
 int kept_rows(const Constraint& constraint);
 

@@ -24,9 +24,7 @@ VectorXd uncertainty(const Model& m, const std::vector<double>& state, const Gro
   VectorXd result = VectorXd::Zero(static_cast<Eigen::Index>(s.rows.size()));
   for (std::size_t r = 0; r < s.rows.size(); ++r) {
     const Constraint& c = m.constraints[s.rows[r].first];
-    bool linear = false;
-    visit_kind(c.kind, [&](auto kind) { linear = kind.linear; });
-    if (linear) continue;
+    if (is_linear(c)) continue;
     double shortest = INFINITY, farthest = 0;
     for (const EntityId e : c.operands) {
       if (!is_length(m.entities[e].kind)) continue;
@@ -136,10 +134,8 @@ std::vector<int> RowSelector::preference(const GroupSystem& s) const {
     const Constraint& constraint = m_.constraints[c];
     std::vector<int> entries(rows(constraint), 0);
     visit_incidence(m_, constraint, [&](int row, int state) { entries[row] += moves_[state]; });
-    bool linear = false;
-    visit_kind(constraint.kind, [&](auto kind) { linear = kind.linear; });
     for (const int n : entries)
-      ranks.emplace_back(constraint.derives < 0, !linear, n, origins_[c],
+      ranks.emplace_back(constraint.derives < 0, !is_linear(constraint), n, origins_[c],
                          static_cast<int>(ranks.size()));
   }
   std::ranges::sort(ranks);
