@@ -8,7 +8,6 @@
 #include "cases/mechanism/names.h"
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/misfit.h"
-#include "formulations/model/scales.h"
 #include "formulations/modelling/contradiction_error.h"
 #include "formulations/modelling/independence/refusal.h"
 #include "formulations/modelling/independence/row_selection.h"
@@ -50,13 +49,6 @@ VectorXd extrapolated(const VectorXd& half, const VectorXd& whole) {
   return (4 * half - whole) / moved + (2 * whole - 4 * half) / (moved * moved);
 }
 
-/// The length that an equation's points are judged by, or 1.
-double unit_of(const Model& m, const Constraint& c) {
-  for (const EntityId e : c.operands)
-    if (is_length(m.entities[e].kind)) return CharacteristicLengths(m).of(c);
-  return 1;
-}
-
 /// Returns the other constraints that contradict the one that is off most. The smallest residual is
 /// a combination of rows that depend on each other: those that take part.
 std::vector<int> contradicted(const GroupSystem& s, const VectorXd& off, int constraint) {
@@ -72,7 +64,7 @@ std::vector<int> contradicted(const GroupSystem& s, const VectorXd& off, int con
 /// Moves a group's drivers a little from an assembled position, first forwards, then backwards.
 /// Returns nullopt when all its candidates, dependent ones included, can follow in one direction
 /// but for max_misfit, extrapolated to a movement by one natural magnitude.
-std::optional<Contradiction> find_contradiction(const Model& m, const GroupSystem& s,
+std::optional<Contradiction> find_contradiction(const GroupSystem& s,
                                                 const std::vector<double>& position,
                                                 Lineariser& lineariser) {
   if (s.unknowns == 0 || s.rows.empty()) return {};
@@ -94,8 +86,7 @@ std::optional<Contradiction> find_contradiction(const Model& m, const GroupSyste
     if (found && !std::isfinite(off))
       continue;  // outside of a table, say; the other way tells more
     const int constraint = s.rows[worst].first;
-    found = {constraint, off * unit_of(m, m.constraints[constraint]), way,
-             contradicted(s, whole, constraint)};
+    found = {constraint, off, way, contradicted(s, whole, constraint)};
   }
   return found;
 }
@@ -181,7 +172,7 @@ std::vector<LeftOut> leave_out_dependent(CandidateEquations& candidates,
     SelectedRows selected = selector.select(s);
     std::optional<Contradiction> contradiction;
     if (s.redundant && s.drivers() > 0)
-      contradiction = find_contradiction(m, s, positions[1], linearisers.usual);
+      contradiction = find_contradiction(s, positions[1], linearisers.usual);
     // Asks before definitions are shortened: parts of them contradict nothing.
     require_determined(m, s, selected, contradiction);
     selector.shorten(s, selected);

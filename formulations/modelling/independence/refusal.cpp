@@ -8,6 +8,7 @@
 
 #include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
+#include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/contradiction_error.h"
 
@@ -68,7 +69,8 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
                             constraint.name + "' ";
   if (!std::isfinite(c.amount))
     throw std::invalid_argument(where + "has no value, one way and the other");
-  throw ContradictionError(where + "is off by ", c.amount, " at best" + others,
+  const double length = is_of_length ? CharacteristicLengths(m).of(constraint) : 1;
+  throw ContradictionError(where + "is off by ", c.amount * length, " at best" + others,
                            is_of_length ? m.length_unit : "1");
 }
 

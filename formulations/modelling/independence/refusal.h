@@ -10,7 +10,7 @@ namespace desmo {
 /// A contradiction: equations of a group that cannot hold together once its drivers have moved.
 struct Contradiction {
   int constraint;  ///< constraint with the largest residual at the least-squares position
-  double amount;   ///< the residual: a length if the constraint has lengths, else a number or [rad]
+  double amount;   ///< residual over its length, if it has one; else a number or [rad]
   double moved;    ///< displacement of the drivers, in natural magnitudes
   std::vector<int> others{};  ///< constraints that contradict it
 };
