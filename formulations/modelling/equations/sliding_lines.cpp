@@ -59,10 +59,10 @@ class LineMaker {
                              Drawing<Derived>{d_}.vector(j.vectors[0]));
     const int old = j.points[end], added = static_cast<int>(d_.points.size());
     Mechanism::Point point = d_.points[old];
-    const Exact from = point.exact();
+    Exact foot = point.exact();
+    for (int i = 0; i < 3; ++i) foot[i] = end == 0 ? foot[i] + off[i] : foot[i] - off[i];
+    set_exact(point.position, point.remainder, foot);
     point.name = unique(j.name + "/foot");
-    for (int i = 0; i < 3; ++i)
-      set(point.position[i], point.remainder[i], end == 0 ? from[i] + off[i] : from[i] - off[i]);
     d_.points.push_back(point);
     d_.bodies[j.bodies[end]].points.push_back(added);
     complete_basis(j.bodies[end], j.name);
@@ -81,15 +81,9 @@ class LineMaker {
                                     drawing.direction(rigid_.list[r], directions[1])));
     Mechanism::Vector vector;
     vector.name = unique(joint + "/normal");
-    for (int i = 0; i < 3; ++i) set(vector.direction[i], vector.remainder[i], normal[i]);
+    set_exact(vector.direction, vector.remainder, normal);
     d_.bodies[body].vectors.push_back(static_cast<int>(d_.vectors.size()));
     d_.vectors.push_back(vector);
-  }
-
-  static void set(double& value, Remainder& remainder, const Derived& x) {
-    const Derived rounded = x.rounded();
-    value = rounded.value;
-    remainder = rounded.remainder();
   }
 
   std::string unique(std::string name) {

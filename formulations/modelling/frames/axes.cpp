@@ -9,6 +9,14 @@ namespace desmo {
 
 using Exact = AxisMaker::Exact;
 
+void set_exact(Mechanism::Vec& nearest, std::array<Remainder, 3>& remainder, const Exact& exact) {
+  for (int i = 0; i < 3; ++i) {
+    const Derived x = exact[i].rounded();
+    nearest[i] = x.value;
+    remainder[i] = x.remainder();
+  }
+}
+
 Exact unit(const Exact& a) {
   const Derived length = sqrt(dot(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
@@ -93,12 +101,7 @@ int AxisMaker::add_vector(int body, const Exact& own, const char* what) {
   const int v = static_cast<int>(d.vectors.size());
   Mechanism::Vector& made = d.vectors.emplace_back();
   made.name = unique_name(body, what);
-  const Exact along = drawn(body, own);
-  for (int i = 0; i < 3; ++i) {
-    const Derived x = along[i].rounded();
-    made.direction[i] = x.value;
-    made.remainder[i] = x.remainder();
-  }
+  set_exact(made.direction, made.remainder, drawn(body, own));
   d.bodies[rigid.bodies.front()].vectors.push_back(v);
   rigid.vectors.push_back(v);
   if (rigid.has_shape()) rigid.own_vectors[v] = own;

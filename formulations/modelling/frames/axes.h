@@ -66,6 +66,11 @@ bool carries(const RigidBodies& rigid, int body, const Mechanism::Direction& dir
 void plan_cut_joints(FramedMechanism& framed, AxisMaker& axes, const std::vector<int>& orientation,
                      int own_vectors);
 
+/// Writes the components of a position or direction: the doubles nearest to them, and what these
+/// lack.
+void set_exact(Mechanism::Vec& nearest, std::array<Remainder, 3>& remainder,
+               const AxisMaker::Exact& exact);
+
 /// Returns a scaled to length 1.
 AxisMaker::Exact unit(const AxisMaker::Exact& a);
 /// Returns the part of a that is at a right angle to a unit vector.

@@ -1,7 +1,5 @@
 #include "formulations/modelling/frames/declared_variables.h"
 
-#include <algorithm>
-
 namespace desmo {
 
 /// Returns whether a coordinate is found by the group of a body, so that it can be its variable.
@@ -12,10 +10,7 @@ bool DeclaredVariables::is_found_with(int body, const Mechanism::Coordinate& c) 
 int DeclaredVariables::travel(int body, const Mechanism::Joint& j) const {
   const std::vector<Mechanism::Coordinate>& all = framed_.mechanism.coordinates;
   for (int c = 0; c < static_cast<int>(all.size()); ++c)
-    if (all[c].type == Mechanism::CoordinateType::along && all[c].vector == j.vectors[0] &&
-        std::minmax({all[c].of.from, all[c].of.to}) == std::minmax({j.points[0], j.points[1]}) &&
-        is_found_with(body, all[c]))
-      return c;
+    if (is_distance_of(j, all[c]) && is_found_with(body, all[c])) return c;
   return Mechanism::none;
 }
 

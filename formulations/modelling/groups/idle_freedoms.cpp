@@ -1,12 +1,11 @@
 #include <algorithm>
 
+#include "cases/mechanism/names.h"
 #include "formulations/modelling/groups/structure.h"
 
 namespace desmo {
 
 namespace {
-
-std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
 
 std::string line_of(const Mechanism& d, int a, int b) {
   return "the line of " + in_quotes(d.points[a].name) + " and " + in_quotes(d.points[b].name);
