@@ -4,7 +4,6 @@
 
 #include "cases/numbers/space.h"
 #include "formulations/modelling/equations/equation_writer.h"
-#include "formulations/modelling/equations/spatial_relation.h"
 
 namespace desmo {
 

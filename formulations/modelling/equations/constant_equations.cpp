@@ -1,5 +1,3 @@
-#include "formulations/modelling/equations/constant_equations.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -9,8 +9,6 @@
 #include <span>
 
 #include "formulations/model/derivations.h"
-#include "formulations/modelling/equations/constant_equations.h"
-#include "formulations/modelling/equations/plane_normals.h"
 #include "formulations/modelling/equations/sliding_lines.h"
 
 namespace desmo {

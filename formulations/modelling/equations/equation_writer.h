@@ -101,6 +101,12 @@ inline constexpr double max_rounding = 16 * std::numeric_limits<double>::epsilon
 /// Returns whether |value| ≤ max_rounding · magnitude, and means zero.
 bool is_rounding(double value, double magnitude);
 
+/// Returns whether an equation between constants holds, but for their roundings. Where it does not,
+/// what rests on the ground is described twice, in different ways.
+/// - reach: largest absolute coordinate of a point [unit of length], nominally or in a body's own
+///   frame. Each length may be off by max_rounding of it
+bool holds(const Model& model, const Constraint& constraint, double reach);
+
 /// Returns whether a sliding joint in the plane keeps its offset by an equation of its own. Where
 /// it is drawn without one, the definition of a distance that is declared along it says that, too.
 bool writes_offset(const EquationWriter& writer, const Mechanism::Joint& joint);
@@ -127,6 +133,11 @@ std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double
     c[k] = is_rounding(rounded[k], magnitude) ? Derived(0) : c[k].about(rounded[k]);
   return c;
 }
+
+/// Returns the cᵢ with offset = Σ cᵢ directionᵢ for the basis of a body in space, or nearest to it.
+/// Factors at rounding level are zero. magnitude: of the positions whose difference is the offset.
+std::vector<Derived> coefficients_in_space(const Mechanism& mechanism, const RigidBody& body,
+                                           const Mechanism::Direction& offset, double magnitude);
 
 /// Writes the equations within the bodies of a D-dimensional mechanism. Ground vectors that are
 /// coordinates are held constant. Every other body keeps the scalar products of its basis, or

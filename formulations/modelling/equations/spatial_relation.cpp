@@ -1,5 +1,3 @@
-#include "formulations/modelling/equations/spatial_relation.h"
-
 #include <Eigen/QR>
 
 #include "cases/numbers/space.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "formulations/modelling/coordinates/coordinates.h"
@@ -56,6 +57,15 @@ struct FramedMechanism {
 /// - a declared angle or travel that measures the tree joint is its variable
 FramedMechanism put_frames(const Mechanism& mechanism, const RigidBodies& rigid,
                            const Structure& structure, Modelling modelling);
+
+/// Gives bodies in space that lie nearly in a plane its normal as a third direction of their bases:
+/// where no direction leads farther than 6° out of the plane of two others, but some point or
+/// vector lies off it by more than rounding. A third direction of the body's own would make
+/// equations that are nearly dependent, and without one the body would be flat. Returns the
+/// mechanism with these vectors, and its rigid bodies (its other members mean nothing); nothing
+/// where it needs none.
+std::optional<FramedMechanism> with_plane_normals(const Mechanism& mechanism,
+                                                  const RigidBodies& rigid);
 
 class EquationWriter;
 

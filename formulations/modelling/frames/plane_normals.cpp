@@ -1,6 +1,5 @@
-#include "formulations/modelling/equations/plane_normals.h"
-
 #include <algorithm>
+#include <optional>
 
 #include "cases/numbers/space.h"
 #include "formulations/modelling/equations/equation_writer.h"
