@@ -35,6 +35,11 @@ struct RigidBodies {
   std::vector<RigidBody> list;                        ///< the first contains the ground
   std::vector<int> of_body;                           ///< rigid body of each body
   std::vector<std::vector<int>> of_point, of_vector;  ///< rigid bodies that carry it, ascending
+
+  /// Returns whether a joint connects a rigid body with another one.
+  bool is_joint_of(int body, const Mechanism::Joint& joint) const {
+    return (of_body[joint.bodies[0]] == body) != (of_body[joint.bodies[1]] == body);
+  }
 };
 
 /// Returns whether a vector is declared along two points of this body and so follows from them. No

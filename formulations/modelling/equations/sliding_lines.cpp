@@ -23,11 +23,8 @@ Mechanism::Direction between(const Mechanism::Joint& j) { return {-1, j.points[0
 /// Adds to a mechanism the points through which its lines are drawn.
 class LineMaker {
  public:
-  LineMaker(const Mechanism& mechanism, const RigidBodies& rigid) : d_(mechanism), rigid_(rigid) {
-    for (const auto& p : d_.points) names_.insert(p.name);
-    for (const auto& v : d_.vectors) names_.insert(v.name);
-    for (const auto& c : d_.coordinates) names_.insert(c.name);
-  }
+  LineMaker(const Mechanism& mechanism, const RigidBodies& rigid)
+      : d_(mechanism), rigid_(rigid), names_(names_in(mechanism)) {}
 
   std::optional<Mechanism> make() {
     const double reach = reach_of(d_), max_off = max_off_line * nominal::extent(d_);

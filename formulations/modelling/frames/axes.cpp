@@ -9,6 +9,14 @@ namespace desmo {
 
 using Exact = AxisMaker::Exact;
 
+std::set<std::string> names_in(const Mechanism& d) {
+  std::set<std::string> names;
+  for (const auto& p : d.points) names.insert(p.name);
+  for (const auto& v : d.vectors) names.insert(v.name);
+  for (const auto& c : d.coordinates) names.insert(c.name);
+  return names;
+}
+
 void set_exact(Mechanism::Vec& nearest, std::array<Remainder, 3>& remainder, const Exact& exact) {
   for (int i = 0; i < 3; ++i) {
     const Derived x = exact[i].rounded();
@@ -45,12 +53,8 @@ bool carries(const RigidBodies& rigid, int body, const Mechanism::Direction& d) 
                      : has(rigid.of_vector[d.vector]);
 }
 
-AxisMaker::AxisMaker(FramedMechanism& framed) : framed_(framed) {
-  const Mechanism& d = framed.mechanism;
-  for (const auto& p : d.points) names_.insert(p.name);
-  for (const auto& v : d.vectors) names_.insert(v.name);
-  for (const auto& c : d.coordinates) names_.insert(c.name);
-}
+AxisMaker::AxisMaker(FramedMechanism& framed)
+    : framed_(framed), names_(names_in(framed.mechanism)) {}
 
 Exact AxisMaker::own(int body, const Mechanism::Direction& d) const {
   return BodyDrawing<Derived>{framed_.mechanism}.direction(framed_.rigid.list[body], d);

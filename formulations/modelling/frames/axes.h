@@ -66,6 +66,9 @@ bool carries(const RigidBodies& rigid, int body, const Mechanism::Direction& dir
 void plan_cut_joints(FramedMechanism& framed, AxisMaker& axes, const std::vector<int>& orientation,
                      int own_vectors);
 
+/// Returns the names of all points, vectors and coordinates.
+std::set<std::string> names_in(const Mechanism& mechanism);
+
 /// Writes the components of a position or direction: the doubles nearest to them, and what these
 /// lack.
 void set_exact(Mechanism::Vec& nearest, std::array<Remainder, 3>& remainder,

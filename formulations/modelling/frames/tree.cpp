@@ -123,9 +123,8 @@ class TreeMaker {
   }
 
   int joints_of(int r) const {
-    return static_cast<int>(std::ranges::count_if(d_.joints, [&](const Mechanism::Joint& j) {
-      return (rigid_.of_body[j.bodies[0]] == r) != (rigid_.of_body[j.bodies[1]] == r);
-    }));
+    return static_cast<int>(std::ranges::count_if(
+        d_.joints, [&](const Mechanism::Joint& j) { return rigid_.is_joint_of(r, j); }));
   }
 
   const Mechanism& d_;

@@ -20,10 +20,6 @@ std::string axis(const Mechanism& d, const Basis& basis) {
                                in_quotes(d.vectors[along.vector].name);
 }
 
-bool concerns(const RigidBodies& rigid, const Mechanism::Joint& j, int body) {
-  return (rigid.of_body[j.bodies[0]] == body) != (rigid.of_body[j.bodies[1]] == body);
-}
-
 }  // namespace
 
 std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& d, const RigidBodies& rigid) {
@@ -41,7 +37,7 @@ std::string undetermined_spin(const Mechanism& d, const RigidBodies& rigid, int 
   if (d.dimension == 2) return {};
   std::vector<int> centres;
   for (const Mechanism::Joint& j : d.joints) {
-    if (!concerns(rigid, j, body)) continue;
+    if (!rigid.is_joint_of(body, j)) continue;
     if (j.points.size() != 1 || !j.vectors.empty()) return {};  // not about a point alone
     if (std::ranges::find(centres, j.points[0]) == centres.end()) centres.push_back(j.points[0]);
   }
