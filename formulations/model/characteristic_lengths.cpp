@@ -9,8 +9,9 @@ namespace desmo {
 
 namespace {
 
-/// The largest distance between points of a constraint, or of its distance operands. A component of
-/// a point counts up to the size of the mechanism: beyond that it tells where the origin is.
+/// Returns the largest distance between points of a constraint, or of its distance operands. A
+/// component of a point counts up to the size of the mechanism: beyond that it tells where the
+/// origin is.
 double extent(const Model& m, std::span<const double> q, const Constraint& c, double size) {
   const double limit = joins_points(m, c) ? INFINITY : size;
   double largest = 0;

@@ -44,8 +44,8 @@ struct Constraint {
   std::vector<Derived> constants;  ///< formulations use their values; proofs all of them
   GroupId group;                   ///< group that it determines
   unsigned left_out = 0;           ///< bit r: row r depends on other equations and is omitted
-  /// By how much each row of Φ may be off besides, by digits of a file; none: by nothing. Proofs
-  /// alone take it in.
+  /// Bounds on what digits of the file leave of each row of Φ; empty: nothing. Only proofs use
+  /// them.
   std::vector<double> slack{};
   /// Operand that Φ is explicit in, ∂Φ/∂operand = ±1: the constraint is a *derivation* of it from
   /// the others. no_position: the constraint is a *closure*.

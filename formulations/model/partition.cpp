@@ -21,7 +21,7 @@ void require_solution_order(const Model& m) {
                                     "', which a later group finds");
 }
 
-/// All of each group, in the order of the groups.
+/// Returns each group as one part, in the order of the groups.
 std::vector<PartDefinition> whole_groups(const Model& m) {
   std::vector<PartDefinition> parts(m.groups.size());
   for (GroupId g = 0; g < static_cast<GroupId>(parts.size()); ++g) {

@@ -47,8 +47,8 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
         Origin::body, r.name, {r.target, w.vector(d.vector)}, c);
 }
 
-/// A line ends at the sum of itself and the origin, so that its term is its end and takes as
-/// much away from the origin.
+/// Writes a relation in space. A line ends at the sum of itself and the origin, so that its term is
+/// its end and takes as much away from the origin.
 void relate_in_space(EquationWriter& w, const Relation& r) {
   static constexpr std::array rigid{kind_index<Rigid<3, 0>>(), kind_index<Rigid<3, 1>>(),
                                     kind_index<Rigid<3, 2>>(), kind_index<Rigid<3, 3>>()};
@@ -113,7 +113,7 @@ void hold_ground_vectors(EquationWriter& w) {
   }
 }
 
-/// Keeps the product of two different directions of a basis, in space; vectors come before lines.
+/// Keeps the product of two different directions of a basis in space. Vectors come before lines.
 void keep_product_of_two(EquationWriter& w, const std::string& name, const RigidBody& body,
                          const Direction& a, const Direction& b) {
   const std::string product_name = name + w.text(a) + " with " + w.text(b);

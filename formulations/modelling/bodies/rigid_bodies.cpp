@@ -103,7 +103,7 @@ void list_carried(const std::vector<int>& carried, int rigid_body, std::vector<i
   }
 }
 
-/// For each body the first of those that it moves with.
+/// Returns for each body the first of those that it moves with.
 std::vector<int> merge_fixed(const Mechanism& d) {
   DisjointSets rigid(d.bodies.size());
   for (const Mechanism::Joint& j : d.joints) {

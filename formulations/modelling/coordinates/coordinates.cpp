@@ -18,7 +18,7 @@ namespace desmo {
 
 namespace {
 
-/// I, II, III, IV, …
+/// Returns a number as I, II, III, IV, …
 std::string roman(int n) {
   if (n >= 4000) return std::to_string(n);
   static constexpr std::pair<int, const char*> digits[] = {
@@ -92,7 +92,7 @@ class Modeller {
       result_.group_of_body.push_back(group < 0 ? no_position : constant_groups_ + group);
   }
 
-  /// Relative coordinates: those declared, and the distances of spatial sliding joints.
+  /// Places relative coordinates: those declared, and the distances of spatial sliding joints.
   void place_coordinates() {
     result_.measured = d_.coordinates;
     for (const Mechanism::Joint& j : d_.joints)

@@ -32,7 +32,7 @@ struct NeededAtOnce {
   std::vector<bool> points, vectors;
 };
 
-/// The structural group that finds what these bodies carry; -1: none does.
+/// Returns the structural group that finds what these bodies carry; -1: none does.
 template <class InBasis>
 int finder(const RigidBodies& rigid, const Structure& structure, const std::vector<int>& carriers,
            bool needed_at_once, InBasis&& in_basis) {

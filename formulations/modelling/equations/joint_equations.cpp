@@ -26,7 +26,7 @@ void keep_off(EquationWriter& w, const Mechanism::Joint& j, const char* what) {
                     }));
 }
 
-/// The axes of a universal joint stay at the same angle.
+/// Keeps the axes of a universal joint at the same angle.
 void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
   const Mechanism::Direction a{j.vectors[0]}, b{j.vectors[1]};
   const auto product = kept<Dot<3>>(w, j, 1, [&](const auto& drawing) {

@@ -18,9 +18,10 @@ namespace {
 /// The sine between two shared vectors above which the second one tells more than the first.
 constexpr double min_sine = 1e-6;
 
-/// A vector that an earlier body has derived closes by products with two normals of this body. A
-/// second one that both share closes by one more, with the normal of both, for the first leaves a
-/// turn about itself alone. One that is parallel to the first tells nothing more.
+/// Closes the vectors that a body shares with earlier ones. The first closes by products with two
+/// normals of this body. A second one that both share closes by one more, with the normal of both,
+/// for the first leaves a turn about itself alone. One that is parallel to the first tells nothing
+/// more.
 void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
                           const std::vector<int>& orientation, int own_vectors, int r) {
   std::vector<std::pair<int, int>> closed;  // other bodies, each with a vector
@@ -47,8 +48,8 @@ void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
   }
 }
 
-/// The line between the points of a spatial sliding joint is normal to two vectors of a body that
-/// carries the axis.
+/// Closes spatial sliding joints: the line between the points of one is normal to two vectors of a
+/// body that carries the axis.
 void close_sliding_joints(FramedMechanism& framed, AxisMaker& axes) {
   const Mechanism& d = framed.mechanism;
   for (int i = 0; i < static_cast<int>(d.joints.size()); ++i) {

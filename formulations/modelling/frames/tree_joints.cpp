@@ -45,20 +45,21 @@ class FrameWriter {
       orient({});
   }
 
-  /// φ, or θ from the parent: x = R(θ) x_parent
+  /// Turns by φ, or by θ from the parent: x = R(θ) x_parent
   void turn_in_plane() {
     if (frame_.from < 0) return derive<PlanarDirection>("x", {axis(0), first_angle()}, {});
     derive<PlanarTurn<Between::vector_and_vector>>(
         "x", {axis(0), w_.vector(frame_.from), first_angle()}, {Derived(1)});
   }
 
-  /// x = ±cos θ f + sin θ g; y = u × x
+  /// Turns about an axis: x = ±cos θ f + sin θ g; y = u × x
   void turn_about(EntityId angle, int u) {
     const std::array operands{axis(0), w_.vector(frame_.from), w_.vector(frame_.towards), angle};
     frame_.opposite ? derive<Turned<-1>>("x", operands, {}) : derive<Turned<1>>("x", operands, {});
     derive<Cross>("y", {axis(1), w_.vector(u), axis(0)}, {});
   }
 
+  /// Turns about two axes:
   /// b = cos θ₁ f + sin θ₁ g; w = a × b; x = cos θ₂ w + sin θ₂ a; y = b × x
   void turn_about_two() {
     const int a = joint_->vectors[hanging_.is_first ? 1 : 0];
@@ -75,7 +76,8 @@ class FrameWriter {
     derive<Cross>("y", {axis(1), axis(2), axis(0)}, {});
   }
 
-  /// [x y] = [X Y Z] A(e); z = x × y. parent: X, Y, Z; those of space where there are none.
+  /// Turns freely: [x y] = [X Y Z] A(e); z = x × y. parent: X, Y, Z; those of space where there are
+  /// none.
   void orient(const std::array<int, 3>& parent) {
     const EntityId e =
         w_.add_variable(EntityKind::orientation, name_ + "/orientation", frame_.orientation, r_);
@@ -91,7 +93,7 @@ class FrameWriter {
     derive<Cross>("z", {axis(2), axis(0), axis(1)}, {});
   }
 
-  /// Q = P + s u: the origin is one of these points, or stands in its place.
+  /// Slides: Q = P + s u. The origin is one of these points, or stands in its place.
   void slide() {
     const EntityId travel = frame_.travel >= 0
                                 ? w_.coordinates().coordinates[frame_.travel]

@@ -91,7 +91,7 @@ std::optional<Contradiction> find_contradiction(const GroupSystem& s,
   return found;
 }
 
-/// The constraints of which a row is a combination.
+/// Returns the constraints of which a row is a combination.
 std::vector<std::string> sources(const Model& m, const GroupSystem& s, const SelectedRows& selected,
                                  int row) {
   const MatrixXd& j = selected.jacobians[1];

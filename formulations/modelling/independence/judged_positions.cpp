@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Gauss–Newton with the smallest correction, over unknowns and drivers: assembles from an
-/// estimate even where equations depend on each other. Returns whether Φ vanishes, as far as
-/// rounding lets it, which is the less the farther from the origin a group is.
+/// Assembles a group from an estimate, even where equations depend on each other: by Gauss and
+/// Newton's method with the smallest correction, over unknowns and drivers. Returns whether Φ
+/// vanishes, as far as rounding lets it, which is the less the farther from the origin a group is.
 bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int most = 100;
   constexpr double vanishes = 1e-9;

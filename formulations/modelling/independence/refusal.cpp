@@ -48,8 +48,8 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
   return m.entities[entity_of_coordinate(m)[s.columns[largest]]].name;
 }
 
-/// "…: with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best, against
-/// 'rod2/length'"
+/// Throws "…: with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best,
+/// against 'rod2/length'"
 [[noreturn]] void refuse(const std::string& text, const Contradiction& c, const Model& m,
                          const GroupSystem& s) {
   const Constraint& constraint = m.constraints[c.constraint];
@@ -74,7 +74,7 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
                            is_of_length ? m.length_unit : "1");
 }
 
-/// "rounding of its positions is 2e-06 of the shortest of its lengths"
+/// Returns "rounding of its positions is 2e-06 of the shortest of its lengths"
 std::string unclear(double uncertain) {
   return formatted("rounding of its positions is %.0e of the shortest of its lengths", uncertain);
 }

@@ -37,7 +37,8 @@ VectorXd uncertainty(const Model& m, const std::vector<double>& state, const Gro
   return result;
 }
 
-/// Replaces a definition of several equations by its single one. Returns whether it has one.
+/// Replaces a definition of several equations by the one that says the same. Returns whether the
+/// constraint is such a definition.
 bool make_scalar(Constraint& constraint) {
   bool shorter = false;
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
@@ -81,8 +82,8 @@ void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
   }
 }
 
-/// At the most general of the positions, the perturbed ones first, for a pose with lower rank is a
-/// special one.
+/// Selects rows at the most general of the positions, the perturbed ones first, for a pose with
+/// lower rank is a special one.
 SelectedRows RowSelector::select(const GroupSystem& s) {
   SelectedRows selected;
   selected.jacobians = judged_jacobians(s, positions_, linearisers_);
@@ -126,7 +127,7 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
   return selected;
 }
 
-/// Rows, in the order in which they are taken.
+/// Returns rows in the order in which they are taken.
 std::vector<int> RowSelector::preference(const GroupSystem& s) const {
   using Rank = std::tuple<bool, bool, int, Origin, int>;
   std::vector<Rank> ranks;
