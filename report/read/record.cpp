@@ -81,26 +81,31 @@ void require_one_origin(const Record& record) {
             .first->second;
     if (other != *digest) throw MixedRecord(name_of(key) + ": " + problem + " than " + name);
   };
-  const auto take = [&](CandidateKey key, const std::string& request,
-                        const MeasuredCandidate& solved) {
-    const Origin& origin = solved.origin;
-    key.id += request;
+  for (const auto& [key, solved] : measurements(record)) {
+    const Origin& origin = solved->origin;
     if (origin.machine && *origin.machine != record.machine.cpu)
       throw MixedRecord(name_of(key) + ": measured on \"" + *origin.machine +
                         "\", the record on \"" + record.machine.cpu +
                         "\": a record is of one machine");
     agree(key, "model", origin.model, "solves another model");
-    if (solved.status == Status::ok)
-      agree(key, "results" + request, origin.results, "has other results");
-  };
-  for (const auto* candidates : {&record.candidates, &record.wall_candidates})
-    for (const auto& [key, candidate] : *candidates) take(key, "", candidate);
-  for (const MeasuredRequest& request : record.requests)
-    take(request.key, "/request:" + request.name, request.solved);
-  for (const Peer& peer : record.peers) take(key_of(peer), "", peer.solved);
+    if (solved->status == Status::ok)
+      agree(key, "results" + std::string(request_of(key.id)), origin.results, "has other results");
+  }
 }
 
 }  // namespace
+
+std::vector<NamedMeasurement> measurements(const Record& record) {
+  std::vector<NamedMeasurement> all;
+  for (const auto* candidates : {&record.candidates, &record.wall_candidates})
+    for (const auto& [key, candidate] : *candidates) all.emplace_back(key, &candidate);
+  for (const MeasuredRequest& request : record.requests) {
+    all.emplace_back(request.key, &request.solved);
+    all.back().first.id += "/request:" + request.name;
+  }
+  for (const Peer& peer : record.peers) all.emplace_back(key_of(peer), &peer.solved);
+  return all;
+}
 
 Record read_record(const RecordValue& root) {
   check_schema(root, "desmo-results");

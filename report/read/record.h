@@ -1,6 +1,7 @@
 // The record of a run, as results/record.schema.json defines it: plain data.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstdint>
@@ -141,11 +142,20 @@ struct Record {
   std::vector<ExtremeResult> extremes;   ///< in the record's order
 };
 
-/// Tells whether it has the paper's experiment.
-inline bool has_paper(const Record& record) {
-  return !record.candidates.empty() || !record.requests.empty() || !record.peers.empty() ||
-         !record.wall_candidates.empty();
+/// A candidate, request or peer with its key; it stands in the record.
+using NamedMeasurement = std::pair<CandidateKey, const MeasuredCandidate*>;
+
+/// Returns all of the paper's experiment: candidates by the CPU clock and by the wall clock, then
+/// requests, then peers. The id of a request ends in "/request:<name>", a peer's is "peer:<name>".
+std::vector<NamedMeasurement> measurements(const Record& record);
+
+/// Returns the end "/request:<name>" of an id; empty where it is of no request.
+inline std::string_view request_of(std::string_view id) {
+  return id.substr(std::min(id.find("/request:"), id.size()));
 }
+
+/// Tells whether it has the paper's experiment.
+inline bool has_paper(const Record& record) { return !measurements(record).empty(); }
 
 /// Checks everything the report relies on: the schema's name and major version, required keys,
 /// types, times above zero, the verification of every "ok" candidate and request, as many windows

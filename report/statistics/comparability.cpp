@@ -106,13 +106,11 @@ void compare_timings(Comparison& all, const TimedGroup& a, const TimedGroup& b) 
     if (other == b.timings.end() || !one.time.seconds || !other->second.time.seconds) continue;
     const Origin &first = one.origin, &second = other->second.origin;
     const std::string place = key.case_name + "/" + std::to_string(key.coordinates);
-    const auto request = key.id.find("/request:");
     if (first.model || second.model)
       all.require_same("model of " + place, first.model, second.model);
     if (first.results || second.results)
-      all.require_same(
-          "results of " + place + (request == key.id.npos ? "" : key.id.substr(request)),
-          first.results, second.results);
+      all.require_same("results of " + place + std::string(request_of(key.id)), first.results,
+                       second.results);
   }
 }
 

@@ -24,20 +24,10 @@ Measured measured(const MeasuredCandidate& candidate) {
 }
 
 std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
-  const bool by_wall = clock == Clock::wall;
   std::map<CandidateKey, Timing> all;
-  const auto add = [&](const CandidateKey& key, const MeasuredCandidate& candidate) {
-    all[key] = {measured(candidate), remark(candidate), candidate.origin};
-  };
-  for (const auto& [key, candidate] : by_wall ? record.wall_candidates : record.candidates)
-    add(key, candidate);
-  if (by_wall) return all;
-  for (const MeasuredRequest& request : record.requests) {
-    CandidateKey key = request.key;
-    key.id += "/request:" + request.name;
-    add(key, request.solved);
-  }
-  for (const Peer& peer : record.peers) add(key_of(peer), peer.solved);
+  for (const auto& [key, candidate] : measurements(record))
+    if (is_by_wall(key.id) == (clock == Clock::wall))
+      all[key] = {measured(*candidate), remark(*candidate), candidate->origin};
   return all;
 }
 

@@ -33,8 +33,7 @@ struct Timing {
   Origin origin;
 };
 
-/// Returns all that was to be timed by a clock; of a request, the id ends in "/request:<name>"; of
-/// a peer, it is "peer:<name>".
+/// Returns all that was to be timed by a clock, with the keys of measurements().
 std::map<CandidateKey, Timing> timings(const Record& record, Clock clock);
 
 /// The speed-up of one candidate over another, or the mark of the one that has no number.

@@ -27,12 +27,11 @@ struct Repetitions {
 
 Repetitions repetitions_of(const Record& record) {
   Repetitions found;
-  for (const Clock clock : {Clock::cpu, Clock::wall})
-    for (const auto& [key, timing] : timings(record, clock)) {
-      if (!timing.time.seconds) continue;
-      const std::size_t count = timing.time.seconds->count;
-      found = {found.most == 0 ? count : std::min(found.least, count), std::max(found.most, count)};
-    }
+  for (const auto& [key, candidate] : measurements(record)) {
+    if (candidate->status != Status::ok) continue;
+    const std::size_t count = candidate->time.seconds.size();
+    found = {found.most == 0 ? count : std::min(found.least, count), std::max(found.most, count)};
+  }
   return found;
 }
 
