@@ -22,13 +22,6 @@ Points points_of(const Record& record, const SeriesKey& series) {
   return points;
 }
 
-Points of_formulation(const Points& points, std::string_view formulation) {
-  Points found;
-  for (const NamedPoint* point : points)
-    if (point->second.configuration.formulation == formulation) found.push_back(point);
-  return found;
-}
-
 Points solving_every_instant(Points points) {
   std::erase_if(
       points, [](const NamedPoint* p) { return !p->second.configuration.solves_every_instant(); });
@@ -49,24 +42,13 @@ bool is_solved(const NamedPoint& point) { return point.second.status == Point::S
 
 double position_error(const NamedPoint& point) { return *point.second.error.position; }
 
-StepTime step_time(std::vector<double> samples) {
-  std::ranges::sort(samples);
-  return {samples.front(), samples[std::min<std::size_t>(1, samples.size() - 1)]};
-}
-
-StepTime step_time(const NamedPoint& point) { return step_time(point.second.seconds_per_step); }
-
-SpeedUp speed_up(const std::vector<double>& reference, const std::vector<double>& variant) {
-  const StepTime a = step_time(reference), b = step_time(variant);
-  return {.value = a.seconds / b.seconds,
-          .low = a.seconds / b.again,
-          .high = a.again / b.seconds,
-          .percent = 100 * (1 - b.seconds / a.seconds),
-          .has_interval = std::min(reference.size(), variant.size()) >= min_for_interval};
+double step_seconds(const NamedPoint& point) {
+  return std::ranges::min(point.second.seconds_per_step);
 }
 
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
-  return speed_up(reference.second.seconds_per_step, variant.second.seconds_per_step);
+  return speed_up(summarise_step(reference.second.seconds_per_step),
+                  summarise_step(variant.second.seconds_per_step));
 }
 
 const NamedPoint* cheapest(const Points& points, double max_error,
@@ -74,15 +56,16 @@ const NamedPoint* cheapest(const Points& points, double max_error,
   const NamedPoint* best = nullptr;
   for (const NamedPoint* point : points)
     if (is_solved(*point) && position_error(*point) <= max_error &&
-        may(point->second.configuration) &&
-        (!best || step_time(*point).seconds < step_time(*best).seconds))
+        may(point->second.configuration) && (!best || step_seconds(*point) < step_seconds(*best)))
       best = point;
   return best;
 }
 
-const NamedPoint* cheapest_of_paper(const Points& points, double max_error) {
-  return cheapest(points, max_error,
-                  [](const Configuration& c) { return c.has_papers_settings(); });
+const NamedPoint* cheapest_of_paper(const Points& points, std::string_view formulation,
+                                    double max_error) {
+  return cheapest(points, max_error, [&](const Configuration& c) {
+    return c.formulation == formulation && c.has_papers_settings();
+  });
 }
 
 }  // namespace desmo::report

@@ -25,9 +25,6 @@ std::vector<SeriesKey> drawn_series(const Record& record);
 
 Points points_of(const Record& record, const SeriesKey& series);
 
-/// Returns the points of one formulation, whatever its settings.
-Points of_formulation(const Points& points, std::string_view formulation);
-
 /// Returns the points that interpolate no instant between solved ones.
 Points solving_every_instant(Points points);
 
@@ -37,17 +34,9 @@ std::vector<std::string> guesses_of(const Points& points);
 bool is_solved(const NamedPoint& point);
 double position_error(const NamedPoint& point);  ///< the largest; of a solved point
 
-/// The time of a step: the least of the samples, and the second least, which says how far the
-/// least can be had again (the least itself when there is one sample).
-struct StepTime {
-  double seconds = 0, again = 0;
-};
-StepTime step_time(std::vector<double> samples);
-StepTime step_time(const NamedPoint& point);
+double step_seconds(const NamedPoint& point);  ///< the least sample; of a solved point
 
-/// Return the ratio of the least samples of a step, of solved points for example; its interval goes
-/// from the reference's least over the variant's second least to the reverse.
-SpeedUp speed_up(const std::vector<double>& reference, const std::vector<double>& variant);
+/// Returns the ratio of the least samples of a step, of solved points.
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
 
 /// The fastest of the solved points within an error, of those that `may`; null when there is none.
@@ -55,8 +44,9 @@ const NamedPoint* cheapest(
     const Points& points, double max_error,
     const std::function<bool(const Configuration&)>& may = [](const auto&) { return true; });
 
-/// Returns the fastest within an error of positions that has the paper's guess and updates of the
-/// Jacobian, at any tolerance; null when there is none.
-const NamedPoint* cheapest_of_paper(const Points& points, double max_error);
+/// Returns the fastest of a formulation within an error of positions that has the paper's guess and
+/// updates of the Jacobian, at any tolerance; null when there is none.
+const NamedPoint* cheapest_of_paper(const Points& points, std::string_view formulation,
+                                    double max_error);
 
 }  // namespace desmo::report

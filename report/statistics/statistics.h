@@ -30,15 +30,16 @@ struct SampleSummary {
   /// The time.
   /// - with samples of timing windows: the undisturbed time
   /// - with least times of windows alone: the sum of these
-  /// - without windows: the median
+  /// - without windows: the median; of a step, the least
   double value = 0;
   double median = 0;  ///< of an even count: the mean of the two in the middle
   double least = 0;
   double largest = 0;
   std::size_t count = 0;
   std::vector<double> windows;  ///< the least time of each; may be empty
-  /// The undisturbed time without its best repetition, the largest over all choices of the one left
-  /// out; where samples of windows are known, two or more.
+  /// The time without its best repetition.
+  /// - with two samples of timing windows or more: the largest over all choices of the one left out
+  /// - of a step: the second least
   std::optional<double> without_best;
   bool has_interval() const { return count >= min_for_interval; }
   double half_range() const { return (largest - least) / 2; }
@@ -46,6 +47,10 @@ struct SampleSummary {
 
 /// Summarises one sample or more, with the windows that they consist of, where known.
 SampleSummary summarise(std::span<const double> samples, const Windows& windows = {});
+
+/// Summarises samples of a step, one or more. Its time is the least of them, and without the best
+/// repetition the second least, which says how far the least can be had again; of one sample, that.
+SampleSummary summarise_step(std::span<const double> samples);
 
 /// Relative half-width of a speed-up's interval beyond which it is called inconclusive. An idle
 /// machine reaches 0.02.
@@ -55,8 +60,8 @@ inline constexpr double max_conclusive_width = 0.05;
 struct SpeedUp {
   double value = 0;  ///< ratio of the times
   /// Limits of the ratio, by what is known of both sides:
-  /// - samples of windows: the ratios without the best repetition of either side; they are close
-  ///   where two repetitions or more agree
+  /// - samples of windows, or of a step: the ratios without the best repetition of either side;
+  ///   they are close where two repetitions or more agree
   /// - least times of windows: the 95 % interval of a ratio of sums over pairs of windows, by
   ///   Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6)
   /// - neither: the reference's least time over the variant's largest, and the reverse

@@ -32,10 +32,9 @@ Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant) {
 struct Choice {
   Choice(const Points& points, double accuracy)
       : best(cheapest(points, accuracy)),
-        same(best ? cheapest_of_paper(
-                        of_formulation(points, best->second.configuration.formulation), accuracy)
+        same(best ? cheapest_of_paper(points, best->second.configuration.formulation, accuracy)
                   : nullptr),
-        global(cheapest_of_paper(of_formulation(points, usual_reference), accuracy)) {}
+        global(cheapest_of_paper(points, usual_reference, accuracy)) {}
 
   const NamedPoint *best,
       *same,    ///< its formulation with the paper's settings
@@ -68,27 +67,6 @@ Table accuracy_costs(const Record& record) {
 constexpr double accuracy = 1e-9;
 constexpr std::array updates{"newton", "step", "chord"};  // the last in earlier records only
 
-/// The usual formulation, and what its points are held against.
-struct Usual {
-  explicit Usual(const Points& all)
-      : points(solving_every_instant(of_formulation(all, usual_reference))),
-        stopped(cheapest_of_paper(points, accuracy)) {
-    for (const NamedPoint* point : points)
-      if (point->first.id == usual_reference && is_solved(*point)) paper = point;
-  }
-
-  const NamedPoint* best(std::string_view guess, std::string_view update,
-                         const std::vector<std::string>& others = {}) const {
-    return cheapest(points, accuracy, [&](const Configuration& c) {
-      return c.guess == guess && c.jacobian == update && c.others == others;
-    });
-  }
-
-  Points points;
-  const NamedPoint* paper = nullptr;  ///< with the paper's settings
-  const NamedPoint* stopped;          ///< with them, no further than the accuracy asks
-};
-
 bool is_tried(const Points& points, std::string_view update) {
   return std::ranges::any_of(points, [&](const NamedPoint* point) {
     return point->second.configuration.jacobian == update;
@@ -104,8 +82,20 @@ std::string stop_of(const Configuration& c) {
   return text.empty() ? sentence("costs.usual_stop") : text;
 }
 
+/// Adds the rows of a case: the usual formulation with each guess and update, over the same with
+/// the paper's settings and over these where they go no further than the accuracy asks.
 void add_case(Table& table, const SeriesKey& series, const Points& points) {
-  const Usual usual(points);
+  const NamedPoint* paper = nullptr;
+  for (const NamedPoint* point : points)
+    if (point->first.id == usual_reference && is_solved(*point)) paper = point;
+  const NamedPoint* const stopped = cheapest_of_paper(points, usual_reference, accuracy);
+  const auto best_with = [&](std::string_view guess, std::string_view update,
+                             const std::vector<std::string>& others) {
+    return cheapest(points, accuracy, [&](const Configuration& c) {
+      return c.formulation == usual_reference && c.guess == guess && c.jacobian == update &&
+             c.others == others;
+    });
+  };
   const auto add = [&](const std::string& guess, const std::string& update,
                        const NamedPoint* best) {
     const Point* const point = best ? &best->second : nullptr;
@@ -114,13 +104,12 @@ void add_case(Table& table, const SeriesKey& series, const Points& points) {
          point ? stop_of(point->configuration) : sentence("costs.no_stop"),
          error_entry(point ? point->error.position : std::nullopt),
          number_entry(point ? std::optional(point->iterations_per_step) : std::nullopt, 3),
-         point_time_entry(best), step_ratio_entry(usual.paper, best),
-         step_ratio_entry(usual.stopped, best)});
+         point_time_entry(best), step_ratio_entry(paper, best), step_ratio_entry(stopped, best)});
   };
   for (const std::string& guess : guesses_of(points))
     for (const char* update : updates)
-      if (is_tried(points, update)) add(guess, update, usual.best(guess, update));
-  if (const NamedPoint* per_level = usual.best("previous", "newton", {"factorisation:per_level"}))
+      if (is_tried(points, update)) add(guess, update, best_with(guess, update, {}));
+  if (const NamedPoint* per_level = best_with("previous", "newton", {"factorisation:per_level"}))
     add("previous", sentence("guesses_and_updates.per_level"), per_level);
 }
 
@@ -150,8 +139,8 @@ Section accuracy_front(const Record& record) {
                                : missing_mark);
     section.numbers.push_back(sentence("accuracy.times", {error, times}));
     if (!is_held) continue;
-    const double seconds = step_time(*choice.best).seconds,
-                 saved = 1 - step_time(*cheapest_of_all).seconds / seconds;
+    const double seconds = step_seconds(*choice.best),
+                 saved = 1 - step_seconds(*cheapest_of_all) / seconds;
     section.paragraphs = {
         sentence("accuracy.found", {error,
                                     times,

@@ -77,10 +77,11 @@ Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent) {
 }
 
 Entry step_time_entry(const std::vector<double>& samples) {
-  const StepTime time = step_time(samples);
-  if (samples.size() < 2) return composed("{}", {write_order(time.seconds * 1e6), ""});
-  const DigitStyle style = significant_digits(time.seconds * 1e6, 4);
-  return composed("{} – {}", {write(time.seconds * 1e6, style), write(time.again * 1e6, style)});
+  const SampleSummary time = summarise_step(samples);
+  if (time.count < 2) return composed("{}", {write_order(time.value * 1e6), ""});
+  const DigitStyle style = significant_digits(time.value * 1e6, 4);
+  return composed("{} – {}",
+                  {write(time.value * 1e6, style), write(*time.without_best * 1e6, style)});
 }
 
 Entry error_entry(const std::optional<double>& error) {

@@ -66,7 +66,8 @@ Entry ratio_in(const Record& record, const std::string& case_name,
     const ModelledTime *reference = find(record, case_name, n, id_in(pair.reference, kind)),
                        *variant = find(record, case_name, n, id_in(pair.variant, kind));
     if (!reference || !variant) return note_entry(missing_mark);
-    found.push_back(speed_up(reference->seconds_per_step, variant->seconds_per_step));
+    found.push_back(speed_up(summarise_step(reference->seconds_per_step),
+                             summarise_step(variant->seconds_per_step)));
   }
   return ratio_entry(mean(found));
 }
@@ -112,7 +113,7 @@ Table all_times(const Record& record) {
 std::optional<double> time_in(const Record& record, const CandidateKey& place, std::string_view id,
                               std::string_view kind) {
   const ModelledTime* entry = find(record, place.case_name, place.coordinates, id_in(id, kind));
-  return entry ? std::optional(step_time(entry->seconds_per_step).seconds) : std::nullopt;
+  return entry ? std::optional(std::ranges::min(entry->seconds_per_step)) : std::nullopt;
 }
 
 /// Returns the times of a step in each kind of coordinates, over a unit [s] if that is known.

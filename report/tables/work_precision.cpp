@@ -21,7 +21,7 @@ std::string family_of(const Configuration& configuration) {
 }
 
 double seconds_of(const NamedPoint* point) {
-  return is_solved(*point) ? step_time(*point).seconds : std::numeric_limits<double>::infinity();
+  return is_solved(*point) ? step_seconds(*point) : std::numeric_limits<double>::infinity();
 }
 
 /// Returns the points that are drawn, of points by time: of each formulation and scalar the
