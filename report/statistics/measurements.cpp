@@ -56,23 +56,37 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
   return {mean(found), found.size()};
 }
 
-std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
-                                    std::int64_t coordinates,
-                                    const std::function<bool(const Configuration&)>& holds) {
+std::vector<CandidateKey> candidates_at(const Record& record, const std::string& case_name,
+                                        std::int64_t coordinates,
+                                        const std::function<bool(const std::string&)>& holds) {
+  std::vector<CandidateKey> keys;
+  for (const auto& [key, candidate] : record.candidates)
+    if (key.case_name == case_name && key.coordinates == coordinates && holds(key.id))
+      keys.push_back(key);
+  return keys;
+}
+
+std::optional<CandidateKey> fastest_of(const Record& record,
+                                       const std::vector<CandidateKey>& candidates) {
   std::optional<CandidateKey> found;
   double least = 0;
-  for (const auto& [key, candidate] : record.candidates) {
-    if (key.case_name != case_name || key.coordinates != coordinates ||
-        is_beside_peers(record, key.id))
-      continue;
-    const auto configuration = parse_configuration(key.id);
-    if (!configuration || !holds(*configuration)) continue;
-    const Measured time = measured(candidate);
+  for (const CandidateKey& key : candidates) {
+    const Measured time = measured(record, key);
     if (!time.seconds || (found && time.seconds->value >= least)) continue;
     found = key;
     least = time.seconds->value;
   }
   return found;
+}
+
+std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
+                                    std::int64_t coordinates,
+                                    const std::function<bool(const Configuration&)>& holds) {
+  return fastest_of(
+      record, candidates_at(record, case_name, coordinates, [&](const std::string& id) {
+        const auto configuration = parse_configuration(id);
+        return configuration && holds(*configuration) && !is_beside_peers(record, id);
+      }));
 }
 
 std::optional<CandidateKey> papers_reference(const Record& record, const std::string& case_name,

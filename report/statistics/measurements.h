@@ -57,6 +57,15 @@ struct MeanSpeedUp {
 
 MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t variant);
 
+/// Returns the candidates of a case and size whose ids `holds` is true of, by id.
+std::vector<CandidateKey> candidates_at(const Record& record, const std::string& case_name,
+                                        std::int64_t coordinates,
+                                        const std::function<bool(const std::string&)>& holds);
+
+/// Finds the fastest of some candidates; nothing where none has a time.
+std::optional<CandidateKey> fastest_of(const Record& record,
+                                       const std::vector<CandidateKey>& candidates);
+
 /// Finds the fastest candidate of a case and size that something holds of; what stands next to
 /// peers has no part in it, nor has an id that is no configuration.
 std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,

@@ -19,11 +19,9 @@ namespace {
 /// shown there.
 std::vector<CandidateKey> ordered_keys(const Record& record, const std::string& case_name,
                                        std::int64_t coordinates) {
-  std::vector<CandidateKey> keys;
-  for (const auto& [key, candidate] : record.candidates)
-    if (key.case_name == case_name && key.coordinates == coordinates &&
-        !is_beside_peers(record, key.id))
-      keys.push_back(key);
+  std::vector<CandidateKey> keys =
+      candidates_at(record, case_name, coordinates,
+                    [&](const std::string& id) { return !is_beside_peers(record, id); });
   std::ranges::stable_sort(keys, {}, [&](const CandidateKey& key) {
     const Measured time = measured(record, key);
     return time.seconds ? time.seconds->value : std::numeric_limits<double>::infinity();

@@ -18,19 +18,12 @@ struct Ours {
 
 Ours ours_with(const Record& record, const Peer& peer) {
   Ours ours;
-  const auto take = [&](std::optional<CandidateKey>& best, const CandidateKey& key) {
-    const Measured time = measured(record, key);
-    if (time.seconds && (!best || time.seconds->value < measured(record, *best).seconds->value))
-      best = key;
-  };
-  for (const auto& [key, candidate] : record.candidates) {
-    if (key.case_name != peer.case_name || key.coordinates != peer.coordinates ||
-        !is_beside(peer, key.id))
-      continue;
-    ours.all.push_back(key);
-    take(ours.fastest, key);
-    if (key.id.starts_with("global_")) take(ours.global, key);
-  }
+  ours.all = candidates_at(record, peer.case_name, peer.coordinates,
+                           [&](const std::string& id) { return is_beside(peer, id); });
+  std::vector<CandidateKey> global = ours.all;
+  std::erase_if(global, [](const CandidateKey& key) { return !key.id.starts_with("global_"); });
+  ours.global = fastest_of(record, global);
+  ours.fastest = fastest_of(record, ours.all);
   return ours;
 }
 
