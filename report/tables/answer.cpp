@@ -160,14 +160,6 @@ bool shows_the_finding(const Record& record) {
              1.5 * value(*std::ranges::min_element(means, {}, value));
 }
 
-/// "15, 25 and 66"
-std::string in_a_row(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
-  return text;
-}
-
 /// Returns the values of the texts "answer" and "answer_numbers": speed-ups of the best
 /// formulations. What is missing is a mark, and its clause empty.
 TextValues what_gains(const Record& record) {

@@ -145,13 +145,10 @@ Table in_short(const Record& record) {
 
 /// "0.69, 0.95, 0.80 and 1.12" in the order of kinds.
 std::string in_all_kinds(std::span<const Entry> entries) {
-  std::string text;
-  for (std::size_t k = 0; k < kinds.size(); ++k)
-    text += (k == 0                  ? ""
-             : k + 1 == kinds.size() ? " and "
-                                     : ", ") +
-            (entries[k].has_number() ? entries[k].digits.front() : std::string(missing_mark));
-  return text;
+  std::vector<std::string> texts;
+  for (const Entry& entry : entries)
+    texts.push_back(entry.has_number() ? entry.digits.front() : missing_mark);
+  return in_a_row(texts);
 }
 
 }  // namespace

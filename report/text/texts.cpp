@@ -74,6 +74,13 @@ std::string sentence(std::string_view name, const TextValues& values) {
   throw std::logic_error("no text " + std::string(name));
 }
 
+std::string in_a_row(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  return text;
+}
+
 Table headed_table(std::string_view block, const TextValues& values) {
   Table table{.name = std::string(block), .title = {}, .notes = {}, .columns = {}, .rows = {}};
   for (const auto& [word, text] : block_named(block)) {
