@@ -1,4 +1,6 @@
 // The experiment accuracy: floors and points.
+#include <array>
+
 #include "report/read/readers.h"
 
 namespace desmo::report {
@@ -30,18 +32,16 @@ Configuration read_configuration(const RecordValue& node) {
 }
 
 Point read_point(const RecordValue& node) {
-  Point point{.configuration = read_configuration(node["id"]),
-              .status = static_cast<Point::Status>(
-                  node["status"].one_of({"ok", "failed", "not_applicable"})),
-              .message = node.maybe("message", &RecordValue::text).value_or("")};
-  if (point.status != Point::Status::ok) return point;
+  constexpr std::array statuses{Status::ok, Status::failed, Status::not_applicable};
+  Point point;
+  point.configuration = read_configuration(node["id"]);
+  point.status = statuses[node["status"].one_of({"ok", "failed", "not_applicable"})];
+  point.message = node.maybe("message", &RecordValue::text).value_or("");
+  if (point.status != Status::ok) return point;
   point.error = read_errors(node["error"]);
   point.iterations_per_step = node["iterations_per_step"].not_negative();
   point.seconds_per_step = read_cpu_seconds(node["time_per_step"]);
-  if (point.error.position) return point;
-  point.status = Point::Status::failed;
-  point.message = "the positions found are beyond all measure";
-  point.seconds_per_step.clear();
+  if (!point.error.position) fail(point, "the positions found are beyond all measure");
   return point;
 }
 

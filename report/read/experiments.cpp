@@ -9,13 +9,6 @@
 namespace desmo::report {
 namespace {
 
-TimedSize failed(TimedSize entry, std::string why) {
-  entry.status = Status::failed;
-  entry.message = std::move(why);
-  entry.seconds_per_step.clear();
-  return entry;
-}
-
 /// Returns the errors allowed: they grow with a tolerance beyond the record's.
 LevelNumbers allowed_of(const TimedSize& entry, const RecordSettings& settings) {
   const double times = std::max(1.0, entry.tolerance / settings.tolerance);
@@ -24,10 +17,11 @@ LevelNumbers allowed_of(const TimedSize& entry, const RecordSettings& settings) 
 }
 
 TimedSize read_entry(const RecordValue& node, const RecordSettings& settings) {
-  TimedSize entry{.status = read_status(node["status"]),
-                  .message = node.maybe("message", &RecordValue::text).value_or(""),
-                  .unknowns = node["unknowns"].integer(1),
-                  .tolerance = node["tolerance"].positive()};
+  TimedSize entry;
+  entry.status = read_status(node["status"]);
+  entry.message = node.maybe("message", &RecordValue::text).value_or("");
+  entry.unknowns = node["unknowns"].integer(1);
+  entry.tolerance = node["tolerance"].positive();
   if (entry.status == Status::not_run) node["status"].complain("everything here is run");
   if (entry.status != Status::ok) return entry;
   entry.checked_against = node["checked_against"].text();
@@ -36,9 +30,8 @@ TimedSize read_entry(const RecordValue& node, const RecordSettings& settings) {
   entry.state_bytes = node["state_bytes"].positive();
   entry.bytes = node.maybe("bytes", &RecordValue::positive);
   entry.seconds_per_step = read_cpu_seconds(node["time_per_step"]);
-  if (!settings.allowed) return entry;
-  std::string reason = excess(*entry.verification, allowed_of(entry, settings));
-  return reason.empty() ? entry : failed(std::move(entry), std::move(reason));
+  if (settings.allowed) fail(entry, excess(*entry.verification, allowed_of(entry, settings)));
+  return entry;
 }
 
 }  // namespace

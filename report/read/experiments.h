@@ -42,33 +42,22 @@ struct PointKey {
   auto operator<=>(const PointKey&) const = default;
 };
 
-/// A configuration tried.
-struct Point {
-  enum class Status { ok, failed, not_applicable };
-
+/// A configuration tried: ok, failed or not applicable.
+struct Point : TimedStep {
   Configuration configuration;
-  Status status = Status::failed;
-  std::string message;   ///< why it failed or is not applicable
-  MaxErrors error = {};  ///< relative; of position always when ok
-  double iterations_per_step = 0;
-  std::vector<double> seconds_per_step =
-      {};  ///< samples of CPU time; never empty when ok, else always
+  MaxErrors error;  ///< relative; of position always when ok
 };
 
 // ---- size: time against size ----
 
-/// A formulation at one size of a case.
-struct TimedSize {
-  Status status = Status::failed;  ///< Status::ok or Status::failed
-  std::string message;             ///< why it failed
+/// A formulation at one size of a case: ok or failed.
+struct TimedSize : TimedStep {
   std::int64_t unknowns = 0;
   double tolerance = 0;
-  std::string checked_against = {};  ///< "quadruple", "double": the reference's precision; when ok
-  std::optional<LevelNumbers> verification = {};  ///< always when ok
-  double iterations_per_step = 0;
-  double state_bytes = 0;                     ///< q, q', q''
-  std::optional<double> bytes = {};           ///< memory that the formulation keeps
-  std::vector<double> seconds_per_step = {};  ///< samples, like those of a Point
+  std::string checked_against;  ///< "quadruple", "double": the reference's precision; when ok
+  std::optional<LevelNumbers> verification;  ///< always when ok
+  double state_bytes = 0;                    ///< q, q', q''
+  std::optional<double> bytes;               ///< memory that the formulation keeps
 };
 
 // ---- modelling: the same in other coordinates ----

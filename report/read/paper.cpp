@@ -17,13 +17,6 @@ double read_setup(const RecordValue& time) {
   return samples.front();
 }
 
-void turn_into_failure(MeasuredCandidate& candidate, std::string reason) {
-  if (reason.empty()) return;
-  candidate.status = Status::failed;
-  candidate.message = std::move(reason);
-  candidate.time = {};
-}
-
 /// Reads what requests have, too. Times of a wrong answer are not times.
 MeasuredCandidate read_solved(const RecordValue& node, const RecordSettings& settings,
                               std::string_view id) {
@@ -46,8 +39,7 @@ MeasuredCandidate read_candidate(const RecordValue& node, const RecordSettings& 
     candidate.verification = read_levels(*checked, &RecordValue::not_negative);
   if (candidate.status != Status::ok) return candidate;
   if (!candidate.verification) node.complain("an \"ok\" cell needs \"verification\"");
-  if (settings.allowed)
-    turn_into_failure(candidate, excess(*candidate.verification, *settings.allowed));
+  if (settings.allowed) fail(candidate, excess(*candidate.verification, *settings.allowed));
   return candidate;
 }
 
@@ -70,9 +62,9 @@ MeasuredRequest read_request(const RecordValue& node, const RecordSettings& sett
   const auto difference = [&](const char* name) {  // only the levels asked were compared
     return verification.maybe(name, &RecordValue::not_negative).value_or(0);
   };
-  turn_into_failure(request.solved, excess({verification["position"].not_negative(),
-                                            difference("velocity"), difference("acceleration")},
-                                           *settings.allowed));
+  fail(request.solved, excess({verification["position"].not_negative(), difference("velocity"),
+                               difference("acceleration")},
+                              *settings.allowed));
   return request;
 }
 

@@ -67,6 +67,10 @@ LevelNumbers read_levels(const RecordValue& node, double (RecordValue::*read)() 
 /// does.
 std::string excess(const LevelNumbers& found, const LevelNumbers& allowed);
 
+/// Turn something into a failure that has no time. An empty reason leaves it as it is.
+void fail(MeasuredCandidate& candidate, std::string reason);
+void fail(TimedStep& step, std::string reason);
+
 /// Throws InputError when the clock of a time is another; `what` is measured by it.
 void require_clock(const RecordValue& time, Clock clock, std::string_view what);
 

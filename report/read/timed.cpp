@@ -129,4 +129,18 @@ std::string excess(const LevelNumbers& found, const LevelNumbers& allowed) {
   return text;
 }
 
+void fail(MeasuredCandidate& candidate, std::string reason) {
+  if (reason.empty()) return;
+  candidate.status = Status::failed;
+  candidate.message = std::move(reason);
+  candidate.time = {};
+}
+
+void fail(TimedStep& step, std::string reason) {
+  if (reason.empty()) return;
+  step.status = Status::failed;
+  step.message = std::move(reason);
+  step.seconds_per_step.clear();
+}
+
 }  // namespace desmo::report

@@ -36,7 +36,15 @@ inline bool is_by_wall(std::string_view id) {
   return id.find("/threads:") != id.npos || id.find("/clock:wall") != id.npos;
 }
 
-enum class Status { ok, failed, not_run };
+enum class Status { ok, failed, not_run, not_applicable };
+
+/// A step that was timed in one way.
+struct TimedStep {
+  Status status = Status::failed;
+  std::string message;  ///< why it has no time
+  double iterations_per_step = 0;
+  std::vector<double> seconds_per_step;  ///< samples of CPU time; never empty when ok, else always
+};
 
 /// A number for each level.
 struct LevelNumbers {

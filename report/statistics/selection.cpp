@@ -38,7 +38,7 @@ std::vector<std::string> guesses_of(const Points& points) {
   return names;
 }
 
-bool is_solved(const NamedPoint& point) { return point.second.status == Point::Status::ok; }
+bool is_solved(const NamedPoint& point) { return point.second.status == Status::ok; }
 
 double position_error(const NamedPoint& point) { return *point.second.error.position; }
 

@@ -57,7 +57,7 @@ std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
           p.message};
 }
 
-std::int64_t count_of(const Points& points, Point::Status status) {
+std::int64_t count_of(const Points& points, Status status) {
   return std::ranges::count_if(points,
                                [&](const NamedPoint* p) { return p->second.status == status; });
 }
@@ -73,12 +73,11 @@ Table work_precision(const Record& record, const SeriesKey& series) {
                               {"date", record.date},
                               {"instants", series.instants},
                               {"step", write_shortest(series.step_seconds)},
-                              {"solved", count_of(points, Point::Status::ok)},
-                              {"failed", count_of(points, Point::Status::failed)},
-                              {"not_applicable", count_of(points, Point::Status::not_applicable)}});
-  std::erase_if(points, [](const NamedPoint* p) {
-    return p->second.status == Point::Status::not_applicable;
-  });
+                              {"solved", count_of(points, Status::ok)},
+                              {"failed", count_of(points, Status::failed)},
+                              {"not_applicable", count_of(points, Status::not_applicable)}});
+  std::erase_if(points,
+                [](const NamedPoint* p) { return p->second.status == Status::not_applicable; });
   std::ranges::stable_sort(points, {}, seconds_of);
   double least = std::numeric_limits<double>::infinity();
   for (const NamedPoint* point : drawn(std::move(points))) {

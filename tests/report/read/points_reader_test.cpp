@@ -19,7 +19,7 @@ TEST(PointsReader, AnAnswerThatIsNoNumberIsAFailure) {
   Json json = points_record();
   point_of(json, "global_automatic_klu")["error"].erase("position");
   const Point point = record_from(json).points.at({truck_series, "global_automatic_klu"});
-  EXPECT_EQ(point.status, Point::Status::failed);
+  EXPECT_EQ(point.status, Status::failed);
   EXPECT_EQ(point.message, "the positions found are beyond all measure");
   EXPECT_TRUE(point.seconds_per_step.empty());
 }
