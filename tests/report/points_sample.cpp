@@ -25,7 +25,7 @@ Json moved(Json point, const Json& to) {
 }
 
 Json unsolved_point(const std::string& id, const char* status, const char* message) {
-  Json point = series("truck_suspension", 225, 0.01, 101);
+  Json point = series(truck, 225, 0.01, 101);
   point["id"] = id;
   point["status"] = status;
   point["message"] = message;
@@ -43,7 +43,7 @@ Json floor_of(Json floor) {
 }  // namespace
 
 Json solved_point(const std::string& id, double microseconds, double error, double iterations) {
-  Json point = series("truck_suspension", 225, 0.01, 101);
+  Json point = series(truck, 225, 0.01, 101);
   point["id"] = id;
   point["status"] = "ok";
   point["error"] = level_errors(error);
@@ -84,17 +84,16 @@ Json points_record() {
                  solved_point(lapack + "/scalar:mixed", 90, 3e-14, 3.03),
                  solved_point("group_automatic_klu", 39, 1e-14, 3.03),
                  solved_point("group_automatic_klu/tolerance:1e-6", 33, 1e-9, 2.1)};
-  const Json small = series("truck_suspension", 114, 0.01, 101),
-             bars = series("four_bar", 114, 0.01, 101),
-             fine = series("truck_suspension", 225, 0.001, 1001);
+  const Json small = series(truck, 114, 0.01, 101), bars = series("four_bar", 114, 0.01, 101),
+             fine = series(truck, 225, 0.001, 1001);
   points.push_back(moved(solved_point(klu, 20, 1e-15), small));
   points.push_back(moved(solved_point(klu, 12, 1e-15), bars));
   points.push_back(moved(solved_point("group_symbolic_inlined", 2, 1e-15), bars));
   points.push_back(moved(solved_point(klu, 30, 1e-15, 2.02), fine));
   points.push_back(moved(solved_point(lapack, 75, 1e-14, 2.02), fine));
   points.push_back(moved(solved_point("group_automatic_klu", 36, 1e-14, 2.02), fine));
-  record["accuracy"]["floors"] = {floor_of(series("truck_suspension", 225, 0.01, 101)),
-                                  floor_of(small), floor_of(bars), floor_of(fine)};
+  record["accuracy"]["floors"] = {floor_of(series(truck, 225, 0.01, 101)), floor_of(small),
+                                  floor_of(bars), floor_of(fine)};
   record["accuracy"]["points"] = std::move(points);
   return record;
 }

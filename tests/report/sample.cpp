@@ -152,7 +152,7 @@ void set_motion(Json& record, double duration, double step) {
 
 void set_samples(Json& record, int coordinates, const std::string& id,
                  std::vector<double> samples) {
-  candidate_of(record, "truck_suspension", coordinates, id)["time"]["seconds"] = std::move(samples);
+  candidate_of(record, truck, coordinates, id)["time"]["seconds"] = std::move(samples);
 }
 
 void set_family(Json& json, const std::string& id, double seconds, double spread) {

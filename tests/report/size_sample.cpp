@@ -56,7 +56,6 @@ Json sizes_record() {
 
 Json modelling_record() {
   Json record = empty_record();
-  const std::string truck = "truck_suspension";
   for (const int n : {114, 558})
     for (const auto& [suffix, times] : {std::pair{"", 1},
                                         {"/coordinates:basis", 2},
@@ -79,11 +78,10 @@ Json modelling_record() {
 
 Json instructions_record() {
   Json record = empty_record();
-  record["instructions"]["counts"] = {
-      counted("truck_suspension", "global_automatic_klu", 1'400'000),
-      counted("truck_suspension", "group_symbolic_lapack", 5'900'000),
-      counted("truck_suspension", "group_symbolic_explicit/lanes:4", 14'000),
-      counted("four_bar", "group_symbolic_inlined", 100'000)};
+  record["instructions"]["counts"] = {counted(truck, "global_automatic_klu", 1'400'000),
+                                      counted(truck, "group_symbolic_lapack", 5'900'000),
+                                      counted(truck, "group_symbolic_explicit/lanes:4", 14'000),
+                                      counted("four_bar", "group_symbolic_inlined", 100'000)};
   return record;
 }
 

@@ -4,7 +4,7 @@
 namespace desmo::report::points_reader_test {
 namespace {
 
-const SeriesKey truck_series{"truck_suspension", 225, 0.01, 101};
+const SeriesKey truck_series{truck, 225, 0.01, 101};
 
 TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
   Json json = requests_record();

@@ -59,8 +59,7 @@ TEST(Extremes, BeginWithASentenceThatCountsDefects) {
 TEST(Extremes, NameTheReasonOfTheWorst) {
   const Section section = extremes_sections(record_from(extremes_record())).at(1);
   const Table& cases = section.tables.at(1);
-  EXPECT_EQ(entry_at(cases, {"2", "b"}, "example").shown, "klu/tolerance:1e-13: so it is");
-  EXPECT_EQ(entry_at(cases, {"2", "b"}, "missed").shown, "1");
+  expect_row(cases, {"2", "b"}, {{"example", "klu/tolerance:1e-13: so it is"}, {"missed", "1"}});
 }
 
 TEST(Extremes, ThatSayNothingAreRefused) {

@@ -18,10 +18,9 @@ TEST(ModellingTimes, ThatSayNothingAreRefused) {
 
 TEST(ModellingTables, CompareWithinGroupsWithKlu) {
   const Document document = make_report(record_from(modelling_record()));
-  expect_row(table_named(document, "modelling_ratios"),
-             {"truck_suspension", "in groups, dense over KLU"}, {{"relative", "0.25 …"}});
-  expect_row(table_named(document, "modelling"),
-             {"truck_suspension", "basis", "group_automatic_klu", "558"},
+  expect_row(table_named(document, "modelling_ratios"), {truck, "in groups, dense over KLU"},
+             {{"relative", "0.25 …"}});
+  expect_row(table_named(document, "modelling"), {truck, "basis", "group_automatic_klu", "558"},
              {{"unknowns", "279"}, {"condensation", "3906"}, {"condition", "80"}});
 }
 
@@ -39,10 +38,10 @@ TEST(ModellingTables, HaveNoMeanOfFewerSizes) {
   fail(json["modelling"]["times"][0]);
   const Document document = make_report(record_from(json));
   expect_row(table_named(document, "modelling_ratios"),
-             {"truck_suspension", "group, dense, over global CHOLMOD"},
+             {truck, "group, dense, over global CHOLMOD"},
              {{"natural", missing_mark}, {"basis", "3.00 …"}});
   expect_row(table_named(document, "modelling"),
-             {"truck_suspension", "natural", "global_automatic_cholmod", "114"},
+             {truck, "natural", "global_automatic_cholmod", "114"},
              {{"µs/step", failed_mark}, {"remark", "wrong by design"}});
 }
 

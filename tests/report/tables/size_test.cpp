@@ -56,11 +56,10 @@ TEST(BreakEven, IsInterpolatedBetweenItsNeighbours) {
   expect_row(table, {"four_bar", "klu"},
              {{"lapack", "60 [30, 100]"},
               {"eigen", "42 [30, 100]"},
-              {"the faster of both", "60 [30, 100]"}});
-  EXPECT_EQ(entry_at(table, {"four_bar", "umfpack"}, "lapack").shown,
-            "sparse from the smallest, 10");
-  EXPECT_EQ(entry_at(table, {"four_bar", "cholmod"}, "lapack").shown, "dense at the largest, 300");
-  EXPECT_EQ(entry_at(table, {"four_bar", "klu"}, "the paper, about").shown, "60");
+              {"the faster of both", "60 [30, 100]"},
+              {"the paper, about", "60"}});
+  expect_row(table, {"four_bar", "umfpack"}, {{"lapack", "sparse from the smallest, 10"}});
+  expect_row(table, {"four_bar", "cholmod"}, {{"lapack", "dense at the largest, 300"}});
   EXPECT_EQ(size_sections(record_from(sizes_record())).at(0).paragraphs.at(1),
             "Sparse matrices are faster than dense ones from 60 unknowns on, by case and solver.");
 }

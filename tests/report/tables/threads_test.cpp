@@ -18,14 +18,13 @@ constexpr const char* hermite_lanes = "group_symbolic_explicit/guess:hermite5/la
 /// The reference with better settings, and generated code with lanes, on everything and a request.
 Json beyond_record() {
   Json json = requests_record();
-  const Json candidate = candidate_of(json, "truck_suspension", 114, "global_automatic_klu");
-  candidate_of(json, "truck_suspension", 114, "global_automatic_klu")["time"]["seconds"] = {
-      0.8, 0.8, 0.8};
+  const Json candidate = candidate_of(json, truck, 114, "global_automatic_klu");
+  candidate_of(json, truck, 114, "global_automatic_klu")["time"]["seconds"] = {0.8, 0.8, 0.8};
   json["paper"]["cells"].push_back(timed(candidate, "global_automatic_klu/guess:hermite5", 0.4));
   json["paper"]["cells"].push_back(timed(candidate, "group_symbolic_explicit", 0.1));
   json["paper"]["cells"].push_back(timed(candidate, hermite_lanes, 0.05));
   Json request = json["paper"]["requests"][0];
-  request["case"] = "truck_suspension";
+  request["case"] = truck;
   request["coordinates"] = 114;
   request["request"] = "some";
   request["title"] = "some of it";
@@ -37,7 +36,7 @@ Json beyond_record() {
 /// The same on two threads, and, to be compared with, on one by the same clock.
 Json threads_record() {
   Json json = beyond_record();
-  Json several = candidate_of(json, "truck_suspension", 114, hermite_lanes);
+  Json several = candidate_of(json, truck, 114, hermite_lanes);
   several["time"]["clock"] = "wall";
   Json one = timed(several, std::string(hermite_lanes) + "/clock:wall", 0.06);
   several["id"] = std::string(hermite_lanes) + "/threads:2";
@@ -66,8 +65,8 @@ TEST(Threads, HaveNoRatioOverCpuTime) {
   Json json = threads_record();
   json["paper"]["cells"].erase(json["paper"]["cells"].size() - 1);
   const Table table = table_of(json, "threads_truck_suspension");
-  EXPECT_EQ(entry_at(table, {"114", "everything", hermite_lanes, "2"}, "times one thread").shown,
-            "one thread not measured");
+  expect_row(table, {"114", "everything", hermite_lanes, "2"},
+             {{"times one thread", "one thread not measured"}});
   const Record record = record_from(json);
   EXPECT_THROW(measured_speed_up(measured(record.candidates.begin()->second),
                                  measured(record.wall_candidates.begin()->second)),
