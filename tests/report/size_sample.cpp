@@ -85,4 +85,11 @@ Json instructions_record() {
   return record;
 }
 
+History history_sample() {
+  return {{"old", "young"},
+          {{"aaa", "2026-01-01T00:00:00Z", "One", "GNU", {1000, std::nullopt}},
+           {"bbb", "2026-01-02T00:00:00Z", "Two", "GNU", {1019, 2000}},
+           {"ccc", "2026-01-03T00:00:00Z", "Three", "GNU", {1019, 2060}}}};
+}
+
 }  // namespace desmo::report

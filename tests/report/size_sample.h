@@ -1,4 +1,4 @@
-// Synthetic records of time against size, and of instructions.
+// Synthetic records of time against size and of instructions, and a history.
 #pragma once
 
 #include "tests/report/sample.h"
@@ -23,5 +23,9 @@ Json modelling_record();
 
 /// Returns a record with `instructions` of both cases.
 Json instructions_record();
+
+/// Returns a history of two candidates, one of which is younger than the first commit and moves by
+/// 3 % at the third.
+History history_sample();
 
 }  // namespace desmo::report
