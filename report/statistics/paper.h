@@ -2,34 +2,23 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace desmo::report {
 
-/// A published table, as text: the paper prints "<<0.015" where another would print a number.
-class PublishedTable {
- public:
-  explicit PublishedTable(std::string_view csv);
+// Tables, by their files.
+inline constexpr std::string_view published_cpu_seconds = "table1_cpu_seconds.csv";
+inline constexpr std::string_view published_speed_up = "table2_speedup.csv";
+/// In brackets in table 2.
+inline constexpr std::string_view published_improvement_percent = "table2_improvement_percent.csv";
 
-  /// Returns what the paper prints for a row ("114" ... "558", "mean") and one of its columns;
-  /// empty where it prints nothing.
-  std::string text(std::string_view row, std::string_view column) const;
-  std::optional<double> number(std::string_view row, std::string_view column) const;
-
-  std::vector<std::int64_t> sizes() const;  ///< the rows that are numbers, in their order
-
- private:
-  std::vector<std::vector<std::string>> lines_;  // the first holds the names of the columns
-};
+/// Returns what the paper prints in a row ("114" ... "558", "mean") and a column of a table; empty
+/// where it prints nothing. A text: "<<0.015" stands where another would print a number.
+std::string published(std::string_view table, std::string_view row, std::string_view column);
 
 inline constexpr double published_duration = 30;  ///< s, of motion, of every published time
-
-const PublishedTable& published_cpu_seconds();          ///< table 1
-const PublishedTable& published_speed_up();             ///< table 2
-const PublishedTable& published_improvement_percent();  ///< table 2, in brackets
 
 /// Numbers of coordinates of both tables, ascending.
 const std::vector<std::int64_t>& published_sizes();

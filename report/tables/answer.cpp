@@ -214,7 +214,7 @@ Section answer(const Record& record) {
     if (is_the_papers) {
       const std::string_view name = paper_variants[papers_best].paper_name;
       say("paper", {{"variant", name},
-                    {"published", published_speed_up().text("mean", name)},
+                    {"published", published(published_speed_up, "mean", name)},
                     {"by_solver", list(complete_means(record))}});
       say(shows_the_finding(record) ? "finding" : "finding_not_shown");
     }

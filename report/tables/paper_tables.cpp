@@ -35,21 +35,19 @@ void add_both(Table& table, std::vector<Entry> ours, std::vector<Entry> paper) {
 /// Returns the CPU time [s] that the paper prints of a variant in a row of its table 1 ("114" …
 /// "mean"); a note where that is no number.
 Entry published_seconds_entry(const std::string& row, const PaperVariant& variant) {
-  const PublishedTable& table = published_cpu_seconds();
-  const std::string digits = table.text(row, variant.paper_name);
+  const std::string digits = published(published_cpu_seconds, row, variant.paper_name);
   if (digits.empty()) return note_entry(missing_mark);
-  if (!table.number(row, variant.paper_name)) return note_entry(digits);  // "<<0.015"
-  return digits_entry(digits);
+  return read_number(digits) ? digits_entry(digits) : note_entry(digits);  // "<<0.015"
 }
 
 /// Returns the speed-up of its table 2 likewise, as {speed_up, low, high, percent}.
 Entry published_speed_up_entry(const std::string& row, const PaperVariant& variant,
                                bool with_percent = true) {
-  const std::string value = published_speed_up().text(row, variant.paper_name);
-  const std::string percent = published_improvement_percent().text(row, variant.paper_name);
+  const std::string value = published(published_speed_up, row, variant.paper_name);
   if (value.empty()) return note_entry(missing_mark);
   if (!with_percent) return composed("{}", {value, "", ""});
-  return composed("{} ({} %)", {value, "", "", percent});
+  return composed("{} ({} %)", {value, "", "",
+                                published(published_improvement_percent, row, variant.paper_name)});
 }
 
 /// Returns a mean over the paper's sizes. With fewer it cannot stand beside the paper's, and says

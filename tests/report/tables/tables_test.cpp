@@ -2,6 +2,7 @@
 
 #include "report/statistics/paper.h"
 #include "report/statistics/variants.h"
+#include "report/text/digits.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::tables_test {
@@ -9,12 +10,12 @@ namespace {
 
 TEST(Paper, HoldsThePublishedTables) {
   EXPECT_EQ(published_sizes(), (std::vector<std::int64_t>{114, 225, 336, 447, 558}));
-  EXPECT_EQ(published_cpu_seconds().text("558", "TS-G_MA27"), "7.100");
-  EXPECT_EQ(published_cpu_seconds().text("558", "FBL-TP"), "<<0.015");
-  EXPECT_FALSE(published_cpu_seconds().number("558", "FBL-TP"));
-  EXPECT_EQ(published_cpu_seconds().text("1002", "FBL-TP"), "");
-  EXPECT_EQ(published_speed_up().number("mean", "TS-TPS_LAP"), 3.5);
-  EXPECT_EQ(published_improvement_percent().text("mean", "TS-TPA_MA27"), "14.1");
+  EXPECT_EQ(published(published_cpu_seconds, "558", "TS-G_MA27"), "7.100");
+  EXPECT_EQ(published(published_cpu_seconds, "558", "FBL-TP"), "<<0.015");
+  EXPECT_FALSE(read_number(published(published_cpu_seconds, "558", "FBL-TP")));
+  EXPECT_EQ(published(published_cpu_seconds, "1002", "FBL-TP"), "");
+  EXPECT_EQ(read_number(published(published_speed_up, "mean", "TS-TPS_LAP")), 3.5);
+  EXPECT_EQ(published(published_improvement_percent, "mean", "TS-TPA_MA27"), "14.1");
 }
 
 // The report's own arithmetic, applied to the paper's times, gives the paper's table 2: within the
@@ -25,12 +26,12 @@ TEST(Paper, TableTwoFollowsFromTableOne) {
     for (const std::int64_t size : published_sizes()) {
       const std::string row = std::to_string(size);
       const std::string column(paper_variants[variant].paper_name);
-      const double global = *published_cpu_seconds().number(row, "TS-G_MA27");
-      const double group = *published_cpu_seconds().number(row, column);
+      const double global = *read_number(published(published_cpu_seconds, row, "TS-G_MA27"));
+      const double group = *read_number(published(published_cpu_seconds, row, column));
       const double rounding = row == "225" && column == "TS-TPA_MA27" ? 0.7 : 0.11;
-      EXPECT_NEAR(*published_speed_up().number(row, column), global / group, 0.0501);
-      EXPECT_NEAR(*published_improvement_percent().number(row, column), 100 * (1 - group / global),
-                  rounding)
+      EXPECT_NEAR(*read_number(published(published_speed_up, row, column)), global / group, 0.0501);
+      EXPECT_NEAR(*read_number(published(published_improvement_percent, row, column)),
+                  100 * (1 - group / global), rounding)
           << row << " " << column;
     }
 }
