@@ -31,9 +31,11 @@ std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
   return all;
 }
 
-MeasuredSpeedUp measured_speed_up(const Record& record, const CandidateKey& reference,
+MeasuredSpeedUp measured_speed_up(const Record& record,
+                                  const std::optional<CandidateKey>& reference,
                                   const CandidateKey& variant) {
-  return measured_speed_up(measured(record, reference), measured(record, variant));
+  if (!reference) return {std::nullopt, missing_mark};
+  return measured_speed_up(measured(record, *reference), measured(record, variant));
 }
 
 MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant) {
@@ -82,11 +84,11 @@ std::optional<CandidateKey> fastest_of(const Record& record,
 std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
                                     std::int64_t coordinates,
                                     const std::function<bool(const Configuration&)>& holds) {
-  return fastest_of(
-      record, candidates_at(record, case_name, coordinates, [&](const std::string& id) {
-        const auto configuration = parse_configuration(id);
-        return configuration && holds(*configuration) && !is_beside_peers(record, id);
-      }));
+  return fastest_of(record,
+                    candidates_at(record, case_name, coordinates, [&](const std::string& id) {
+                      const auto configuration = parse_configuration(id);
+                      return configuration && holds(*configuration) && !is_beside_peers(record, id);
+                    }));
 }
 
 std::optional<CandidateKey> papers_reference(const Record& record, const std::string& case_name,

@@ -42,7 +42,9 @@ struct MeasuredSpeedUp {
   std::string mark;
 };
 
-MeasuredSpeedUp measured_speed_up(const Record& record, const CandidateKey& reference,
+/// Without a reference, the mark is missing_mark.
+MeasuredSpeedUp measured_speed_up(const Record& record,
+                                  const std::optional<CandidateKey>& reference,
                                   const CandidateKey& variant);
 
 /// Throws std::logic_error for times of two clocks: they make no ratio.

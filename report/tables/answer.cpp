@@ -60,17 +60,12 @@ std::optional<CandidateKey> generated_like(const Record& record, const Configura
   });
 }
 
-MeasuredSpeedUp over(const Record& record, const std::optional<CandidateKey>& reference,
-                     const CandidateKey& key) {
-  if (!reference) return {std::nullopt, missing_mark};
-  return measured_speed_up(record, *reference, key);
-}
-
 void add_row(Table& table, const Record& record, const std::string& what,
              const std::optional<CandidateKey>& key) {
   if (!key) return;
   const auto over_entry = [&](const std::optional<CandidateKey>& reference) {
-    return key == reference ? reference_entry() : ratio_entry(over(record, reference, *key));
+    return key == reference ? reference_entry()
+                            : ratio_entry(measured_speed_up(record, reference, *key));
   };
   table.rows.push_back({what, key->id, instant_entry(record, measured(record, *key), 3),
                         over_entry(reference_like(record, *key)),
@@ -95,8 +90,8 @@ std::optional<Best> best_generated(const Record& record, std::string_view side_b
   if (!reference) return std::nullopt;
   const auto key = generated_like(record, *parse_configuration(reference->id), side_by_side);
   if (!key) return std::nullopt;
-  return Best{over(record, reference_like(record, *key), *key).speed_up,
-              over(record, papers_reference(record), *key).speed_up};
+  return Best{measured_speed_up(record, reference_like(record, *key), *key).speed_up,
+              measured_speed_up(record, papers_reference(record), *key).speed_up};
 }
 
 /// Lists the references and the best formulations with the paper's settings and with the best.

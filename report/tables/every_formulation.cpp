@@ -32,9 +32,8 @@ std::vector<CandidateKey> ordered_keys(const Record& record, const std::string& 
 /// A ratio without its interval.
 Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& reference,
                   const CandidateKey& key) {
-  if (!reference) return note_entry(missing_mark);
-  if (key == *reference) return reference_entry();
-  const MeasuredSpeedUp ratio = measured_speed_up(record, *reference, key);
+  if (key == reference) return reference_entry();
+  const MeasuredSpeedUp ratio = measured_speed_up(record, reference, key);
   if (!ratio.speed_up) return note_entry(ratio.mark);
   return composed("{}", {ratio_text(*ratio.speed_up)},
                   ratio.speed_up->inconclusive() ? inconclusive_mark : "");
