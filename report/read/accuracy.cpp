@@ -7,8 +7,7 @@ namespace desmo::report {
 namespace {
 
 SeriesKey read_series(const RecordValue& node) {
-  return {node["case"].name(), node["coordinates"].integer(1), node["step_seconds"].positive(),
-          node["instants"].integer(2)};
+  return {read_case_size(node), node["step_seconds"].positive(), node["instants"].integer(2)};
 }
 
 Floor read_floor(const RecordValue& node) {

@@ -16,9 +16,7 @@ namespace desmo::report {
 // ---- accuracy: time against error ----
 
 /// A motion that configurations were tried on. Ordered by case, size, step, instants.
-struct SeriesKey {
-  std::string case_name;
-  std::int64_t coordinates = 0;
+struct SeriesKey : CaseSize {
   double step_seconds = 0;    ///< s, between two instants
   std::int64_t instants = 0;  ///< solved
   auto operator<=>(const SeriesKey&) const = default;

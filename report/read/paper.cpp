@@ -69,8 +69,7 @@ MeasuredRequest read_request(const RecordValue& node, const RecordSettings& sett
 }
 
 Peer read_peer(const RecordValue& node, const RecordSettings& settings) {
-  return {.case_name = node["case"].name(),
-          .coordinates = node["coordinates"].integer(1),
+  return {.key = {read_case_size(node), "peer:" + node["peer"].name()},
           .name = node["peer"].name(),
           .library = node["library"].text(),
           .library_version = node["library_version"].text(),
@@ -89,9 +88,11 @@ Profile read_profile(const RecordValue& node) {
 
 }  // namespace
 
-CandidateKey read_key(const RecordValue& node) {
-  return {node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
+CaseSize read_case_size(const RecordValue& node) {
+  return {node["case"].name(), node["coordinates"].integer(1)};
 }
+
+CandidateKey read_key(const RecordValue& node) { return {read_case_size(node), node["id"].text()}; }
 
 void read_paper(Record& record, const RecordValue& experiment) {
   const RecordSettings& settings = record.settings;
@@ -109,8 +110,8 @@ void read_paper(Record& record, const RecordValue& experiment) {
   });
   read_each(experiment, "peers", [&](const RecordValue& node) {
     record.peers.push_back(read_peer(node, settings));
-    const CandidateKey key = key_of(record.peers.back());
-    if (std::ranges::count(record.peers, key, key_of) > 1)
+    const CandidateKey& key = record.peers.back().key;
+    if (std::ranges::count(record.peers, key, &Peer::key) > 1)
       node.complain(name_of(key) + " is given twice");
   });
   read_each(experiment, "profiles", [&](const RecordValue& node) {

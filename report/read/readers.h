@@ -54,7 +54,8 @@ void add_once(Map& map, const RecordValue& node, const Key& key, typename Map::m
   if (!map.emplace(key, std::move(value)).second) node.complain(name + " is given twice");
 }
 
-/// Reads what names a candidate.
+/// Read what names a case at a size, and a candidate.
+CaseSize read_case_size(const RecordValue& node);
 CandidateKey read_key(const RecordValue& node);
 
 /// Reads "ok", "failed" or "not_run".

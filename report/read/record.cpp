@@ -1,6 +1,6 @@
 // A record: its head, what was measured on, built and set; then its experiments.
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 #include "report/read/readers.h"
 #include "report/read/record_file.h"
@@ -71,14 +71,12 @@ Record read_environment(const RecordValue& node) {
 /// Throws MixedRecord unless all was measured on one machine, and all of a case and size has one
 /// model, and one set of results for each request.
 void require_one_origin(const Record& record) {
-  using Place = std::tuple<std::string, std::int64_t, std::string>;  // case, size, what
-  std::map<Place, std::pair<std::string, std::string>> first;        // digest, and whose
+  using Place = std::pair<CaseSize, std::string>;              // and what
+  std::map<Place, std::pair<std::string, std::string>> first;  // digest, and whose
   const auto agree = [&](const CandidateKey& key, const std::string& what,
                          const std::optional<std::string>& digest, const std::string& problem) {
     if (!digest) return;
-    const auto& [other, name] =
-        first.try_emplace({key.case_name, key.coordinates, what}, *digest, name_of(key))
-            .first->second;
+    const auto& [other, name] = first.try_emplace({key, what}, *digest, name_of(key)).first->second;
     if (other != *digest) throw MixedRecord(name_of(key) + ": " + problem + " than " + name);
   };
   for (const auto& [key, solved] : measurements(record)) {
@@ -103,7 +101,7 @@ std::vector<NamedMeasurement> measurements(const Record& record) {
     all.emplace_back(request.key, &request.solved);
     all.back().first.id += "/request:" + request.name;
   }
-  for (const Peer& peer : record.peers) all.emplace_back(key_of(peer), &peer.solved);
+  for (const Peer& peer : record.peers) all.emplace_back(peer.key, &peer.solved);
   return all;
 }
 

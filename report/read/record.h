@@ -52,9 +52,7 @@ struct RecordSettings {
 };
 
 /// The name of a candidate: unique in a record. Ordered by case, size, id.
-struct CandidateKey {
-  std::string case_name;
-  std::int64_t coordinates = 0;
+struct CandidateKey : CaseSize {
   std::string id;
   auto operator<=>(const CandidateKey&) const = default;
 };
@@ -96,19 +94,13 @@ struct MeasuredRequest {
 
 /// Another library, or code written by hand, that solves a case at a size; with its name each once.
 struct Peer {
-  std::string case_name;
-  std::int64_t coordinates = 0;
+  CandidateKey key;  ///< its id is "peer:<name>"
   std::string name;
   std::string library, library_version;
   std::string method;  ///< how it is used, in a sentence
   std::string guess;   ///< "previous", "quadratic": as in the ids of ours
   MeasuredCandidate solved;
 };
-
-/// Returns the key of a peer among candidates: its id is "peer:<name>".
-inline CandidateKey key_of(const Peer& peer) {
-  return {peer.case_name, peer.coordinates, "peer:" + peer.name};
-}
 
 struct Record {
   std::string version;

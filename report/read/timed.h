@@ -1,12 +1,22 @@
-// A timed item of a record: whether its answer is right, and its times. Plain data.
+// A timed item of a record: what it is of, whether its answer is right, its times. Plain data.
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace desmo::report {
+
+/// A case at a size.
+struct CaseSize {
+  std::string case_name;
+  std::int64_t coordinates = 0;
+  bool is_at(const CaseSize& place) const { return *this == place; }
+  auto operator<=>(const CaseSize&) const = default;
+};
 
 /// The clock of a time. Times of two clocks share neither a column nor a ratio.
 enum class Clock {

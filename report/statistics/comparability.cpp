@@ -31,9 +31,8 @@ std::map<CandidateKey, Timing> timings_of(const Entries& entries) {
 
 CandidateKey timing_key(const PointKey& point) {
   const auto& [series, id] = point;
-  return {series.case_name, series.coordinates,
-          id + "/step:" + write_shortest(series.step_seconds) +
-              "/instants:" + std::to_string(series.instants)};
+  return {series, id + "/step:" + write_shortest(series.step_seconds) +
+                      "/instants:" + std::to_string(series.instants)};
 }
 
 std::vector<TimedGroup> timed_groups(const Record& record) {
@@ -49,11 +48,9 @@ CandidateKey reference_of(const CandidateKey& key) {
   std::string suffix;
   for (const char* part : {"/request:", "/step:"})
     if (const std::size_t at = key.id.find(part); at != key.id.npos) suffix = key.id.substr(at);
-  if (!is_by_wall(key.id))
-    return {key.case_name, key.coordinates, std::string(usual_reference) + suffix};
+  if (!is_by_wall(key.id)) return {key, std::string(usual_reference) + suffix};
   const std::string id = key.id.substr(0, key.id.size() - suffix.size());
-  return {key.case_name, key.coordinates,
-          without_setting(without_setting(id, "threads"), "clock") + "/clock:wall" + suffix};
+  return {key, without_setting(without_setting(id, "threads"), "clock") + "/clock:wall" + suffix};
 }
 
 namespace {

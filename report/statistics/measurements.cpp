@@ -58,13 +58,11 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
   return {mean(found), found.size()};
 }
 
-std::vector<CandidateKey> candidates_at(const Record& record, const std::string& case_name,
-                                        std::int64_t coordinates,
+std::vector<CandidateKey> candidates_at(const Record& record, const CaseSize& place,
                                         const std::function<bool(const std::string&)>& holds) {
   std::vector<CandidateKey> keys;
   for (const auto& [key, candidate] : record.candidates)
-    if (key.case_name == case_name && key.coordinates == coordinates && holds(key.id))
-      keys.push_back(key);
+    if (key.is_at(place) && holds(key.id)) keys.push_back(key);
   return keys;
 }
 
@@ -81,26 +79,23 @@ std::optional<CandidateKey> fastest_of(const Record& record,
   return found;
 }
 
-std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
-                                    std::int64_t coordinates,
+std::optional<CandidateKey> fastest(const Record& record, const CaseSize& place,
                                     const std::function<bool(const Configuration&)>& holds) {
-  return fastest_of(record,
-                    candidates_at(record, case_name, coordinates, [&](const std::string& id) {
+  return fastest_of(record, candidates_at(record, place, [&](const std::string& id) {
                       const auto configuration = parse_configuration(id);
                       return configuration && holds(*configuration) && !is_beside_peers(record, id);
                     }));
 }
 
-std::optional<CandidateKey> papers_reference(const Record& record, const std::string& case_name,
-                                             std::int64_t coordinates) {
-  return fastest(record, case_name, coordinates,
+std::optional<CandidateKey> papers_reference(const Record& record, const CaseSize& place) {
+  return fastest(record, place,
                  [](const Configuration& c) { return is_reference(c) && c.is_papers(); });
 }
 
 std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key) {
   const auto like = parse_configuration(key.id);
   if (!like) return std::nullopt;
-  return fastest(record, key.case_name, key.coordinates,
+  return fastest(record, key,
                  [&](const Configuration& c) { return is_reference(c) && c.iterates_like(*like); });
 }
 

@@ -60,8 +60,7 @@ struct MeanSpeedUp {
 MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t variant);
 
 /// Returns the candidates of a case and size whose ids `holds` is true of, by id.
-std::vector<CandidateKey> candidates_at(const Record& record, const std::string& case_name,
-                                        std::int64_t coordinates,
+std::vector<CandidateKey> candidates_at(const Record& record, const CaseSize& place,
                                         const std::function<bool(const std::string&)>& holds);
 
 /// Finds the fastest of some candidates; nothing where none has a time.
@@ -70,13 +69,11 @@ std::optional<CandidateKey> fastest_of(const Record& record,
 
 /// Finds the fastest candidate of a case and size that something holds of; what stands next to
 /// peers has no part in it, nor has an id that is no configuration.
-std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
-                                    std::int64_t coordinates,
+std::optional<CandidateKey> fastest(const Record& record, const CaseSize& place,
                                     const std::function<bool(const Configuration&)>& holds);
 
 /// Finds the fastest reference (is_reference) that has the paper's settings.
-std::optional<CandidateKey> papers_reference(const Record& record, const std::string& case_name,
-                                             std::int64_t coordinates);
+std::optional<CandidateKey> papers_reference(const Record& record, const CaseSize& place);
 
 /// Finds the fastest reference with the guess and the tolerance of a candidate.
 std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key);

@@ -2,7 +2,6 @@
 // formulations of one thread, held against the global reference like for like.
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "report/statistics/paper.h"
 #include "report/tables/entries.h"
@@ -11,13 +10,6 @@
 
 namespace desmo::report {
 namespace {
-
-/// Returns the case that stands last: the truck, where both cases were measured; empty: there is
-/// none.
-std::string case_in_front(const Record& record) {
-  const std::set<std::string> cases = recorded_cases(record);
-  return cases.empty() ? "" : *cases.rbegin();
-}
 
 /// Tells whether a formulation has the paper's algorithm with lanes, with segments, or with neither
 /// (""), and with no other setting but of its iteration.
@@ -30,31 +22,31 @@ bool has_other_iteration(const std::optional<Configuration>& c) {
   return c && c->has_papers_algorithm() && !c->is_papers();
 }
 
-/// Returns the largest size of the case with an iteration that is not the paper's, or the largest
-/// of all; 0: none.
-std::int64_t size_compared(const Record& record) {
-  const std::string name = case_in_front(record);
-  const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
-  std::int64_t size = 0;
-  for (const auto& [key, candidate] : record.candidates)
-    if (key.case_name == name && has_other_iteration(parse_configuration(key.id)) &&
+/// Returns the case that stands last, the truck, where both cases were measured: at its largest
+/// size with an iteration that is not the paper's, or its largest of all. Empty: there is none.
+CaseSize in_front(const Record& record) {
+  if (record.candidates.empty()) return {};
+  const CaseSize& last = record.candidates.rbegin()->first;
+  CaseSize found = last;
+  for (const auto& [key, candidate] : record.candidates)  // sizes ascend
+    if (key.case_name == last.case_name && has_other_iteration(parse_configuration(key.id)) &&
         !is_beside_peers(record, key.id))
-      size = std::max(size, key.coordinates);
-  return size > 0 || sizes.empty() ? size : sizes.back();
+      found.coordinates = key.coordinates;
+  return found;
 }
 
 std::optional<CandidateKey> papers_reference(const Record& record) {
-  return papers_reference(record, case_in_front(record), size_compared(record));
+  return papers_reference(record, in_front(record));
 }
 
 std::optional<CandidateKey> best_reference(const Record& record) {
-  return fastest(record, case_in_front(record), size_compared(record), is_reference);
+  return fastest(record, in_front(record), is_reference);
 }
 
 /// Finds the fastest by groups or blocks with the guess and the tolerance of a configuration.
 std::optional<CandidateKey> generated_like(const Record& record, const Configuration& like,
                                            std::string_view side_by_side) {
-  return fastest(record, case_in_front(record), size_compared(record), [&](const Configuration& c) {
+  return fastest(record, in_front(record), [&](const Configuration& c) {
     return !c.formulation.starts_with("global_") && c.iterates_like(like) &&
            is_side_by_side(c, side_by_side);
   });
@@ -73,8 +65,8 @@ void add_row(Table& table, const Record& record, const std::string& what,
 }
 
 TextValues words_of(const Record& record) {
-  return timed_words(record,
-                     {{"case", case_in_front(record)}, {"coordinates", size_compared(record)}});
+  const CaseSize place = in_front(record);
+  return timed_words(record, {{"case", place.case_name}, {"coordinates", place.coordinates}});
 }
 
 /// Speed-ups of a formulation over the fastest global_automatic_<sparse>: with the same guess and
@@ -182,7 +174,7 @@ TextValues what_gains(const Record& record) {
 /// Returns the repetitions of what has the fewest, of the case's candidates with a time; 0 where
 /// there is none.
 std::size_t least_repetitions(const Record& record) {
-  const std::string name = case_in_front(record);
+  const std::string name = in_front(record).case_name;
   std::size_t least = 0;
   for (const auto& [key, candidate] : record.candidates)
     if (const Measured time = measured(candidate); time.seconds && key.case_name == name)

@@ -17,11 +17,9 @@ namespace {
 
 /// Returns the fastest first; what has no time comes last, by id. What stands next to peers is
 /// shown there.
-std::vector<CandidateKey> ordered_keys(const Record& record, const std::string& case_name,
-                                       std::int64_t coordinates) {
-  std::vector<CandidateKey> keys =
-      candidates_at(record, case_name, coordinates,
-                    [&](const std::string& id) { return !is_beside_peers(record, id); });
+std::vector<CandidateKey> ordered_keys(const Record& record, const CaseSize& place) {
+  std::vector<CandidateKey> keys = candidates_at(
+      record, place, [&](const std::string& id) { return !is_beside_peers(record, id); });
   std::ranges::stable_sort(keys, {}, [&](const CandidateKey& key) {
     const Measured time = measured(record, key);
     return time.seconds ? time.seconds->value : std::numeric_limits<double>::infinity();
@@ -39,14 +37,12 @@ Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& refer
                   ratio.speed_up->inconclusive() ? inconclusive_mark : "");
 }
 
-Table formulations_at(const Record& record, const std::string& case_name,
-                      std::int64_t coordinates) {
-  Table table =
-      headed_table("formulations_case",
-                   timed_words(record, {{"case", case_name}, {"coordinates", coordinates}}));
-  const std::vector<CandidateKey> keys = ordered_keys(record, case_name, coordinates);
-  const auto reference = papers_reference(record, case_name, coordinates);
-  for (const CandidateKey& key : keys) {
+Table formulations_at(const Record& record, const CaseSize& place) {
+  Table table = headed_table(
+      "formulations_case",
+      timed_words(record, {{"case", place.case_name}, {"coordinates", place.coordinates}}));
+  const auto reference = papers_reference(record, place);
+  for (const CandidateKey& key : ordered_keys(record, place)) {
     const MeasuredCandidate& candidate = record.candidates.at(key);
     const Measured time = measured(candidate);
     std::vector<Entry> row{key.id,
@@ -72,7 +68,7 @@ Section every_formulation(const Record& record) {
     const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
     const bool published = std::ranges::count(sizes, published_sizes().back()) > 0;
     for (const std::int64_t size : sizes) {
-      section.tables.push_back(formulations_at(record, name, size));
+      section.tables.push_back(formulations_at(record, {name, size}));
       if (size == (published ? published_sizes() : sizes).back()) continue;
       section.tables.back().detail = true;
       section.tables.back().figure.clear();

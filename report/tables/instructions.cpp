@@ -49,14 +49,13 @@ Table instructions_table(const TextValues& place, std::vector<const Counted*> co
 }  // namespace
 
 std::vector<Section> instructions_sections(const Record& record) {
-  std::map<std::pair<std::string, std::int64_t>, std::vector<const Counted*>> places;
-  for (const Counted& counted : record.instructions)
-    places[{counted.first.case_name, counted.first.coordinates}].push_back(&counted);
+  std::map<CaseSize, std::vector<const Counted*>> places;
+  for (const Counted& counted : record.instructions) places[counted.first].push_back(&counted);
   Section front, section = headed_section("instructions");
   for (const auto& [place, counts] : places) {
-    TextValues values{{"case", place.first}, {"coordinates", place.second}};
+    TextValues values{{"case", place.case_name}, {"coordinates", place.coordinates}};
     const Table& table = section.tables.emplace_back(instructions_table(values, counts));
-    const bool truck = place.first == paper_variants[truck_global].case_name;
+    const bool truck = place.case_name == truck_case;
     if (!front.tables.empty() && !truck) continue;
     const std::vector<Entry>& top = table.rows.front();
     values.insert(values.end(),

@@ -45,9 +45,8 @@ std::string id_in(std::string_view id, std::string_view kind) {
 }
 
 /// Null where it was not measured, or failed.
-const ModelledTime* find(const Record& record, const std::string& case_name, std::int64_t size,
-                         const std::string& id) {
-  const auto found = record.modelled.find({case_name, size, id});
+const ModelledTime* find(const Record& record, const CaseSize& place, const std::string& id) {
+  const auto found = record.modelled.find({place, id});
   return found == record.modelled.end() || found->second.status != Status::ok ? nullptr
                                                                               : &found->second;
 }
@@ -63,8 +62,8 @@ Entry ratio_in(const Record& record, const std::string& case_name,
                const std::set<std::int64_t>& sizes, const Pair& pair, std::string_view kind) {
   std::vector<SpeedUp> found;
   for (const std::int64_t n : sizes) {
-    const ModelledTime *reference = find(record, case_name, n, id_in(pair.reference, kind)),
-                       *variant = find(record, case_name, n, id_in(pair.variant, kind));
+    const ModelledTime *reference = find(record, {case_name, n}, id_in(pair.reference, kind)),
+                       *variant = find(record, {case_name, n}, id_in(pair.variant, kind));
     if (!reference || !variant) return note_entry(missing_mark);
     found.push_back(speed_up(summarise_step(reference->seconds_per_step),
                              summarise_step(variant->seconds_per_step)));
@@ -110,14 +109,14 @@ Table all_times(const Record& record) {
 }
 
 /// Returns the time [s] of a step in a kind of coordinates; nothing where it was not measured.
-std::optional<double> time_in(const Record& record, const CandidateKey& place, std::string_view id,
+std::optional<double> time_in(const Record& record, const CaseSize& place, std::string_view id,
                               std::string_view kind) {
-  const ModelledTime* entry = find(record, place.case_name, place.coordinates, id_in(id, kind));
+  const ModelledTime* entry = find(record, place, id_in(id, kind));
   return entry ? std::optional(std::ranges::min(entry->seconds_per_step)) : std::nullopt;
 }
 
 /// Returns the times of a step in each kind of coordinates, over a unit [s] if that is known.
-std::vector<Entry> times_of(const Record& record, const CandidateKey& place, std::string_view id,
+std::vector<Entry> times_of(const Record& record, const CaseSize& place, std::string_view id,
                             const std::optional<double>& unit) {
   std::vector<Entry> times;
   for (const char* kind : kinds) {
@@ -129,13 +128,12 @@ std::vector<Entry> times_of(const Record& record, const CandidateKey& place, std
 
 /// The last case at its largest size: a row for each formulation, a column for each kind.
 Table in_short(const Record& record) {
-  const CandidateKey& last = record.modelled.rbegin()->first;
+  const CaseSize& last = record.modelled.rbegin()->first;
   Table table = headed_table("modelling_in_short",
                              {{"case", last.case_name}, {"coordinates", last.coordinates}});
   std::set<std::string> ids;
   for (const auto& [key, entry] : record.modelled)
-    if (key.case_name == last.case_name && key.coordinates == last.coordinates)
-      ids.insert(without_setting(key.id, "coordinates"));
+    if (key.is_at(last)) ids.insert(without_setting(key.id, "coordinates"));
   for (const std::string& id : ids) {
     table.rows.push_back(times_of(record, last, id, 1e-6));
     table.rows.back().insert(table.rows.back().begin(), id);
@@ -161,7 +159,7 @@ std::vector<Section> modelling_sections(const Record& record) {
         [&](const std::vector<Entry>& row) { return row[1].shown == question; });
     return in_all_kinds(std::span(*of_last_case).subspan(2));
   };
-  const CandidateKey& last = record.modelled.rbegin()->first;
+  const CaseSize& last = record.modelled.rbegin()->first;
   constexpr std::string_view generated = "group_symbolic_explicit";
   const std::optional<double> natural = time_in(record, last, generated, kinds.front());
   const TextValues values{{"case", last.case_name},

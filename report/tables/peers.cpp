@@ -18,8 +18,8 @@ struct Ours {
 
 Ours ours_with(const Record& record, const Peer& peer) {
   Ours ours;
-  ours.all = candidates_at(record, peer.case_name, peer.coordinates,
-                           [&](const std::string& id) { return is_beside(peer, id); });
+  ours.all =
+      candidates_at(record, peer.key, [&](const std::string& id) { return is_beside(peer, id); });
   std::vector<CandidateKey> global = ours.all;
   std::erase_if(global, [](const CandidateKey& key) { return !key.id.starts_with("global_"); });
   ours.global = fastest_of(record, global);
@@ -95,7 +95,7 @@ Section peers(const Record& record) {
                                                    {"library", peer.library},
                                                    {"version", peer.library_version},
                                                    {"method", peer.method}});
-    cases[peer.case_name][{peer.coordinates, peer.guess}].push_back(&peer);
+    cases[peer.key.case_name][{peer.key.coordinates, peer.guess}].push_back(&peer);
   }
   if (cases.empty()) return section;
   section.paragraphs = {found(record, cases.rbegin()->first, cases.rbegin()->second)};
@@ -105,7 +105,7 @@ Section peers(const Record& record) {
     for (const auto& [place, peers] : places) {
       const Ours ours = ours_with(record, *peers.front());
       for (const Peer* peer : peers)
-        add_solver(table, record, ours, key_of(*peer), peer->name, peer->solved);
+        add_solver(table, record, ours, peer->key, peer->name, peer->solved);
       for (const CandidateKey& key : ours.all)
         add_solver(table, record, ours, key, key.id, record.candidates.at(key));
     }

@@ -59,14 +59,13 @@ std::string found(const Record& record, const std::vector<const MeasuredRequest*
 
 Section requests(const Record& record) {
   Section section = headed_section("requests");
-  std::map<std::pair<std::string, std::int64_t>, std::vector<const MeasuredRequest*>> places;
-  for (const MeasuredRequest& request : record.requests)
-    places[{request.key.case_name, request.key.coordinates}].push_back(&request);
+  std::map<CaseSize, std::vector<const MeasuredRequest*>> places;
+  for (const MeasuredRequest& request : record.requests) places[request.key].push_back(&request);
   if (!places.empty()) section.paragraphs = {found(record, places.rbegin()->second)};
   for (const auto& [place, asked] : places) {
-    Table table =
-        headed_table("requests_case",
-                     timed_words(record, {{"case", place.first}, {"coordinates", place.second}}));
+    Table table = headed_table(
+        "requests_case",
+        timed_words(record, {{"case", place.case_name}, {"coordinates", place.coordinates}}));
     std::set<std::string> ids;
     for (const MeasuredRequest* request : asked)
       if (ids.insert(request->key.id).second)

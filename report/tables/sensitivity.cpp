@@ -64,9 +64,8 @@ const NamedPoint* find_variant(const Record& record, const PaperVariant& variant
   Configuration wanted = variation.settings;
   wanted.formulation = key.id;
   for (const NamedPoint& point : record.points)
-    if (point.first.series.case_name == key.case_name &&
-        point.first.series.coordinates == key.coordinates &&
-        point.first.series.step_seconds == variation.step && point.second.configuration == wanted)
+    if (point.first.series.is_at(key) && point.first.series.step_seconds == variation.step &&
+        point.second.configuration == wanted)
       return &point;
   return nullptr;
 }
