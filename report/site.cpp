@@ -1,6 +1,5 @@
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
-#include "report/read/record_file.h"
 #include "report/report.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
@@ -8,14 +7,8 @@
 namespace desmo::report {
 
 std::map<std::string, std::vector<NewFile>> make_site(const std::filesystem::path& results) {
-  const std::filesystem::path folder = results / "records", history_file = results / "history.json";
-  if (!is_directory(folder)) throw UnreadableRecord(folder.string() + ": there is no folder");
-  std::map<std::string, Record> records;  // by name of the file, without endings
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
-    const std::string name = file.path().filename().string();
-    if (const std::size_t end = name.find(".json"); end != name.npos)
-      records.emplace(name.substr(0, end), read_record(file.path()));
-  }
+  const std::filesystem::path history_file = results / "history.json";
+  const std::map<std::string, Record> records = read_records(results / "records");
   std::map<std::string, std::vector<NewFile>> pages;  // by folder
   std::vector<IndexRow> rows;
   const auto add = [&](IndexRow row, Document document) {

@@ -128,4 +128,15 @@ Record read_record(const std::filesystem::path& file) {
   return parse_record(read_record_text(file), file.string());
 }
 
+std::map<std::string, Record> read_records(const std::filesystem::path& folder) {
+  if (!is_directory(folder)) throw UnreadableRecord(folder.string() + ": there is no folder");
+  std::map<std::string, Record> records;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    const std::string name = file.path().filename().string();
+    if (const std::size_t end = name.find(".json"); end != name.npos)
+      records.emplace(name.substr(0, end), read_record(file.path()));
+  }
+  return records;
+}
+
 }  // namespace desmo::report

@@ -163,4 +163,8 @@ Record read_record(const RecordValue& root);
 /// Reads a file, plain or gzip, and parses it. Throws as parse_record, or UnreadableRecord.
 Record read_record(const std::filesystem::path& file);
 
+/// Reads every record of a folder, by the name of its file without endings. Throws as read_record,
+/// and UnreadableRecord where there is no folder.
+std::map<std::string, Record> read_records(const std::filesystem::path& folder);
+
 }  // namespace desmo::report

@@ -57,8 +57,8 @@ TEST(OwnScene, WithoutAnyTimeSaysSo) {
 
 TEST(Report, HasNoTableWithoutRowsAndNoFigureWithoutMarks) {
   std::vector<Record> records;
-  for (const auto& file : std::filesystem::directory_iterator(DESMO_SOURCE_DIR "/results/records"))
-    if (file.path().extension() == ".gz") records.push_back(read_record(file.path()));
+  for (const auto& [name, record] : read_records(DESMO_SOURCE_DIR "/results/records"))
+    records.push_back(record);
   for (const Json& json :
        {complete_record(), requests_record(), points_record(), sizes_record(), scene_record()})
     records.push_back(record_from(json));
