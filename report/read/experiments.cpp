@@ -82,9 +82,7 @@ ExtremeResult read_result(const RecordValue& node) {
                   .reason = node.maybe("reason", &RecordValue::text).value_or("")};
   if (r.reason.empty() && r.verdict != ExtremeResult::Verdict::as_expected)
     node.complain("what is not as expected needs a reason");
-  if (const auto worst = node.find("worst"))
-    r.worst = {read_extreme_error((*worst)["position"]), read_extreme_error((*worst)["velocity"]),
-               read_extreme_error((*worst)["acceleration"])};
+  if (const auto worst = node.find("worst")) r.worst = read_levels(*worst, read_extreme_error);
   return r;
 }
 

@@ -1,7 +1,6 @@
 // The part of a record about all experiments but the paper's: plain data.
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <optional>
@@ -30,9 +29,7 @@ struct Floor {
 };
 
 /// The largest errors of a motion. Empty for a level whose error is beyond all measure.
-struct MaxErrors {
-  std::optional<double> position, velocity, acceleration;
-};
+using MaxErrors = Levels<std::optional<double>>;
 
 struct PointKey {
   SeriesKey series;
@@ -103,8 +100,8 @@ struct ExtremeResult {
   std::string case_name;
   std::string id;  ///< a formulation, with settings
   Verdict verdict = Verdict::as_expected;
-  std::string reason;                                     ///< empty when as expected
-  std::optional<std::array<ExtremeError, 3>> worst = {};  ///< position, velocity, acceleration
+  std::string reason;  ///< empty when as expected
+  std::optional<Levels<ExtremeError>> worst = {};
 };
 
 }  // namespace desmo::report

@@ -4,6 +4,7 @@
 // `record.settings.allowed` becomes a failure that says so, and has no time.
 #pragma once
 
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -61,8 +62,12 @@ CandidateKey read_key(const RecordValue& node);
 /// Reads "ok", "failed" or "not_run".
 Status read_status(const RecordValue& node);
 
-/// Reads the numbers of a position, velocity and acceleration.
-LevelNumbers read_levels(const RecordValue& node, double (RecordValue::*read)() const);
+/// Reads a position, velocity and acceleration, each by a function of a value.
+template <class Read>
+auto read_levels(const RecordValue& node, const Read& read) {
+  return Levels{std::invoke(read, node["position"]), std::invoke(read, node["velocity"]),
+                std::invoke(read, node["acceleration"])};
+}
 
 /// Says what exceeds its limit: "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing
 /// does.

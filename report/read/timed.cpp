@@ -112,10 +112,6 @@ Status read_status(const RecordValue& node) {
   return static_cast<Status>(node.one_of({"ok", "failed", "not_run"}));
 }
 
-LevelNumbers read_levels(const RecordValue& node, double (RecordValue::*read)() const) {
-  return {(node["position"].*read)(), (node["velocity"].*read)(), (node["acceleration"].*read)()};
-}
-
 std::string excess(const LevelNumbers& found, const LevelNumbers& allowed) {
   std::string text;
   for (const auto& [what, level] : {std::pair{"position", &LevelNumbers::position},

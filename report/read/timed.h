@@ -56,10 +56,12 @@ struct TimedStep {
   std::vector<double> seconds_per_step;  ///< samples of CPU time; never empty when ok, else always
 };
 
-/// A number for each level.
-struct LevelNumbers {
-  double position = 0, velocity = 0, acceleration = 0;
+/// Something for each level.
+template <class Value>
+struct Levels {
+  Value position = {}, velocity = {}, acceleration = {};
 };
+using LevelNumbers = Levels<double>;
 
 /// The origin of a time. Digests are SHA-256.
 struct Origin {

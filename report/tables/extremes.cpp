@@ -21,10 +21,11 @@ std::int64_t count(const Results& results, Verdict verdict) {
 /// Over all levels and results that were compared.
 std::optional<double> worst_over_floor(const Results& results) {
   std::optional<double> worst;
-  for (const ExtremeResult* r : results)
-    for (int level = 0; r->worst && level < 3; ++level)
-      if (const ExtremeError& e = (*r->worst)[level]; e.floor > 0)
-        worst = std::max(worst.value_or(0), e.error / e.floor);
+  for (const ExtremeResult* r : results) {
+    const Levels<ExtremeError> levels = r->worst.value_or(Levels<ExtremeError>());
+    for (const ExtremeError& e : {levels.position, levels.velocity, levels.acceleration})
+      if (e.floor > 0) worst = std::max(worst.value_or(0), e.error / e.floor);
+  }
   return worst;
 }
 
