@@ -108,8 +108,7 @@ void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
 }
 
 void BlockProof::find_image(Level level, PerLevel<ErrorTable>& errors) {
-  const int n = shape_->unknowns;
-  n == 1 ? find_image<1>(level) : n == 3 ? find_image<3>(level) : find_image<0>(level);
+  with_unrolled_size(shape_->unknowns, [&]<int N>() { find_image<N>(level); });
   if (errors[level].columns > 0) find_generators(level, errors);
 }
 
@@ -118,7 +117,7 @@ void contract(const BlockBatch& b, const Preconditioner& y, const LaneNumbers* t
   const BlockShape& s = b.equations.shape();
   const LaneMatrix& jacobian = b.jacobian;
   const LaneNumbers rounding = b.rounding;
-  const auto of_size = [&]<int N>() {
+  with_unrolled_size(s.unknowns, [&]<int N>() {
     const int n = N > 0 ? N : s.unknowns;
     for (int r = 0; r < n; ++r) {
       LaneNumbers sum(0);
@@ -135,10 +134,7 @@ void contract(const BlockBatch& b, const Preconditioner& y, const LaneNumbers* t
       }
       contracted[i] = sum;
     }
-  };
-  s.unknowns == 1   ? of_size.operator()<1>()
-  : s.unknowns == 3 ? of_size.operator()<3>()
-                    : of_size.operator()<0>();
+  });
 }
 
 }  // namespace desmo

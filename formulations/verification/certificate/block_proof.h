@@ -50,7 +50,7 @@ class BlockProof {
   void finish(Level level, const LaneNumbers& factor);
   void scatter(Level level, LaneMask tried, LaneMask proven, ErrorTable& to) const;
 
-  // In block_image.cpp. N is the number of unknowns where it is small, for loops to unroll; or 0.
+  // In block_image.cpp. N: see with_unrolled_size().
   void find_image(Level level, PerLevel<ErrorTable>& errors);
   template <int N>
   void find_image(Level level);

@@ -46,6 +46,15 @@ struct BlockShape {
   int states() const { return static_cast<int>(columns.size()); }
 };
 
+/// Calls a function with the number of unknowns where loops over them are to be unrolled, else with
+/// 0. Most blocks have one unknown or three.
+template <class Function>
+void with_unrolled_size(int unknowns, Function&& function) {
+  unknowns == 1   ? function.template operator()<1>()
+  : unknowns == 3 ? function.template operator()<3>()
+                  : function.template operator()<0>();
+}
+
 /// An irreducible block of a model.
 struct ShapedBlock {
   BlockShape shape;

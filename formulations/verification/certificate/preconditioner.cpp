@@ -37,14 +37,6 @@ void eliminate(LaneNumbers* a, int size, int k) {
   }
 }
 
-/// Calls a function with the number of unknowns where loops are to be unrolled, else with 0.
-template <class Function>
-void with_size(int n, Function&& function) {
-  n == 1   ? function.template operator()<1>()
-  : n == 3 ? function.template operator()<3>()
-           : function.template operator()<0>();
-}
-
 }  // namespace
 
 void Preconditioner::resize(int n, int m) {
@@ -95,7 +87,7 @@ void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, La
     single_.invert(s, jacobian);
     return single_.write_inverse(inverse.data());
   }
-  with_size(s.unknowns, [&]<int N>() { invert<N>(s, jacobian, lanes); });
+  with_unrolled_size(s.unknowns, [&]<int N>() { invert<N>(s, jacobian, lanes); });
 }
 
 /// Finds Y of three unknowns in all lanes by cofactors, without pivots.
@@ -161,7 +153,7 @@ void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, 
 void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, int first, int last,
                               LaneNumbers* to) {
   if (is_single_) return single_.multiply(s, jacobian, first, last, to);
-  with_size(s.unknowns, [&]<int N>() { multiply<N>(s, jacobian, first, last, to); });
+  with_unrolled_size(s.unknowns, [&]<int N>() { multiply<N>(s, jacobian, first, last, to); });
 }
 
 void Preconditioner::find_remainder(const BlockShape& s, const LaneNumbers* jacobian) {
