@@ -179,6 +179,21 @@ TEST(BlockProof, CountsWhatErrorsOfRatesAddToThemselves) {
   EXPECT_GE(proven, 5);
 }
 
+/// An equation that may be off by an amount, which moves the unknown by twice that.
+TEST(BlockProof, CountsByHowMuchAnEquationMayBeOff) {
+  constexpr double slack = 1e-6;
+  BlockBatch::Member member = product_of_vectors(1);
+  member.block.slack = {slack};
+  BlockBatch batch(std::vector{member}, std::vector<double>(6, 1), 0);
+  PerLevel<ErrorTable> errors = tables_of(6);
+  errors.position.rows[0].delivered = 2;
+  errors.position.rows[3].delivered = 0.5;
+  BlockProof proof({.unknowns = 1, .width = 6, .states = 6, .columns = 0});
+  ASSERT_TRUE(proof.prove(batch, Level::position, errors).position[0]);
+  EXPECT_LE(2 * slack, errors.position.rows[0].sum);
+  EXPECT_LE(errors.position.rows[0].sum, 2.01 * slack);
+}
+
 /// A lane that is proven at once keeps its X while another lane needs a larger one.
 TEST(BlockProof, KeepsWhatIsProvenInOneLane) {
   constexpr double small = 0x1p-40, off = 0.3;

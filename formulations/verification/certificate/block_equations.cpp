@@ -191,13 +191,16 @@ BlockEquations::BlockEquations(const std::vector<const ShapedBlock*>& lanes)
       set_lane(constants_[k], lane, block.constants[k]);
     for (std::size_t i = 0; i < block.remainders.size(); ++i)
       set_lane(remainders_[i], lane, {0, block.remainders[i]});
+    if (std::ranges::none_of(block.slack, [](double radius) { return radius > 0; })) continue;
+    slack_.resize(shape_.unknowns);
+    for (std::size_t row = 0; row < slack_.size(); ++row) slack_[row].set(lane, block.slack[row]);
   }
   for (const auto& c : constants_) enclosed_constants_.push_back(c.enclosure());
   for (const auto& r : remainders_)
     radii_.push_back((abs(r.correction) + r.radius) * (1 + 0x1p-40));  // rounding of radii, too
   for (const BlockShape::Object& o : shape_.objects) add(o);
   std::ranges::stable_sort(terms_, {}, &Term::row);
-  find_offsets(lanes);
+  find_offsets();
   std::vector<bool> varies(shape_.entries.size());
   for (const Object& o : objects_)
     for (const int slot : o.quadratic ? o.rate_slots : o.shape->slots)
@@ -238,24 +241,17 @@ void BlockEquations::add(const BlockShape::Object& o) {
   });
 }
 
-void BlockEquations::find_offsets(const std::vector<const ShapedBlock*>& lanes) {
+void BlockEquations::find_offsets() {
   const auto has_remainder = [&](const Term& t) {
     const Compensated<LaneNumbers>& r = remainders_[t.state];
     return (!is_zero(abs(r.correction) + r.radius)).any();
   };
-  const auto has_slack = [](const ShapedBlock* block) {
-    return std::ranges::any_of(block->slack, [](double radius) { return radius > 0; });
-  };
   const auto is_offset = [](const Compensated<LaneNumbers>& x) {
     return (!is_zero(abs(x.value) + abs(x.correction) + x.radius)).any();
   };
-  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(lanes, has_slack) &&
-      std::ranges::none_of(at_origin_, is_offset))
+  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(at_origin_, is_offset))
     return;
   offsets_ = at_origin_;
-  for (std::size_t row = 0; row < offsets_.size(); ++row)
-    for (int lane = 0; lane < LaneNumbers::count; ++lane)
-      offsets_[row].radius.set(lane, offsets_[row].radius[lane] + lanes[lane]->slack[row]);
   for (const Term& t : terms_) offsets_[t.row] = offsets_[t.row] + t.factor * remainders_[t.state];
 }
 
@@ -274,6 +270,8 @@ void BlockEquations::motion(const States& x, Level level,
       if (l == level) break;
     }
   }
+  for (std::size_t row = 0; row < slack_.size(); ++row)
+    phi.position[row] = phi.position[row] + LaneInterval(0, slack_[row]);
 }
 
 void BlockEquations::jacobian(const LaneInterval* q, LaneMatrix& to) const {

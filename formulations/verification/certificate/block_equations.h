@@ -67,7 +67,7 @@ class BlockEquations {
     Compensated<LaneNumbers> factor;
   };
   void add(const BlockShape::Object& object);
-  void find_offsets(const std::vector<const ShapedBlock*>& lanes);
+  void find_offsets();
 
   BlockShape shape_;
   std::vector<Compensated<LaneNumbers>> constants_;
@@ -77,8 +77,9 @@ class BlockEquations {
   std::vector<Object> objects_;
   std::vector<Term> terms_;                          // by rows
   std::vector<Compensated<LaneNumbers>> at_origin_;  // Φ(0) of linear equations, by row
-  /// Sums that Φ(0), remainders of fixed states and of Φ add to rows of terms; empty: none.
+  /// Sums that Φ(0) and remainders of fixed states add to rows of terms; empty: none.
   std::vector<Compensated<LaneNumbers>> offsets_;
+  std::vector<LaneNumbers> slack_;     // by how much each row of Φ may be off; empty: none
   std::vector<int> constant_entries_;  // of Φ_q
 };
 

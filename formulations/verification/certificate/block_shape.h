@@ -62,7 +62,7 @@ struct ShapedBlock {
   std::vector<int> coordinates;  ///< coordinate of each column
   std::vector<Derived> constants;
   std::vector<Remainder> remainders;  ///< of each local state; empty: none
-  std::vector<double> slack;          ///< radius of each row of a linear Φ (n)
+  std::vector<double> slack;          ///< by how much each row of Φ may be off (n); empty: none
   std::vector<double> initial;        ///< Φ₀ of a homotopy (n); empty: none
 };
 
