@@ -82,9 +82,9 @@ TEST(TaylorModel, HoldsSumsWithNumbersTimesModels) {
     for (int i = 0; i < (DESMO_SANITIZED ? 50 : 1000); ++i) {
       const Model a = models.next(rest), x = models.next(rest);
       const double s = models.argument();
-      Line number(models.next(0).c[0]);
-      number.rest = rest * std::abs(number.c[0]);
-      const Exact factor = Exact(number.c[0]) + Exact(number.rest) * Exact(models.argument());
+      const double mid = models.next(0).c[0];
+      const Interval number(mid, rest * std::abs(mid));
+      const Exact factor = Exact(mid) + Exact(number.radius) * Exact(models.argument());
       Model sum = a;
       sum.add_product(number, x);
       const Exact off =

@@ -40,7 +40,7 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
     for (std::size_t r = 0; r < initial.size(); ++r) initial[r].set(lane, m.block.initial[r]);
   }
   jacobian.resize(static_cast<int>(shape.entries.size()));
-  equations.constant_jacobian(jacobian);
+  equations.linear().jacobian(jacobian);
   if (equations.is_linear()) {
     constant.resize(n, shape.inputs);
     constant.find(shape, jacobian.mid.data(), LaneMask::all());

@@ -35,9 +35,7 @@ struct Degree {
 };
 
 void write(const LaneInterval& value, int entry, LaneMatrix& to) {
-  if (entry < 0) return;
-  to.mid[entry] = value.mid;
-  to.radius[entry] = value.radius;
+  if (entry >= 0) to.set(entry, value);
 }
 
 }  // namespace
@@ -183,8 +181,7 @@ struct BlockEquations::FunctionsOf {
 BlockEquations::BlockEquations(const std::vector<const ShapedBlock*>& lanes)
     : shape_(lanes.front()->shape),
       constants_(lanes.front()->constants.size() + 1),
-      remainders_(shape_.states()),
-      at_origin_(shape_.unknowns) {
+      remainders_(shape_.states()) {
   for (int lane = 0; lane < LaneNumbers::count; ++lane) {
     const ShapedBlock& block = *lanes[lane];
     for (std::size_t k = 0; k < block.constants.size(); ++k)
@@ -196,11 +193,9 @@ BlockEquations::BlockEquations(const std::vector<const ShapedBlock*>& lanes)
     for (std::size_t row = 0; row < slack_.size(); ++row) slack_[row].set(lane, block.slack[row]);
   }
   for (const auto& c : constants_) enclosed_constants_.push_back(c.enclosure());
-  for (const auto& r : remainders_)
-    radii_.push_back((abs(r.correction) + r.radius) * (1 + 0x1p-40));  // rounding of radii, too
+  for (const auto& r : remainders_) radii_.push_back(rest_of(r));
   for (const BlockShape::Object& o : shape_.objects) add(o);
-  std::ranges::stable_sort(terms_, {}, &Term::row);
-  find_offsets();
+  linear_ = LinearEquations(shape_, constants_, remainders_);
   std::vector<bool> varies(shape_.entries.size());
   for (const Object& o : objects_)
     for (const int slot : o.quadratic ? o.rate_slots : o.shape->slots)
@@ -210,28 +205,16 @@ BlockEquations::BlockEquations(const std::vector<const ShapedBlock*>& lanes)
 }
 
 void BlockEquations::add(const BlockShape::Object& o) {
-  const Compensated<LaneNumbers>* constants = constants_.data() + o.first_constant;
   visit_kind(o.kind, [&]<class Kind>(Kind) {
-    if constexpr (Kind::linear) {
-      // Φ = Φ_q q + Φ(0)
-      using S = Compensated<LaneNumbers>;
-      const int* slot = o.slots.data();
-      const std::array<S, max_components> zero{};
-      std::array<const S*, Kind::operand_sizes.size()> origin;
-      origin.fill(zero.data());
-      std::array<S, Kind::rows> at_origin;
-      Kind::residual(origin.data(), constants, at_origin.data());
-      for (int r = 0; r < Kind::rows; ++r)
-        if (o.rows[r] >= 0) at_origin_[o.rows[r]] = at_origin[r];
-      Kind::jacobian(origin.data(), constants, [&](int r, int operand, int i, const S& factor) {
-        if (o.rows[r] >= 0) terms_.push_back({o.rows[r], o.operands[operand] + i, *slot, factor});
-        ++slot;
-      });
-    } else {
+    if constexpr (!Kind::linear) {
       const std::vector<Degree> degrees = FunctionsOf<Kind>::degrees();
-      Object made{
-          &FunctionsOf<Kind>::table, &o,   constants, enclosed_constants_.data() + o.first_constant,
-          remainders_.data(),        true, o.slots};
+      Object made{&FunctionsOf<Kind>::table,
+                  &o,
+                  &constants_[o.first_constant],
+                  &enclosed_constants_[o.first_constant],
+                  remainders_.data(),
+                  true,
+                  o.slots};
       for (std::size_t k = 0; k < degrees.size(); ++k) {
         made.quadratic &= degrees[k].value <= 1;
         if (degrees[k].value == 0) made.rate_slots[k] = -1;
@@ -241,52 +224,16 @@ void BlockEquations::add(const BlockShape::Object& o) {
   });
 }
 
-void BlockEquations::find_offsets() {
-  const auto has_remainder = [&](const Term& t) {
-    const Compensated<LaneNumbers>& r = remainders_[t.state];
-    return (!is_zero(abs(r.correction) + r.radius)).any();
-  };
-  const auto is_offset = [](const Compensated<LaneNumbers>& x) {
-    return (!is_zero(abs(x.value) + abs(x.correction) + x.radius)).any();
-  };
-  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(at_origin_, is_offset))
-    return;
-  offsets_ = at_origin_;
-  for (const Term& t : terms_) offsets_[t.row] = offsets_[t.row] + t.factor * remainders_[t.state];
-}
-
 void BlockEquations::motion(const States& x, Level level,
                             const PerLevel<LaneInterval*>& phi) const {
   for (const Object& o : objects_) o.functions->motion(o, x, level, phi);
-  for (std::size_t first = 0, end = 0; first < terms_.size(); first = end) {
-    const int row = terms_[first].row;
-    while (end < terms_.size() && terms_[end].row == row) ++end;
-    for (const Level l : all_levels) {
-      Compensated<LaneNumbers> sum;
-      for (std::size_t k = first; k < end; ++k)
-        sum.add_product(terms_[k].factor, x[l][terms_[k].state].mid);
-      if (l == Level::position && !offsets_.empty()) sum = sum + offsets_[row];
-      phi[l][row] = sum.enclosure();
-      if (l == level) break;
-    }
-  }
+  linear_.motion(x, level, phi);
   for (std::size_t row = 0; row < slack_.size(); ++row)
     phi.position[row] = phi.position[row] + LaneInterval(0, slack_[row]);
 }
 
 void BlockEquations::jacobian(const LaneInterval* q, LaneMatrix& to) const {
   for (const Object& o : objects_) o.functions->jacobian(o, o.shape->slots, q, to);
-}
-
-void BlockEquations::constant_jacobian(LaneMatrix& to) const {
-  for (std::vector<LaneNumbers>* part : {&to.mid, &to.radius})
-    std::ranges::fill(*part, LaneNumbers(0));
-  for (const Term& t : terms_) {
-    if (t.slot < 0) continue;
-    const LaneInterval factor = t.factor.enclosure();
-    to.mid[t.slot] = factor.mid;
-    to.radius[t.slot] = factor.radius;
-  }
 }
 
 void BlockEquations::jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const {

@@ -7,18 +7,9 @@
 #include "formulations/base/per_level.h"
 #include "formulations/verification/certificate/block_shape.h"
 #include "formulations/verification/certificate/lane_numbers.h"
+#include "formulations/verification/certificate/linear_equations.h"
 
 namespace desmo {
-
-using LaneInterval = BasicInterval<LaneNumbers>;
-
-/// An interval matrix for each lane, with the entries that BlockShape::entries lists. Midpoints and
-/// radii are kept apart.
-struct LaneMatrix {
-  std::vector<LaneNumbers> mid, radius;
-
-  void resize(int entries) { mid.resize(entries), radius.resize(entries); }
-};
 
 /// The n equations of up to four blocks of one shape, one in each lane, by the functions of the
 /// constraint kinds. States are local, in intervals (BlockShape::states()); results have n
@@ -32,6 +23,7 @@ class BlockEquations {
 
   const BlockShape& shape() const { return shape_; }
   bool is_linear() const { return shape_.linear; }
+  const LinearEquations& linear() const { return linear_; }
   /// Returns by how much a fixed local state may differ from its double; 0 for others.
   const LaneNumbers& radius(int state) const { return radii_[state]; }
 
@@ -39,8 +31,6 @@ class BlockEquations {
   void motion(const States& x, Level level, const PerLevel<LaneInterval*>& phi) const;
   /// Evaluates Φ_q. Overwrites all entries of equations that are not linear.
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
-  /// Writes the entries of linear equations in Φ_q, as midpoints and radii, and zeros elsewhere.
-  void constant_jacobian(LaneMatrix& to) const;
   /// Evaluates Φ̇_q and, at the level of accelerations, Φ̈_q: entries that vary. Sets constant ones
   /// to zero, at `level` alone.
   void jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const;
@@ -60,14 +50,7 @@ class BlockEquations {
     bool quadratic;                              ///< Φ_q is constant or linear in each entry
     std::vector<int> rate_slots;                 ///< slots without those of constant entries
   };
-  /// A term of a linear equation: factor × local state.
-  struct Term {
-    int row, state;
-    int slot;  ///< in the Jacobian; -1: none
-    Compensated<LaneNumbers> factor;
-  };
   void add(const BlockShape::Object& object);
-  void find_offsets();
 
   BlockShape shape_;
   std::vector<Compensated<LaneNumbers>> constants_;
@@ -75,10 +58,7 @@ class BlockEquations {
   std::vector<Compensated<LaneNumbers>> remainders_;  // of local states that are fixed, value 0
   std::vector<LaneNumbers> radii_;                    // the same as radii of the values
   std::vector<Object> objects_;
-  std::vector<Term> terms_;                          // by rows
-  std::vector<Compensated<LaneNumbers>> at_origin_;  // Φ(0) of linear equations, by row
-  /// Sums that Φ(0) and remainders of fixed states add to rows of terms; empty: none.
-  std::vector<Compensated<LaneNumbers>> offsets_;
+  LinearEquations linear_;
   std::vector<LaneNumbers> slack_;     // by how much each row of Φ may be off; empty: none
   std::vector<int> constant_entries_;  // of Φ_q
 };

@@ -1,7 +1,6 @@
 #include "formulations/verification/certificate/path_equations.h"
 
 #include <array>
-#include <utility>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/certificate/table_enclosure.h"
@@ -20,12 +19,13 @@ struct PathEquations::FunctionsOf {
       for (std::size_t k = 0; k < x.size(); ++k) x[k] = states + o.shape->operands[k];
       constexpr int count = has_table<Kind> ? 3 : Kind::constants;
       for (int i = 0; i < count; ++i) {
-        c[i].c[0] = o.constants[i];
-        c[i].rest = o.remainders[i];
+        c[i].c[0] = o.constants[i].mid;
+        c[i].rest = o.constants[i].radius;
       }
       if constexpr (has_table<Kind>)
         read_table<Kind>(c, x.data(), [&](int lane, int k) {
-          return Derived(o.constants[count + k][lane], {0, o.remainders[count + k][lane]});
+          const LaneInterval& number = o.constants[count + k];
+          return Derived(number.mid[lane], {0, number.radius[lane]});
         });
     }
   };
@@ -52,24 +52,19 @@ struct PathEquations::FunctionsOf {
 
 PathEquations::PathEquations(const Model& m, const BlockBatch& batch) {
   constants_.resize(batch.in_lane(0).block.constants.size() + 1);
-  remainders_.resize(constants_.size());
   for (std::size_t k = 0; k + 1 < constants_.size(); ++k)
-    for (int lane = 0; lane < LaneNumbers::count; ++lane) {
-      const TaylorModel<double, 1> constant(batch.in_lane(lane).block.constants[k]);
-      constants_[k].set(lane, constant.c[0]);
-      remainders_[k].set(lane, constant.rest);
-    }
+    for (int lane = 0; lane < LaneNumbers::count; ++lane)
+      set_lane(constants_[k], lane, batch.in_lane(lane).block.constants[k]);
   const BlockShape& shape = batch.equations.shape();
   for (const BlockShape::Object& o : shape.objects) add(o);
+  add(batch.equations.linear());
   for (int i = 0; i < shape.states(); ++i) {
     // Linear equations read no others.
     if (shape.columns[i] >= 0 || (shape.linear && shape.columns[i] == BlockShape::unread)) continue;
-    FixedState made{i, 0, 0};
+    FixedState made{i, {}};
     for (int lane = 0; lane < LaneNumbers::count && shape.columns[i] == BlockShape::fixed; ++lane) {
       const int at = batch.in_lane(lane).block.states[i] - m.coordinates();
-      const TaylorModel<double, 1> number(m.fixed_value(at));
-      made.value.set(lane, number.c[0]);
-      made.rest.set(lane, number.rest);
+      set_lane(made.value, lane, m.fixed_value(at));
     }
     fixed_.push_back(made);
   }
@@ -78,41 +73,36 @@ PathEquations::PathEquations(const Model& m, const BlockBatch& batch) {
 void PathEquations::write_fixed(Value* x) const {
   for (const FixedState& f : fixed_) {
     x[f.state] = {};
-    x[f.state].c[0] = f.value;
-    x[f.state].rest = f.rest;
+    x[f.state].c[0] = f.value.mid;
+    x[f.state].rest = f.value.radius;
   }
 }
 
 void PathEquations::add(const BlockShape::Object& o) {
   visit_kind(o.kind, [&]<class Kind>(Kind) {
-    const Object made{&o, &constants_[o.first_constant], &remainders_[o.first_constant],
-                      &FunctionsOf<Kind>::residual, &FunctionsOf<Kind>::jacobian};
-    if constexpr (!Kind::linear) {
-      objects_.push_back(made);
-    } else {
-      // Φ = Φ_q q + Φ(0)
-      const std::array<Slope, max_components> zero{};
-      typename FunctionsOf<Kind>::template Arguments<Slope> at(made, zero.data());
-      at.x.fill(zero.data());
-      std::array<Slope, Kind::rows> at_origin;
-      Kind::residual(at.x.data(), at.c.data(), at_origin.data());
-      std::array<LinearRow, Kind::rows> rows;
-      for (int r = 0; r < Kind::rows; ++r) rows[r] = {o.rows[r], at_origin[r], {}};
-      Kind::jacobian(at.x.data(), at.c.data(), [&](int r, int operand, int i, const Slope& factor) {
-        rows[r].terms.push_back({o.operands[operand] + i, factor});
-      });
-      for (LinearRow& row : rows)
-        if (row.row >= 0) linear_rows_.push_back(std::move(row));
-    }
+    if constexpr (!Kind::linear)
+      objects_.push_back({&o, &constants_[o.first_constant], &FunctionsOf<Kind>::residual,
+                          &FunctionsOf<Kind>::jacobian});
   });
+}
+
+void PathEquations::add(const LinearEquations& equations) {
+  const auto enclosed = [](const Compensated<LaneNumbers>& x) {
+    return LaneInterval(x.value, rest_of(x));
+  };
+  for (const LinearEquations::Term& t : equations.terms()) {
+    if (linear_rows_.empty() || linear_rows_.back().row != t.row)
+      linear_rows_.push_back({t.row, enclosed(equations.at_origin(t.row)), {}});
+    linear_rows_.back().terms.push_back({t.state, enclosed(t.factor)});
+  }
 }
 
 void PathEquations::residual(const Value* x, Value* phi) const {
   for (const Object& o : objects_) o.residual(o, x, phi);
   for (const LinearRow& r : linear_rows_) {
     Value sum;
-    sum.c[0] = r.at_origin.c[0];
-    sum.rest = r.at_origin.rest;
+    sum.c[0] = r.at_origin.mid;
+    sum.rest = r.at_origin.radius;
     for (const LinearRow::Term& t : r.terms) sum.add_product(t.factor, x[t.state]);
     phi[r.row] = sum;
   }

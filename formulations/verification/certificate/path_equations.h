@@ -35,7 +35,7 @@ class PathEquations {
 
   struct Object {
     const BlockShape::Object* shape;
-    const LaneNumbers *constants, *remainders;
+    const LaneInterval* constants;
     void (*residual)(const Object&, const Value* x, Value* phi);
     void (*jacobian)(const Object&, const Slope* x, LaneMatrix& to);
   };
@@ -43,20 +43,21 @@ class PathEquations {
   struct LinearRow {
     struct Term {
       int state;
-      Slope factor;  ///< a constant
+      LaneInterval factor;
     };
     int row;
-    Slope at_origin;  ///< likewise
+    LaneInterval at_origin;
     std::vector<Term> terms;
   };
   struct FixedState {
     int state;
-    LaneNumbers value, rest;
+    LaneInterval value;
   };
   void add(const BlockShape::Object& object);
+  void add(const LinearEquations& equations);
 
-  std::vector<LaneNumbers> constants_, remainders_;  // and what they lack of the file's dimensions
-  std::vector<Object> objects_;                      // that are not linear
+  std::vector<LaneInterval> constants_;  // about the doubles, with what these lack
+  std::vector<Object> objects_;          // that are not linear
   std::vector<LinearRow> linear_rows_;
   std::vector<FixedState> fixed_;
 };

@@ -55,6 +55,11 @@ inline double rest_of(const Derived& x) {
   return (std::abs(x.correction) + x.radius) * (1 + 0x1p-40);
 }
 template <class S>
+S rest_of(const Compensated<S>& x) {
+  using std::abs;
+  return (abs(x.correction) + x.radius) * (1 + 0x1p-40);
+}
+template <class S>
 void set_lane(Compensated<S>& x, int lane, const Derived& to) {
   set_lane(x.value, lane, to.value);
   set_lane(x.correction, lane, to.correction);

@@ -7,6 +7,7 @@
 
 #include "cases/numbers/compensated.h"
 #include "cases/numbers/derived.h"
+#include "cases/numbers/interval.h"
 #include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
@@ -127,11 +128,10 @@ struct TaylorModel {
     return r;
   }
   /// Adds a number × x.
-  template <int E>
-  void add_product(const TaylorModel<S, E>& number, const TaylorModel& x) {
-    for (int k = 0; k <= D; ++k) c[k] = Traits::sum(number.c[0], x.c[k], c[k]);
+  void add_product(const BasicInterval<S>& number, const TaylorModel& x) {
+    for (int k = 0; k <= D; ++k) c[k] = Traits::sum(number.mid, x.c[k], c[k]);
     rest = with_rounding(
-        rest + Traits::magnitude(number.c[0]) * x.rest + number.rest * (x.polynomial() + x.rest),
+        rest + Traits::magnitude(number.mid) * x.rest + number.radius * (x.polynomial() + x.rest),
         [&] { return polynomial(); });
   }
   friend TaylorModel sin(const TaylorModel& a) {

@@ -1,0 +1,73 @@
+#include "formulations/verification/certificate/linear_equations.h"
+
+#include <algorithm>
+#include <array>
+
+#include "formulations/constraints/constraints.h"
+
+namespace desmo {
+
+LinearEquations::LinearEquations(const BlockShape& shape,
+                                 const std::vector<Compensated<LaneNumbers>>& constants,
+                                 const std::vector<Compensated<LaneNumbers>>& remainders)
+    : at_origin_(shape.unknowns) {
+  for (const BlockShape::Object& o : shape.objects) add(o, &constants[o.first_constant]);
+  std::ranges::stable_sort(terms_, {}, &Term::row);
+  find_offsets(remainders);
+}
+
+void LinearEquations::add(const BlockShape::Object& o, const Compensated<LaneNumbers>* constants) {
+  visit_kind(o.kind, [&]<class Kind>(Kind) {
+    if constexpr (Kind::linear) {
+      using S = Compensated<LaneNumbers>;
+      const int* slot = o.slots.data();
+      const std::array<S, max_components> zero{};
+      std::array<const S*, Kind::operand_sizes.size()> origin;
+      origin.fill(zero.data());
+      std::array<S, Kind::rows> at_origin;
+      Kind::residual(origin.data(), constants, at_origin.data());
+      for (int r = 0; r < Kind::rows; ++r)
+        if (o.rows[r] >= 0) at_origin_[o.rows[r]] = at_origin[r];
+      Kind::jacobian(origin.data(), constants, [&](int r, int operand, int i, const S& factor) {
+        if (o.rows[r] >= 0) terms_.push_back({o.rows[r], o.operands[operand] + i, *slot, factor});
+        ++slot;
+      });
+    }
+  });
+}
+
+void LinearEquations::find_offsets(const std::vector<Compensated<LaneNumbers>>& remainders) {
+  const auto is_some = [](const Compensated<LaneNumbers>& x) {
+    return (!is_zero(abs(x.value) + abs(x.correction) + x.radius)).any();
+  };
+  const auto has_remainder = [&](const Term& t) { return is_some(remainders[t.state]); };
+  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(at_origin_, is_some))
+    return;
+  offsets_ = at_origin_;
+  for (const Term& t : terms_) offsets_[t.row] = offsets_[t.row] + t.factor * remainders[t.state];
+}
+
+void LinearEquations::motion(const PerLevel<const LaneInterval*>& x, Level level,
+                             const PerLevel<LaneInterval*>& phi) const {
+  for (std::size_t first = 0, end = 0; first < terms_.size(); first = end) {
+    const int row = terms_[first].row;
+    while (end < terms_.size() && terms_[end].row == row) ++end;
+    for (const Level l : all_levels) {
+      Compensated<LaneNumbers> sum;
+      for (std::size_t k = first; k < end; ++k)
+        sum.add_product(terms_[k].factor, x[l][terms_[k].state].mid);
+      if (l == Level::position && !offsets_.empty()) sum = sum + offsets_[row];
+      phi[l][row] = sum.enclosure();
+      if (l == level) break;
+    }
+  }
+}
+
+void LinearEquations::jacobian(LaneMatrix& to) const {
+  for (std::vector<LaneNumbers>* part : {&to.mid, &to.radius})
+    std::ranges::fill(*part, LaneNumbers(0));
+  for (const Term& t : terms_)
+    if (t.slot >= 0) to.set(t.slot, t.factor.enclosure());
+}
+
+}  // namespace desmo
