@@ -7,6 +7,7 @@
 
 #include "formulations/verification/certificate/block_proof.h"
 #include "formulations/verification/certificate/block_schedule.h"
+#include "formulations/verification/certificate/certified_instant.h"
 
 namespace desmo {
 
@@ -119,7 +120,7 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
 Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* handed_in,
                                          ErrorSets sets) {
   sets_ = sets;
-  solved_ = std::span(all_levels).first(instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3);
+  solved_ = levels_of({instant.q, instant.qd, instant.qdd});
   take(instant, handed_in);
   Certificate result{.proven = true};
   int first_failure = INT_MAX;

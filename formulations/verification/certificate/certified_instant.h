@@ -7,6 +7,14 @@
 
 namespace desmo {
 
+/// Returns the levels that values have: those above are empty.
+inline std::span<const Level> levels_of(const PerLevel<std::span<const double>>& values) {
+  return std::span(all_levels)
+      .first(values.velocity.empty()       ? 1
+             : values.acceleration.empty() ? 2
+                                           : 3);
+}
+
 /// An instant whose positions are certified.
 struct CertifiedInstant {
   double time = 0;                             ///< [s]

@@ -29,12 +29,7 @@ void CoordinatePaths::find(const CertifiedInstant& from, const CertifiedInstant&
 /// the distance at the ends from the farthest point of the certified boxes.
 void CoordinatePaths::find_between(const CertifiedInstant& from, const CertifiedInstant& to) {
   const double h = span_.half, s0 = span_.s(from.time), s1 = span_.s(to.time);
-  const auto level_of = [](const CertifiedInstant& x) {
-    return x.values.velocity.empty()       ? Level::position
-           : x.values.acceleration.empty() ? Level::velocity
-                                           : Level::acceleration;
-  };
-  const Level highest = std::min(level_of(from), level_of(to));
+  const Level highest = std::min(levels_of(from.values).back(), levels_of(to.values).back());
   for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
     const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
     const int second = std::min(first + 1, last), third = std::min(first + 2, last);

@@ -6,6 +6,7 @@
 
 #include "cases/numbers/interval.h"
 #include "formulations/model/scales.h"
+#include "formulations/verification/certificate/certified_instant.h"
 
 namespace desmo {
 
@@ -44,8 +45,8 @@ Refinement::Refinement(const Model& m, std::span<const Level> levels, InitialRes
 }
 
 const RefinedInstant& Refinement::refine(const Instant& instant) {
-  levels_ = std::span(all_levels).first(instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3);
   const PerLevel<std::span<const double>> given{instant.q, instant.qd, instant.qdd};
+  levels_ = levels_of(given);
   for (const Level level : levels_) std::ranges::copy(given[level], next_[level].begin());
   result_ = {.instant = instant};
   Instant present = instant;
