@@ -60,12 +60,11 @@ class Builder {
     std::vector<int> depth(size, 1), height(size, 1);
     for (std::size_t g = 0; g < size; ++g) {
       const ShapedBlock whole = shaped_block(m_, definitions[g]);
-      std::vector<int> inputs(whole.coordinates.begin() + whole.shape.unknowns,
-                              whole.coordinates.end());
-      std::ranges::sort(inputs);
-      for (const int i : inputs) reads_[g][group_[i]].push_back(i);
-      for (const auto& [from, coordinates] : reads_[g])
+      for (const int i : whole.inputs()) reads_[g][group_[i]].push_back(i);
+      for (auto& [from, coordinates] : reads_[g]) {
+        std::ranges::sort(coordinates);
         if (from >= 0) depth[g] = std::max(depth[g], depth[from] + 1);
+      }
       for (const int i : definitions[g].unknowns) group_[i] = static_cast<int>(g);
     }
     for (std::size_t g = size; g-- > 0;)
@@ -78,8 +77,8 @@ class Builder {
   }
   bool is_long(int group) const { return group >= 0 && chain_[group] > max_boxed_chain; }
 
-  /// Returns a block with its rows, and sets the depth of its unknowns.
-  BlockBatch::Member member(const PartDefinition& part, const std::vector<int>& row, int depth) {
+  /// Returns a block with its rows; those of its coordinates where no others are given.
+  BlockBatch::Member member(const PartDefinition& part, const std::vector<int>& row) {
     BlockBatch::Member made{shaped_block(m_, part, initial_),
                             part.groups.front(),
                             order_++,
@@ -91,10 +90,9 @@ class Builder {
       made.solved = Level::position;
       for (const int i : part.unknowns) made.solved = std::max(made.solved, up_to_[i]);
     }
-    for (const int i : part.unknowns) depth_[i] = depth;
     return made;
   }
-  int depth_of(const std::vector<int>& inputs) const {
+  int depth_of(std::span<const int> inputs) const {
     int depth = 0;
     for (const int i : inputs) depth = std::max(depth, depth_[i]);
     return depth + 1;
@@ -102,10 +100,8 @@ class Builder {
 
   void add_group(const PartDefinition& definition) {
     for (const PartDefinition& part : irreducible_blocks(m_, definition)) {
-      BlockBatch::Member made = member(part, {}, 0);
-      const std::vector<int> inputs(made.block.coordinates.begin() + made.block.shape.unknowns,
-                                    made.block.coordinates.end());
-      const int depth = depth_of(inputs);
+      BlockBatch::Member made = member(part, {});
+      const int depth = depth_of(made.block.inputs());
       for (const int i : part.unknowns) depth_[i] = depth;
       depths_[depth].members.push_back(std::move(made));
     }
@@ -145,11 +141,14 @@ class Builder {
         for (const int i : coordinates) row[i] = i;
       }
     }
-    for (const int i : definition.unknowns) row[i] = row_[i] = lent + rows++;
+    for (const int i : definition.unknowns) {
+      row[i] = row_[i] = lent + rows++;
+      depth_[i] = depth;
+    }
     const int columns = level_count * link.symbols;
     CertificationStep step{{}, static_cast<int>(result_.links.size())};
     for (const PartDefinition& part : irreducible_blocks(m_, definition)) {
-      const BlockBatch::Member made = member(part, row, depth);
+      const BlockBatch::Member made = member(part, row);
       step.batches.emplace_back(std::span(&made, 1), magnitudes_, columns);
     }
     depths_[depth].links.push_back(std::move(step));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "cases/numbers/derived.h"
@@ -64,6 +65,9 @@ struct ShapedBlock {
   std::vector<Remainder> remainders;  ///< of each local state; empty: none
   std::vector<double> slack;          ///< by how much each row of Φ may be off (n); empty: none
   std::vector<double> initial;        ///< Φ₀ of a homotopy (n); empty: none
+
+  /// Returns the coordinates of the inputs (m).
+  std::span<const int> inputs() const { return std::span(coordinates).subspan(shape.unknowns); }
 };
 
 ShapedBlock shaped_block(const Model& model, const PartDefinition& block,
