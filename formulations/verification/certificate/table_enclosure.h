@@ -50,15 +50,13 @@ auto size_of(const S& x) {
   return x.magnitude();
 }
 
-/// Bounds what a double lacks of a number, radii rounded up.
-inline double rest_of(const Derived& x) {
-  return (std::abs(x.correction) + x.radius) * (1 + 0x1p-40);
-}
+/// Bounds what a double lacks of a number, with what radii of many operations lose by rounding.
 template <class S>
 S rest_of(const Compensated<S>& x) {
   using std::abs;
   return (abs(x.correction) + x.radius) * (1 + 0x1p-40);
 }
+inline double rest_of(const Derived& x) { return rest_of(Compensated<double>(x)); }
 template <class S>
 void set_lane(Compensated<S>& x, int lane, const Derived& to) {
   set_lane(x.value, lane, to.value);
