@@ -11,10 +11,50 @@ namespace {
 constexpr int degree = PathEquations::degree;
 constexpr double unit = Interval::unit;
 
-LaneNumbers size_of(const Quintic<LaneNumbers>& c) {
-  LaneNumbers sum(0);
-  for (const LaneNumbers& x : c) sum += abs(x);
-  return sum;
+/// Four coordinates in a row; fewer at the end, where the last one is repeated.
+struct CoordinateRange {
+  int first, last;
+
+  LaneNumbers of(std::span<const double> x) const {
+    if (last == first + 3) return LaneNumbers::load(&x[first]);
+    const double second = x[std::min(first + 1, last)], third = x[std::min(first + 2, last)];
+    return LaneNumbers(LaneNumbers::Numbers{x[first], second, third, x[last]});
+  }
+  /// Returns their values at an end of a path, up to a level. half: of the path's time [s]
+  EndValues<LaneNumbers> at(const CertifiedInstant& end, Level level, double half) const {
+    EndValues<LaneNumbers> values{of(end.values.position)};
+    if (level >= Level::velocity) values.first = of(end.values.velocity) * half;
+    if (level >= Level::acceleration) values.second = of(end.values.acceleration) * (half * half);
+    return values;
+  }
+  /// Returns up to which level each of them is solved at both ends.
+  std::array<Level, LaneNumbers::count> levels(const CertifiedInstant& a,
+                                               const CertifiedInstant& b) const {
+    std::array<Level, LaneNumbers::count> all;
+    all.fill(std::min(levels_of(a.values).back(), levels_of(b.values).back()));
+    for (const std::span<const Level> solved : {a.levels, b.levels})
+      for (int i = first; i <= last && !solved.empty(); ++i)
+        all[i - first] = std::min(all[i - first], solved[i]);
+    return all;
+  }
+};
+
+/// Bounds the distance of a path at an end from the farthest point of the certified box there, but
+/// for the rounding of this bound.
+LaneNumbers distance(const Quintic<LaneNumbers>& path, double s, const LaneNumbers& q,
+                     const LaneNumbers& radius) {
+  return abs(value_at(path, LaneNumbers(s)) - q) + radius;
+}
+
+/// Bounds the larger of both distances.
+LaneNumbers gap(const Quintic<LaneNumbers>& path, const LaneNumbers& first,
+                const LaneNumbers& last) {
+  LaneNumbers size(0);
+  for (const LaneNumbers& c : path) size += abs(c);
+  // Horner's rule rounds twice a degree; s is off by two roundings, which counts up to the degree.
+  constexpr double rounding = (4 * degree + 2) * unit;
+  const LaneNumbers widest = (max(first, last) + rounding * size) * (1 + 8 * unit);
+  return select(is_finite(first + last), widest, INFINITY);  // max() drops what is not a number
 }
 
 }  // namespace
@@ -28,45 +68,19 @@ void CoordinatePaths::find(const CertifiedInstant& from, const CertifiedInstant&
 /// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants, and its gap:
 /// the distance at the ends from the farthest point of the certified boxes.
 void CoordinatePaths::find_between(const CertifiedInstant& from, const CertifiedInstant& to) {
-  const double h = span_.half, s0 = span_.s(from.time), s1 = span_.s(to.time);
-  const Level highest = std::min(levels_of(from.values).back(), levels_of(to.values).back());
+  const double s0 = span_.s(from.time), s1 = span_.s(to.time);
   for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
     const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
-    const int second = std::min(first + 1, last), third = std::min(first + 2, last);
-    const bool is_full = last == first + 3;
-    const auto lanes_of = [&](std::span<const double> x) {
-      return is_full ? LaneNumbers::load(&x[first])
-                     : LaneNumbers(LaneNumbers::Numbers{x[first], x[second], x[third], x[last]});
-    };
-    std::array<Level, LaneNumbers::count> levels;
-    levels.fill(highest);
-    for (const std::span<const Level> solved : {from.levels, to.levels})
-      for (int i = first; i <= last && !solved.empty(); ++i)
-        levels[i - first] = std::min(levels[i - first], solved[i]);
+    const CoordinateRange range{first, last};
+    const auto levels = range.levels(from, to);
     for (const Level level : all_levels) {
       if (std::ranges::find(levels, level) == levels.end()) continue;
-      const auto end = [&](const CertifiedInstant& x) {
-        EndValues<LaneNumbers> values{lanes_of(x.values.position)};
-        if (level >= Level::velocity) values.first = lanes_of(x.values.velocity) * h;
-        if (level >= Level::acceleration) values.second = lanes_of(x.values.acceleration) * (h * h);
-        return values;
-      };
-      const EndValues<LaneNumbers> a = end(from), b = end(to);
+      const EndValues<LaneNumbers> a = range.at(from, level, span_.half),
+                                   b = range.at(to, level, span_.half);
       const Quintic<LaneNumbers> p = hermite(a, b, level);
-      // Horner's rule rounds twice a degree; s is off by two roundings, which counts up to the
-      // degree.
-      constexpr double rounding = (4 * degree + 2) * unit;
-      const auto distance = [&](const EndValues<LaneNumbers>& x, std::span<const double> radius,
-                                double s) {
-        return abs(value_at(p, LaneNumbers(s)) - x.q) + lanes_of(radius);
-      };
-      const LaneNumbers first_gap = distance(a, from.radius, s0),
-                        last_gap = distance(b, to.radius, s1),
-                        widest =
-                            (max(first_gap, last_gap) + rounding * size_of(p)) * (1 + 8 * unit);
-      // max() drops what is not a number.
-      const LaneNumbers gap = select(is_finite(first_gap + last_gap), widest, INFINITY);
-      std::array<LaneNumbers, 4> low{p[0], p[1], p[2], p[3]}, high{p[4], p[5], gap, INFINITY};
+      const LaneNumbers widest = gap(p, distance(p, s0, a.q, range.of(from.radius)),
+                                     distance(p, s1, b.q, range.of(to.radius)));
+      std::array<LaneNumbers, 4> low{p[0], p[1], p[2], p[3]}, high{p[4], p[5], widest, INFINITY};
       transpose(low[0], low[1], low[2], low[3]);
       transpose(high[0], high[1], high[2], high[3]);
       for (int i = first; i <= last; ++i)
