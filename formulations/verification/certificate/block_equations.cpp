@@ -34,10 +34,6 @@ struct Degree {
   friend Degree cos(const Degree&) { return of(mixed); }
 };
 
-void write(const LaneInterval& value, int entry, LaneMatrix& to) {
-  if (entry >= 0) to.set(entry, value);
-}
-
 }  // namespace
 
 struct BlockEquations::Functions {
@@ -146,7 +142,7 @@ struct BlockEquations::FunctionsOf {
     set_constants(c, o, x.data());
     const int* slot = slots.data();
     Kind::jacobian(x.data(), c.data(),
-                   [&](int, int, int, const LaneInterval& value) { write(value, *slot++, to); });
+                   [&](int, int, int, const LaneInterval& value) { to.set(*slot++, value); });
   }
   static void jacobian_rates(const Object& o, const States& x, Level level,
                              PerLevel<LaneMatrix>& to) {
@@ -157,8 +153,8 @@ struct BlockEquations::FunctionsOf {
     });
     const int* slot = o.shape->slots.data();
     Kind::jacobian(at.x.data(), at.c.data(), [&](int, int, int, const S& value) {
-      write(value.first, *slot, to.velocity);
-      if (level == Level::acceleration) write(value.second, *slot, to.acceleration);
+      to.velocity.set(*slot, value.first);
+      if (level == Level::acceleration) to.acceleration.set(*slot, value.second);
       ++slot;
     });
   }
@@ -237,7 +233,7 @@ void BlockEquations::jacobian(const LaneInterval* q, LaneMatrix& to) const {
 }
 
 void BlockEquations::jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const {
-  for (const int e : constant_entries_) write({}, e, to[level]);
+  for (const int e : constant_entries_) to[level].set(e, {});
   for (const Object& o : objects_) {
     if (!o.quadratic) {
       o.functions->jacobian_rates(o, x, level, to);

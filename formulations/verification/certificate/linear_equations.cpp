@@ -66,8 +66,7 @@ void LinearEquations::motion(const PerLevel<const LaneInterval*>& x, Level level
 void LinearEquations::jacobian(LaneMatrix& to) const {
   for (std::vector<LaneNumbers>* part : {&to.mid, &to.radius})
     std::ranges::fill(*part, LaneNumbers(0));
-  for (const Term& t : terms_)
-    if (t.slot >= 0) to.set(t.slot, t.factor.enclosure());
+  for (const Term& t : terms_) to.set(t.slot, t.factor.enclosure());
 }
 
 }  // namespace desmo

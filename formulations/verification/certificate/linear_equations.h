@@ -18,7 +18,9 @@ struct LaneMatrix {
   std::vector<LaneNumbers> mid, radius;
 
   void resize(int entries) { mid.resize(entries), radius.resize(entries); }
+  /// Sets an entry; -1: none.
   void set(int entry, const LaneInterval& value) {
+    if (entry < 0) return;
     mid[entry] = value.mid;
     radius[entry] = value.radius;
   }

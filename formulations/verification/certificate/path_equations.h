@@ -8,7 +8,8 @@
 namespace desmo {
 
 /// The equations of a batch of blocks along a path: functions of s in [−1, 1] in Taylor models, by
-/// the functions of the constraint kinds. States are local (BlockShape::states()).
+/// the functions of the constraint kinds. States are local (BlockShape::states()). Rows of Φ count
+/// as exact: ShapedBlock::slack, which no model of a motion has, is not read.
 class PathEquations {
  public:
   /// Degree of what residuals are evaluated in: that of the path, a quintic.

@@ -17,7 +17,7 @@ namespace desmo {
 template <class S>
 struct Coefficient {
   using Bound = S;
-  static constexpr double unit = 0x1p-53;  ///< largest relative error of one rounding
+  static constexpr double unit = Interval::unit;
   static S magnitude(const S& x) {
     using std::abs;
     return abs(x);
@@ -151,18 +151,17 @@ struct TaylorModel {
   friend bool operator<(const TaylorModel& a, const TaylorModel& b) { return a.c[0] < b.c[0]; }
 
  private:
-  static constexpr double above =
-      1 + 64 * 0x1p-53;                     // covers the rounding of at most 60 positive terms
-  static constexpr double tiny = 0x1p-500;  // covers products that underflow
+  // Covers the rounding of at most 60 positive terms.
+  static constexpr double above = 1 + 64 * Interval::unit;
 
   /// Returns a remainder, enlarged by rounding errors. rounded(): the sum of the magnitudes of all
   /// rounded numbers.
   template <class Rounded>
   static Bound with_rounding(const Bound& rest, const Rounded& rounded) {
     if constexpr (Traits::unit > 0)
-      return (rest + Bound(Traits::unit) * rounded()) * Bound(above) + Bound(tiny);
+      return (rest + Bound(Traits::unit) * rounded()) * Bound(above) + Bound(Interval::tiny);
     else
-      return rest * Bound(above) + Bound(tiny);
+      return rest * Bound(above) + Bound(Interval::tiny);
   }
   /// Returns a sine or cosine from its derivatives at the constant term, by Taylor's formula
   /// f(c₀ + d) = Σ f⁽ᵏ⁾(c₀) dᵏ/k! + f⁽ᴰ⁺¹⁾(ξ) dᴰ⁺¹/(D + 1)!, whose last derivative is at most 1.
@@ -205,7 +204,7 @@ struct TaylorModel {
     double factorial = 1;
     for (int i = 2; i <= k; ++i) factorial *= i;
     const Bound of_f = Traits::uncertainty_of_turn(f),
-                of_factor = k > 2 ? 0x1p-53 / factorial : 0;  // the first three are exact
+                of_factor = k > 2 ? Interval::unit / factorial : 0;  // the first three are exact
     TaylorModel r;
     r.c[0] = S(1 / factorial) * f;
     r.rest = with_rounding(of_f * Bound(1 / factorial) + of_factor * (Traits::magnitude(f) + of_f),
