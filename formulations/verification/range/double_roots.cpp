@@ -1,7 +1,7 @@
 #include "formulations/verification/range/double_roots.h"
 
 #include <algorithm>
-#include <array>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -52,24 +52,12 @@ double DoubleRootSearch::root_at(int block, double distance) {
   return there.empty() ? 0 : std::exp(there.logs[block] / 2);
 }
 
-/// Returns the distance from the middle point at which a determinant is least, by golden section.
+/// Returns the distance from the middle point at which a determinant is least, by Brent's method.
+/// It is off by 1e-4 at most, which the distances that value_of_root() looks at exceed.
 double DoubleRootSearch::least(int block) {
-  constexpr double golden = 0.6180339887498949, width = 1e-4;
-  double low = -last_[1].length, high = last_[2].length;
-  double left = high - golden * (high - low), right = low + golden * (high - low);
-  double at_left = root_at(block, left), at_right = root_at(block, right);
-  while (high - low > width) {
-    if (at_left < at_right) {
-      high = std::exchange(right, left);
-      at_right = std::exchange(at_left, 0);
-      at_left = root_at(block, left = high - golden * (high - low));
-    } else {
-      low = std::exchange(left, right);
-      at_left = std::exchange(at_right, 0);
-      at_right = root_at(block, right = low + golden * (high - low));
-    }
-  }
-  return (low + high) / 2;
+  constexpr int bits = 14;  // 2⁻¹³ of the distance and 2⁻¹⁵
+  const auto root = [&](double distance) { return root_at(block, distance); };
+  return boost::math::tools::brent_find_minima(root, -last_[1].length, last_[2].length, bits).first;
 }
 
 /// Returns the driver's value where √|det| with a sign on either side vanishes, if det does: both
