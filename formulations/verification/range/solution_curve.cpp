@@ -27,7 +27,7 @@ constexpr double border_scale = 1e-3;
 Eigen::VectorXd any_direction(int n, double shift) {
   Eigen::VectorXd v(n);
   for (int i = 0; i < n; ++i) v[i] = std::cos(1 + shift + 2.4 * i);
-  return v / v.norm();
+  return v.normalized();
 }
 
 Eigen::VectorXd scaled_to_one(Eigen::VectorXd v) { return v / v.cwiseAbs().maxCoeff(); }
@@ -95,6 +95,13 @@ bool SolutionCurve::factor(std::span<const double> state, const Eigen::VectorXd&
   return lu.info() == Eigen::Success;
 }
 
+/// Adds a factor times a scaled change of the unknowns and the driver to a state.
+void SolutionCurve::move(std::vector<double>& state, double factor,
+                         const Eigen::VectorXd& change) const {
+  for (int j = 0; j < size(); ++j) state[unknowns_[j]] += factor * scale_[j] * change[j];
+  state[driver_] += factor * scale_.back() * change[size()];
+}
+
 /// Solves Φ = 0 in the plane through the state across the border. Fails where the first correction
 /// is larger than trusted, or corrections do not shrink at once.
 bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& border,
@@ -109,8 +116,7 @@ bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& b
     for (std::size_t r = 0; r < row_.size(); ++r)
       if (row_[r] >= 0) change[row_[r]] = phi_[r] / row_sums_[row_[r]];
     change = factors_->lu.solve(change).eval();
-    for (int j = 0; j < size(); ++j) state[unknowns_[j]] -= scale_[j] * change[j];
-    state[driver_] -= scale_.back() * change[size()];
+    move(state, -1, change);
     const double largest = change.cwiseAbs().maxCoeff();
     if (!std::isfinite(largest)) return false;
     if (settled(largest)) return true;
@@ -126,9 +132,7 @@ std::optional<SolutionCurve::Point> SolutionCurve::settle(std::vector<double> st
   Eigen::VectorXd tangent = along;
   for (int pass = 0; pass < 2; ++pass) {  // the second with its own border, for the sign
     if (!factor(state, tangent)) return {};
-    Eigen::VectorXd unit = Eigen::VectorXd::Zero(size() + 1);
-    unit[size()] = 1;
-    tangent = scaled_to_one(factors_->lu.solve(unit));
+    tangent = scaled_to_one(factors_->lu.solve(along_driver()));
     if (!tangent.allFinite()) return {};
   }
   const int sign = factors_->lu.signDeterminant() > 0 ? 1 : -1;
@@ -150,13 +154,11 @@ std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> sta
   const Eigen::VectorXd a = point->tangent.normalized(), b = other->tangent.normalized();
   crosses_ = (a - a.dot(b) * b).norm() > parallel;
   Eigen::VectorXd border = point->tangent;
-  if (std::abs(point->speed()) > least_speed) {
-    border.setZero();
-    border[size()] = 1;
-  }
+  const bool keeps_value = std::abs(point->speed()) > least_speed;
+  if (keeps_value) border = along_driver();
   if (crosses_) return point;
   if (!correct(state, border, far)) return {};
-  if (border[size()] == 1) state[driver_] = value;
+  if (keeps_value) state[driver_] = value;
   point = settle(std::move(state), point->tangent);
   if (point && point->speed() < 0) *point = reversed(*std::move(point));
   return point;
@@ -165,8 +167,7 @@ std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> sta
 std::optional<SolutionCurve::Point> SolutionCurve::step(const Point& from, double length) {
   constexpr double trusted = 0.3, max_turn = 0.1;  // of the step; 1 − cos of the tangent's angle
   std::vector<double> state = from.state;
-  for (int j = 0; j < size(); ++j) state[unknowns_[j]] += length * scale_[j] * from.tangent[j];
-  state[driver_] += length * scale_.back() * from.speed();
+  move(state, length, from.tangent);
   if (!correct(state, from.tangent, trusted * std::abs(length))) return {};
   std::optional<Point> point = settle(std::move(state), from.tangent);
   if (point && from.tangent.normalized().dot(point->tangent.normalized()) < 1 - max_turn) return {};
@@ -177,12 +178,9 @@ std::optional<SolutionCurve::Point> SolutionCurve::at(const Point& from, double 
   constexpr double trusted = 0.1;
   std::vector<double> state = from.state;
   const double change = (value - state[driver_]) / scale();
-  for (int j = 0; j < size(); ++j)
-    state[unknowns_[j]] += change * scale_[j] * from.tangent[j] / from.speed();
+  move(state, change / from.speed(), from.tangent);
   state[driver_] = value;
-  Eigen::VectorXd border = Eigen::VectorXd::Zero(size() + 1);
-  border[size()] = 1;
-  if (!correct(state, border, trusted)) return {};
+  if (!correct(state, along_driver(), trusted)) return {};
   state[driver_] = value;
   return settle(std::move(state), from.tangent);
 }
@@ -197,9 +195,7 @@ SolutionCurve::Forces SolutionCurve::forces(const Point& point) {
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();  // of Φ over row sums
   Forces result{std::vector<double>(constraints_, 0), std::numeric_limits<double>::infinity()};
   if (!factor(point.state, point.tangent)) return result;
-  Eigen::VectorXd unit = Eigen::VectorXd::Zero(size() + 1);
-  unit[size()] = 1;
-  const Eigen::VectorXd left = factors_->lu.transpose().solve(unit).head(size());
+  const Eigen::VectorXd left = factors_->lu.transpose().solve(along_driver()).head(size());
   for (int r = 0; r < size(); ++r) {
     double& force = result.of_constraints[constraint_[r]];
     force = std::max(force, std::abs(left[r]));

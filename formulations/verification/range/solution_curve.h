@@ -79,6 +79,9 @@ class SolutionCurve {
   struct Factors;
 
   int size() const { return static_cast<int>(unknowns_.size()); }
+  /// Returns the direction in which the driver alone moves.
+  Eigen::VectorXd along_driver() const { return Eigen::VectorXd::Unit(size() + 1, size()); }
+  void move(std::vector<double>& state, double factor, const Eigen::VectorXd& change) const;
   bool factor(std::span<const double> state, const Eigen::VectorXd& border);
   bool correct(std::vector<double>& state, const Eigen::VectorXd& border, double trusted);
   std::optional<Point> settle(std::vector<double> state, const Eigen::VectorXd& along);
