@@ -10,6 +10,13 @@
 
 namespace desmo {
 
+std::vector<int> Determinants::changed(const Determinants& other) const {
+  std::vector<int> blocks;
+  for (std::size_t b = 0; b < std::min(signs.size(), other.signs.size()); ++b)
+    if (signs[b] != other.signs[b]) blocks.push_back(static_cast<int>(b));
+  return blocks;
+}
+
 BlockDeterminants::BlockDeterminants(const Model& m)
     : m_(m), blocks_(make_partition(m, Partition::block)) {
   const std::vector<double> lengths = CharacteristicLengths(m).of_coordinates();

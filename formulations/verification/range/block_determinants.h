@@ -15,6 +15,9 @@ struct Determinants {
   std::vector<signed char> signs;
 
   bool empty() const { return signs.empty(); }
+  /// Returns the blocks whose determinants have another sign at another position; none where either
+  /// is empty.
+  std::vector<int> changed(const Determinants& other) const;
 };
 
 /// Evaluates them. A continuous motion changes the sign of one only by passing a singular position.

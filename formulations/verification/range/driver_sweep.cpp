@@ -60,14 +60,6 @@ bool DriverSweep::choose_equations(Point& point) {
   return true;
 }
 
-std::vector<int> DriverSweep::changed_blocks(const Determinants& before,
-                                             const Determinants& after) {
-  std::vector<int> changed;
-  for (std::size_t b = 0; b < std::min(before.signs.size(), after.signs.size()); ++b)
-    if (before.signs[b] != after.signs[b]) changed.push_back(static_cast<int>(b));
-  return changed;
-}
-
 /// Returns whether an equation that was left out as dependent does not hold, by more than digits of
 /// a file leave: on another branch, or where the others allow what it forbids.
 bool DriverSweep::is_violated(const Point& point) const {
@@ -95,15 +87,6 @@ bool DriverSweep::is_start(const Point& point) const {
     if (!(std::abs(change) <= same * curve().scale(static_cast<int>(j)))) return false;
   }
   return true;
-}
-
-/// Returns whether the driver may have turned back and forth within a step: its speed in the
-/// middle, by Simpson's rule, is not forward.
-bool DriverSweep::turns_twice(const Point& from, const Point& to, double length) const {
-  const double mean =
-      direction_ * (curve().value(to) - curve().value(from)) / curve().scale() / length;
-  return forward(from) > 0 && forward(to) > 0 &&
-         1.5 * mean - (forward(from) + forward(to)) / 4 <= 0;
 }
 
 RangeEnd DriverSweep::end(RangeStop stop, const Point& point) const {
@@ -151,6 +134,26 @@ void DriverSweep::look_for_double_root(const Point& next, const Determinants& th
       change_points_.push_back(*root);
 }
 
+/// Looks for a double root as far as one more point, unless a determinant changes its sign before.
+void DriverSweep::look_beyond(const Point& point, const Determinants& here, double length) {
+  const std::optional<Point> next = curve().step(point, length);
+  if (!next || next->sign != point.sign || here.empty()) return;
+  if (const Determinants there = determinants(*next); there.signs == here.signs)
+    look_for_double_root(*next, there, std::abs(length));
+}
+
+/// Adds the change point at a crossing in a step. Returns the end where a driven distance is zero
+/// there.
+std::optional<RangeEnd> DriverSweep::add_crossing(const EarlierPoint& before, double length,
+                                                  const std::vector<int>& changed) {
+  const double value = find_crossing(curve(), before, length, changed.size());
+  if (is_positive(model(), driven()) && std::abs(value) < same * curve().scale())
+    return RangeEnd{.stop = RangeStop::zero_length};
+  change_points_.push_back(
+      {value, changed.empty() ? no_position : followed_->determinants.group(changed.front())});
+  return {};
+}
+
 RangeEnd DriverSweep::run() {
   return run_from(direction_ > 0 ? start_ : SolutionCurve::reversed(start_));
 }
@@ -165,10 +168,7 @@ RangeEnd DriverSweep::run_from(Point point) {
   double length = first_step;
   followed_->double_roots.restart();
   Determinants before = determinants(point);
-  const std::optional<Point> behind = curve().step(point, -length);
-  if (!before.empty() && behind && behind->sign == point.sign)
-    if (const Determinants there = determinants(*behind); there.signs == before.signs)
-      look_for_double_root(*behind, there, length);
+  look_beyond(point, before, -length);
   if (!before.empty()) look_for_double_root(point, before, length);
   double since = 0;         // the last point that was looked at
   EarlierPoint far{point};  // the last one from which more than a locking_arc was gone
@@ -196,23 +196,20 @@ RangeEnd DriverSweep::run_from(Point point) {
         turned_ = std::move(dead->after);
         return std::move(dead->end);
       }
-    if (turns || turns_twice(point, *next, length)) {
+    if (turns || turns_twice(curve(), point, *next, length, direction_)) {
       if (again()) continue;
       return stuck_at(point, far);
     }
     const Determinants after = determinants(*next);
-    const std::vector<int> changed = changed_blocks(before, after);
+    const std::vector<int> changed = before.changed(after);
     const bool crosses = next->sign != point.sign || !changed.empty();
     if (crosses) {
       if (length > crossing_step && !is_across) {
         length /= 2;
         continue;
       }
-      const double value = find_crossing(curve(), far, length, changed.size());
-      if (is_positive(model(), driven()) && std::abs(value) < same * curve().scale())
-        return {.stop = RangeStop::zero_length};
-      change_points_.push_back(
-          {value, changed.empty() ? no_position : followed_->determinants.group(changed.front())});
+      if (std::optional<RangeEnd> zero = add_crossing(far, length, changed))
+        return *std::move(zero);
     }
     if (is_violated(*next)) {
       if (again()) continue;
@@ -222,9 +219,7 @@ RangeEnd DriverSweep::run_from(Point point) {
     if (crosses) followed_->double_roots.restart();
     if (!after.empty() && !crosses) look_for_double_root(*next, after, std::exchange(since, 0));
     if (std::optional<RangeEnd> turned = after_turns(point, *next)) {
-      if (const std::optional<Point> p = curve().step(*next, length); p && !after.empty())
-        if (const Determinants there = determinants(*p); there.signs == after.signs)
-          look_for_double_root(*p, there, length);
+      look_beyond(*next, after, length);
       return *std::move(turned);
     }
     if (!after.empty()) before = after;

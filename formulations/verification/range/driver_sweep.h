@@ -35,11 +35,12 @@ class DriverSweep {
   RangeEnd run_from(Point point);
   Determinants determinants(const Point& p) const { return followed_->determinants.at(p.state); }
   void look_for_double_root(const Point& next, const Determinants& there, double length);
-  static std::vector<int> changed_blocks(const Determinants& before, const Determinants& after);
+  void look_beyond(const Point& point, const Determinants& here, double length);
+  std::optional<RangeEnd> add_crossing(const EarlierPoint& before, double length,
+                                       const std::vector<int>& changed);
   double forward(const Point& p) const { return direction_ * p.speed(); }
   bool is_violated(const Point& point) const;
   bool is_start(const Point& point) const;
-  bool turns_twice(const Point& from, const Point& to, double length) const;
   std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
   bool choose_equations(Point& point);
   RangeEnd end(RangeStop stop, const Point& point) const;

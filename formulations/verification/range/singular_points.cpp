@@ -31,6 +31,13 @@ void name_culprits(SolutionCurve& curve, LockedLoops locked, const Point& point,
 
 }  // namespace
 
+bool turns_twice(const SolutionCurve& curve, const Point& from, const Point& to, double length,
+                 double direction) {
+  const double first = direction * from.speed(), last = direction * to.speed(),
+               mean = direction * (curve.value(to) - curve.value(from)) / curve.scale() / length;
+  return first > 0 && last > 0 && 1.5 * mean - (first + last) / 4 <= 0;
+}
+
 std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, const Point& from,
                                          const EarlierPoint& far, double length, double direction,
                                          double accuracy) {
@@ -40,7 +47,8 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
   std::optional<Point> high = curve.step(from, length);
   double at_low = 0, at_high = length;
   double weight_low = forward(low), weight_high = -forward(*high);  // Illinois' method
-  for (int i = 0; i < 100 && forward(low) > stationary && -forward(*high) > stationary; ++i) {
+  for (int i = 0;
+       i < 100 && forward(low) > stationary && -forward(*high) > stationary; ++i) {
     const double at = at_low + (at_high - at_low) * weight_low / (weight_low + weight_high);
     std::optional<Point> middle = curve.step(from, at);
     if (!middle) return {};

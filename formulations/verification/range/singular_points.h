@@ -22,6 +22,11 @@ struct EarlierPoint {
   double arc = 0;
 };
 
+/// Returns whether the driver may turn back and forth within a step: it goes forward at both ends,
+/// but its speed in the middle, by Simpson's rule, is not forward. direction: 1 or −1.
+bool turns_twice(const SolutionCurve& curve, const SolutionCurve::Point& from,
+                 const SolutionCurve::Point& to, double length, double direction);
+
 /// Finds the dead point in a step at whose end the driver goes back. The driver's value is
 /// stationary there, so it is known far better than the position. Returns nothing where it cannot
 /// be bracketed to `accuracy` (scaled). direction: of the driver before, 1 or −1.
