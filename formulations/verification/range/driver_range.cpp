@@ -44,8 +44,8 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
     return range;
   }
   // At a dead point the driver has no direction: a little further it has.
-  constexpr double stationary = 1e-9, beside = 1e-6;
-  if (start && std::abs(start->speed()) < stationary) {
+  constexpr double beside = 1e-6;
+  if (start && std::abs(start->speed()) < max_resting_speed) {
     start = curve.step(*start, beside);
     if (start && start->speed() < 0) start = SolutionCurve::reversed(*std::move(start));
   }

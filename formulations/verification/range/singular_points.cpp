@@ -41,14 +41,13 @@ bool turns_twice(const SolutionCurve& curve, const Point& from, const Point& to,
 std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, const Point& from,
                                          const EarlierPoint& far, double length, double direction,
                                          double accuracy) {
-  constexpr double stationary = 1e-9;
   const auto forward = [&](const Point& p) { return direction * p.speed(); };
   Point low = from;
   std::optional<Point> high = curve.step(from, length);
   double at_low = 0, at_high = length;
   double weight_low = forward(low), weight_high = -forward(*high);  // Illinois' method
   for (int i = 0;
-       i < 100 && forward(low) > stationary && -forward(*high) > stationary; ++i) {
+       i < 100 && forward(low) > max_resting_speed && -forward(*high) > max_resting_speed; ++i) {
     const double at = at_low + (at_high - at_low) * weight_low / (weight_low + weight_high);
     std::optional<Point> middle = curve.step(from, at);
     if (!middle) return {};

@@ -141,7 +141,7 @@ std::optional<SolutionCurve::Point> SolutionCurve::settle(std::vector<double> st
 }
 
 std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> state) {
-  constexpr double far = 1e3, least_speed = 1e-5, parallel = 1e-6;
+  constexpr double least_speed = 1e-5, parallel = 1e-6;
   crosses_ = false;
   const double value = state[driver_];
   std::optional<Point> point = settle(state, any_direction(size() + 1, 0));
@@ -157,7 +157,7 @@ std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> sta
   const bool keeps_value = std::abs(point->speed()) > least_speed;
   if (keeps_value) border = along_driver();
   if (crosses_) return point;
-  if (!correct(state, border, far)) return {};
+  if (!correct(state, border, INFINITY)) return {};
   if (keeps_value) state[driver_] = value;
   point = settle(std::move(state), point->tangent);
   if (point && point->speed() < 0) *point = reversed(*std::move(point));
