@@ -4,16 +4,24 @@
 #include <array>
 
 #include "formulations/constraints/constraints.h"
+#include "formulations/verification/certificate/table_enclosure.h"
 
 namespace desmo {
+
+namespace {
+
+LaneInterval about_double(const Compensated<LaneNumbers>& x) { return {x.value, rest_of(x)}; }
+
+}  // namespace
 
 LinearEquations::LinearEquations(const BlockShape& shape,
                                  const std::vector<Compensated<LaneNumbers>>& constants,
                                  const std::vector<Compensated<LaneNumbers>>& remainders)
-    : at_origin_(shape.unknowns) {
+    : offsets_(shape.unknowns) {
   for (const BlockShape::Object& o : shape.objects) add(o, &constants[o.first_constant]);
   std::ranges::stable_sort(terms_, {}, &Term::row);
-  find_offsets(remainders);
+  for (const auto& offset : offsets_) at_origin_.push_back(about_double(offset));
+  add_remainders(remainders);
 }
 
 void LinearEquations::add(const BlockShape::Object& o, const Compensated<LaneNumbers>* constants) {
@@ -27,40 +35,39 @@ void LinearEquations::add(const BlockShape::Object& o, const Compensated<LaneNum
       std::array<S, Kind::rows> at_origin;
       Kind::residual(origin.data(), constants, at_origin.data());
       for (int r = 0; r < Kind::rows; ++r)
-        if (o.rows[r] >= 0) at_origin_[o.rows[r]] = at_origin[r];
+        if (o.rows[r] >= 0) offsets_[o.rows[r]] = at_origin[r];
       Kind::jacobian(origin.data(), constants, [&](int r, int operand, int i, const S& factor) {
-        if (o.rows[r] >= 0) terms_.push_back({o.rows[r], o.operands[operand] + i, *slot, factor});
+        const int state = o.operands[operand] + i;
+        if (o.rows[r] >= 0)
+          terms_.push_back({o.rows[r], state, *slot, factor, about_double(factor)});
         ++slot;
       });
     }
   });
 }
 
-void LinearEquations::find_offsets(const std::vector<Compensated<LaneNumbers>>& remainders) {
+/// Adds what fixed states lack to Φ(0), or leaves out offsets that are all zero.
+void LinearEquations::add_remainders(const std::vector<Compensated<LaneNumbers>>& remainders) {
   const auto is_some = [](const Compensated<LaneNumbers>& x) {
     return (!is_zero(abs(x.value) + abs(x.correction) + x.radius)).any();
   };
   const auto has_remainder = [&](const Term& t) { return is_some(remainders[t.state]); };
-  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(at_origin_, is_some))
-    return;
-  offsets_ = at_origin_;
+  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(offsets_, is_some))
+    return offsets_.clear();
   for (const Term& t : terms_) offsets_[t.row] = offsets_[t.row] + t.factor * remainders[t.state];
 }
 
 void LinearEquations::motion(const PerLevel<const LaneInterval*>& x, Level level,
                              const PerLevel<LaneInterval*>& phi) const {
-  for (std::size_t first = 0, end = 0; first < terms_.size(); first = end) {
-    const int row = terms_[first].row;
-    while (end < terms_.size() && terms_[end].row == row) ++end;
+  for_each_row([&](int row, std::span<const Term> terms) {
     for (const Level l : all_levels) {
       Compensated<LaneNumbers> sum;
-      for (std::size_t k = first; k < end; ++k)
-        sum.add_product(terms_[k].factor, x[l][terms_[k].state].mid);
+      for (const Term& t : terms) sum.add_product(t.factor, x[l][t.state].mid);
       if (l == Level::position && !offsets_.empty()) sum = sum + offsets_[row];
       phi[l][row] = sum.enclosure();
       if (l == level) break;
     }
-  }
+  });
 }
 
 void LinearEquations::jacobian(LaneMatrix& to) const {

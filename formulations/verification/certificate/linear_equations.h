@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "cases/numbers/compensated.h"
@@ -35,6 +36,7 @@ class LinearEquations {
     int row, state;
     int slot;  ///< in the Jacobian; -1: none
     Compensated<LaneNumbers> factor;
+    LaneInterval enclosed;  ///< the factor, about its double
   };
 
   LinearEquations() = default;
@@ -44,10 +46,17 @@ class LinearEquations {
   LinearEquations(const BlockShape& shape, const std::vector<Compensated<LaneNumbers>>& constants,
                   const std::vector<Compensated<LaneNumbers>>& remainders);
 
-  /// Returns the terms of all equations, row by row.
-  const std::vector<Term>& terms() const { return terms_; }
-  /// Returns Φ(0) of a row.
-  const Compensated<LaneNumbers>& at_origin(int row) const { return at_origin_[row]; }
+  /// Calls visit(row, terms) for each equation.
+  template <class Visit>
+  void for_each_row(Visit&& visit) const {
+    for (std::size_t first = 0, end = 0; first < terms_.size(); first = end) {
+      const int row = terms_[first].row;
+      while (end < terms_.size() && terms_[end].row == row) ++end;
+      visit(row, std::span(terms_).subspan(first, end - first));
+    }
+  }
+  /// Returns Φ(0) of a row, about its double.
+  const LaneInterval& at_origin(int row) const { return at_origin_[row]; }
 
   /// Evaluates Φ and its time derivatives up to a level, nearly without rounding. Overwrites the
   /// rows of linear equations in phi.
@@ -58,10 +67,10 @@ class LinearEquations {
 
  private:
   void add(const BlockShape::Object& object, const Compensated<LaneNumbers>* constants);
-  void find_offsets(const std::vector<Compensated<LaneNumbers>>& remainders);
+  void add_remainders(const std::vector<Compensated<LaneNumbers>>& remainders);
 
-  std::vector<Term> terms_;
-  std::vector<Compensated<LaneNumbers>> at_origin_;  // Φ(0) (n)
+  std::vector<Term> terms_;              // by rows
+  std::vector<LaneInterval> at_origin_;  // (n)
   /// Sums that Φ(0) and remainders of fixed states add to rows of terms (n); empty: none.
   std::vector<Compensated<LaneNumbers>> offsets_;
 };

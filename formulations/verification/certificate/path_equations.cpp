@@ -1,6 +1,7 @@
 #include "formulations/verification/certificate/path_equations.h"
 
 #include <array>
+#include <span>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/certificate/table_enclosure.h"
@@ -50,14 +51,14 @@ struct PathEquations::FunctionsOf {
   }
 };
 
-PathEquations::PathEquations(const Model& m, const BlockBatch& batch) {
+PathEquations::PathEquations(const Model& m, const BlockBatch& batch)
+    : linear_(batch.equations.linear()) {
   constants_.resize(batch.in_lane(0).block.constants.size() + 1);
   for (std::size_t k = 0; k + 1 < constants_.size(); ++k)
     for (int lane = 0; lane < LaneNumbers::count; ++lane)
       set_lane(constants_[k], lane, batch.in_lane(lane).block.constants[k]);
   const BlockShape& shape = batch.equations.shape();
   for (const BlockShape::Object& o : shape.objects) add(o);
-  add(batch.equations.linear());
   for (int i = 0; i < shape.states(); ++i) {
     // Linear equations read no others.
     if (shape.columns[i] >= 0 || (shape.linear && shape.columns[i] == BlockShape::unread)) continue;
@@ -86,26 +87,15 @@ void PathEquations::add(const BlockShape::Object& o) {
   });
 }
 
-void PathEquations::add(const LinearEquations& equations) {
-  const auto enclosed = [](const Compensated<LaneNumbers>& x) {
-    return LaneInterval(x.value, rest_of(x));
-  };
-  for (const LinearEquations::Term& t : equations.terms()) {
-    if (linear_rows_.empty() || linear_rows_.back().row != t.row)
-      linear_rows_.push_back({t.row, enclosed(equations.at_origin(t.row)), {}});
-    linear_rows_.back().terms.push_back({t.state, enclosed(t.factor)});
-  }
-}
-
 void PathEquations::residual(const Value* x, Value* phi) const {
   for (const Object& o : objects_) o.residual(o, x, phi);
-  for (const LinearRow& r : linear_rows_) {
+  linear_.for_each_row([&](int row, std::span<const LinearEquations::Term> terms) {
     Value sum;
-    sum.c[0] = r.at_origin.mid;
-    sum.rest = r.at_origin.radius;
-    for (const LinearRow::Term& t : r.terms) sum.add_product(t.factor, x[t.state]);
-    phi[r.row] = sum;
-  }
+    sum.c[0] = linear_.at_origin(row).mid;
+    sum.rest = linear_.at_origin(row).radius;
+    for (const LinearEquations::Term& t : terms) sum.add_product(t.enclosed, x[t.state]);
+    phi[row] = sum;
+  });
 }
 
 void PathEquations::jacobian(const Slope* x, LaneMatrix& to) const {

@@ -40,26 +40,15 @@ class PathEquations {
     void (*residual)(const Object&, const Value* x, Value* phi);
     void (*jacobian)(const Object&, const Slope* x, LaneMatrix& to);
   };
-  /// A linear equation: at_origin + Σ factor × local state.
-  struct LinearRow {
-    struct Term {
-      int state;
-      LaneInterval factor;
-    };
-    int row;
-    LaneInterval at_origin;
-    std::vector<Term> terms;
-  };
   struct FixedState {
     int state;
     LaneInterval value;
   };
   void add(const BlockShape::Object& object);
-  void add(const LinearEquations& equations);
 
+  const LinearEquations& linear_;
   std::vector<LaneInterval> constants_;  // about the doubles, with what these lack
   std::vector<Object> objects_;          // that are not linear
-  std::vector<LinearRow> linear_rows_;
   std::vector<FixedState> fixed_;
 };
 
