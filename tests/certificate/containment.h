@@ -16,6 +16,14 @@ inline Instant instant_of(const ReferenceInstant& s) {
   return {.index = 0, .time = s.time, .q = s.q, .qd = s.qd, .qdd = s.qdd};
 }
 
+/// Returns an instant with all positions moved but those of drivers.
+inline ReferenceInstant moved(const Model& m, ReferenceInstant instant, double off) {
+  const std::vector<bool> driven = independent_coordinates(m);
+  for (int i = 0; i < m.coordinates(); ++i)
+    if (!driven[i]) instant.q[i] += off * (i % 2 == 0 ? 1 : -1);
+  return instant;
+}
+
 /// What certificates of many instants say, compared with exact solutions.
 struct Containment {
   int instants = 0, proven = 0;
