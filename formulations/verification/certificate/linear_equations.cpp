@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/certificate/table_enclosure.h"
@@ -12,68 +13,63 @@ namespace {
 
 LaneInterval about_double(const Compensated<LaneNumbers>& x) { return {x.value, rest_of(x)}; }
 
+bool is_some(const Compensated<LaneNumbers>& x) {
+  return (!is_zero(abs(x.value) + abs(x.correction) + x.radius)).any();
+}
+
 }  // namespace
 
 LinearEquations::LinearEquations(const BlockShape& shape,
                                  const std::vector<Compensated<LaneNumbers>>& constants,
-                                 const std::vector<Compensated<LaneNumbers>>& remainders)
-    : offsets_(shape.unknowns) {
+                                 const std::vector<Compensated<LaneNumbers>>& remainders) {
   for (const BlockShape::Object& o : shape.objects) add(o, &constants[o.first_constant]);
-  std::ranges::stable_sort(terms_, {}, &Term::row);
-  for (const auto& offset : offsets_) at_origin_.push_back(about_double(offset));
-  add_remainders(remainders);
+  for (Equation& e : equations_) {
+    has_offsets_ |= is_some(e.offset);
+    for (const Term& t : e.terms) {
+      e.offset = e.offset + t.factor * remainders[t.state];
+      has_offsets_ |= is_some(remainders[t.state]);
+    }
+  }
 }
 
 void LinearEquations::add(const BlockShape::Object& o, const Compensated<LaneNumbers>* constants) {
   visit_kind(o.kind, [&]<class Kind>(Kind) {
     if constexpr (Kind::linear) {
       using S = Compensated<LaneNumbers>;
-      const int* slot = o.slots.data();
       const std::array<S, max_components> zero{};
       std::array<const S*, Kind::operand_sizes.size()> origin;
       origin.fill(zero.data());
-      std::array<S, Kind::rows> at_origin;
-      Kind::residual(origin.data(), constants, at_origin.data());
-      for (int r = 0; r < Kind::rows; ++r)
-        if (o.rows[r] >= 0) offsets_[o.rows[r]] = at_origin[r];
+      std::array<S, Kind::rows> phi;
+      Kind::residual(origin.data(), constants, phi.data());
+      std::array<Equation, Kind::rows> rows;
+      for (int r = 0; r < Kind::rows; ++r) rows[r] = {o.rows[r], about_double(phi[r]), phi[r], {}};
+      const int* slot = o.slots.data();
       Kind::jacobian(origin.data(), constants, [&](int r, int operand, int i, const S& factor) {
-        const int state = o.operands[operand] + i;
-        if (o.rows[r] >= 0)
-          terms_.push_back({o.rows[r], state, *slot, factor, about_double(factor)});
-        ++slot;
+        rows[r].terms.push_back({o.operands[operand] + i, *slot++, factor, about_double(factor)});
       });
+      for (Equation& e : rows)
+        if (e.row >= 0) equations_.push_back(std::move(e));
     }
   });
-}
-
-/// Adds what fixed states lack to Φ(0), or leaves out offsets that are all zero.
-void LinearEquations::add_remainders(const std::vector<Compensated<LaneNumbers>>& remainders) {
-  const auto is_some = [](const Compensated<LaneNumbers>& x) {
-    return (!is_zero(abs(x.value) + abs(x.correction) + x.radius)).any();
-  };
-  const auto has_remainder = [&](const Term& t) { return is_some(remainders[t.state]); };
-  if (std::ranges::none_of(terms_, has_remainder) && std::ranges::none_of(offsets_, is_some))
-    return offsets_.clear();
-  for (const Term& t : terms_) offsets_[t.row] = offsets_[t.row] + t.factor * remainders[t.state];
 }
 
 void LinearEquations::motion(const PerLevel<const LaneInterval*>& x, Level level,
                              const PerLevel<LaneInterval*>& phi) const {
-  for_each_row([&](int row, std::span<const Term> terms) {
+  for (const Equation& e : equations_)
     for (const Level l : all_levels) {
       Compensated<LaneNumbers> sum;
-      for (const Term& t : terms) sum.add_product(t.factor, x[l][t.state].mid);
-      if (l == Level::position && !offsets_.empty()) sum = sum + offsets_[row];
-      phi[l][row] = sum.enclosure();
+      for (const Term& t : e.terms) sum.add_product(t.factor, x[l][t.state].mid);
+      if (l == Level::position && has_offsets_) sum = sum + e.offset;
+      phi[l][e.row] = sum.enclosure();
       if (l == level) break;
     }
-  });
 }
 
 void LinearEquations::jacobian(LaneMatrix& to) const {
   for (std::vector<LaneNumbers>* part : {&to.mid, &to.radius})
     std::ranges::fill(*part, LaneNumbers(0));
-  for (const Term& t : terms_) to.set(t.slot, t.factor.enclosure());
+  for (const Equation& e : equations_)
+    for (const Term& t : e.terms) to.set(t.slot, t.factor.enclosure());
 }
 
 }  // namespace desmo

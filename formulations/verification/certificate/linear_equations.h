@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "cases/numbers/compensated.h"
@@ -31,12 +30,17 @@ struct LaneMatrix {
 /// about instants and about paths take them from here.
 class LinearEquations {
  public:
-  /// A term of an equation: factor × local state.
   struct Term {
-    int row, state;
+    int state;
     int slot;  ///< in the Jacobian; -1: none
     Compensated<LaneNumbers> factor;
     LaneInterval enclosed;  ///< the factor, about its double
+  };
+  struct Equation {
+    int row;
+    LaneInterval at_origin;           ///< Φ(0), about its double
+    Compensated<LaneNumbers> offset;  ///< Φ(0), and what remainders of fixed states add
+    std::vector<Term> terms;
   };
 
   LinearEquations() = default;
@@ -46,17 +50,7 @@ class LinearEquations {
   LinearEquations(const BlockShape& shape, const std::vector<Compensated<LaneNumbers>>& constants,
                   const std::vector<Compensated<LaneNumbers>>& remainders);
 
-  /// Calls visit(row, terms) for each equation.
-  template <class Visit>
-  void for_each_row(Visit&& visit) const {
-    for (std::size_t first = 0, end = 0; first < terms_.size(); first = end) {
-      const int row = terms_[first].row;
-      while (end < terms_.size() && terms_[end].row == row) ++end;
-      visit(row, std::span(terms_).subspan(first, end - first));
-    }
-  }
-  /// Returns Φ(0) of a row, about its double.
-  const LaneInterval& at_origin(int row) const { return at_origin_[row]; }
+  const std::vector<Equation>& equations() const { return equations_; }
 
   /// Evaluates Φ and its time derivatives up to a level, nearly without rounding. Overwrites the
   /// rows of linear equations in phi.
@@ -67,12 +61,9 @@ class LinearEquations {
 
  private:
   void add(const BlockShape::Object& object, const Compensated<LaneNumbers>* constants);
-  void add_remainders(const std::vector<Compensated<LaneNumbers>>& remainders);
 
-  std::vector<Term> terms_;              // by rows
-  std::vector<LaneInterval> at_origin_;  // (n)
-  /// Sums that Φ(0) and remainders of fixed states add to rows of terms (n); empty: none.
-  std::vector<Compensated<LaneNumbers>> offsets_;
+  std::vector<Equation> equations_;
+  bool has_offsets_ = false;  // one is not 0
 };
 
 }  // namespace desmo

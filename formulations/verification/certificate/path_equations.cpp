@@ -1,7 +1,6 @@
 #include "formulations/verification/certificate/path_equations.h"
 
 #include <array>
-#include <span>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/certificate/table_enclosure.h"
@@ -89,13 +88,13 @@ void PathEquations::add(const BlockShape::Object& o) {
 
 void PathEquations::residual(const Value* x, Value* phi) const {
   for (const Object& o : objects_) o.residual(o, x, phi);
-  linear_.for_each_row([&](int row, std::span<const LinearEquations::Term> terms) {
+  for (const LinearEquations::Equation& e : linear_.equations()) {
     Value sum;
-    sum.c[0] = linear_.at_origin(row).mid;
-    sum.rest = linear_.at_origin(row).radius;
-    for (const LinearEquations::Term& t : terms) sum.add_product(t.enclosed, x[t.state]);
-    phi[row] = sum;
-  });
+    sum.c[0] = e.at_origin.mid;
+    sum.rest = e.at_origin.radius;
+    for (const LinearEquations::Term& t : e.terms) sum.add_product(t.enclosed, x[t.state]);
+    phi[e.row] = sum;
+  }
 }
 
 void PathEquations::jacobian(const Slope* x, LaneMatrix& to) const {
