@@ -18,19 +18,14 @@ using Exact = boost::multiprecision::cpp_rational;
 /// An input that is uncertain at two levels, in a link of a chain: by symbols, or in a box. What
 /// the block hands on holds for each choice within both, with the symbols and without them.
 TEST(BlockProof, HandsErrorsOn) {
-  constexpr int rows = 6, columns = 2;
+  constexpr int rows = ProductBlock::rows, columns = 2;
   constexpr double off = 1e-3;
   const PerLevel<std::array<double, 2>> delivered{{1, 1}, {1, -1}, {2, 0}};  // of u₁ and v₁
   for (const bool boxed : {false, true}) {
-    BlockBatch::Member member = product_of_vectors(1);
-    for (int& row : member.rows) row += rows;
-    BlockBatch batch(std::vector{member}, std::vector<double>(rows, 1), columns);
-    PerLevel<ErrorTable> errors = tables_of(2 * rows);
+    ProductBlock block(1, columns);
+    PerLevel<ErrorTable>& errors = block.errors;
     for (const Level level : all_levels) {
       ErrorTable& e = errors[level];
-      e.generators.resize(rows * columns);
-      e.columns = columns;
-      e.first_lent = rows;
       for (const int first : {0, rows}) {
         e.rows[first].delivered = delivered[level][0];
         e.rows[first + 3].delivered = delivered[level][1];
@@ -39,8 +34,7 @@ TEST(BlockProof, HandsErrorsOn) {
       (boxed ? e.rows[rows + 3].own : e.of_row(rows + 3)[static_cast<int>(level)]) = off;
       e.rows[rows + 3].sum = off;
     }
-    BlockProof proof({.unknowns = 1, .width = rows, .states = rows, .columns = columns});
-    ASSERT_TRUE(proof.prove(batch, Level::acceleration, errors).acceleration[0]);
+    ASSERT_TRUE(block.prove(Level::acceleration));
     PerLevel<Exact> largest;
     for (int corner = 0; corner < 4; ++corner) {
       const std::array<int, 2> t{corner & 1 ? 1 : -1, corner & 2 ? 1 : -1};
@@ -67,23 +61,16 @@ TEST(BlockProof, HandsErrorsOn) {
 
 /// An input with few large symbols and many small ones, which are lost when magnitudes are added.
 TEST(BlockProof, CountsRoundingOfManySymbols) {
-  constexpr int rows = 6, columns = 16'000, large = 16, input = 1;
-  BlockBatch::Member member = product_of_vectors(0);  // u₁ + u₂ = 0
-  for (int& row : member.rows) row += rows;
-  BlockBatch batch(std::vector{member}, std::vector<double>(rows, 1), columns);
-  PerLevel<ErrorTable> errors = tables_of(2 * rows);
-  ErrorTable& e = errors.position;
-  e.generators.resize(rows * columns);
-  e.columns = columns;
-  e.first_lent = rows;
+  constexpr int rows = ProductBlock::rows, columns = 16'000, large = 16, input = 1;
+  ProductBlock block(0, columns);  // u₁ + u₂ = 0
+  ErrorTable& e = block.errors.position;
   for (const int v : {3, 4}) e.rows[v].delivered = e.rows[rows + v].delivered = 1;
   const std::span symbols(e.of_row(rows + input), columns);
   constexpr double lost = 0x1.fp-52;  // even where four or eight sums are added at once
   std::ranges::fill(symbols, lost);
   std::ranges::fill(symbols.first(large), 1);
   e.rows[rows + input].set_error(0, symbols);
-  BlockProof proof({.unknowns = 1, .width = rows, .states = rows, .columns = columns});
-  ASSERT_TRUE(proof.prove(batch, Level::position, errors).position[0]);
+  ASSERT_TRUE(block.prove(Level::position));
   EXPECT_LE(large + (columns - large) * Exact(lost), Exact(e.rows[0].sum));
   EXPECT_LE(e.rows[0].sum, large * (1 + 1e-9));
 }

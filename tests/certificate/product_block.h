@@ -1,6 +1,7 @@
 // A block of one equation, made by hand.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
@@ -33,19 +34,29 @@ inline BlockBatch::Member product_of_vectors(double c) {
   return made;
 }
 
-/// A proof about that block alone. Rows of its tables are u₁ u₂ u₃ v₁ v₂ v₃.
+/// A proof about that block alone. Rows of its tables are u₁ u₂ u₃ v₁ v₂ v₃. With symbols, it is in
+/// a link of a chain: the same rows are lent after those.
 struct ProductBlock {
   static constexpr int rows = 6;
 
-  explicit ProductBlock(const BlockBatch::Member& member)
-      : batch(std::vector{member}, std::vector<double>(rows, 1), 0) {}
-  explicit ProductBlock(double c) : ProductBlock(product_of_vectors(c)) {}
+  explicit ProductBlock(BlockBatch::Member member, int symbols = 0)
+      : errors(tables_of(symbols > 0 ? 2 * rows : rows)),
+        proof({.unknowns = 1, .width = rows, .states = rows, .columns = symbols}) {
+    for (int& row : member.rows) row += symbols > 0 ? rows : 0;
+    batch.emplace(std::vector{member}, std::vector<double>(rows, 1), symbols);
+    for (const Level level : all_levels) {
+      errors[level].generators.resize(rows * symbols);
+      errors[level].columns = symbols;
+      errors[level].first_lent = rows;
+    }
+  }
+  explicit ProductBlock(double c, int symbols = 0) : ProductBlock(product_of_vectors(c), symbols) {}
 
-  bool prove(Level level) { return proof.prove(batch, level, errors)[level][0]; }
+  bool prove(Level level) { return proof.prove(*batch, level, errors)[level][0]; }
 
-  BlockBatch batch;
-  PerLevel<ErrorTable> errors = tables_of(rows);
-  BlockProof proof{{.unknowns = 1, .width = rows, .states = rows, .columns = 0}};
+  std::optional<BlockBatch> batch;
+  PerLevel<ErrorTable> errors;
+  BlockProof proof;
 };
 
 }  // namespace desmo
