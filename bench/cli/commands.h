@@ -18,7 +18,7 @@ namespace desmo::cli {
 /// Adds a subcommand with its options and examples.
 using AddCommand = void(CLI::App& program);
 
-/// A subcommand and its options, which it keeps.
+/// A subcommand, and its options, which live as long as it does.
 template <class Options>
 struct Command {
   CLI::App& app;

@@ -65,7 +65,8 @@ ReadScene from_text(const std::string& text, const std::string& source,
 }
 
 Input from_file(const std::string& name, bool mechanism_will_do) {
-  const std::string source = printable(name, 300), text = read_named_text(name);
+  const std::string source = printable(name, 300);
+  const std::string text = read_named_text(name);
   const std::filesystem::path folder = std::filesystem::path(name).parent_path();
   return {from_text(text, source, folder, mechanism_will_do), source, name};
 }

@@ -32,9 +32,9 @@ std::string in_group(GroupId group, const Model& m) {
   return group < 0 ? "" : named_group(m.groups[group]) + ", ";
 }
 
-std::string moment(double time) { return formatted("t = %.9g s", time); }
+std::string time_text(double time) { return formatted("t = %.9g s", time); }
 
-std::string interval(double from, double to) {
+std::string time_range_text(double from, double to) {
   const std::string first = formatted("%.12g s", from), last = formatted("%.12g s", to);
   return "t = " + (first == last ? first : first + " to " + last);
 }

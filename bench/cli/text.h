@@ -32,10 +32,10 @@ std::string named_group(const Group& group);
 std::string in_group(GroupId group, const Model& model);
 
 /// Returns "t = 0.3 s".
-std::string moment(double time);
+std::string time_text(double time);
 
 /// Returns "t = 1 s to 2 s"; one moment where both are the same in print.
-std::string interval(double from, double to);
+std::string time_range_text(double from, double to);
 
 /// Returns the names of the driven coordinates.
 std::vector<std::string> driver_names(const Model& model);

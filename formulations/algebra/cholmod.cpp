@@ -90,7 +90,7 @@ class Cholmod final : public LinearSolver {
   void solve(double* b) override {
     normal_.form_right_side(values_, b, static_cast<double*>(right_->x));
     cholmod_solve2(CHOLMOD_A, l_, right_, nullptr, &x_, nullptr, &y_, &e_, &common_);
-    // CHOLMOD cuts y down to one row and would allocate it anew: restores its shape.
+    // CHOLMOD cuts y down to one row. Without its shape restored, it would be allocated anew.
     if (y_) y_->d = y_->nrow = y_->nzmax / y_->ncol;
     normal_.recover_solution(values_, static_cast<const double*>(x_->x), b);
   }

@@ -49,8 +49,8 @@ struct Settings {
   /// the mechanism's size for a difference of points. To first order ‖Φ‖₂ is then a relative error
   /// of position, whatever the units. Positive.
   double tolerance = default_tolerance;
-  int max_iterations =
-      25;  ///< limit of Newton–Raphson iterations of one part in one attempt, 1 or more
+  /// Limit of Newton–Raphson iterations of one part in one attempt, 1 or more.
+  int max_iterations = 25;
   Guess guess = Guess::previous;
   /// 0: iterate until the tolerance is met. 1 or more: exactly this number of iterations a step,
   /// whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding; an assembly repeats them

@@ -2,7 +2,7 @@
 
 namespace desmo {
 
-/// End of the solution of an instant.
+/// Outcome of solving an instant.
 enum class Status {
   solved,
   not_converged,  ///< the tolerance was not met in the iterations allowed

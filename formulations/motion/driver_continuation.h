@@ -30,14 +30,14 @@ enum class ContinuationEnd {
   too_long,  ///< it would take more than max_continuation_steps
 };
 
-/// Moves the drivers of a solved state in proportion from their positions to those at time t [s],
-/// without whole turns. So an instant within a motion is reached without those before it.
+/// Moves the drivers of a solved state in proportion by driver_changes() to time t [s]. So an
+/// instant within a motion is reached without those before it.
 /// - state: solved; overwritten, on failure with a position on the way
 /// - solve: solves the positions of a state for its drivers, given the last positions; returns
 ///   whether it could. The first call is at the state itself, to find its branches
-/// A failed step is halved. Where the short way is blocked, whole turns are made. Where they would
-/// take more than max_continuation_steps, turns that lead back (is_back()) are left out. Not for
-/// timed loops.
+/// A failed step is halved. Of more than max_continuation_steps, turns that lead back (is_back())
+/// are left out first. Where the short way is blocked, whole turns are made, unless they take more
+/// than that. Not for timed loops.
 ContinuationEnd continue_drivers_to(
     const Model& model, double t, State& state,
     const std::function<bool(State&, std::span<const double> last)>& solve);

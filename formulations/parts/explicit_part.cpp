@@ -12,7 +12,7 @@ namespace {
 constexpr double core_share = 1.0 / 8;
 
 /// Numbers of equal steps of a continuation of the torn unknowns: first one, then more.
-constexpr int continuation_steps[] = {1, 4};
+constexpr int torn_steps[] = {1, 4};
 
 /// Parts that share a kernel, solved in one call of it. One that the kernel refuses is tried by it
 /// once more when it is solved by itself.
@@ -124,7 +124,7 @@ bool ExplicitPart::continue_torn(State& s, std::span<const double> last, int ste
 [[gnu::noinline]] PartResult ExplicitPart::solve_refused(State& s, std::span<const double> last,
                                                          Level level) {
   if (!kernel_.torn.empty())
-    for (const int steps : continuation_steps)
+    for (const int steps : torn_steps)
       if (continue_torn(s, last, steps))
         if (const ExplicitRunResult r = run(s, level); r.accepted == 1)
           return {Status::solved, r.iterations, r.residual2};

@@ -106,7 +106,7 @@ TEST_F(Cli, NamesTheGroupsThatAreNotChecked) {
   write("scene.json", slider_crank(49, R"(, "time": {"end": 0.5, "step": 0.1},
     "request": [{"angles": ["theta"]}])"));
   expect_said(0, "solve scene.json",
-              "note: not checked, for the request does not need it: group 'SG-II' (rod, slider); ");
+              "note: not checked: group 'SG-II' (rod, slider), which the request does not need; ");
   expect_said(1, "solve scene.json --check mechanism --strict", "group 'SG-II' (rod, slider)");
 }
 
@@ -136,7 +136,7 @@ TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {
       EXPECT_TRUE(says(text)) << text << "\n" << err_;
   }
   for (const char* text : {"accuracy: not assembled: group 'SG-II' (rod, slider), t = 0.10241638",
-                           "no position was found; in the nearest one '", "' is off by ", " mm\n"})
+                           "no position was found; at best '", "' is off by ", " mm\n"})
     EXPECT_TRUE(says(text)) << text << "\n" << err_;
   EXPECT_EQ(desmo("solve locks.json --past-failures --strict"), 64);
 }

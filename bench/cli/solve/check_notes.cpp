@@ -56,12 +56,12 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
   const std::string group = in_group(f.group, m);
   switch (f.kind) {
     case RowFlag::Kind::unproven:
-      return group + moment(f.time) + ": " + obstacle_text(f.failure) +
+      return group + time_text(f.time) + ": " + obstacle_text(f.failure) +
              " to prove that a solution is near";
     case RowFlag::Kind::branch:
-      return group + interval(f.after, f.before) + lost_text(f);
+      return group + time_range_text(f.after, f.before) + lost_text(f);
     case RowFlag::Kind::misfit:
-      return group + moment(f.after) + (f.after < f.time ? ", between rows" : "") +
+      return group + time_text(f.after) + (f.after < f.time ? ", between rows" : "") +
              ": the equations contradict each other: " +
              off_by(f.misfit->constraint, f.misfit->amount, f.misfit->is_length, m, units) +
              "; the motion is that of the others";
@@ -70,13 +70,13 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
       break;
   }
   if (f.after == f.before)
-    return group + moment(f.time) +
+    return group + time_text(f.time) +
            ": the way from the drawing to the start passes a singular position, where branches "
            "meet, and goes on smoothly";
   if (f.before == INFINITY)
-    return group + interval(f.after, f.after) +
+    return group + time_range_text(f.after, f.after) +
            ": from there on it rests on a singular position, where branches meet, or next to it";
-  return group + interval(f.after, f.before) +
+  return group + time_range_text(f.after, f.before) +
          ": it passes a singular position, where branches meet, and goes on smoothly";
 }
 

@@ -16,7 +16,7 @@ namespace {
 std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m,
                                 const DisplayUnits& units) {
   if (!d || d->constraint < 0 || !std::isfinite(d->amount)) return "";
-  return "; in the nearest one " + off_by(d->constraint, d->amount, d->is_length, m, units);
+  return "; at best " + off_by(d->constraint, d->amount, d->is_length, m, units);
 }
 
 /// Newton's method has failed, and there is no assembly error.
@@ -100,7 +100,7 @@ std::string note_on_gaps(const CheckedSummary& s, const Model& m, const DisplayU
   std::string note;
   for (const Gap& gap : s.gaps)
     note += "accuracy: not assembled: " + in_group(gap.failure.group, m) +
-            interval(gap.from, gap.to) + (gap.ends ? "" : ", the end") + ": " +
+            time_range_text(gap.from, gap.to) + (gap.ends ? "" : ", the end") + ": " +
             (gap.failure.status == Status::singular     ? "the position is singular"
              : gap.failure.status == Status::not_finite ? "the equations are not finite"
              : gap.assembly_error                       ? "no position was found"
@@ -110,7 +110,7 @@ std::string note_on_gaps(const CheckedSummary& s, const Model& m, const DisplayU
 }
 
 std::string overflow_text(const std::string& column, double time) {
-  return "column '" + column + "', " + moment(time) +
+  return "column '" + column + "', " + time_text(time) +
          ": not a finite number: the motion is faster, or goes further, than double precision "
          "holds; choose another motion";
 }
@@ -130,7 +130,7 @@ std::string failure_text(const CheckedSummary& s, const Model& m, const DisplayU
                                                        : std::vector(z.begin(), z.end()));
   if (!start.empty() && z.empty())
     start += " (a motion with \"from\": \"drawing\" counts from there)";
-  return place + moment(s.time) + ": " + reason.what + residual +
+  return place + time_text(s.time) + ": " + reason.what + residual +
          assembly_error_text(s.assembly_error, m, units) + start + "; " + reason.remedy;
 }
 

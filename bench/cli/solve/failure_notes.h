@@ -11,7 +11,7 @@
 namespace desmo::cli {
 
 /// Returns "group 'SG-I' (crank, rod), constraint 'rod/length', t = 0.3 s: no position was found …;
-/// in the nearest one 'rod/length' is off by 1.2 mm; <remedy>". Where the first instant failed,
+/// at best 'rod/length' is off by 1.2 mm; <remedy>". Where the first instant failed,
 /// it says what start_text() does.
 /// - z: values of the drivers at the instant that failed; empty: those of their motions
 std::string failure_text(const CheckedSummary& summary, const Model& model,

@@ -101,8 +101,9 @@ std::string note_on_unseen(const Plan& plan, const Model& whole) {
   for (std::size_t g = 0; g < plan.groups.size(); ++g)
     if (plan.groups[g].may_lock) groups.push_back(named_group(whole.groups[g]));
   if (groups.empty()) return "";
-  return "note: not checked, for the request does not need it: " + enumerate(groups, names_shown) +
-         "; the motion may lock there (--check mechanism checks all)\n";
+  return "note: not checked: " + enumerate(groups, names_shown) +
+         ", which the request does not need; the motion may lock there (--check mechanism checks "
+         "all)\n";
 }
 
 }  // namespace desmo::cli

@@ -38,8 +38,8 @@ constexpr int growth_instants = 401;
 constexpr int break_even_instants = 51;
 
 /// Returns a tolerance that rounding allows. More coordinates reach farther from the origin, where
-/// equations are rounded more coarsely: up to 200 of them it is the paper's, above three times what
-/// groups need.
+/// equations are rounded more coarsely. Up to 200 of them it is the paper's; beyond, three times
+/// what groups need.
 double tolerance_of(int coordinates) { return 5e-15 * std::max(200, coordinates); }
 
 TimeGrid begin_of(const Case& c, int instants) {

@@ -9,8 +9,8 @@
 namespace desmo::bench {
 
 /// Largest number of windows of a motion, and smallest number of instants of a window. Short
-/// motions have fewer windows: two, or one of a single instant. So reading the clock costs little
-/// compared with solving.
+/// motions have fewer windows, at least two, or one of a single instant. So reading the clock costs
+/// little compared with solving.
 inline constexpr int max_windows = 25, min_instants = 20;
 
 /// Time and work of each window of a motion, analysis by analysis. The time of reading the clock is

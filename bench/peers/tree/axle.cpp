@@ -36,7 +36,7 @@ struct Axle::Closure {
   Vec rise;                   // of S for each unit of its height: it moves on a circle about R
   double pitch_lift;          // of S for each unit of θ: ∂S/∂θ = pitch_lift · rise
   std::array<Vec, 2> r, rod;  // C − S, C − G
-  Eigen::Vector2d g;          // ‖C − G‖² − L² of each rod
+  Eigen::Vector2d g;          // (‖C − G‖² − L²)/2 of each rod
   Eigen::Matrix2d jacobian;   // ∂g/∂(ψ, θ)
   double error;               // √Σ (gᵢ/Lᵢ²)²
 };

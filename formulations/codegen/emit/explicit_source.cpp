@@ -92,8 +92,9 @@ void write_list(std::ostream& out, const char* name, const std::vector<int>& inp
   out << "};\n";
 }
 
-/// Writes the lists of inputs that a caller brings together, and of those it gets. Of its unknowns,
-/// the kernel reads the last positions of those that are torn, and of angles with a bearing.
+/// Writes the lists of inputs: torn ones, angles with a bearing, those that the kernel reads, and
+/// its unknowns. Of its unknowns, the kernel reads the last positions of those that are torn, and
+/// of angles with a bearing.
 void write_lists(std::ostream& out, const ExplicitPlan& plan) {
   std::vector<int> torn, angles, read;
   std::vector<bool> is_read(plan.type.inputs.size(), true);

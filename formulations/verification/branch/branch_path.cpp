@@ -157,7 +157,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     } else {
       result.group = found.last.group;
     }
-    // The last sub-step was too long to tell if both ends may be the same solution.
+    // If both ends may be the same solution, the last sub-step was too long to tell them apart.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
       growth.failed();
       step = (next - present_.time) / 2;

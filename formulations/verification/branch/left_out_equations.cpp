@@ -171,7 +171,7 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
     note(Between{*misfit, point.instant.time});
     return true;
   }
-  // A shorter step does not tell either what digits leave open in a point.
+  // Digits of a point leave this open; a shorter step does not help.
   const Interval phi = residual(equations_[i], point.instant.q, point.radius.position);
   return !(relative(i, phi.magnitude()) <= max_misfit / 2);
 }

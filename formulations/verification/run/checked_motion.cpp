@@ -67,7 +67,8 @@ void CheckedMotion::return_to_last() {
 
 bool CheckedMotion::is_on_step(const Instant& instant) const {
   if (step_.end != PathEnd::same || step_.sub_steps != 1) return false;
-  // A position that meets the tolerance of the equations may be so far from the exact one.
+  // tolerances_: how far a position that meets the tolerance of the equations may be from the exact
+  // one.
   return follower_->path.contains(instant.time, instant.q, tolerances_, result_.condition);
 }
 

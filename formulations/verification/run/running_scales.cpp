@@ -7,7 +7,8 @@ namespace desmo {
 
 namespace {
 
-/// Least scale of unknowns over that of the drivers, before any instant is seen.
+/// Least scale of unknowns over that of the drivers, before any instant is seen; also the least
+/// acceleration over velocity² / position.
 constexpr double min_scale = 0.01;
 
 }  // namespace
