@@ -53,6 +53,24 @@ void expect_scott_russell(const std::string& id, const TimeGrid& grid, Level lev
   }
 }
 
+/// A crank of 1 at 0.7 + 3 t [rad] with a rod of 3; the slider passes G when the crank is at 80.4°.
+constexpr const char* slider_past_a_point = R"({"format": "desmo-scene", "version": 2,
+  "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "slider", "dimension": 2,
+    "points": {"A": [0, 0], "B": [1, 0], "C": [4, 0], "G": [3, 0]}, "vectors": {"x": [1, 0]},
+    "ground": {"points": ["A", "G"], "vectors": ["x"]},
+    "bodies": {"crank": {"points": ["A", "B"]}, "rod": {"points": ["B", "C"]},
+               "slider": {"points": ["C"], "vectors": ["x"]}},
+    "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
+      {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]},
+      {"type": "revolute", "bodies": ["rod", "slider"], "points": ["C"]},
+      {"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"],
+       "points": ["A", "C"]}],
+    "coordinates": {"theta": {"angle": ["A", "B"]}, "d": {"distance": ["G", "C"]},
+                    "s": {"distance": ["A", "C"], "along": "x"}},
+    "drivers": ["theta"]},
+  "motion": {"theta": {"type": "polynomial", "coefficients": [0.7, 3]}},
+  "time": {"end": 1, "step": 0.1}})";
+
 class ChangePointOfEvery : public EveryVariant {};
 
 TEST_P(ChangePointOfEvery, PassesAChangePointSmoothly) {
@@ -147,6 +165,24 @@ TEST(ChangePoints, ArePassedWhereDriversTurnBackBeyondThem) {
                                              {0, 1. / 8, 17}, "global_automatic_klu");
     EXPECT_EQ(s.crossings, 2);
     EXPECT_EQ(s.flagged, 2);
+  }
+}
+
+/// The distance of a slider from a point of its line, whose sign changes where they meet. So near
+/// to that point rounding leaves no digit of the second derivative.
+TEST(ChangePoints, ArePassedByADistanceThatChangesItsSign) {
+  const Scene scene = parse_scene(slider_past_a_point, "", {});
+  const Model m = make_model(scene);
+  const int s = m.coordinate("s"), d = m.coordinate("d");
+  for (const int steps : {7, 40, 200}) {
+    const CheckedRows r =
+        solve_checked(m, {0, 1. / steps, steps + 1}, "block_symbolic_inlined", Level::velocity);
+    EXPECT_EQ(r.summary.crossings, 1) << describe(r.summary, m);
+    EXPECT_EQ(r.summary.flagged, 1) << steps;
+    for (const CheckedRow& row : r.rows) {
+      EXPECT_NEAR(row.values.position[d], row.values.position[s] - 3, 1e-14) << row.time;
+      EXPECT_NEAR(row.values.velocity[d], row.values.velocity[s], 1e-13) << row.time;
+    }
   }
 }
 

@@ -12,7 +12,16 @@ namespace {
 /// Instants at −2h and −h are at −1 and 1 of a polynomial's argument; then h is here.
 constexpr double extension = 5;
 
+bool may_be_same(const Interval& a, const Interval& b) {
+  return std::abs(a.mid - b.mid) <= a.radius + b.radius;
+}
+
 }  // namespace
+
+/// Returns a number of a node with its radius.
+Interval StraightCrossing::number(const Node& node, Level level, int coordinate) {
+  return {node.values[level][coordinate], node.radius[level][coordinate]};
+}
 
 StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
                                    std::span<const double> direction, GroupId group)
@@ -32,11 +41,13 @@ StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
 void StraightCrossing::find_nodes(const CertifiedInstant& last) {
   const std::optional<Node> here = node({0, {last.values.position, no_rates_, no_rates_}, {}});
   if (!here) return;
-  std::vector<double> q(here->values.position);
+  std::vector<double> q(here->values.position), acceleration(here->values.acceleration);
+  // So near to the point rounding may leave not even a sign.
+  for (std::size_t i = 0; i < acceleration.size(); ++i)
+    if (std::abs(acceleration[i]) <= here->radius.acceleration[i]) acceleration[i] = 0;
   for (double s = std::sqrt(Interval::unit); s < 1; s *= 2) {
     for (std::size_t i = 0; i < q.size(); ++i)
-      q[i] = here->values.position[i] -
-             s * (here->values.velocity[i] - s / 2 * here->values.acceleration[i]);
+      q[i] = here->values.position[i] - s * (here->values.velocity[i] - s / 2 * acceleration[i]);
     if (!before_.start_at({-s, {q, {}, {}}, {}})) continue;
     // Two units of arc are as good as any: a way that is too long is halved.
     before_.go_to(-2);
@@ -57,10 +68,13 @@ bool StraightCrossing::leads_to(const Node& end, double nearest) {
   if (!reach_nodes(count)) return false;
   const Node &far = nodes_[count - 2], &near = nodes_[count - 1];
   for (int i = 0; i < model_.coordinates(); ++i) {
-    // From −2h and −h to 0: the argument is 3.
-    const Interval extended = value_at(polynomial(far, near, i), Interval(3));
-    const double miss = std::abs(extended.mid - end.values.position[i]);
-    if (!(miss <= extended.radius + end.radius.position[i])) return false;
+    // From −2h and −h to 0: the argument is 3. So near to the point branches may differ by their
+    // rates alone.
+    const Quintic<Interval> branch = polynomial(far, near, i);
+    const double half = (near.s - far.s) / 2;
+    if (!may_be_same(value_at(branch, Interval(3)), number(end, Level::position, i)) ||
+        !may_be_same(slope_at(branch, Interval(3)), number(end, Level::velocity, i) * half))
+      return false;
   }
   return true;
 }
@@ -97,11 +111,8 @@ bool StraightCrossing::reach_nodes(int count) {
 Quintic<Interval> StraightCrossing::polynomial(const Node& a, const Node& b, int i) const {
   const double half = (b.s - a.s) / 2;
   const auto end = [&](const Node& x) {
-    const auto value = [&](Level level) {
-      return Interval(x.values[level][i], x.radius[level][i]);
-    };
-    return EndValues<Interval>{value(Level::position), value(Level::velocity) * half,
-                               value(Level::acceleration) * (half * half)};
+    return EndValues<Interval>{number(x, Level::position, i), number(x, Level::velocity, i) * half,
+                               number(x, Level::acceleration, i) * (half * half)};
   };
   return hermite(end(a), end(b), Level::acceleration);
 }

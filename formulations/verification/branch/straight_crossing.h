@@ -82,6 +82,8 @@ class StraightCrossing {
     double over(const std::vector<double>& unit) const;
   };
 
+  static Interval number(const Node& node, Level level, int coordinate);
+
   void find_nodes(const CertifiedInstant& last);
   Miss miss(int level, const Node& beyond) const;
   void join(const Node& before, const Node& beyond);

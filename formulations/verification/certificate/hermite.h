@@ -42,4 +42,12 @@ S value_at(const Quintic<S>& c, const S& s) {
   return sum;
 }
 
+/// Evaluates the derivative of a polynomial by Horner's rule.
+template <class S>
+S slope_at(const Quintic<S>& c, const S& s) {
+  S sum = S(5) * c[5];
+  for (int k = 4; k > 0; --k) sum = sum * s + S(k) * c[k];
+  return sum;
+}
+
 }  // namespace desmo
