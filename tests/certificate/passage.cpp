@@ -88,8 +88,8 @@ TEST(Passage, BeginsOnThePoint) {
     const bool passes = i % 2 == 0;
     SCOPED_TRACE(i);
     const double away = passes ? scene.sign : -scene.sign, point = scene.bars.point;
-    const Motion motion = i % 4 < 2 ? Motion(Polynomial{{point, 0.7 * away}})
-                                    : Motion(Polynomial{{point, 0, 0.7 * away}});
+    Polynomial motion{{point, 0.7 * away}};
+    if (i % 4 >= 2) motion = {{point, 0, 0.7 * away}};
     const double direction = 0.7 * scene.sign;
     const Model drawn = scene.model(Polynomial{{point, direction}}), m = scene.model(motion);
     StuckPath path(drawn, -1, 0);

@@ -109,6 +109,19 @@ TEST(Refinement, FindsRatesFromPositionsAlone) {
   }
 }
 
+TEST(Refinement, HasRadiiOfTheLevelsOfTheInstantAlone) {
+  const Scene scene = library_scene("slider_crank");
+  const Model m = make_model(scene);
+  const ReferenceInstant s = double_solution(m, std::array{scene.grid.start}).front();
+  Refinement refinement(m);
+  refinement.refine(instant_of(s));
+  const RefinedInstant& r = refinement.refine(instant_of(s.time, {s.q, {}, {}}));
+  ASSERT_TRUE(r.proven);
+  EXPECT_FALSE(r.radius.position.empty());
+  EXPECT_TRUE(r.radius.velocity.empty());
+  EXPECT_TRUE(r.radius.acceleration.empty());
+}
+
 /// Rows between solved ones (Settings::stride) are far off where steps are long: digits double in
 /// each pass, the first one has none.
 TEST(Refinement, FindsPositionsThatAreFarOff) {

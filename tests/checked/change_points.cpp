@@ -186,6 +186,34 @@ TEST(ChangePoints, ArePassedByADistanceThatChangesItsSign) {
   }
 }
 
+/// With the transmission angle other equations are tried on the point.
+TEST(ChangePoints, ArePassedAtEveryLevel) {
+  const Model m = make_model(parse_scene(R"({"format": "desmo-scene", "version": 2,
+    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "parallelogram",
+      "dimension": 2, "points": {"A": [0, 0], "B": [0, 1], "C": [2, 1], "D": [2, 0]},
+      "ground": {"points": ["A", "D"]},
+      "bodies": {"crank": {"points": ["A", "B"]}, "rod": {"points": ["B", "C"]},
+                 "rocker": {"points": ["C", "D"]}},
+      "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
+        {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]},
+        {"type": "revolute", "bodies": ["rod", "rocker"], "points": ["C"]},
+        {"type": "revolute", "bodies": ["rocker", "ground"], "points": ["D"]}],
+      "coordinates": {"theta": {"angle": ["A", "B"]},
+                      "mu": {"angle": ["B", "C"], "from": ["D", "C"]}},
+      "drivers": ["theta"]},
+    "motion": {"theta": {"type": "polynomial", "coefficients": [1, 1]}},
+    "time": {"end": 6, "step": 0.1}})",
+                                         "", {}));
+  const int theta = m.coordinate("theta"), mu = m.coordinate("mu");
+  for (const Level level : all_levels) {
+    const CheckedRows r = solve_checked(m, {0, 0.1, 61}, "block_symbolic_inlined", level);
+    EXPECT_EQ(r.summary.crossings, 2) << describe(r.summary, m);
+    EXPECT_EQ(r.summary.flagged, 2) << describe(r.summary, m);
+    for (const CheckedRow& row : r.rows)
+      EXPECT_NEAR(row.values.position[mu], -row.values.position[theta], 1e-14) << row.time;
+  }
+}
+
 TEST(ChangePoints, AreNotWhereAMotionTurnsBackNextToThem) {
   for (const double left : {1e-3, 1e-6}) {
     const CheckedSummary s = expect_parallel(HarmonicSum{pi - 0.5 - left, {{0.5, pi, pi / 2}}},

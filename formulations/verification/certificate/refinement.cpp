@@ -93,7 +93,7 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
   }
   if (result_.proven) {
     show(result_.instant, best_);
-    for (const Level level : all_levels) result_.radius[level] = best_radius_[level];
+    for (const Level level : levels_) result_.radius[level] = best_radius_[level];
   } else {
     result_.radius = result_.last.radius;
   }
