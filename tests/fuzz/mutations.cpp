@@ -23,7 +23,8 @@ double number(const Json& value) { return value.is_number() ? value.get<double>(
 /// Returns a number about as small as the tolerances of the program, on both sides of them.
 double nearly_zero(Random& random) {
   static constexpr std::array sizes = {0., 1e-16, 1e-13, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-5};
-  return random.pick(sizes) * random.uniform(-1, 1);
+  const double size = random.pick(sizes);
+  return size * random.uniform(-1, 1);
 }
 
 /// Replaces a point or vector by a p + b q, nearly.
@@ -45,9 +46,11 @@ void combine(Json& root, Random& random) {
   const std::vector<Json*> from = component_lists(root, way.from);
   const Json p = *random.pick(from), q = *random.pick(from);
   Json result = Json::array();
-  for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i)
-    result.push_back((way.a * number(p[i]) + way.b * number(q[i])) * (1 + nearly_zero(random)) +
-                     (random.one_in(2) ? 0 : nearly_zero(random)));
+  for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i) {
+    const double relative = nearly_zero(random),
+                 absolute = random.one_in(2) ? 0 : nearly_zero(random);
+    result.push_back((way.a * number(p[i]) + way.b * number(q[i])) * (1 + relative) + absolute);
+  }
   *random.pick(replaced) = std::move(result);
 }
 

@@ -88,9 +88,10 @@ Draft draw_aimed(Random& r) {
     base[k] += at * path.drawn.direction[k];
     if (path.drawn.exact) base[k] = simple(base[k]);
   }
+  const double length = std::abs(at) * r.uniform(0.3, 0.95);
+  const double distance = distances[r.below(distances.size())];
   Profile profile =
-      aimed_motion(r, drawn_instants(r, path.coordinates), 2 * side - 1,
-                   distances[r.below(distances.size())], std::abs(at) * r.uniform(0.3, 0.95));
+      aimed_motion(r, drawn_instants(r, path.coordinates), 2 * side - 1, distance, length);
   if (!end.singular) profile.name = profile.name.substr(0, profile.name.find(' ')) + " regular";
   return draft_of(r, family.name, path, base, profile);
 }
@@ -127,8 +128,8 @@ Draft draft_far(Random& r, const Family& family) {
         return c.driven && c.type != Mechanism::CoordinateType::angle;
       });
   const double far = turns ? 4 * std::numbers::pi : path.drawn.reach;
-  const double from = r.uniform(-far, far);
-  const Profile profile = straight_motion(r, 12 + r.below(12), from, from + r.uniform(-0.4, 0.4));
+  const double from = r.uniform(-far, far), to = from + r.uniform(-0.4, 0.4);
+  const Profile profile = straight_motion(r, 12 + r.below(12), from, to);
   Draft d = draft_of(r, family.name, path, path.range.nominal, profile);
   d.aim = "far start";
   return d;

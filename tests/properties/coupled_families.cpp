@@ -50,14 +50,20 @@ Coupling::Table drawn_table(Random& r, double rise, double size) {
 }
 
 Coupling::Term term(Random& r, int coordinate) {
-  return {coordinate, r.sign() * (1.0 + r.below(5))};
+  const int sign = r.sign();
+  return {coordinate, sign * (1.0 + r.below(5))};
+}
+
+/// Returns the pin of a crank that turns about a pivot.
+Vec drawn_pin(Random& r, const Vec& pivot) {
+  const double angle = r.uniform(-3, 3);
+  return polar(pivot, r.uniform(0.3, 1), angle);
 }
 
 /// Cranks OA and DB of which one is geared to the other, and maybe to coupler AC.
 Drawn geared_five_bar(Random& r) {
   const double base = r.uniform(0.5, 3);
-  const Vec d{base, 0, 0}, a = polar({}, r.uniform(0.3, 1), r.uniform(-3, 3)),
-                           b = polar(d, r.uniform(0.3, 1), r.uniform(-3, 3));
+  const Vec d{base, 0, 0}, a = drawn_pin(r, {}), b = drawn_pin(r, d);
   const Dyad dyad = drawn_dyad(r, a, b);
   PlaneBuilder p("geared_five_bar", {{"O", {}}, {"D", d}, {"A", a}, {"B", b}, {"C", dyad.joint}},
                  {"O", "D"});
@@ -72,8 +78,7 @@ Drawn geared_five_bar(Random& r) {
 
 /// A four-bar whose crank WB follows a shaft OA, or the shaft follows the crank.
 Drawn indexed_four_bar(Random& r) {
-  const Vec w{r.uniform(-3, 3), 0, 0}, b = polar(w, r.uniform(0.3, 1), r.uniform(-3, 3)),
-                                       g{w[0] + r.uniform(1, 3), 0, 0};
+  const Vec w{r.uniform(-3, 3), 0, 0}, b = drawn_pin(r, w), g{w[0] + r.uniform(1, 3), 0, 0};
   const Dyad dyad = drawn_dyad(r, b, g);
   PlaneBuilder p("indexed_four_bar",
                  {{"O", {}}, {"A", {1, 0, 0}}, {"W", w}, {"B", b}, {"G", g}, {"C", dyad.joint}},
@@ -83,7 +88,7 @@ Drawn indexed_four_bar(Random& r) {
   p.angle("w", "W", "B");
   Mechanism m = p.release();
   const bool inverse = r.chance(0.3);
-  const double turn = 2 * std::numbers::pi, rise = r.sign() * turn / (inverse ? 1 : 1 + r.below(4));
+  const double turn = r.sign() * 2 * std::numbers::pi, rise = turn / (inverse ? 1 : 1 + r.below(4));
   m.couplings.push_back({"index",
                          {{inverse ? 0 : 1, 1}, {inverse ? 1 : 0, 1}},
                          drawn_table(r, rise, inverse ? 0.1 : r.uniform(0.05, 1))});

@@ -87,7 +87,8 @@ Placement draw_placement(const Drawn& d, Random& random) {
   if (random.chance(0.3)) p.size = 1;
   if (random.chance(0.3))
     for (int i = 0; i < m.dimension; ++i) {
-      const double far = random.sign() * random.log_uniform(1, 1e4);
+      const int sign = random.sign();
+      const double far = sign * random.log_uniform(1, 1e4);
       p.shift[i] = d.exact ? std::nearbyint(far) : far;
     }
   const bool turns = !d.exact && random.chance(0.5) &&

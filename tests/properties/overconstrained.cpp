@@ -41,7 +41,10 @@ Drawn three_cranks(Random& r, double longer) {
 std::span<const Family> overconstrained_families() {
   static const std::array<Family, 4> all{
       Family{"contradicting_cranks",
-             [](Random& r) { return three_cranks(r, r.sign() * r.log_uniform(1e-16, 1e-5)); }},
+             [](Random& r) {
+               const int sign = r.sign();
+               return three_cranks(r, sign * r.log_uniform(1e-16, 1e-5));
+             }},
       Family{"three_cranks", [](Random& r) { return three_cranks(r, 0); }},
       spatial_families()[0],  // Bennett's
       spatial_families()[1],  // spherical

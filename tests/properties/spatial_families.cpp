@@ -111,7 +111,7 @@ Drawn spherical_four_bar(Random& r) {
 
 /// RSSR.
 Drawn spatial_four_bar(Random& r) {
-  const Vec pivot = combined(r.uniform(0.8, 1.5), random_direction(r), 0, {});
+  const Vec towards = random_direction(r), pivot = combined(r.uniform(0.8, 1.5), towards, 0, {});
   const Vec axis = random_direction(r), tip = combined(1, pivot, r.uniform(0.5, 1), across(axis));
   Start s = crank_and_rod("spatial_four_bar", r, tip);
   MechanismBuilder& b = s.builder;
@@ -124,8 +124,8 @@ Drawn spatial_four_bar(Random& r) {
 }
 
 Drawn rssp(Random& r) {
-  const Vec axis = random_direction(r),
-            base = combined(r.uniform(0, 0.4), random_direction(r), 0, {});
+  const Vec axis = random_direction(r), towards = random_direction(r),
+            base = combined(r.uniform(0, 0.4), towards, 0, {});
   Start s = crank_and_rod("rssp", r, combined(1, base, r.uniform(0.9, 2), axis));
   MechanismBuilder& b = s.builder;
   const int c = b.point("C", base), w = b.vector("w", axis), n = b.vector("n", across(axis));
@@ -141,7 +141,8 @@ Drawn hooke_joint(Random& r) {
   MechanismBuilder b("hooke_joint", 3);
   b.set_length_unit("1");
   const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, axis, r.uniform(-0.8, 0.8));
-  const Vec driven = turned(axis, turned(zero, axis, r.uniform(-3, 3)), r.uniform(0.1, 1.5));
+  const double bend = r.uniform(0.1, 1.5);
+  const Vec driven = turned(axis, turned(zero, axis, r.uniform(-3, 3)), bend);
   const int o = b.point("O", {}), p = b.point("P", unit(cross(driven, arm)));
   const int a = b.vector("a", axis), d = b.vector("d", driven);
   const int c = b.vector("c", arm), e = b.vector("e", unit(cross(driven, arm)));
