@@ -60,8 +60,8 @@ struct ExplicitResult {
   Mask<T> accepted;  ///< residual2 meets its limit, and no divisor or square root is too small
 };
 
-/// Result of solving several parts of one type one after the other.
-struct ExplicitRunResult {
+/// Result of solving a chain: several parts of one type one after the other.
+struct ExplicitChainResult {
   int accepted;      ///< number of accepted parts before the first that was not
   int iterations;    ///< largest number of iterations of a part
   long all;          ///< iterations of all parts
@@ -71,8 +71,8 @@ struct ExplicitRunResult {
 /// Solves `count` parts with one kernel in a plain loop, up to the first that is not accepted.
 template <ExplicitResult<double> (*solve)(double*, double*, double*,
                                           const ExplicitBinding<double>&)>
-ExplicitRunResult solve_run(double* q, double* qd, double* qdd,
-                            const ExplicitBinding<double>* parts, int count) {
+ExplicitChainResult solve_chain(double* q, double* qd, double* qdd,
+                                const ExplicitBinding<double>* parts, int count) {
   int accepted = 0, iterations = 0;  // in registers: stores to the state might change a result
   long all = 0;
   double residual2 = 0;
@@ -107,8 +107,8 @@ struct ExplicitKernel {
   /// Solves `count` parts in order on the branches of their bindings, up to the first that is not
   /// accepted. Overwrites the unknowns' positions and their rates up to a level. Those of a part
   /// that is not accepted are unspecified.
-  using Solve = ExplicitRunResult(double* q, double* qd, double* qdd,
-                                  const ExplicitBinding<double>* parts, int count);
+  using Solve = ExplicitChainResult(double* q, double* qd, double* qdd,
+                                    const ExplicitBinding<double>* parts, int count);
   std::array<Solve*, 3> solve;  ///< indexed by Level
 };
 

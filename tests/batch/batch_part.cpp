@@ -123,7 +123,7 @@ class Pieces : public ::testing::Test {
     kernels.back() = &refusing;
     ExplicitKernel refused = kernel(copies[refused_lane].back());
     refused.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
-      return ExplicitRunResult{};
+      return ExplicitChainResult{};
     };
 
     std::vector<Subsystem> members;

@@ -26,8 +26,8 @@ struct Refusing {
   static inline const ExplicitKernel* sound = nullptr;
   static inline const double* dimensions = nullptr;  // of the part; null: none
 
-  static ExplicitRunResult solve(double* q, double* qd, double* qdd,
-                                 const ExplicitBinding<double>* parts, int count) {
+  static ExplicitChainResult solve(double* q, double* qd, double* qdd,
+                                   const ExplicitBinding<double>* parts, int count) {
     int before = 0;
     while (before < count && parts[before].c != dimensions) ++before;
     return sound->solve[2](q, qd, qdd, parts, before);

@@ -183,7 +183,7 @@ void write_explicit_table_row(std::ostream& out, const std::string& name, const 
       << name << "::unknowns, " << name << "::torn, " << name << "::angles,\n     " << name
       << "::folded, " << name << "::fold, " << name << "::find_branches,\n     {";
   for (const char* level : {"position", "velocity", "acceleration"})
-    out << "solve_run<" << name << "::solve<double, Level::" << level << ">>,\n      ";
+    out << "solve_chain<" << name << "::solve<double, Level::" << level << ">>,\n      ";
   out << "}},\n";
 }
 
