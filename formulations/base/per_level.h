@@ -16,6 +16,7 @@ struct PerLevel {
 
   T& operator[](Level level) { return at(*this, level); }
   const T& operator[](Level level) const { return at(*this, level); }
+  bool operator==(const PerLevel&) const = default;
 
  private:
   static auto& at(auto& values, Level level) {

@@ -17,9 +17,11 @@
 namespace desmo::dense_output_test {
 namespace {
 
+using Levels = PerLevel<std::vector<double>>;  // q, q̇, q̈
+
 struct Kept {
   double time = 0;
-  std::vector<double> q{}, qd{}, qdd{};
+  Levels values{};
   long updates = 0;
   bool interpolated = false;
   bool operator==(const Kept&) const = default;
@@ -30,12 +32,10 @@ class Everything final : public Observer {
  public:
   Flow observe(const Instant& i) noexcept override {
     EXPECT_EQ(i.index, static_cast<int>(all.size()));
-    all.push_back({i.time,
-                   {i.q.begin(), i.q.end()},
-                   {i.qd.begin(), i.qd.end()},
-                   {i.qdd.begin(), i.qdd.end()},
-                   i.updates,
-                   i.interpolated});
+    const PerLevel<std::span<const double>> given{i.q, i.qd, i.qdd};
+    all.push_back({i.time, {}, i.updates, i.interpolated});
+    for (const Level level : all_levels)
+      all.back().values[level].assign(given[level].begin(), given[level].end());
     return Flow::go_on;
   }
   std::vector<Kept> all;
@@ -53,32 +53,27 @@ Solution run(const std::string& id, const Model& m, const TimeGrid& grid,
   return {summary, std::move(observer.all)};
 }
 
-struct Errors {
-  double q = 0, qd = 0, qdd = 0;
-};
-
-/// The largest within one interval, where it is so short that the motion's derivatives are nearly
-/// constant.
-Errors errors_between(const Model& m, double t, double h) {
+/// The largest errors within one interval, where it is so short that the motion's derivatives are
+/// nearly constant.
+PerLevel<double> errors_between(const Model& m, double t, double h) {
   constexpr int stride = 8;
   const TimeGrid grid{t, h / stride, stride + 1};
   const Solution exact = run("group_automatic_eigen/tolerance:1e-14", m, grid),
                  between = run("group_automatic_eigen/tolerance:1e-14/stride:8", m, grid);
   EXPECT_TRUE(exact.summary.ok() && between.summary.ok());
-  Errors e;
-  for (std::size_t i = 0; i < exact.all.size(); ++i) {
-    e.q = std::max(e.q, max_difference(exact.all[i].q, between.all[i].q));
-    e.qd = std::max(e.qd, max_difference(exact.all[i].qd, between.all[i].qd));
-    e.qdd = std::max(e.qdd, max_difference(exact.all[i].qdd, between.all[i].qdd));
-  }
-  return e;
+  PerLevel<double> largest;
+  for (const Level level : all_levels)
+    for (std::size_t i = 0; i < exact.all.size(); ++i)
+      largest[level] = std::max(
+          largest[level], max_difference(exact.all[i].values[level], between.all[i].values[level]));
+  return largest;
 }
 
 void expect_orders(const Model& m, double t, double h) {
-  const Errors long_step = errors_between(m, t, h), half = errors_between(m, t, h / 2);
-  EXPECT_NEAR(std::log2(long_step.q / half.q), 6, 0.3) << m.name;
-  EXPECT_NEAR(std::log2(long_step.qd / half.qd), 5, 0.3) << m.name;
-  EXPECT_NEAR(std::log2(long_step.qdd / half.qdd), 4, 0.3) << m.name;
+  const PerLevel<double> orders{6, 5, 4};
+  const auto long_step = errors_between(m, t, h), half = errors_between(m, t, h / 2);
+  for (const Level level : all_levels)
+    EXPECT_NEAR(std::log2(long_step[level] / half[level]), orders[level], 0.3) << m.name;
 }
 
 TEST(DenseOutput, HasTheOrdersSixFiveAndFour) {
@@ -103,11 +98,11 @@ TEST(DenseOutput, IsExactOnAQuintic) {
     all.observe(at(i, grid.time(std::min(4 * i, 11)), values));
   EXPECT_EQ(all.delivered(), 12);
   ASSERT_EQ(observer.all.size(), 12u);
-  for (const Kept& kept : observer.all) {
-    at(0, kept.time, values);
-    EXPECT_NEAR(kept.q[0], values[0], 1e-13) << kept.time;
-    EXPECT_NEAR(kept.qd[0], values[1], 1e-12) << kept.time;
-    EXPECT_NEAR(kept.qdd[0], values[2], 1e-11) << kept.time;
+  for (const auto& [time, kept, updates, interpolated] : observer.all) {
+    at(0, time, values);
+    EXPECT_NEAR(kept.position[0], values[0], 1e-13) << time;
+    EXPECT_NEAR(kept.velocity[0], values[1], 1e-12) << time;
+    EXPECT_NEAR(kept.acceleration[0], values[2], 1e-11) << time;
   }
 }
 
@@ -137,7 +132,8 @@ TEST(DenseOutput, EndsWithTheLastInstantSolved) {
                  some = run("group_symbolic_klu/stride:8", m, grid);
   const auto solved = std::ranges::count(some.all, false, &Kept::interpolated);
   EXPECT_EQ(solved, 4);
-  EXPECT_LT(max_difference(some.all[23].qdd, every.all[23].qdd), 1e-7);
+  EXPECT_LT(max_difference(some.all[23].values.acceleration, every.all[23].values.acceleration),
+            1e-7);
   long updates = 0;
   for (const Kept& kept : some.all) updates += kept.updates;
   EXPECT_EQ(updates, some.summary.updates);
@@ -151,19 +147,16 @@ TEST(DenseOutput, InterpolatesWhatIsAskedFor) {
   const std::string id = "group_symbolic_inlined/stride:4";
   const Solution everything = run(id, m, grid);
   const std::vector<int> asked{2, m.coordinates() - 1, 5, 6};
-  for (const Level level : {Level::position, Level::velocity, Level::acceleration}) {
-    const Solution some = run(id, m, grid, {level, asked});
+  for (const Level highest : all_levels) {
+    const Solution some = run(id, m, grid, {highest, asked});
     ASSERT_EQ(some.all.size(), everything.all.size());
-    for (std::size_t i = 0; i < some.all.size(); ++i) {
-      const Kept &a = some.all[i], &b = everything.all[i];
-      EXPECT_EQ(a.qd.empty(), level < Level::velocity);
-      EXPECT_EQ(a.qdd.empty(), level < Level::acceleration);
-      for (const int k : asked) {
-        EXPECT_EQ(a.q[k], b.q[k]);
-        EXPECT_TRUE(a.qd.empty() || a.qd[k] == b.qd[k]);
-        EXPECT_TRUE(a.qdd.empty() || a.qdd[k] == b.qdd[k]);
+    for (std::size_t i = 0; i < some.all.size(); ++i)
+      for (const Level level : all_levels) {
+        const auto &a = some.all[i].values[level], &b = everything.all[i].values[level];
+        ASSERT_EQ(a.empty(), level > highest);
+        if (a.empty()) continue;
+        for (const int k : asked) EXPECT_EQ(a[k], b[k]);
       }
-    }
   }
 }
 
@@ -177,7 +170,7 @@ TEST(DenseOutput, NeedsEveryLevelOfEveryPart) {
   ASSERT_TRUE(f->run(grid, {Level::position}, observer).ok());
   const Solution expected = run("group_symbolic_eigen/stride:4", m, grid);
   for (std::size_t i = 0; i < observer.all.size(); ++i)
-    EXPECT_EQ(observer.all[i].q, expected.all[i].q) << i;
+    EXPECT_EQ(observer.all[i].values.position, expected.all[i].values.position) << i;
 }
 
 /// Segments of the motion come in any order, and parts on lanes; what is between comes in order.
@@ -196,9 +189,10 @@ TEST(DenseOutput, GoesWithSegmentsAndLanes) {
     EXPECT_EQ(stepping_of(*f).runs_without_segments(), 0);
     ASSERT_EQ(observer.all.size(), by_steps.all.size());
     for (std::size_t i = 0; i < observer.all.size(); ++i) {
-      EXPECT_EQ(observer.all[i].interpolated, by_steps.all[i].interpolated) << i;
-      EXPECT_LT(max_difference(observer.all[i].q, by_steps.all[i].q), 1e-9) << how << i;
-      EXPECT_LT(max_difference(observer.all[i].qdd, by_steps.all[i].qdd), 1e-4) << how << i;
+      const Kept &a = observer.all[i], &b = by_steps.all[i];
+      EXPECT_EQ(a.interpolated, b.interpolated) << i;
+      EXPECT_LT(max_difference(a.values.position, b.values.position), 1e-9) << how << i;
+      EXPECT_LT(max_difference(a.values.acceleration, b.values.acceleration), 1e-4) << how << i;
     }
   }
 }
