@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "cases/mechanism/level.h"
+
 namespace desmo::exact {
 
 using Real = long double;
@@ -19,6 +21,10 @@ struct BasicJet {
   constexpr BasicJet(R value, R rate, R second) : v(value), d(rate), dd(second) {}
 
   static BasicJet time(R t) { return {t, 1, 0}; }
+  /// Returns the value, or its first or second derivative.
+  constexpr R at(Level level) const {
+    return level == Level::position ? v : level == Level::velocity ? d : dd;
+  }
 
   friend BasicJet operator-(BasicJet a) { return {-a.v, -a.d, -a.dd}; }
   friend BasicJet operator+(BasicJet a, BasicJet b) { return {a.v + b.v, a.d + b.d, a.dd + b.dd}; }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cases/io/files.h"
+#include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
@@ -47,19 +48,12 @@ const std::vector<Solution>& solutions(const Scene& scene) {
   return list;
 }
 
-/// Lengths differ from directions and angles in size and unit.
-bool is_length(EntityKind kind) {
-  return kind == EntityKind::point || kind == EntityKind::distance;
-}
-
-constexpr std::array<double, 3> Quantity::*levels[] = {&Quantity::position, &Quantity::velocity,
-                                                       &Quantity::acceleration};
-constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
+constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleration"};
 
 /// The largest values of the whole motion at each level, by which errors are judged: for lengths
 /// (of which positions: the extent of the mechanism) and for directions and angles (positions: 1).
 struct Scales {
-  double of[2][3] = {{0, 0, 0}, {1, 0, 0}};
+  PerLevel<double> lengths{0, 0, 0}, others{1, 0, 0};
 
   Scales(const Model& m, const std::vector<Solution>& motion) {
     double low[3], high[3];
@@ -69,17 +63,19 @@ struct Scales {
       for (const auto& [name, q] : s) {
         const EntityKind kind = m.entities[m.find(name)].kind;
         for (int i = 0; i < q.size; ++i) {
-          for (int level = 1; level < 3; ++level) {
-            double& scale = of[!is_length(kind)][level];
-            scale = std::max(scale, std::abs((q.*levels[level])[i]));
+          for (const Level level : {Level::velocity, Level::acceleration}) {
+            double& scale = (is_length(kind) ? lengths : others)[level];
+            scale = std::max(scale, std::abs(q.of[level][i]));
           }
           if (kind != EntityKind::point) continue;
-          low[i] = std::min(low[i], q.position[i]);
-          high[i] = std::max(high[i], q.position[i]);
+          low[i] = std::min(low[i], q.of.position[i]);
+          high[i] = std::max(high[i], q.of.position[i]);
         }
       }
-    for (int i = 0; i < 3; ++i) of[0][0] = std::max(of[0][0], high[i] - low[i]);
+    for (int i = 0; i < 3; ++i) lengths.position = std::max(lengths.position, high[i] - low[i]);
   }
+
+  const PerLevel<double>& of(EntityKind kind) const { return is_length(kind) ? lengths : others; }
 };
 
 /// Compares everything that the mechanism's file names, at every instant.
@@ -99,13 +95,13 @@ class Comparison final : public Observer {
       const Entity& e = m_.entities[m_.find(name)];
       if (e.fixed) continue;
       EXPECT_EQ(e.size, q.size) << name;
-      const std::span<const double> found[] = {instant.q, instant.qd, instant.qdd};
-      for (int level = 0; level < 3; ++level)
+      const PerLevel<std::span<const double>> found{instant.q, instant.qd, instant.qdd};
+      for (const Level level : all_levels)
         for (int i = 0; i < q.size; ++i) {
-          double error = found[level][e.first + i] - (q.*levels[level])[i];
-          if (level == 0 && e.kind == EntityKind::angle)
+          double error = found[level][e.first + i] - q.of[level][i];
+          if (level == Level::position && e.kind == EntityKind::angle)
             error = std::remainder(error, 2 * std::numbers::pi);
-          error = std::abs(error) / scales_.of[!is_length(e.kind)][level];
+          error = std::abs(error) / scales_.of(e.kind)[level];
           if (error <= worst[level].error) continue;  // and 0 / 0 is no error
           worst[level] = {error, name + " at " + std::to_string(instant.time) + " s"};
         }
@@ -113,7 +109,7 @@ class Comparison final : public Observer {
     return Flow::go_on;
   }
 
-  Worst worst[3];
+  PerLevel<Worst> worst;
   int instants = 0;
 
  private:
@@ -142,8 +138,8 @@ TEST_P(Library, AgreesWithTheIndependentSolution) {
   const Summary s = f->run(scene.grid, {}, comparison);
   EXPECT_TRUE(s.ok()) << describe(s, m);
   EXPECT_EQ(comparison.instants, scene.grid.instants);
-  constexpr double allowed[] = {1e-9, 1e-8, 1e-7};
-  for (int level = 0; level < 3; ++level)
+  constexpr PerLevel<double> allowed{1e-9, 1e-8, 1e-7};
+  for (const Level level : all_levels)
     EXPECT_LE(comparison.worst[level].error, allowed[level])
         << level_names[level] << " of " << comparison.worst[level].where;
 }
@@ -185,19 +181,19 @@ TEST_P(LibraryMechanisms, IndependentSolutionsAreSmoothAndTheirOwnDerivatives) {
     const double t = scene.grid.time(scene.grid.instants * i / 20);
     const Solution here = at(t), near[] = {at(t - 2 * h), at(t - h), at(t + h), at(t + 2 * h)};
     for (const auto& [name, q] : here)
-      for (int level = 0; level < 2; ++level)
+      for (const auto& [level, next] :
+           {std::pair{Level::position, Level::velocity}, {Level::velocity, Level::acceleration}})
         for (int k = 0; k < q.size; ++k) {
           const EntityKind kind = m.entities[m.find(name)].kind;
           double slope = 0;
           for (int j = 0; j < 4; ++j) {
-            double change = (near[j].at(name).*levels[level])[k] - (q.*levels[level])[k];
-            if (level == 0 && kind == EntityKind::angle)
+            double change = near[j].at(name).of[level][k] - q.of[level][k];
+            if (level == Level::position && kind == EntityKind::angle)
               change = std::remainder(change, 2 * std::numbers::pi);
             slope += weight[j] / h * change;
           }
-          EXPECT_NEAR(slope, (q.*levels[level + 1])[k],
-                      1e-7 * scales.of[!is_length(kind)][level + 1])
-              << level_names[level + 1] << " of " << name << " at " << t << " s";
+          EXPECT_NEAR(slope, q.of[next][k], 1e-7 * scales.of(kind)[next])
+              << level_names[next] << " of " << name << " at " << t << " s";
         }
   }
 }

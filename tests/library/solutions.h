@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "formulations/base/per_level.h"
 #include "tests/library/geometry.h"
 
 /// Independent solutions of the library's mechanisms, each by its own geometry: closed forms, or a
@@ -18,16 +19,13 @@ namespace desmo::exact {
 /// A point, a vector (2 or 3 components) or a relative coordinate (1).
 struct Quantity {
   int size;
-  std::array<double, 3> position{}, velocity{}, acceleration{};
+  PerLevel<std::array<double, 3>> of{};
 
   Quantity(Jet scalar) : Quantity(std::array{scalar}) {}
   template <std::size_t D>
   Quantity(const std::array<Jet, D>& x) : size(D) {
-    for (std::size_t i = 0; i < D; ++i) {
-      position[i] = static_cast<double>(x[i].v);
-      velocity[i] = static_cast<double>(x[i].d);
-      acceleration[i] = static_cast<double>(x[i].dd);
-    }
+    for (const Level level : all_levels)
+      for (std::size_t i = 0; i < D; ++i) of[level][i] = static_cast<double>(x[i].at(level));
   }
 };
 

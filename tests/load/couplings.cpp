@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -14,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/mechanism/formatted.h"
 #include "formulations/verification/run/checked_run.h"
 #include "tests/everything.h"
 #include "tests/load/closed_forms.h"
@@ -58,10 +58,9 @@ class Couplings : public Loading, public testing::WithParamInterface<Coupled> {
       exact_.push_back(GetParam().at(scene_.grid.time(i)));
     for (const Values& values : exact_)
       for (const auto& [name, x] : values) {
-        auto& largest = scale_.emplace(name, std::array{1.0, 1.0, 1.0}).first->second;
-        const Real of_level[] = {x.v, x.d, x.dd};
-        for (int level = 0; level < 3; ++level)
-          largest[level] = std::max(largest[level], static_cast<double>(std::abs(of_level[level])));
+        auto& largest = scale_.emplace(name, PerLevel<double>{1, 1, 1}).first->second;
+        for (const Level level : all_levels)
+          largest[level] = std::max(largest[level], static_cast<double>(std::abs(x.at(level))));
       }
   }
 
@@ -69,19 +68,19 @@ class Couplings : public Loading, public testing::WithParamInterface<Coupled> {
   void compare(int i, const PerLevel<std::span<const double>>& found, const std::string& what,
                const PerLevel<std::span<const double>>* radius = nullptr) {
     constexpr Real closed_form = 2e-17;  // its own error
-    for (const auto& [name, x] : exact_[i]) {
-      const Real of_level[] = {x.v, x.d, x.dd};
+    for (const auto& [name, x] : exact_[i])
       for (const Level level : all_levels) {
-        const int l = static_cast<int>(level);
-        const Real off = std::abs(model_.value(name, found[level], level) - of_level[l]);
-        EXPECT_LE(off, 1e-12 * scale_[name][l])
-            << what << ": " << name << ", level " << l << ", row " << i;
+        const Real off = std::abs(model_.value(name, found[level], level) - x.at(level));
+        const double scale = scale_[name][level];
+        const auto where = [&, &name = name] {
+          return formatted("%s: %s, level %d, row %d", what.c_str(), name.c_str(),
+                           static_cast<int>(level), i);
+        };
+        EXPECT_LE(off, 1e-12 * scale) << where();
         if (radius)
-          EXPECT_LE(off,
-                    model_.value(name, (*radius)[level], level) + closed_form * scale_[name][l])
-              << what << ": " << name << ", level " << l << ", row " << i;
+          EXPECT_LE(off, model_.value(name, (*radius)[level], level) + closed_form * scale)
+              << where();
       }
-    }
   }
 
   /// Compares a run that is not checked.
@@ -97,7 +96,7 @@ class Couplings : public Loading, public testing::WithParamInterface<Coupled> {
 
   static constexpr Settings exact{.tolerance = 1e-14};
   std::vector<Values> exact_;
-  std::map<std::string, std::array<double, 3>> scale_;  // largest of a motion, at least 1
+  std::map<std::string, PerLevel<double>> scale_;  // largest of a motion, at least 1
 };
 
 TEST_P(Couplings, KeepTheClosedForm) {
