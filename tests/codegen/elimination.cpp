@@ -20,10 +20,8 @@ Expr input(Graph& graph, std::size_t samples, const auto& value) {
   return Expr::node(graph.input("a", values));
 }
 
-using Rows = std::vector<std::map<int, Expr>>;
-
 /// Returns the right-hand side that has this solution.
-std::vector<Expr> right_side(const Rows& rows, const std::vector<Expr>& solution) {
+std::vector<Expr> right_side(const SparseRows& rows, const std::vector<Expr>& solution) {
   std::vector<Expr> b;
   for (const auto& row : rows) {
     b.emplace_back(0);
@@ -35,7 +33,7 @@ std::vector<Expr> right_side(const Rows& rows, const std::vector<Expr>& solution
 /// A link that turns, and its pivots with it.
 struct TurningLink {
   Expr cosine, sine;
-  Rows rows{{{0, cosine}, {1, sine}}, {{0, -sine}, {1, cosine}}};
+  SparseRows rows{{{0, cosine}, {1, sine}}, {{0, -sine}, {1, cosine}}};
 };
 
 TEST(Elimination, SolvesRandomSparseSystemsAtEverySample) {
@@ -47,7 +45,7 @@ TEST(Elimination, SolvesRandomSparseSystemsAtEverySample) {
     const auto at_random = [&](double offset) {
       return input(graph, samples, [&](std::size_t) { return uniform(generator) + offset; });
     };
-    Rows rows(n);
+    SparseRows rows(n);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
         if (i != j && generator() % 3) continue;
@@ -87,14 +85,14 @@ bool is_trusted(const Elimination& e, std::size_t sample) {
   return true;
 }
 
-/// Rows that point along another axis at each sample have no pivot that serves two of them. At the
-/// last sample two rows are equal.
+/// SparseRows that point along another axis at each sample have no pivot that serves two of them.
+/// At the last sample two rows are equal.
 TEST(Elimination, SolvesRowsThatPointAnyWayByTheirAdjugate) {
   for (const int n : {2, 3})
     for (const bool follow_another : {false, true}) {
       const int samples = n + 1;
       Graph graph(samples);
-      Rows rows;
+      SparseRows rows;
       for (int i = 0; i < n; ++i) {
         rows.emplace_back();
         for (int j = 0; j < n; ++j)
@@ -131,7 +129,7 @@ TEST(Elimination, HasAFurtherOrderForSamplesThatTheFirstDoesNotServe) {
     return input(graph, samples,
                  [&](std::size_t s) { return s < angles.size() ? value(angles[s]) : 0; });
   };
-  const Rows rows = TurningLink{
+  const SparseRows rows = TurningLink{
       of_angle([](double a) { return std::cos(a); }), of_angle([](double a) {
         return std::sin(a);
       })}.rows;
@@ -178,8 +176,8 @@ TEST(Elimination, IsTrustedAsFarAsItIsExact) {
       const auto both = [&](double at_first, double later) {
         return Expr::node(graph.input("a", {at_first, later}));
       };
-      const Rows rows{{{0, both(1, pivot)}, {1, both(0.1, std::sqrt(0.01 * k))}},
-                      {{0, both(1, 0.7)}, {1, both(0.2, std::cos(0.1 * k))}}};
+      const SparseRows rows{{{0, both(1, pivot)}, {1, both(0.1, std::sqrt(0.01 * k))}},
+                            {{0, both(1, 0.7)}, {1, both(0.2, std::cos(0.1 * k))}}};
       const std::vector<Expr> x{both(1, std::sin(k)), both(1, std::cos(3 * k))};
       const Elimination e(rows, {0}, Unsound::has_largest_worst);
       const std::vector<Expr> solution = e.solve(right_side(rows, x));

@@ -2,95 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 
 namespace desmo::generate {
 
 namespace {
-
-/// A cofactor, and its products by their sizes.
-struct Cofactor {
-  Expr value, magnitude;
-};
-
-Cofactor cofactor(const std::vector<std::vector<Expr>>& m, std::size_t row, std::size_t column) {
-  if (m.size() == 2) {
-    const Expr entry = m[1 - row][1 - column];
-    return {row == column ? entry : -entry, abs(entry)};
-  }
-  // Taken cyclically, a cofactor of three has no sign of its own.
-  const std::size_t i = (row + 1) % 3, k = (row + 2) % 3, j = (column + 1) % 3,
-                    l = (column + 2) % 3;
-  const Expr main = m[i][j] * m[k][l], side = m[i][l] * m[k][j];
-  return {main - side, abs(main) + abs(side)};
-}
-
-using Rows = std::vector<std::map<int, Expr>>;
-
-// Least ratio of a pivot to the largest entry of its column. Dividing by a constant costs nothing,
-// and the growth that it allows is bounded: KLU prefers its diagonal down to the same ratio.
-constexpr double min_constant = 1e-3, min_variable = 0.1;
-
-double min_ratio(Expr pivot) { return pivot.is_constant() ? min_constant : min_variable; }
-
-/// The ratio of an entry to the largest of its column, over the sample points.
-struct RelativeSize {
-  double worst = 1;
-  double share = 0;  ///< of the samples: where it is at least `min_constant`
-  int served = 0;    ///< samples where it is at least `min_variable`
-};
-
-struct PivotChoice {
-  int row = -1, column = -1;
-  bool is_sound = false;  // large enough at every sample
-  RelativeSize size;
-  std::tuple<bool, int, double> rank;  // smaller is better
-};
-
-/// The ratio of an entry to the largest of its column at one sample point; 0: the column vanishes.
-double ratio_at(std::size_t sample, const Rows& rows, int row, int column) {
-  const auto size = [sample](Expr e) { return std::abs(e.samples()[sample]); };
-  const double pivot = size(rows[row].at(column));
-  double largest = pivot;
-  for (const auto& r : rows)
-    if (const auto it = r.find(column); it != r.end())
-      largest = std::max(largest, size(it->second));
-  return largest > 0 ? pivot / largest : 0.0;
-}
-
-RelativeSize relative_size(const Rows& rows, int row, int column, const SampleNumbers& at) {
-  RelativeSize size;
-  for (const std::size_t s : at) {
-    const double ratio = ratio_at(s, rows, row, column);
-    size.worst = std::min(size.worst, ratio);
-    size.served += ratio >= min_variable;
-    size.share += (ratio >= min_constant) / static_cast<double>(at.size());
-  }
-  return size;
-}
-
-PivotChoice choose_pivot(const Rows& rows, const SampleNumbers& at, Unsound unsound) {
-  std::map<int, int> column_count;
-  for (const auto& r : rows)
-    for (const auto& entry : r) ++column_count[entry.first];
-
-  PivotChoice best, largest;
-  for (int i = 0; i < static_cast<int>(rows.size()); ++i)
-    for (const auto& [j, value] : rows[i]) {
-      const int fill = (static_cast<int>(rows[i].size()) - 1) * (column_count[j] - 1);
-      const RelativeSize size = relative_size(rows, i, j, at);
-      const PivotChoice c{i, j, true, size, {!value.is_constant(), fill, -size.worst}};
-      if (size.worst >= min_ratio(value) && (best.row < 0 || c.rank < best.rank)) best = c;
-      const int served = unsound == Unsound::serves_most ? size.served : 0;
-      const PivotChoice l{i, j, false, size, {false, -served, -size.worst}};
-      if (largest.row < 0 || l.rank < largest.rank) largest = l;
-    }
-  return best.row >= 0 ? best : largest;
-}
 
 /// The largest |a| / |b| over the sample points, except where it is not finite: where the order of
 /// the pivots fails, the monitors shall refuse it.
@@ -110,11 +30,11 @@ constexpr double min_share = 0.9;
 
 /// An elimination, and what is left of its rows, before its first pivot that is not sound.
 struct Mark {
-  Rows rows;
+  SparseRows rows;
   Elimination elimination;
 };
 
-std::vector<int> columns_of(const Rows& rows) {
+std::vector<int> columns_of(const SparseRows& rows) {
   std::set<int> columns;
   for (const auto& r : rows)
     for (const auto& entry : r) columns.insert(entry.first);
@@ -138,10 +58,10 @@ SampleNumbers all_samples() {
 
 }  // namespace
 
-Elimination::Elimination(Rows rows)
+Elimination::Elimination(SparseRows rows)
     : Elimination(std::move(rows), all_samples(), Unsound::has_largest_worst) {}
 
-Elimination::Elimination(Rows rows, SampleNumbers at, Unsound unsound) : at_(std::move(at)) {
+Elimination::Elimination(SparseRows rows, SampleNumbers at, Unsound unsound) : at_(std::move(at)) {
   const std::size_t n = rows.size();
   is_poor_.resize(Graph::current().sample_count());
   std::optional<Mark> mark;
@@ -151,14 +71,13 @@ Elimination::Elimination(Rows rows, SampleNumbers at, Unsound unsound) : at_(std
     const std::size_t open = n - steps_.size();
     if (!pivot.is_sound && !mark && open >= Adjugate::least && open <= Adjugate::most)
       mark.emplace(Mark{rows, *this});
-    if (mark && pivot.size.share < min_share) {
+    if (mark && pivot.share < min_share) {
       *this = std::move(mark->elimination);
       solve_last_by_adjugate(mark->rows);
       break;
     }
-    const double least = min_ratio(rows[pivot.row].at(pivot.column));
     for (std::size_t s = 0; s < is_poor_.size(); ++s)
-      is_poor_[s] = is_poor_[s] || ratio_at(s, rows, pivot.row, pivot.column) < least;
+      is_poor_[s] = is_poor_[s] || is_poor_pivot(rows, pivot.row, pivot.column, s);
     std::map<int, Expr> pivot_row = std::move(rows[pivot.row]);
     rows[pivot.row].clear();
     const Expr p = pivot_row.at(pivot.column);
@@ -193,7 +112,7 @@ Elimination::Elimination(Rows rows, SampleNumbers at, Unsound unsound) : at_(std
   }
 }
 
-void Elimination::solve_last_by_adjugate(const Rows& rows) {
+void Elimination::solve_last_by_adjugate(const SparseRows& rows) {
   std::vector<int> open, columns = columns_of(rows);
   for (int i = 0; i < static_cast<int>(rows.size()); ++i)
     if (!rows[i].empty()) open.push_back(i);
@@ -212,7 +131,7 @@ void Elimination::solve_last_by_adjugate(const Rows& rows) {
   const std::vector<double>&determinant = last_->inverse.determinant().samples(),
         &magnitude = last_->inverse.magnitude().samples();
   for (std::size_t s = 0; s < is_poor_.size(); ++s)
-    is_poor_[s] = is_poor_[s] || !(std::abs(determinant[s]) >= min_constant * magnitude[s]);
+    is_poor_[s] = is_poor_[s] || !(std::abs(determinant[s]) >= min_constant_pivot * magnitude[s]);
 
   const auto add_monitors = [&](Expr what, Expr against) {
     monitors_.push_back(
@@ -230,8 +149,8 @@ void Elimination::solve_last_by_adjugate(const Rows& rows) {
   }
 }
 
-std::vector<Elimination> eliminations(const std::vector<std::map<int, Expr>>& matrix,
-                                      std::size_t most, std::size_t first) {
+std::vector<Elimination> eliminations(const SparseRows& matrix, std::size_t most,
+                                      std::size_t first) {
   SampleNumbers open = all_samples();
   std::vector<Elimination> result;
   SampleNumbers at(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(first));
@@ -260,31 +179,6 @@ std::vector<Expr> Elimination::solve(std::vector<Expr> b) const {
     Expr sum = b[s->row];
     for (const auto& [j, value] : s->upper) sum = sum - value * x[j];
     x[s->column] = sum * s->reciprocal;
-  }
-  return x;
-}
-
-Adjugate::Adjugate(const std::vector<std::vector<Expr>>& m) {
-  const std::size_t n = m.size();
-  cofactors_.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const auto [value, size] = cofactor(m, i, j);
-      cofactors_[i].push_back(value);
-      if (i > 0) continue;
-      determinant_ = determinant_ + m[0][j] * value;
-      magnitude_ = magnitude_ + (n == 2 ? abs(m[0][j] * value) : abs(m[0][j]) * size);
-    }
-  if (determinant_.is_zero()) throw std::invalid_argument("the Jacobian is structurally singular");
-  reciprocal_ = Expr(1) / determinant_;
-}
-
-std::vector<Expr> Adjugate::solve(const std::vector<Expr>& b) const {
-  std::vector<Expr> x;
-  for (std::size_t j = 0; j < b.size(); ++j) {
-    Expr sum = 0;
-    for (std::size_t i = 0; i < b.size(); ++i) sum = sum + cofactors_[i][j] * b[i];
-    x.push_back(sum * reciprocal_);
   }
   return x;
 }

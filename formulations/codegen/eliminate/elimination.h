@@ -1,35 +1,13 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "formulations/codegen/record/expression.h"
+#include "formulations/codegen/eliminate/adjugate.h"
+#include "formulations/codegen/eliminate/pivots.h"
 
 namespace desmo::generate {
-
-/// A dense linear system of two or three equations, solved by its adjugate matrix. It needs no
-/// pivots, which may vanish at some orientations of a part. Only the determinant is monitored.
-class Adjugate {
- public:
-  static constexpr std::size_t least = 2, most = 3;
-
-  /// Records the inverse of an (n × n) matrix, least ≤ n ≤ most. Throws std::invalid_argument when
-  /// it is structurally singular.
-  explicit Adjugate(const std::vector<std::vector<Expr>>& matrix);
-
-  /// Returns x with (matrix) x = b.
-  std::vector<Expr> solve(const std::vector<Expr>& b) const;
-
-  Expr determinant() const { return determinant_; }
-  /// Returns the sum of the absolute products in the determinant: its size before cancellation.
-  Expr magnitude() const { return magnitude_; }
-
- private:
-  std::vector<std::vector<Expr>> cofactors_;
-  Expr determinant_, reciprocal_, magnitude_;
-};
 
 /// The conditions under which a recorded pivot is trusted at run time. Compared with its column, it
 /// must not be far smaller than at the worst sample point.
@@ -43,15 +21,6 @@ struct PivotMonitor {
   std::vector<Bound> against;    ///< |pivot| > bound · |value|; value: earlier row's column entry
 };
 
-/// Numbers of sample points of the current graph.
-using SampleNumbers = std::vector<std::size_t>;
-
-/// Choice of a pivot where none is large enough at every sample point.
-enum class Unsound {
-  has_largest_worst,  ///< the one that is largest where it is worst
-  serves_most,        ///< the one large enough at the most points: at a singular one all are small
-};
-
 /// A sparse Gaussian elimination of Φ_φ (Jacobian by the part's unknowns), recorded once with a
 /// fixed pivot order.
 ///
@@ -61,11 +30,11 @@ enum class Unsound {
 /// of one type may be oriented differently.
 class Elimination {
  public:
-  /// Records the elimination. matrix[i]: row i, entries by column; absent entries are zero. Throws
-  /// std::invalid_argument when the matrix is structurally singular.
-  explicit Elimination(std::vector<std::map<int, Expr>> matrix);
+  /// Records the elimination. Throws std::invalid_argument when the matrix is structurally
+  /// singular.
+  explicit Elimination(SparseRows matrix);
   /// Records it with pivots chosen at these sample points alone.
-  Elimination(std::vector<std::map<int, Expr>> matrix, SampleNumbers at, Unsound unsound);
+  Elimination(SparseRows matrix, SampleNumbers at, Unsound unsound);
 
   /// Returns whether a pivot is too small at a sample point, compared with its column.
   bool is_poor_at(std::size_t sample) const { return is_poor_[sample]; }
@@ -89,7 +58,7 @@ class Elimination {
     std::vector<int> rows, columns;
     Adjugate inverse;
   };
-  void solve_last_by_adjugate(const std::vector<std::map<int, Expr>>& rows);
+  void solve_last_by_adjugate(const SparseRows& rows);
 
   SampleNumbers at_;
   std::vector<bool> is_poor_;  // by sample point
@@ -101,10 +70,9 @@ class Elimination {
 /// Returns eliminations of one matrix: at each sample point one of them has no poor pivots, unless
 /// the point is near a singular position or the orders are too many.
 /// - most: largest number of eliminations
-/// - first: the first elimination is chosen at that number of points, from the beginning. Each
-/// later one is
-///   chosen at all points where those before it are poor.
-std::vector<Elimination> eliminations(const std::vector<std::map<int, Expr>>& matrix,
-                                      std::size_t most, std::size_t first);
+/// - first: number of points, from the beginning, at which the first elimination is chosen. Each
+///   later one is chosen at all points where those before it are poor.
+std::vector<Elimination> eliminations(const SparseRows& matrix, std::size_t most,
+                                      std::size_t first);
 
 }  // namespace desmo::generate

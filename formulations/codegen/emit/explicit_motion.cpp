@@ -11,7 +11,7 @@ namespace {
 using Vector = std::vector<Expr>;
 
 /// Halves rows whose entries are all twice something. Returns the multiplier of each row.
-Vector take_factors(std::vector<std::map<int, Expr>>& matrix) {
+Vector take_factors(SparseRows& matrix) {
   Vector scales;
   for (std::map<int, Expr>& row : matrix) {
     const bool is_double =
@@ -31,7 +31,7 @@ Vector scaled(Vector rows, const Vector& scales) {
 /// whose latency is short; any other by elimination.
 class CoreSystem {
  public:
-  explicit CoreSystem(std::vector<std::map<int, Expr>> m) {
+  explicit CoreSystem(SparseRows m) {
     if (m.size() == 2)
       adjugate_.emplace(std::vector<Vector>{{m[0][0], m[0][1]}, {m[1][0], m[1][1]}});
     else
@@ -74,7 +74,7 @@ class Differentiator {
     SectionMotion motion;
     // dx/dτ, a column for each torn unknown, and the core's matrix.
     std::vector<Vector> slopes;
-    std::vector<std::map<int, Expr>> matrix(torn);
+    SparseRows matrix(torn);
     for (std::size_t k = 0; k < torn; ++k) {
       Rates along;
       along.set(Level::velocity, part_.q[s.torn[k]], 1);

@@ -169,10 +169,10 @@ class KernelWriter {
     close();
   }
 
-  std::vector<std::map<int, Expr>> jacobian_rows() const {
+  SparseRows jacobian_rows() const {
     std::map<int, int> column;
     for (const int i : unknowns_) column.emplace(i, static_cast<int>(column.size()));
-    std::vector<std::map<int, Expr>> result(type_.rows());
+    SparseRows result(type_.rows());
     for (const auto* list : {&g_.constant, &g_.dependent})
       for (const RecordedEntry& e : *list)
         if (const auto it = column.find(e.input); it != column.end() && !e.value.is_zero())

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "formulations/codegen/record/expression.h"
+
+namespace desmo::generate {
+
+/// A dense linear system of two or three equations, solved by its adjugate matrix. It needs no
+/// pivots, which may vanish at some orientations of a part. Only the determinant is monitored.
+class Adjugate {
+ public:
+  static constexpr std::size_t least = 2, most = 3;
+
+  /// Records the inverse of an (n × n) matrix, least ≤ n ≤ most. Throws std::invalid_argument when
+  /// it is structurally singular.
+  explicit Adjugate(const std::vector<std::vector<Expr>>& matrix);
+
+  /// Returns x with (matrix) x = b.
+  std::vector<Expr> solve(const std::vector<Expr>& b) const;
+
+  Expr determinant() const { return determinant_; }
+  /// Returns the sum of the absolute products in the determinant: its size before cancellation.
+  Expr magnitude() const { return magnitude_; }
+
+ private:
+  std::vector<std::vector<Expr>> cofactors_;
+  Expr determinant_, reciprocal_, magnitude_;
+};
+
+}  // namespace desmo::generate
