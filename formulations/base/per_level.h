@@ -8,6 +8,8 @@ namespace desmo {
 
 /// The three levels, ascending.
 inline constexpr std::array all_levels{Level::position, Level::velocity, Level::acceleration};
+/// The levels that are rates.
+inline constexpr std::array rate_levels{Level::velocity, Level::acceleration};
 
 /// A value for each level.
 template <class T>

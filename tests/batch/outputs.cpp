@@ -48,7 +48,7 @@ TEST_P(OnLanes, OutputsHoldWhatObserversAreShown) {
   for (const Guess guess : {Guess::previous, Guess::hermite5, Guess::adams8}) {
     const auto f = make(guess), g = make(guess);
     const Everything whole = everything_of(*g, grid);
-    for (const Level level : {Level::position, Level::velocity, Level::acceleration})
+    for (const Level level : all_levels)
       for (const std::vector<int>& some : selections(truck())) {
         Lender lender(grid.instants, some, level);
         ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
@@ -161,7 +161,7 @@ TEST(Outputs, AreWrittenByThreads) {
        {"group_symbolic_explicit/segments:4", "group_symbolic_explicit/lanes:4"}) {
     const auto serial = formulated(id, truck()), parallel = formulated(id + "/threads:2", truck());
     const Everything whole = everything_of(*serial, long_grid);
-    for (const Level level : {Level::velocity, Level::acceleration}) {
+    for (const Level level : rate_levels) {
       Lender lender(long_grid.instants, some, level);
       ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, lender).ok());
       EXPECT_EQ(stepping_of(*parallel).runs_without_segments(), 0);

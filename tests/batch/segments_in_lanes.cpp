@@ -70,7 +70,7 @@ TEST_P(OnTheCases, OutputsHoldWhatIsRequested) {
   const auto f = formulated("group_symbolic_explicit", m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);  // the last segment is shorter
   const Everything whole = everything_of(*f, grid);
-  for (const Level level : {Level::position, Level::velocity, Level::acceleration})
+  for (const Level level : all_levels)
     for (const std::vector<int>& some :
          {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50}}) {
       Lender lender(grid.instants, some, level);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "formulations/base/per_level.h"
 #include "formulations/codegen/closed_forms/sphere_and_planes.h"
 #include "formulations/codegen/order/closed_form.h"
 #include "formulations/codegen/order/tearing.h"
@@ -23,11 +24,15 @@ class ClosedForms : public testing::TestWithParam<unsigned> {
   std::mt19937 random{GetParam()};
   Facts facts;
 
+  /// An input that has value(s) at sample s.
+  Expr input_of(const auto& value) {
+    std::vector<double> values;
+    for (int s = 0; s < samples; ++s) values.push_back(value(s));
+    return Expr::node(graph.input("x", values));
+  }
   Expr input(double low = -1, double high = 1) {
     std::uniform_real_distribution<double> uniform(low, high);
-    std::vector<double> values;
-    for (int s = 0; s < samples; ++s) values.push_back(uniform(random));
-    return Expr::node(graph.input("x", values));
+    return input_of([&](int) { return uniform(random); });
   }
   std::vector<Expr> inputs(int n) {
     std::vector<Expr> result;
@@ -36,6 +41,11 @@ class ClosedForms : public testing::TestWithParam<unsigned> {
   }
   /// An input that has the value of e: a dimension that makes an equation hold.
   Expr dimension(Expr e) { return Expr::node(graph.input("c", e.samples(), false)); }
+
+  /// Gives an unknown random rates.
+  void move(Rates& rates, Expr x) {
+    for (const Level level : rate_levels) rates.set(level, x, input());
+  }
 
   static void expect_equal(Expr a, Expr b, double tolerance = 1e-9) {
     for (int s = 0; s < samples; ++s)
@@ -54,24 +64,17 @@ class ClosedForms : public testing::TestWithParam<unsigned> {
 
     Rates rates;
     for (const Expr e : task.equations)
-      for (const Expr i : moving_inputs(e)) {
-        rates.set(Level::velocity, i, input());
-        rates.set(Level::acceleration, i, input());
+      for (const Expr i : moving_inputs(e)) move(rates, i);
+    for (const Expr x : task.x)
+      for (const Level level : rate_levels) rates.set(level, x, 0);
+    double largest = 1;  // near-singular samples have large rates, whose terms cancel
+    for (const Level level : rate_levels) {
+      const std::vector<Expr> found = form->rates(rates, level);
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        rates.set(level, task.x[i], found[i]);
+        for (const double v : found[i].samples()) largest = std::max(largest, std::abs(v));
       }
-    for (const Expr x : task.x) {
-      rates.set(Level::velocity, x, 0);
-      rates.set(Level::acceleration, x, 0);
     }
-    const std::vector<Expr> first = form->rates(rates, Level::velocity);
-    for (std::size_t i = 0; i < first.size(); ++i) rates.set(Level::velocity, task.x[i], first[i]);
-    const std::vector<Expr> second = form->rates(rates, Level::acceleration);
-    for (std::size_t i = 0; i < second.size(); ++i)
-      rates.set(Level::acceleration, task.x[i], second[i]);
-    // Near-singular samples have large rates, whose terms cancel.
-    double largest = 1;
-    for (const auto* level : {&first, &second})
-      for (const Expr e : *level)
-        for (const double v : e.samples()) largest = std::max(largest, std::abs(v));
     for (const Expr e : task.equations) {
       expect_equal(rates.of(Level::velocity, e), 0, 1e-11 * largest);
       expect_equal(rates.of(Level::acceleration, e), 0, 1e-9 * largest);
@@ -139,11 +142,10 @@ TEST_P(ClosedForms, DirectionAndLength) {
     Task task{x, {}, facts};
     for (int i = 0; i < n; ++i) {
       // b − a = s d at every sample
-      const Expr a = input();
-      std::vector<double> b;
-      for (int k = 0; k < samples; ++k)
-        b.push_back(a.samples()[k] + s.samples()[k] * d[i].samples()[k]);
-      task.equations.push_back(Expr::node(graph.input("b", b)) - a - s * d[i]);
+      const Expr a = input(), b = input_of([&](int k) {
+                                return a.samples()[k] + s.samples()[k] * d[i].samples()[k];
+                              });
+      task.equations.push_back(b - a - s * d[i]);
     }
     task.equations.push_back(dot(d, d) - dimension(dot(d, d)));
     expect_solved(task, "direction and length");
@@ -151,10 +153,9 @@ TEST_P(ClosedForms, DirectionAndLength) {
 }
 
 TEST_P(ClosedForms, AnglesModuloHalfATurn) {
-  const Expr theta = input(-3, 3), a = input(0.2, 1);
-  std::vector<double> b;
-  for (int s = 0; s < samples; ++s) b.push_back(-a.samples()[s] / std::tan(theta.samples()[s]));
-  const Task task{{theta}, {a * cos(theta) + Expr::node(graph.input("b", b)) * sin(theta)}, facts};
+  const Expr theta = input(-3, 3), a = input(0.2, 1),
+             b = input_of([&](int s) { return -a.samples()[s] / std::tan(theta.samples()[s]); });
+  const Task task{{theta}, {a * cos(theta) + b * sin(theta)}, facts};
   const std::optional<ClosedForm> form = solve_closed(task);
   ASSERT_TRUE(form && form->bearing);
   for (int s = 0; s < samples; ++s)
@@ -170,14 +171,11 @@ TEST_P(ClosedForms, AreWrittenByEarlierOnesOfWhichTheyAreOppositesOrEquals) {
     const Expr across[] = {a[1] * to[2] - a[2] * to[1], a[2] * to[0] - a[0] * to[2],
                            a[0] * to[1] - a[1] * to[0]};
     std::vector<Expr> n;
-    for (const Expr component : across) {
-      std::vector<double> values;
-      for (int s = 0; s < samples; ++s)
-        values.push_back(
-            side * component.samples()[s] /
-            std::hypot(across[0].samples()[s], across[1].samples()[s], across[2].samples()[s]));
-      n.push_back(Expr::node(graph.input("n", values)));
-    }
+    for (const Expr component : across)
+      n.push_back(input_of([&](int s) {
+        return side * component.samples()[s] /
+               std::hypot(across[0].samples()[s], across[1].samples()[s], across[2].samples()[s]);
+      }));
     return n;
   };
   const auto solved = [&](const std::vector<Expr>& n, const std::vector<Expr>& to) {
@@ -190,15 +188,11 @@ TEST_P(ClosedForms, AreWrittenByEarlierOnesOfWhichTheyAreOppositesOrEquals) {
     const auto again = as_earlier_or_opposite(solved(m, b), first, n);
     ASSERT_TRUE(again);
     Rates rates;
-    for (const Expr x : n) {
-      rates.set(Level::velocity, x, input());
-      rates.set(Level::acceleration, x, input());
-    }
+    for (const Expr x : n) move(rates, x);
     for (std::size_t i = 0; i < 3; ++i) {
       expect_equal(again->values[i], m[i]);
-      expect_equal(again->rates(rates, Level::velocity)[i], side * rates.of(Level::velocity, n[i]));
-      expect_equal(again->rates(rates, Level::acceleration)[i],
-                   side * rates.of(Level::acceleration, n[i]));
+      for (const Level level : rate_levels)
+        expect_equal(again->rates(rates, level)[i], side * rates.of(level, n[i]));
     }
   }
   EXPECT_FALSE(as_earlier_or_opposite(solved(normal(c, 1), c), first, n));
@@ -233,10 +227,7 @@ TEST_P(ClosedForms, DerivativesAreThoseOfDifferences) {
     const double x = x_at(t), y = y_at(t);
     return x * x / y - std::sin(x * y) + y * std::cos(x) - x;
   };
-  const std::vector<double> ones(samples, 1.0);
-  const auto constant_input = [&](double v) {
-    return Expr::node(graph.input("v", std::vector<double>(samples, v)));
-  };
+  const auto constant_input = [&](double v) { return input_of([&](int) { return v; }); };
   const Expr x = constant_input(x_at(t0)), y = constant_input(y_at(t0));
   const Expr f = x * x / y - sin(x * y) + y * cos(x) - x;
   Rates rates;

@@ -63,7 +63,7 @@ struct Scales {
       for (const auto& [name, q] : s) {
         const EntityKind kind = m.entities[m.find(name)].kind;
         for (int i = 0; i < q.size; ++i) {
-          for (const Level level : {Level::velocity, Level::acceleration}) {
+          for (const Level level : rate_levels) {
             double& scale = (is_length(kind) ? lengths : others)[level];
             scale = std::max(scale, std::abs(q.of[level][i]));
           }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "formulations/base/per_level.h"
 #include "formulations/codegen/eliminate/elimination.h"
 #include "formulations/codegen/emit/explicit_plan.h"
 
@@ -65,8 +66,7 @@ class Differentiator {
   /// Rates of the unknowns are zero until they are found.
   void forget(const std::vector<int>& unknowns) {
     for (const int i : unknowns)
-      for (const Level level : {Level::velocity, Level::acceleration})
-        known_.set(level, part_.q[i], 0);
+      for (const Level level : rate_levels) known_.set(level, part_.q[i], 0);
   }
 
   SectionMotion differentiate(const OrderSection& s) {
