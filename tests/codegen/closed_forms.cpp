@@ -218,29 +218,6 @@ TEST_P(ClosedForms, NothingIsClaimedOfOtherEquations) {
   EXPECT_FALSE(solve_closed({{x, y}, {x * y - 1, x * x + 2 * (y * y) - 3}, facts}));
 }
 
-/// Σ of quotients and products, twice differentiated: against differences.
-TEST_P(ClosedForms, DerivativesAreThoseOfDifferences) {
-  const double t0 = 0.3 * GetParam(), h = 1e-4;
-  const auto x_at = [](double t) { return 1.5 + std::sin(t); };
-  const auto y_at = [](double t) { return 2 + 0.5 * t * t; };
-  const auto f_at = [&](double t) {
-    const double x = x_at(t), y = y_at(t);
-    return x * x / y - std::sin(x * y) + y * std::cos(x) - x;
-  };
-  const auto constant_input = [&](double v) { return input_of([&](int) { return v; }); };
-  const Expr x = constant_input(x_at(t0)), y = constant_input(y_at(t0));
-  const Expr f = x * x / y - sin(x * y) + y * cos(x) - x;
-  Rates rates;
-  rates.set(Level::velocity, x, std::cos(t0));
-  rates.set(Level::velocity, y, t0);
-  rates.set(Level::acceleration, x, -std::sin(t0));
-  rates.set(Level::acceleration, y, 1);
-  EXPECT_NEAR(rates.of(Level::velocity, f).samples()[0], (f_at(t0 + h) - f_at(t0 - h)) / (2 * h),
-              1e-6);
-  EXPECT_NEAR(rates.of(Level::acceleration, f).samples()[0],
-              (f_at(t0 + h) - 2 * f_at(t0) + f_at(t0 - h)) / (h * h), 1e-5);
-}
-
 INSTANTIATE_TEST_SUITE_P(Seeds, ClosedForms, testing::Range(1u, 9u));
 
 TEST(Tearing, FindsTheSmallestCoreThatIsWellConditioned) {

@@ -1,4 +1,4 @@
-// Expressions: what folds, what is shared, and how they are written.
+// Expressions: what folds, what is shared, what they differentiate to, and how they are written.
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 
 #include "formulations/codegen/emit/emission.h"
 #include "formulations/codegen/emit/kernel_source.h"
+#include "formulations/codegen/record/differentiation.h"
 
 namespace desmo::generate::expressions_test {
 namespace {
@@ -77,6 +78,33 @@ TEST_F(Expressions, KeepTheirValueThroughEveryRule) {
     if (std::abs(made.second) > 1e3) continue;
     EXPECT_NEAR(value(made.first), made.second, 1e-9 * (1 + std::abs(made.second)));
     pool.push_back(made);
+  }
+}
+
+/// Quotients and products, twice differentiated.
+TEST_F(Expressions, DifferentiateAsTheirDifferenceQuotients) {
+  constexpr double h = 1e-4;
+  const auto u_at = [](double t) { return 1.5 + std::sin(t); };
+  const auto v_at = [](double t) { return 2 + 0.5 * t * t; };
+  const auto f_at = [&](double t) {
+    const double u = u_at(t), v = v_at(t);
+    return u * u / v - std::sin(u * v) + v * std::cos(u) - u;
+  };
+  for (int k = 1; k <= 8; ++k) {
+    const double t0 = 0.3 * k;
+    const Expr u = Expr::node(graph.input("u", {u_at(t0)})),
+               v = Expr::node(graph.input("v", {v_at(t0)}));
+    const Expr f = u * u / v - sin(u * v) + v * cos(u) - u;
+    Rates rates;
+    rates.set(Level::velocity, u, std::cos(t0));
+    rates.set(Level::velocity, v, t0);
+    rates.set(Level::acceleration, u, -std::sin(t0));
+    rates.set(Level::acceleration, v, 1);
+    EXPECT_NEAR(value(rates.of(Level::velocity, f)), (f_at(t0 + h) - f_at(t0 - h)) / (2 * h), 1e-6)
+        << t0;
+    EXPECT_NEAR(value(rates.of(Level::acceleration, f)),
+                (f_at(t0 + h) - 2 * f_at(t0) + f_at(t0 - h)) / (h * h), 1e-5)
+        << t0;
   }
 }
 
