@@ -2,23 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <fstream>
-#include <limits>
 #include <map>
-#include <memory>
 #include <numbers>
-#include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "cases/extremes/rows.h"
 #include "cases/generators/cases.h"
-#include "formulations/equations/turned_angle.h"
 #include "formulations/motion/internals.h"
 #include "formulations/parts/explicit_part.h"
+#include "tests/contains.h"
 #include "tests/discard.h"
 #include "tests/formulated.h"
 #include "tests/mechanisms.h"
@@ -58,16 +53,15 @@ TEST(ExplicitOrder, LeavesACoreOfTwoInTheAxleAndNoneInWhatHangsOnIt) {
 }
 
 TEST(ExplicitOrder, RecognisesWhatIsWorthKnowingAsOne) {
-  const auto defines = [](const char* type, const char* line) {
-    return orders().at(type).find(line) != std::string::npos;
-  };
-  EXPECT_TRUE(defines("four_bar_sg_i_1", "C.x, C.y: two circles"));
-  EXPECT_TRUE(defines("four_bar_sg_i_1", "psi: angle ("));
-  EXPECT_TRUE(defines("truck_suspension_sg_i", "x2.x, x2.y, x2.z: normal of two"));
-  EXPECT_TRUE(defines("truck_suspension_sg_ii", "B6.x, B6.y, B6.z: sphere and planes"));
-  EXPECT_TRUE(defines("truck_suspension_sg_ii", "phi6: angle modulo half a turn"));
-  EXPECT_TRUE(defines("truck_suspension_sg_iv", "s10: direction and length"));
-  EXPECT_TRUE(defines("truck_suspension_sg_iv", "n10.x, n10.y, n10.z: normal of two again"));
+  const std::pair<const char*, const char*> definitions[] = {
+      {"four_bar_sg_i_1", "C.x, C.y: two circles"},
+      {"four_bar_sg_i_1", "psi: angle ("},
+      {"truck_suspension_sg_i", "x2.x, x2.y, x2.z: normal of two"},
+      {"truck_suspension_sg_ii", "B6.x, B6.y, B6.z: sphere and planes"},
+      {"truck_suspension_sg_ii", "phi6: angle modulo half a turn"},
+      {"truck_suspension_sg_iv", "s10: direction and length"},
+      {"truck_suspension_sg_iv", "n10.x, n10.y, n10.z: normal of two again"}};
+  for (const auto& [type, definition] : definitions) EXPECT_CONTAINS(orders().at(type), definition);
 }
 
 TEST(ExplicitOrder, TearsNoMoreThanTheFreedomsOfAPlatform) {
@@ -183,35 +177,6 @@ TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
   }
 }
 
-TEST(Elementary, FunctionsAgreeWithTheStandardLibrary) {
-  std::mt19937 generator(5);
-  for (const double range : {1e-6, 1.0, 10.0, 1e3, 9e5}) {
-    std::uniform_real_distribution<double> uniform(-range, range);
-    for (int i = 0; i < 20000; ++i) {
-      const double x = uniform(generator), y = uniform(generator);
-      const double unit = std::numeric_limits<double>::epsilon();
-      EXPECT_NEAR(elementary::sin(x), std::sin(x), 2 * unit * std::min(1.0, std::abs(x)));
-      EXPECT_NEAR(elementary::cos(x), std::cos(x), 2 * unit);
-      const double angle = std::atan2(y, x);
-      EXPECT_NEAR(elementary::arctan(y, x), angle, 2 * unit * std::abs(angle));
-    }
-  }
-  for (const double x : {-1.0, -0.0, 0.0, 1.0})
-    for (const double y : {-1.0, -0.0, 0.0, 1.0})
-      if (x != 0 || y != 0) {
-        EXPECT_NEAR(std::abs(elementary::arctan(y, x)), std::abs(std::atan2(y, x)), 1e-15);
-      }
-}
-
-/// What the reduction would make of these is nothing to be trusted, and so refused.
-TEST(Elementary, FunctionsAreNotANumberFarAway) {
-  for (const double x : {1e7, -1e9, std::numeric_limits<double>::infinity(),
-                         std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_TRUE(std::isnan(elementary::sin(x)));
-    EXPECT_TRUE(std::isnan(elementary::cos(x)));
-  }
-}
-
 /// An angle beyond: the driver's sine is not evaluated by explicit code, and nothing is lost.
 TEST(Explicit, LeavesAnglesFarAwayToOthers) {
   const Model m = four_bar_model(2);
@@ -222,61 +187,6 @@ TEST(Explicit, LeavesAnglesFarAwayToOthers) {
     EXPECT_LT(max_difference(f->q(), g->q()), 1e-9);
   }
   EXPECT_GT(part_counts(*f).fallbacks, 0);
-}
-
-/// Whatever the anchor is: none, the last angle, that of a while ago, or one turns away.
-TEST(Elementary, AnglesStayNearTheirLastValue) {
-  using Anchor = std::array<double, anchor_size>;
-  const auto found = [](double y, double x, double before, Anchor& anchor) {
-    return elementary::turned_angle<double>(y, x, before, anchor.data());
-  };
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> uniform(-40, 40), small(-0.2, 0.2), large(-3.1, 3.1),
-      length(0.01, 100);
-  Anchor kept{};
-  int moved = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const double angle = uniform(generator), r = length(generator),
-                 before = angle + (i % 2 == 0 ? small(generator) : large(generator)),
-                 at = angle + small(generator);
-    Anchor none{}, near{at, std::sin(at), std::cos(at)};
-    for (Anchor* const anchor : {&none, &near, &kept}) {
-      const Anchor was = *anchor;
-      const auto [q, sine, cosine] =
-          found(r * std::sin(angle), r * std::cos(angle), before, *anchor);
-      EXPECT_NEAR(q, angle, 2e-14);
-      EXPECT_NEAR(sine, std::sin(q), 1e-15);
-      EXPECT_NEAR(cosine, std::cos(q), 1e-15);
-      if (*anchor != was) {
-        EXPECT_EQ((*anchor)[0], q);
-      }
-      moved += anchor == &near && *anchor != was;
-    }
-  }
-  EXPECT_GT(moved, 5000);   // where `before` was far from it,
-  EXPECT_LT(moved, 15000);  // and nowhere else
-  Anchor none{};
-  EXPECT_TRUE(std::isnan(found(0, 0, 1, none).angle));
-  EXPECT_TRUE(std::isnan(found(1, 0, 1e8, none).angle));
-  EXPECT_NEAR(found(1, 0, 1, none).angle, std::numbers::pi / 2, 1e-15);  // after no number
-}
-
-/// An angle that goes on turning is evaluated anew now and then only, and stays as exact.
-TEST(Elementary, AnchorsFollowTheirAngles) {
-  std::array<double, anchor_size> anchor{};
-  double last = 0;
-  int moved = 0;
-  for (int i = 1; i <= 10000; ++i) {
-    const double angle = 0.01 * i, was = anchor[0];
-    const auto [q, sine, cosine] =
-        elementary::turned_angle<double>(std::sin(angle), std::cos(angle), last, anchor.data());
-    EXPECT_NEAR(q, angle, 4e-14);
-    EXPECT_NEAR(sine, std::sin(q), 4e-16);
-    EXPECT_NEAR(cosine, std::cos(q), 4e-16);
-    last = q;
-    moved += anchor[0] != was;
-  }
-  EXPECT_LT(moved, 450);
 }
 
 }  // namespace
