@@ -1,14 +1,9 @@
-// No heap in a step. The allocator is interposed for the whole program; what UMFPACK and SPQR
-// allocate inside is counted and printed.
+// No heap in a step. What UMFPACK and SPQR allocate inside is counted and printed.
 
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstddef>
-#include <cstdlib>
 #include <iostream>
 #include <numbers>
 #include <optional>
@@ -25,55 +20,11 @@
 #include "formulations/verification/reference/reference.h"
 #include "formulations/verification/run/checked_run.h"
 #include "formulations/verification/run/live_run.h"
+#include "tests/allocation/heap_counter.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
-
-namespace {
-
-std::atomic<bool> counting{false};
-std::atomic<long> allocations{0};
-
-void note() {
-  if (counting) ++allocations;
-}
-
-template <class Function>
-Function next(const char* name) {
-  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
-}
-
-}  // namespace
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-
-void* malloc(std::size_t size) noexcept {
-  note();
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) noexcept {
-  note();
-  return __libc_calloc(count, size);
-}
-void* realloc(void* old, std::size_t size) noexcept {
-  note();
-  return __libc_realloc(old, size);
-}
-int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
-  note();
-  static const auto original = next<int (*)(void**, std::size_t, std::size_t)>("posix_memalign");
-  return original(memory, alignment, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  note();
-  static const auto original = next<void* (*)(std::size_t, std::size_t)>("aligned_alloc");
-  return original(alignment, size);
-}
-}
 
 namespace desmo::allocation_test {
 namespace {
@@ -81,29 +32,6 @@ namespace {
 bool allocates_inside(const Variant& v) {
   const Backend* const library = find_backend(v.algebra);
   return library && library->allocates;
-}
-
-long count(const auto& work) {
-  allocations = 0;
-  counting = true;
-  work();
-  counting = false;
-  return allocations;
-}
-
-TEST(Counter, CountsADeliberateAllocation) {
-  void* volatile kept = nullptr;
-  EXPECT_EQ(count([&] { kept = std::malloc(10); }), 1);
-  EXPECT_EQ(count([&] { kept = std::realloc(kept, 1000); }), 1);
-  std::free(kept);
-  EXPECT_EQ(count([&] { kept = std::calloc(3, 3); }), 1);
-  std::free(kept);
-  EXPECT_EQ(count([&] { kept = std::aligned_alloc(64, 64); }), 1);
-  std::free(kept);
-  int* volatile made = nullptr;
-  EXPECT_EQ(count([&] { made = new int(1); }), 1);
-  delete made;
-  EXPECT_EQ(count([] {}), 0);
 }
 
 constexpr int steps = 50;
@@ -211,10 +139,9 @@ TEST(DenseOutput, AllocatesNothingFromInstantToInstant) {
 class CountedRows final : public Observer {
  public:
   Flow observe(const Instant&) noexcept override {
-    counting = false;
-    if (instants++ > 0) most = std::max(most, allocations.load());
-    allocations = 0;
-    counting = true;
+    const long since_last_row = end_counting();
+    if (instants++ > 0) most = std::max(most, since_last_row);
+    begin_counting();
     return Flow::go_on;
   }
   int instants = 0;
@@ -231,7 +158,7 @@ TEST_P(EveryStep, AllocatesNothingFromRowToRowOfACheckedRun) {
       CountedRows rows;
       const CheckedSummary s =
           run_checked(*make_formulation(v, m, {.stride = stride}), time_grid(0.2, 0.01), {}, rows);
-      counting = false;
+      end_counting();
       EXPECT_EQ(s.outcome(), Outcome::converged) << c.name;
       EXPECT_EQ(rows.instants, 21) << c.name;
       EXPECT_EQ(rows.most, 0) << c.name << ", stride " << stride;
