@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "formulations/algebra/backend.h"
+#include "formulations/id.h"
 #include "formulations/variants.h"
+#include "tests/refusal.h"
 
 namespace desmo {
 
@@ -39,6 +41,13 @@ inline std::vector<Variant> tested_variants() {
 class EveryVariant : public testing::TestWithParam<Variant> {
  public:
   static std::string name(const testing::TestParamInfo<Variant>& info) { return info.param.id; }
+
+ protected:
+  /// Returns the variant's id with these suffixes; empty where it does not offer them.
+  static std::string offered_id(const std::string& suffixes) {
+    const std::string id = GetParam().id + suffixes;
+    return refusal([&] { parse_id(id); }) == "accepted" ? id : "";
+  }
 };
 
 }  // namespace desmo

@@ -77,19 +77,8 @@ class WeightedResidual {
 
 class AccuracySettings : public EveryVariant {
  protected:
-  AccuracySettings() {
-    set_blas_threads(1);
-  }  // more wait for each other where matrices are this small
-
-  /// The variant's id with these suffixes, or nothing where it does not offer them.
-  std::string with(const std::string& suffixes) const {
-    try {
-      parse_id(GetParam().id + suffixes);
-      return GetParam().id + suffixes;
-    } catch (const std::invalid_argument&) {
-      return {};
-    }
-  }
+  // More threads wait for each other where matrices are this small.
+  AccuracySettings() { set_blas_threads(1); }
 };
 
 /// Steps far too long for old factors, and a walk into a dead point: what is accepted meets the
@@ -112,7 +101,7 @@ TEST_P(AccuracySettings, NoOldFactorsEndAboveTheTolerance) {
            {"/jacobian:step", "/guess:hermite5/jacobian:step", "/guess:linear/jacobian:step"}) {
         const bool guesses = suffixes.starts_with("/guess:");
         if (guesses && h < 0.02) continue;  // short steps begin near their solutions anyway
-        const std::string id = with(suffixes);
+        const std::string id = offered_id(suffixes);
         if (id.empty()) continue;
         const auto f = formulated(id, m, settings);
         bool solved = true;
@@ -164,7 +153,7 @@ TEST_P(AccuracySettings, AgreeWithTheReference) {
   for (const auto& [m, grid, reference] : known_motions()) {
     const double size = m.name == "four_bar" ? 6 : 1;  // of a body
     for (const auto& [suffixes, loosened] : changes) {
-      const std::string id = with(suffixes);
+      const std::string id = offered_id(suffixes);
       if (id.empty()) continue;
       const auto f = formulated(id, m);
       for (int i = 0; i < grid.instants; ++i) {
@@ -186,7 +175,7 @@ TEST_P(AccuracySettings, WorkAtEveryLevel) {
   const auto plain = formulated(GetParam().id, m);
   ASSERT_TRUE(plain->assemble(0).ok());
   for (const char* suffixes : {"/jacobian:step", "/guess:hermite5/jacobian:step"}) {
-    const std::string id = with(suffixes);
+    const std::string id = offered_id(suffixes);
     if (id.empty()) continue;
     const auto f = formulated(id, m);
     int i = 0;
