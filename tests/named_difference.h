@@ -34,18 +34,22 @@ class NamedDifference final : public Observer {
   }
 
   Flow observe(const Instant& instant) noexcept override {
-    if (seen == reference_.size() || std::abs(instant.time - reference_[seen].time) > 1e-9)
+    if (seen_ == reference_.size() || std::abs(instant.time - reference_[seen_].time) > 1e-9)
       return Flow::go_on;
-    const ReferenceInstant& r = reference_[seen++];
-    widen(of.position, instant.q, r.q);
-    widen(of.velocity, instant.qd, r.qd);
-    widen(of.acceleration, instant.qdd, r.qdd);
+    const ReferenceInstant& r = reference_[seen_++];
+    widen(largest_.position, instant.q, r.q);
+    widen(largest_.velocity, instant.qd, r.qd);
+    widen(largest_.acceleration, instant.qdd, r.qdd);
     return Flow::go_on;
   }
 
-  PerLevel<double> of{};
-  std::size_t seen = 0;  ///< instants compared so far
-  std::string worst;     ///< name of the entity of the difference found last
+  /// Expects that all known instants were compared and agree to 1e-9, 1e-8 and 1e-7 by level.
+  void expect_agreement(const std::string& where) const {
+    constexpr PerLevel<double> tolerance{1e-9, 1e-8, 1e-7};
+    EXPECT_EQ(seen_, reference_.size()) << where;
+    for (const Level level : all_levels)
+      EXPECT_LE(largest_[level], tolerance[level]) << where << " " << worst_;
+  }
 
  private:
   void widen(double& largest, std::span<const double> a, const std::vector<double>& b) {
@@ -53,11 +57,14 @@ class NamedDifference final : public Observer {
       if (const double off = to_[i] < 0 ? 0 : std::abs(a[to_[i]] - b[from_[i]]);
           !(off <= largest)) {
         largest = off;
-        worst = names_[i];
+        worst_ = names_[i];
       }
   }
 
   const std::vector<ReferenceInstant>& reference_;
+  PerLevel<double> largest_;
+  std::size_t seen_ = 0;  // instants compared so far
+  std::string worst_;     // name of the entity of the difference found last
   std::vector<int> from_, to_;
   std::vector<std::string> names_;
 };

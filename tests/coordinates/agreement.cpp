@@ -58,10 +58,7 @@ TEST(Coordinates, DeliverTheNaturalMotionWhateverTheyAre) {
           NamedDifference difference(m, natural, reference.instants);
           const Summary s = formulated(id, m)->run(grid, {}, difference);
           EXPECT_TRUE(s.ok()) << id << ": " << describe(s, m);
-          EXPECT_EQ(difference.seen, times.size()) << id;
-          EXPECT_LE(difference.of.position, 1e-9) << id << " " << difference.worst;
-          EXPECT_LE(difference.of.velocity, 1e-8) << id << " " << difference.worst;
-          EXPECT_LE(difference.of.acceleration, 1e-7) << id << " " << difference.worst;
+          difference.expect_agreement(id);
         }
     }
   }

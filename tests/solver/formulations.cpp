@@ -54,15 +54,12 @@ const Motion& motion_of(const Case& definition, int coordinates, double seconds)
 }
 
 void expect_agreement(const Variant& v, const Motion& motion) {
-  const auto where = [&] { return v.id + " on " + motion.model.name; };
+  const std::string where = v.id + " on " + motion.model.name;
   NamedDifference difference(motion.model, motion.model, motion.reference);
   const Summary s = make_formulation(v, motion.model)->run(motion.grid, {}, difference);
-  EXPECT_TRUE(s.ok()) << where() << ": " << describe(s, motion.model);
-  EXPECT_EQ(difference.seen, motion.reference.size()) << where();
-  EXPECT_LE(difference.of.position, 1e-9) << where();
-  EXPECT_LE(difference.of.velocity, 1e-8) << where();
-  EXPECT_LE(difference.of.acceleration, 1e-7) << where();
-  EXPECT_LT(s.residual, 1e-10) << where();
+  EXPECT_TRUE(s.ok()) << where << ": " << describe(s, motion.model);
+  difference.expect_agreement(where);
+  EXPECT_LT(s.residual, 1e-10) << where;
 }
 
 /// References are expensive: all formulations of one case and size share one test and one.
