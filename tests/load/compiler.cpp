@@ -20,7 +20,7 @@ struct CompilerTest : Loading {
   void expect_problem(const std::string& what) {
     KernelTable table;
     const GenerationOutcome own = load(table);
-    EXPECT_NE(own.problem.find(what), std::string::npos) << own.problem;
+    EXPECT_CONTAINS(own.problem, what);
     EXPECT_FALSE(own.types.empty());
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), model_, {}, table);
     EXPECT_FALSE(parts_of(*f).back().as_named);
@@ -54,8 +54,8 @@ TEST_F(CompilerTest, IsTheOneThatDesmoWasBuiltWithUnlessAnotherIsNamed) {
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(named.file(), link.string());
   EXPECT_NE(named.version(), "");
-  EXPECT_NE(named.identity().find("-O3"), std::string::npos);
-  EXPECT_NE(named.identity().find(named.version()), std::string::npos);
+  EXPECT_CONTAINS(named.identity(), "-O3");
+  EXPECT_CONTAINS(named.identity(), named.version());
 }
 
 TEST_F(CompilerTest, ThatFailsIsQuoted) {
@@ -112,7 +112,7 @@ TEST_F(Programs, GetLittleOfOurEnvironment) {
     const std::string name = line.substr(0, line.find('='));
     EXPECT_TRUE(name == "LC_ALL" || name == "PATH" || name == "HOME" || name == "TMPDIR") << line;
   }
-  EXPECT_NE(output.find("LC_ALL=C\n"), std::string::npos);
+  EXPECT_CONTAINS(output, "LC_ALL=C\n");
 }
 
 TEST_F(Programs, AreReadToTheirEndAndNoFurther) {

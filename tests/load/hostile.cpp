@@ -63,8 +63,8 @@ struct Folders : Loading {
   void expect_refusal(const std::string& why) {
     KernelTable table;
     const GenerationOutcome own = load(table);
-    EXPECT_NE(own.problem.find(why), std::string::npos) << own.problem;
-    EXPECT_NE(own.problem.find(folder_.string()), std::string::npos) << own.problem;
+    EXPECT_CONTAINS(own.problem, why);
+    EXPECT_CONTAINS(own.problem, folder_.string());
     EXPECT_EQ(compilations(), 0);
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), model_, {}, table);
     EXPECT_TRUE(f->assemble(0).ok());

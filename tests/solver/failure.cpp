@@ -19,6 +19,7 @@
 #include "formulations/parts/inlined_part.h"
 #include "formulations/parts/newton_part.h"
 #include "formulations/variants.h"
+#include "tests/contains.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
 #include "tests/every_variant.h"
@@ -48,7 +49,7 @@ TEST_P(EveryFailure, NamesTheGroupThatCannotBeAssembled) {
   EXPECT_EQ(s.time, 0);
   EXPECT_EQ(m.groups[s.group].name, "dyad2/SG-I");
   EXPECT_TRUE(m.constraints[s.constraint].name.starts_with("dyad2")) << s.constraint;
-  EXPECT_NE(describe(s, m).find("'dyad2/SG-I'"), std::string::npos) << describe(s, m);
+  EXPECT_CONTAINS(describe(s, m), "'dyad2/SG-I'");
 }
 
 /// The loop cannot close any more from a known instant on.
