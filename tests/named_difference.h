@@ -53,12 +53,12 @@ class NamedDifference final : public Observer {
 
  private:
   void widen(double& largest, std::span<const double> a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < from_.size(); ++i)
-      if (const double off = to_[i] < 0 ? 0 : std::abs(a[to_[i]] - b[from_[i]]);
-          !(off <= largest)) {
-        largest = off;
-        worst_ = names_[i];
-      }
+    for (std::size_t i = 0; i < from_.size(); ++i) {
+      const double off = to_[i] < 0 ? 0 : std::abs(a[to_[i]] - b[from_[i]]);
+      if (off <= largest || std::isinf(largest)) continue;
+      largest = std::isnan(off) ? INFINITY : off;  // what is not a number stays
+      worst_ = names_[i];
+    }
   }
 
   const std::vector<ReferenceInstant>& reference_;
