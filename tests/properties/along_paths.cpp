@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -89,7 +88,7 @@ Draft draw_aimed(Random& r) {
     if (path.drawn.exact) base[k] = simple(base[k]);
   }
   const double length = std::abs(at) * r.uniform(0.3, 0.95);
-  const double distance = distances[r.below(distances.size())];
+  const double distance = r.pick(distances);
   Profile profile =
       aimed_motion(r, drawn_instants(r, path.coordinates), 2 * side - 1, distance, length);
   if (!end.singular) profile.name = profile.name.substr(0, profile.name.find(' ')) + " regular";
@@ -102,7 +101,7 @@ Draft draw_requested(Random& r) {
   Draft d = draw_random(r);
   Json request = Json::array();
   const auto add = [&](const char* list, const std::string& name) {
-    request.push_back({{list, {name}}, {"level", levels[r.below(3)]}});
+    request.push_back({{list, {name}}, {"level", r.pick(levels)}});
   };
   for (const Mechanism::Point& p : d.mechanism.points)
     if (r.chance(0.2)) add("points", p.name);
@@ -116,10 +115,6 @@ Draft draw_requested(Random& r) {
 }
 
 namespace {
-
-const Family& one_of(std::span<const Family> all, Random& r) {
-  return all[r.below(static_cast<int>(all.size()))];
-}
 
 Draft draft_far(Random& r, const Family& family) {
   const DrawnPath path = path_of(draw(family, r));
@@ -137,10 +132,14 @@ Draft draft_far(Random& r, const Family& family) {
 
 }  // namespace
 
-Draft draw_far_start(Random& r) { return draft_far(r, one_of(plane_families(), r)); }
+Draft draw_far_start(Random& r) {
+  const auto plane = plane_families();
+  return draft_far(r, r.pick(plane));
+}
 
 Draft draw_coupled(Random& r) {
-  const Family& family = one_of(coupled_families(), r);
+  const auto coupled = coupled_families();
+  const Family& family = r.pick(coupled);
   if (r.chance(0.3)) return draft_far(r, family);
   return draft_inside(r, family.name, path_of(draw(family, r)));
 }

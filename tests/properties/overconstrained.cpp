@@ -63,7 +63,7 @@ Draft draw_typed(Random& r) {
   static constexpr std::array digits{3, 6, 9, 12, 17};
   const Family& family = overconstrained_families()[1 + r.below(3)];
   Drawn drawn = draw(family, r);
-  const int typed = digits[r.below(digits.size())];
+  const int typed = r.pick(digits);
   round_numbers(drawn.mechanism, typed);
   drawn.exact = false;
   Draft d = draft_inside(r, family.name, path_of(std::move(drawn)));

@@ -24,7 +24,7 @@ struct ExactCrank {
 };
 ExactCrank exact_crank(Random& r) {
   static constexpr double triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {20, 21, 29}};
-  const auto& t = triples[r.below(4)];
+  const auto& t = r.pick(triples);
   const double unit = std::ldexp(1, -r.below(3) - 3);
   return {t[2] * unit, {r.sign() * t[0] * unit, t[1] * unit, 0}};
 }

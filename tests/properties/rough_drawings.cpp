@@ -13,7 +13,7 @@ namespace {
 
 Draft draw_redrawn(Random& r, const std::string& aim, void (*change)(Mechanism&, Random&)) {
   const auto plane = plane_families();
-  const Family& family = plane[r.below(static_cast<int>(plane.size()))];
+  const Family& family = r.pick(plane);
   Drawn drawn = draw(family, r);
   change(drawn.mechanism, r);
   drawn.exact = false;
