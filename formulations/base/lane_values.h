@@ -21,6 +21,11 @@ void copy_in_registers(const double* __restrict from, double* __restrict to) {
 /// A state in each lane.
 struct LaneState {
   LaneValues q, qd, qdd;
+
+  /// Gives all three this size; new numbers are 0.
+  void resize(std::size_t size) {
+    for (LaneValues* values : {&q, &qd, &qdd}) values->resize(size);
+  }
 };
 
 }  // namespace desmo

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace desmo {
@@ -8,6 +9,11 @@ namespace desmo {
 /// the fixed entities are zero. All three have Model::state_size() components.
 struct State {
   std::vector<double> q, qd, qdd;
+
+  /// Gives all three this size; new components are 0.
+  void resize(std::size_t size) {
+    for (std::vector<double>* values : {&q, &qd, &qdd}) values->resize(size);
+  }
 };
 
 }  // namespace desmo

@@ -69,8 +69,7 @@ class BatchState {
     for (IndexRange& range : ranges)
       range = {range.first * static_cast<int>(lanes), range.end * static_cast<int>(lanes)};
     predictor_ = Predictor(guess, std::move(ranges));
-    for (LaneState* s : {now_, before_})
-      for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(numbers * lanes);
+    for (LaneState* s : {now_, before_}) s->resize(numbers * lanes);
   }
 
   LaneState& now() { return *now_; }

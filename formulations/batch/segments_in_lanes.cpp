@@ -22,8 +22,8 @@ SegmentsInLanes::SegmentsInLanes(const Model& model, std::vector<Parts> parts,
       changes_(lanes_) {
   const std::size_t size = model_.state_size();
   entered_.resize(size * lanes_);
-  for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd, &last_alone_})
-    values->resize(size);
+  alone_.resize(size);
+  last_alone_.resize(size);
 
   std::vector<int> predicted, unwrapped;
   for (std::size_t i = 0; i < parts[0].size(); ++i) {

@@ -15,9 +15,7 @@ DenseOutput::DenseOutput(const TimeGrid& grid, int stride, const Request& reques
       ranges_(ranges_of(requested_coordinates(request, coordinates))),
       output_(request, coordinates),
       observer_(observer) {
-  for (State* s : {&last_, &between_})
-    for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
-      values->resize(static_cast<std::size_t>(coordinates));
+  for (State* s : {&last_, &between_}) s->resize(coordinates);
 }
 
 Flow DenseOutput::observe(const Instant& solved) noexcept {

@@ -26,8 +26,7 @@ TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const
       sequence_(m, std::move(parts)),
       drivers_(m),
       executor_(std::move(executor)) {
-  for (State* s : {&now_.state, &before_.state})
-    for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd}) values->resize(m.state_size());
+  for (SolvedState* s : {&now_, &before_}) s->state.resize(m.state_size());
   start_.resize(m.state_size());
   prepare();
 }

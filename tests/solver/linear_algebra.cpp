@@ -44,7 +44,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
     const Pattern& p = equations.pattern();
     const auto at = reference_solution(m, std::vector{0.3}, Precision::standard)[0];
     State s{at.q, at.qd, at.qdd};
-    for (auto* v : {&s.q, &s.qd, &s.qdd}) v->resize(m.state_size(), 0.0);
+    s.resize(m.state_size());
     std::copy(m.fixed_values.begin(), m.fixed_values.end(), s.q.begin() + m.coordinates());
     const auto solver = make_newton_part(context(m, part, {.tolerance = 1e-8}), *GetParam());
     ASSERT_EQ(solver->solve(s, s.q, Level::velocity).status, Status::solved);

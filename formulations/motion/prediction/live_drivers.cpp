@@ -7,8 +7,7 @@ namespace desmo {
 
 LiveDrivers::LiveDrivers(std::vector<Place> places) : places_(std::move(places)) {
   const std::size_t size = whole_lines(places_.size());
-  for (LaneState* row : {&row_, &between_})
-    for (LaneValues* values : {&row->q, &row->qd, &row->qdd}) values->resize(size);
+  for (LaneState* row : {&row_, &between_}) row->resize(size);
   from_.resize(size);
 }
 

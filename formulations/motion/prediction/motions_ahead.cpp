@@ -14,8 +14,7 @@ MotionsAhead::MotionsAhead(std::vector<const Motion*> motions)
     : of_row_(whole_lines(motions.size())),
       alone_(in_order(motions)),
       ahead_(in_order(std::move(motions)), together, in_rows(of_row_)) {
-  for (LaneValues* values : {&samples_.q, &samples_.qd, &samples_.qdd})
-    values->resize((together + 1) * of_row_);
+  samples_.resize((together + 1) * of_row_);
 }
 
 void MotionsAhead::expect(const TimeGrid& grid) {
