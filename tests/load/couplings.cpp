@@ -51,9 +51,7 @@ constexpr Coupled all[] = {
 class Couplings : public Loading, public testing::WithParamInterface<Coupled> {
  protected:
   void SetUp() override {
-    scene_ = read_scene(fs::path(DESMO_SOURCE_DIR) / "tests/load/scenes" /
-                        (std::string(GetParam().scene) + ".scene.json"));
-    model_ = make_model(scene_);
+    take(GetParam().scene);
     for (int i = 0; i < scene_.grid.instants; ++i)
       exact_.push_back(GetParam().at(scene_.grid.time(i)));
     for (const Values& values : exact_)

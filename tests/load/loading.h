@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/generators/cases.h"
@@ -54,6 +55,16 @@ class Loading : public InFolder {
       if (file.path().string().ends_with(end)) result.push_back(file.path());
     std::ranges::sort(result);
     return result;
+  }
+
+  /// Takes another mechanism, with its motion.
+  void take(Scene scene) {
+    scene_ = std::move(scene);
+    model_ = make_model(scene_);
+  }
+  /// Takes a scene of tests/load/scenes.
+  void take(const std::string& name) {
+    take(read_scene(fs::path(DESMO_SOURCE_DIR) / "tests/load/scenes" / (name + ".scene.json")));
   }
 
   GenerationOutcome load(KernelTable& table, const std::string& id = "group_symbolic_inlined") {

@@ -27,9 +27,8 @@ struct OwnKernelsTest : Loading {
       EXPECT_LT(max_relative_difference(found.all[i], expected.all[i]), 1e-10) << id << ' ' << i;
     return f;
   }
-  void take(int copies) {
-    scene_ = parse_scene(swinging_plates(copies, one_second), "plates", {});
-    model_ = make_model(scene_);
+  void take_plates(int copies) {
+    take(parse_scene(swinging_plates(copies, one_second), "plates", {}));
   }
 
   static constexpr Settings exact{.tolerance = 1e-13};
@@ -55,7 +54,7 @@ TEST_F(OwnKernelsTest, SolveWithEliminationInlinedAndAllAtOnce) {
 TEST_F(OwnKernelsTest, SolveBlockByBlock) { compare("block_symbolic_inlined"); }
 
 TEST_F(OwnKernelsTest, SolveTwinsInLanes) {
-  take(3);
+  take_plates(3);
   EXPECT_TRUE(has<BatchPart>(*compare("group_symbolic_explicit/lanes:4")));
 }
 
@@ -70,14 +69,14 @@ TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
 
 TEST_F(OwnKernelsTest, SolveInWiderRegistersWhereThereAreAny) {
   if (!has_lanes(8)) GTEST_SKIP() << unavailable_reason({.lanes = 8});
-  take(8);
+  take_plates(8);
   EXPECT_TRUE(has<BatchPart>(*compare("group_symbolic_explicit/lanes:8")));
   scene_.grid = time_grid(2, 0.01);
   EXPECT_EQ(stepping_of(*compare("group_symbolic_explicit/segments:8")).runs_without_segments(), 0);
 }
 
 TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {
-  take(3);
+  take_plates(3);
   const GenerationOutcome own = load(table_);
   ASSERT_FALSE(own.types.empty());
   int plates = 0;
@@ -127,8 +126,7 @@ TEST_F(OwnKernelsTest, DoNotFollowTheDigitsOfAMotion) {
 }
 
 TEST_F(OwnKernelsTest, AreNeitherMadeNorSoughtWhereTheProgramHasThem) {
-  scene_ = library_scene("slider_crank");
-  model_ = make_model(scene_);
+  take(library_scene("slider_crank"));
   for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_inlined"}) {
     const GenerationOutcome own = load(table_, id);
     EXPECT_TRUE(own.types.empty());

@@ -30,12 +30,6 @@ class Recorder final : public Observer {
 };
 
 struct Refusals : Loading {
-  void take(const std::string& name) {
-    scene_ = parse_scene(text_of(DESMO_SOURCE_DIR "/tests/load/scenes/" + name + ".scene.json"),
-                         name, {});
-    model_ = make_model(scene_);
-  }
-
   /// Solves the motion and returns the number of steps that generated code refused.
   long run(const std::string& id, const KernelTable& table, Recorder& recorder) {
     const Configuration c = parse_id(id);
