@@ -54,34 +54,31 @@ Drawn four_bar(Random& r) {
   return {std::move(m), {1.0}, 6.3};
 }
 
+/// A four-bar whose dimensions and nominal position are exact.
+Drawn exact_four_bar(std::string name, double crank, double coupler, double rocker, double base,
+                     const Vec& b, const Vec& c) {
+  return {closed_four_bar(std::move(name), crank, coupler, rocker, base, b, c), {1.0}, 4, true};
+}
+
 Drawn parallelogram(Random& r) {
   const auto [crank, b] = exact_crank(r);
   const double base = crank + eighths(r, 1, 16);
-  return {closed_four_bar("parallelogram", crank, base, crank, base, b, {b[0] + base, b[1], 0}),
-          {1.0},
-          4,
-          true};
+  return exact_four_bar("parallelogram", crank, base, crank, base, b, {b[0] + base, b[1], 0});
 }
 
 Drawn antiparallelogram(Random& r) {
   const auto [crank, b] = exact_crank(r);
   const double base = crank + eighths(r, 1, 16);
-  return {closed_four_bar("antiparallelogram", crank, base, crank, base, b,
-                          meeting(b, base, {base, 0, 0}, crank, -1)),
-          {1.0},
-          4,
-          true};
+  return exact_four_bar("antiparallelogram", crank, base, crank, base, b,
+                        meeting(b, base, {base, 0, 0}, crank, -1));
 }
 
 /// Crank as long as the base, coupler as long as the rocker.
 Drawn deltoid(Random& r) {
   const auto [base, b] = exact_crank(r);
   const double rocker = base + eighths(r, 1, 16);
-  return {closed_four_bar("deltoid", base, rocker, rocker, base, b,
-                          meeting(b, rocker, {base, 0, 0}, rocker, r.sign())),
-          {1.0},
-          4,
-          true};
+  return exact_four_bar("deltoid", base, rocker, rocker, base, b,
+                        meeting(b, rocker, {base, 0, 0}, rocker, r.sign()));
 }
 
 /// Crank and half of a bar whose end slides through the pivot.
