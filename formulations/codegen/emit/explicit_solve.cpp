@@ -2,9 +2,9 @@
 #include <set>
 #include <sstream>
 
-#include "formulations/codegen/eliminate/monitors.h"
 #include "formulations/codegen/emit/emission.h"
 #include "formulations/codegen/emit/explicit_plan.h"
+#include "formulations/codegen/emit/monitors.h"
 #include "formulations/codegen/order/explicit_order.h"
 #include "formulations/codegen/record/expression.h"
 

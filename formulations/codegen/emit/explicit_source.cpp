@@ -2,10 +2,10 @@
 #include <set>
 #include <string_view>
 
-#include "formulations/codegen/eliminate/monitors.h"
 #include "formulations/codegen/emit/emission.h"
 #include "formulations/codegen/emit/explicit_plan.h"
 #include "formulations/codegen/emit/kernel_source.h"
+#include "formulations/codegen/emit/monitors.h"
 #include "formulations/codegen/order/explicit_order.h"
 
 namespace desmo::generate {

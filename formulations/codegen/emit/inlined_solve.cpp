@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "formulations/codegen/eliminate/monitors.h"
 #include "formulations/codegen/emit/emission.h"
+#include "formulations/codegen/emit/monitors.h"
 
 namespace desmo::generate {
 

@@ -1,4 +1,4 @@
-#include "formulations/codegen/eliminate/monitors.h"
+#include "formulations/codegen/emit/monitors.h"
 
 namespace desmo::generate {
 
