@@ -21,7 +21,7 @@ inline std::vector<std::pair<Model, TimeGrid>> every_motion() {
   std::vector<std::pair<Model, TimeGrid>> all;
   for (const Case& c : cases()) all.emplace_back(make_model(c.with_units(3)), time_grid(3, 0.01));
   for (const LibraryMechanism& l : library()) {
-    const Scene scene = parse_scene(l.scene, std::string(l.name), {});
+    const Scene scene = library_scene(l.name);
     all.emplace_back(make_model(scene), scene.grid);
   }
   return all;
