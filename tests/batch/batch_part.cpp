@@ -141,9 +141,7 @@ class Pieces : public ::testing::Test {
     const State expected = s;
     for (int i = 0; i < 3; ++i) {
       if (i > 0)  // found again, and not left as they were
-        for (const auto& parts : copies)
-          for (const std::size_t p : parts)
-            for (const int k : definitions_[p].unknowns) s.qd[k] = s.qdd[k] = 17;
+        for (const int k : unknowns(copies)) s.qd[k] = s.qdd[k] = 17;
       ASSERT_EQ(together.solve(s, expected.q, Level::acceleration).status, Status::solved);
     }
     for (const ExplicitPart* const p : seen) EXPECT_EQ(p->counts().fallbacks, p == other ? 2 : 0);
