@@ -19,16 +19,20 @@ inline std::unique_ptr<Formulation> formulated(std::string_view id, const Model&
 }
 std::unique_ptr<Formulation> formulated(std::string_view, Model&&, const Settings& = {}) = delete;
 
+/// Returns the larger of two errors; infinite where the second is not a number, which std::max()
+/// would pass over.
+inline double larger_error(double largest, double error) {
+  return std::isnan(error) ? INFINITY : std::max(largest, error);
+}
+
 /// Returns the largest difference of two numbers, each over what `size` makes of the second;
 /// infinite where one is not a number.
 template <class Size>
 double max_difference(std::span<const double> a, std::span<const double> b, Size size) {
   if (a.size() != b.size()) return INFINITY;
   double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::abs(a[i] - b[i]) / size(b[i]);
-    largest = std::isnan(difference) ? INFINITY : std::max(largest, difference);
-  }
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = larger_error(largest, std::abs(a[i] - b[i]) / size(b[i]));
   return largest;
 }
 inline double max_difference(std::span<const double> a, std::span<const double> b) {

@@ -22,6 +22,7 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
+#include "tests/formulated.h"
 #include "tests/library/solutions.h"
 
 namespace desmo {
@@ -97,8 +98,9 @@ class Comparison final : public Observer {
           double error = found[level][e.first + i] - q.of[level][i];
           if (level == Level::position && e.kind == EntityKind::angle)
             error = std::remainder(error, 2 * std::numbers::pi);
-          error = std::abs(error) / scales_.of(e.kind)[level];
-          if (error <= worst[level].error) continue;  // and 0 / 0 is no error
+          if (error == 0) continue;  // also where nothing moves and the scale is 0
+          error = larger_error(0, std::abs(error) / scales_.of(e.kind)[level]);
+          if (error <= worst[level].error) continue;
           worst[level] = {error, name + " at " + std::to_string(instant.time) + " s"};
         }
     }

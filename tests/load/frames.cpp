@@ -98,7 +98,7 @@ TEST_P(Frames, RoughlyDrawnMoveAsDrawnExactly) {
         for (int row = 0; row < drawn.grid.instants; ++row) {
           const double right = expected.all[row][same.first + at];
           largest = std::max(largest, std::abs(right));
-          off = std::max(off, std::abs(found.all[row][e.first + at] - right));
+          off = larger_error(off, std::abs(found.all[row][e.first + at] - right));
         }
         EXPECT_LE(off, 1e-12 * largest) << id << ": " << e.name << ", " << i;
       }

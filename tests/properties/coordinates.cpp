@@ -62,8 +62,8 @@ TEST(DrawnMechanisms, MoveAlikeInAllCoordinates) {
         const int first = m.entities[m.find(e.name)].first;
         for (std::size_t t = 0; t < expected.size(); ++t)
           for (int i = 0; i < e.size; ++i)
-            largest =
-                std::max(largest, std::abs(found[t][first + i] - expected[t][e.first + i]) / scale);
+            largest = larger_error(
+                largest, std::abs(found[t][first + i] - expected[t][e.first + i]) / scale);
       }
       EXPECT_LE(largest, 1e-8) << where;
       ++compared;
