@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
@@ -53,9 +54,12 @@ std::string evidence(const accuracy::SearchResult& found) {
                          const TuneOptions& options, const Input& input) {
   const accuracy::TriedConfiguration* nearest = nullptr;
   const bool budget = options.budget > 0;
+  // An error on the beginning alone says little of the whole.
+  const auto rank = [&](const accuracy::TriedConfiguration& t) {
+    return budget ? std::pair(false, t.seconds) : std::pair(!t.whole, t.error);
+  };
   for (const accuracy::TriedConfiguration& t : found.tried)
-    if (!nearest || (budget ? t.seconds < nearest->seconds : t.error < nearest->error))
-      nearest = &t;
+    if (!nearest || rank(t) < rank(*nearest)) nearest = &t;
   std::string text = input.source + ": ";
   if (budget)
     text += "nothing takes at most " + microseconds(options.budget) + " a step here";
