@@ -15,7 +15,7 @@ VerifiedCandidate::VerifiedCandidate(Key, Candidate& candidate)
 double VerifiedCandidate::time_afresh() {
   const Clock clock = candidate_.clock();
   double least = std::numeric_limits<double>::infinity();
-  on_fresh_heap([&] {
+  run_on_fresh_heap([&] {
     const Analysis analysis = candidate_.make_analysis(windows_);
     const double begin = now(clock);
     do {

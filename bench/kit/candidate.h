@@ -59,9 +59,9 @@ class VerifiedCandidate {
   VerifiedCandidate(const VerifiedCandidate&) = delete;
   VerifiedCandidate& operator=(const VerifiedCandidate&) = delete;
 
-  /// Makes an analysis, runs it, and discards it, on a fresh heap (see on_fresh_heap). Returns the
-  /// seconds of its run; by the wall clock, the least of several runs: others may interrupt one.
-  /// Throws what the run throws.
+  /// Makes an analysis, runs it, and discards it, on a fresh heap (see run_on_fresh_heap). Returns
+  /// the seconds of its run; by the wall clock, the least of several runs: others may interrupt
+  /// one. Throws what the run throws.
   double time_afresh();
 
   /// Adds a time that was measured by the candidate's clock.

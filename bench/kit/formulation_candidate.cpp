@@ -21,7 +21,7 @@ FormulationCandidate::FormulationCandidate(const Problem& problem, std::string_v
 FormulationCandidate::FormulationCandidate(const Problem& problem, std::string_view id,
                                            const Configuration& c, Clock by)
     : Candidate(problem.grid, c.settings.threads, by),
-      asked_{problem.level(), problem.delivered},
+      request_{problem.level(), problem.delivered},
       problem_(problem),
       id_(id),
       configuration_(c) {}
@@ -43,7 +43,8 @@ int FormulationCandidate::coordinates() const {
 }
 
 std::size_t FormulationCandidate::delivered() const {
-  return asked_.coordinates.empty() ? problem_.plan.model.coordinates() : asked_.coordinates.size();
+  return request_.coordinates.empty() ? problem_.plan.model.coordinates()
+                                      : request_.coordinates.size();
 }
 
 std::unique_ptr<Formulation> FormulationCandidate::make_formulation() const {
@@ -54,14 +55,14 @@ std::unique_ptr<Formulation> FormulationCandidate::make_formulation() const {
 }
 
 Summary FormulationCandidate::run(Formulation& formulation, Observer& observer) const {
-  return formulation.run(grid(), asked_, observer);
+  return formulation.run(grid(), request_, observer);
 }
 
 FormulationCandidate::Checked FormulationCandidate::check(VerifyingRun& found) {
   const Model& model = problem_.plan.model;
   const Model& whole = problem_.whole ? *problem_.whole : model;
   found.model = model_digest(whole);
-  found.level = asked_.level;
+  found.level = request_.level;
   if (std::string reason = unavailable_reason(settings()); !reason.empty())
     return not_run(std::move(reason));
   if (std::string reason = missing(); !reason.empty()) return not_run(std::move(reason));
@@ -75,7 +76,7 @@ FormulationCandidate::Checked FormulationCandidate::check(VerifyingRun& found) {
 
   const std::span<const ReferenceInstant> own = problem_.reference.instants;
   const auto right = own.empty() ? shared_reference(whole, grid(), settings().stride) : own;
-  ComparingObserver observer(delivered(), asked_.level, right, compared(right));
+  ComparingObserver observer(delivered(), request_.level, right, compared(right));
   const double start = now(clock());
   const Summary summary = run(*formulation, observer);
   found.analysis_seconds = now(clock()) - start;
@@ -96,7 +97,7 @@ std::vector<Compared> FormulationCandidate::compared(
   if (!problem_.compared.empty()) return problem_.compared;
   PerLevel<std::vector<double>> scales;
   if (problem_.is_relative) scales = coordinate_scales(problem_.plan.model, reference);
-  return all_compared(delivered(), asked_.level, scales);
+  return all_compared(delivered(), request_.level, scales);
 }
 
 /// Threads and their processors are awake afterwards. From asleep that may take as long as a
@@ -104,8 +105,8 @@ std::vector<Compared> FormulationCandidate::compared(
 /// compared with is treated alike.
 std::unique_ptr<Formulation> FormulationCandidate::make_assembled() const {
   auto formulation = make_formulation();
-  static_cast<void>(formulation->assemble(grid().time(0), asked_.level));  // verified to go well
-  Delivery elsewhere(delivered(), asked_.level);
+  static_cast<void>(formulation->assemble(grid().time(0), request_.level));  // verified to go well
+  Delivery elsewhere(delivered(), request_.level);
   const double begin = now(clock());
   while (clock() == Clock::wall && now(clock()) - begin < min_wall_seconds)
     static_cast<void>(run(*formulation, elsewhere));
@@ -114,7 +115,7 @@ std::unique_ptr<Formulation> FormulationCandidate::make_assembled() const {
 
 Analysis FormulationCandidate::make_analysis(TimingWindows& windows) const {
   const std::shared_ptr<Formulation> formulation = make_assembled();
-  const auto delivery = std::make_shared<WindowedDelivery>(delivered(), asked_.level, windows);
+  const auto delivery = std::make_shared<WindowedDelivery>(delivered(), request_.level, windows);
   return [this, formulation, delivery, &windows] {
     windows.begin();
     const Summary summary = run(*formulation, *delivery);
@@ -124,12 +125,12 @@ Analysis FormulationCandidate::make_analysis(TimingWindows& windows) const {
 
 void FormulationCandidate::sample_afresh(double duration) {
   measure([&](VerifiedCandidate& verified) {
-    on_fresh_heap([&] { verified.add_sample(step_seconds(*make_assembled(), duration)); });
+    run_on_fresh_heap([&] { verified.add_sample(step_seconds(*make_assembled(), duration)); });
   });
 }
 
 double FormulationCandidate::step_seconds(Formulation& formulation, double duration) const {
-  Delivery delivery(delivered(), asked_.level);
+  Delivery delivery(delivered(), request_.level);
   const double start = now(clock());
   double spent = 0;
   long instants = 0;
@@ -147,7 +148,7 @@ double FormulationCandidate::min_seconds() const {
                     : std::numeric_limits<double>::infinity();
 }
 
-bool FormulationCandidate::is_sampled(double long_motion_seconds) const {
+bool FormulationCandidate::has_enough_samples(double long_motion_seconds) const {
   return is_verified() && verified()->seconds().size() >= 2 &&
          min_seconds() * grid().instants > long_motion_seconds;
 }

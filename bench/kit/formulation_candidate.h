@@ -43,7 +43,7 @@ class FormulationCandidate : public Candidate {
   double min_seconds() const;
   /// Returns whether two samples are enough: it has them, and its motion takes longer than
   /// long_motion_seconds [s], so that more samples would cost too much.
-  bool is_sampled(double long_motion_seconds) const;
+  bool has_enough_samples(double long_motion_seconds) const;
 
  protected:
   /// id: without settings that all candidates share.
@@ -66,7 +66,7 @@ class FormulationCandidate : public Candidate {
   /// took `duration` [s]. Throws std::runtime_error where the motion cannot be solved.
   double step_seconds(Formulation& formulation, double duration) const;
 
-  const Request asked_;
+  const Request request_;
 
  private:
   Analysis make_analysis(TimingWindows& windows) const override;

@@ -7,7 +7,7 @@
 
 namespace desmo::bench {
 
-void on_fresh_heap(const std::function<void()>& work) {
+void run_on_fresh_heap(const std::function<void()>& work) {
   static std::minstd_rand random(1);          // the same draws in every run
   constexpr std::size_t places = 256 * 1024;  // of 16 bytes each: a thousand pages
   const std::size_t shift = 16 * (random() % places);

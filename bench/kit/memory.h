@@ -11,7 +11,7 @@ namespace desmo::bench {
 /// have left on a used heap, data lie so scattered that an analysis takes up to a quarter longer,
 /// in one run and not in the next. The place of the data, worth some percent, is drawn anew each
 /// time. Throws what `work` throws.
-void on_fresh_heap(const std::function<void()>& work);
+void run_on_fresh_heap(const std::function<void()>& work);
 
 /// Keeps freed memory in the process. Otherwise what UMFPACK frees after each factorisation goes
 /// back to the system beyond some size, its page faults are timed, and whether that happens depends

@@ -23,7 +23,7 @@ constexpr double highest_floor = 1e-20;
 
 }  // namespace
 
-void widen(double& largest, double a, double b) {
+void raise_to_difference(double& largest, double a, double b) {
   const double d = std::abs(a - b);
   if (!(d <= largest)) largest = std::isnan(d) ? INFINITY : d;
 }
@@ -64,7 +64,7 @@ Comparison ComparingObserver::compare() const {
     for (const auto& [delivered, reference, level, scale] : compared_) {
       const double value = values_at(state, level)[delivered];
       const double right = values_at(reference_[r], level)[reference];
-      widen(errors[level], value / scale, right / scale);
+      raise_to_difference(errors[level], value / scale, right / scale);
       results.add(value, right, allowed_difference[level] * scale);
     }
   }

@@ -28,7 +28,7 @@ const auto& values_at(const auto& solved, Level level) {
 }
 
 /// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
-void widen(double& largest, double a, double b);
+void raise_to_difference(double& largest, double a, double b);
 
 /// Largest allowed differences of q, q̇ and q̈ from the quadruple-precision reference, in units of
 /// the case.

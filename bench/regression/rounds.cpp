@@ -63,7 +63,7 @@ Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names
       }
       for (std::size_t i = 0; i < sides.size(); ++i) times[name][sides[i].name].push_back(least[i]);
     }
-    progress.done();
+    progress.add_done();
   }
   return times;
 }

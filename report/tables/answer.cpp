@@ -71,19 +71,19 @@ TextValues words_of(const Record& record) {
 
 /// Speed-ups of a formulation over the fastest global_automatic_<sparse>: with the same guess and
 /// tolerance, and with the paper's settings.
-struct Best {
+struct BestSpeedUps {
   std::optional<SpeedUp> like_for_like, papers_settings;
 };
 
 /// Finds the fastest formulation by groups or blocks with the guess and the tolerance of the
 /// fastest global reference. side_by_side: "lanes", "segments", or "" for neither.
-std::optional<Best> best_generated(const Record& record, std::string_view side_by_side) {
+std::optional<BestSpeedUps> best_generated(const Record& record, std::string_view side_by_side) {
   const std::optional<CandidateKey> reference = best_reference(record);
   if (!reference) return std::nullopt;
   const auto key = generated_like(record, *parse_configuration(reference->id), side_by_side);
   if (!key) return std::nullopt;
-  return Best{measured_speed_up(record, reference_like(record, *key), *key).speed_up,
-              measured_speed_up(record, papers_reference(record), *key).speed_up};
+  return BestSpeedUps{measured_speed_up(record, reference_like(record, *key), *key).speed_up,
+                      measured_speed_up(record, papers_reference(record), *key).speed_up};
 }
 
 /// Lists the references and the best formulations with the paper's settings and with the best.
@@ -141,7 +141,7 @@ std::string list(const std::vector<Mean>& means) {
 bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };
-  const std::optional<Best> best = best_generated(record, "");
+  const std::optional<BestSpeedUps> best = best_generated(record, "");
   return !means.empty() && best && best->like_for_like && best->like_for_like->value > 1 &&
          value(*std::ranges::max_element(means, {}, value)) >=
              1.5 * value(*std::ranges::min_element(means, {}, value));
@@ -155,7 +155,7 @@ TextValues what_gains(const Record& record) {
   for (const auto& [way, kind, clause] : {std::array{"scalar", "", ""},
                                           {"lanes", "lanes", "lanes_too"},
                                           {"segments", "segments", "segments_too"}}) {
-    const std::optional<Best> best = best_generated(record, kind);
+    const std::optional<BestSpeedUps> best = best_generated(record, kind);
     const bool is_measured = best && best->like_for_like;
     const TextValue times(way, is_measured ? two_digits(best->like_for_like->value) : missing_mark);
     values.push_back(times);

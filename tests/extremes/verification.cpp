@@ -30,7 +30,7 @@ class CaseVerification : public testing::Test {
   }
   /// As a run says of an instant that it is no better than that, at all levels.
   void degrade(int instant, double bound) {
-    run.steps[instant].flag = CaseRun::Flag::degraded;
+    run.steps[instant].flag = CaseRun::Flag::unproven;
     run.stated[instant]->radius = {bound, bound, bound};
   }
   ExtremeVerdict verdict() const { return verify(known, run).verdict; }
@@ -86,7 +86,7 @@ TEST_F(CaseVerification, AWrongNumberWithABoundIsNoDefect) {
   run.errors[0][1]->acceleration = 4e-9;
   EXPECT_EQ(verdict(), ExtremeVerdict::defect);
   c.may_fail = true;
-  run.steps[1].flag = CaseRun::Flag::doubtful;
+  run.steps[1].flag = CaseRun::Flag::other_branch;
   EXPECT_EQ(verdict(), ExtremeVerdict::as_expected);
 }
 

@@ -9,7 +9,7 @@ namespace desmo::cli {
 
 namespace {
 
-void set(CheckOptions& options, const std::string& given) {
+void read_check_mode(CheckOptions& options, const std::string& given) {
   const std::size_t colon = given.find(':');
   options.mode = chosen<CheckMode>("--check", std::string_view(given).substr(0, colon),
                                    {{"proof", CheckMode::proof},
@@ -31,7 +31,7 @@ void set(CheckOptions& options, const std::string& given) {
 CLI::Option* add_check(CLI::App& command, CheckOptions& options) {
   return command
       .add_option_function<std::string>(
-          "--check", [&options](const std::string& given) { set(options, given); },
+          "--check", [&options](const std::string& given) { read_check_mode(options, given); },
           "What is proven: proof, every row and every step of what is asked for (the default); "
           "mechanism, also the positions of all else; sample:N, one step over N rows, and every "
           "N-th row to the last digit (16); none, nothing")

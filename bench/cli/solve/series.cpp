@@ -166,7 +166,7 @@ Flow SeriesWriter::observe(const Instant& solved) noexcept try {
   }
   append_line(heading_, instant, std::exchange(remark_, {}), text_);
   if (text_.size() >= enough_to_write) flush();
-  if (progress_) progress_->done();
+  if (progress_) progress_->add_done();
   return Flow::go_on;
 } catch (...) {
   unwritable_ = std::current_exception();

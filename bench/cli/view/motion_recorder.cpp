@@ -37,7 +37,7 @@ CheckedSummary MotionRecorder::run(Formulation& formulation) {
 }
 
 Flow MotionRecorder::observe(const Instant&) noexcept {
-  if (progress_) progress_->done();
+  if (progress_) progress_->add_done();
   return overflowed_ ? Flow::stop : Flow::go_on;
 }
 

@@ -84,12 +84,12 @@ void measure(const AccuracySeries& series, const Problem& problem, int repetitio
   std::list<Trial> trials;
   for (const Configuration& c : series.configurations) {
     trials.emplace_back(problem, c).verify();
-    progress.done();
+    progress.add_done();
   }
   for (int round = 0; round < repetitions; ++round)
     for (Trial& trial : trials) {
-      if (!trial.is_sampled(long_motion_seconds)) trial.time(sample_seconds);
-      progress.done();
+      if (!trial.has_enough_samples(long_motion_seconds)) trial.time(sample_seconds);
+      progress.add_done();
     }
   for (const Trial& trial : trials) points.push_back(point_json(series, trial));
 }

@@ -27,7 +27,7 @@ Trial::Checked Trial::check(bench::VerifyingRun& found) {
   formulation_ = make_formulation();
   const Reference& reference = problem().reference;
   ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
-  const Summary summary = formulation_->run(grid(), asked_, errors);
+  const Summary summary = formulation_->run(grid(), request_, errors);
   error = errors.error();
   found.iterations_per_step =
       static_cast<double>(summary.iterations) / static_cast<double>(std::max(1L, summary.instants));

@@ -100,8 +100,8 @@ class Record final : public Observer {
     using Kind = RowFlag::Kind;
     flag_ = !row.flag ? CaseRun::Flag::none
             : row.flag->kind == Kind::unproven || row.flag->kind == Kind::misfit
-                ? CaseRun::Flag::degraded
-                : CaseRun::Flag::doubtful;
+                ? CaseRun::Flag::unproven
+                : CaseRun::Flag::other_branch;
     stated_ = {row.condition, row.relative_radius};
     if (case_.answers.empty()) return;
     // Over the scales that errors are taken over: those of the run are of other instants.

@@ -23,9 +23,9 @@ enum class CaseOutcome {
 struct CaseRun {
   enum class Flag {
     none,
-    degraded,  ///< numbers, said to be not proven, or to contradict equations
-    doubtful,  ///< numbers, said to be after a singular position or on another branch
-    failed,    ///< no numbers
+    unproven,      ///< numbers, said to be not proven, or to contradict equations
+    other_branch,  ///< numbers, said to be after a singular position or on another branch
+    failed,        ///< no numbers
   };
   struct Step {
     Flag flag = Flag::none;

@@ -81,23 +81,23 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const CaseRun* yards
       const Flag flag = a.steps.size() > static_cast<std::size_t>(p.compared[next])
                             ? a.steps[p.compared[next]].flag
                             : Flag::failed;
-      if (!a.errors[part][next] || flag == Flag::doubtful) continue;
+      if (!a.errors[part][next] || flag == Flag::other_branch) continue;
       if (!found.worst) found.worst.emplace();
       for (const Level level : all_levels) {
         // Nothing is claimed of a number without a radius.
-        if (flag == Flag::degraded && !std::isfinite(a.stated[next]->radius[level])) continue;
+        if (flag == Flag::unproven && !std::isfinite(a.stated[next]->radius[level])) continue;
         const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
                            allowed_error(p, a, errors, level, part, next)};
         WorstError& worst = (*found.worst)[level];
         if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
         if (!(e.error > e.allowed)) continue;
-        const double stated = flag == Flag::degraded ? a.stated[next]->radius[level] : 0;
+        const double stated = flag == Flag::unproven ? a.stated[next]->radius[level] : 0;
         const bool wrong = p.definition->bound == Bound::estimates ||
                            is_wrong(e, p.definition->scene.tolerance, stated);
         std::string& first = wrong ? found.defect : found.inexact;
         if (first.empty())
           first = formatted("%s wrong by %.1e %s, allowed %.1e", bench::level_names[level], e.error,
-                            at(p, p.compared[next]).c_str(), e.allowed);
+                            instant_text(p, p.compared[next]).c_str(), e.allowed);
       }
     }
   return found;

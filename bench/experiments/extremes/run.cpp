@@ -90,10 +90,10 @@ bool measure(const Options& options, const bench::CommandLine& line) {
   Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   bool is_right = true;
   bench::Progress progress("rows", static_cast<double>(rows.size()));
-  selection.done = [&](double share) { progress.done(share); };
+  selection.on_case_done = [&](double share) { progress.add_done(share); };
   for (const Extreme* row : rows) {
     const std::vector<Result> results = row_results(*row, selection);
-    if (results.empty()) progress.done();
+    if (results.empty()) progress.add_done();
     lists["rows"].push_back(row_json(*row));
     for (const Result& result : results) {
       lists["results"].push_back(result_json(result));

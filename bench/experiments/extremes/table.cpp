@@ -67,7 +67,7 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
       results.push_back({&row, c.name, id_with(*v, tried.settings), verify(known, a, yardstick)});
       first.try_emplace(v, std::move(a));
     }
-    if (selection.done) selection.done(1.0 / static_cast<double>(cases.size()));
+    if (selection.on_case_done) selection.on_case_done(1.0 / static_cast<double>(cases.size()));
   }
   return results;
 }

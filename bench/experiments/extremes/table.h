@@ -24,7 +24,7 @@ struct Selection {
   /// To be found in ids, and in the names of cases; by default they are in all.
   std::regex formulations{""}, cases{""};
   /// Called after each case with its share of the row; may be empty.
-  std::function<void(double)> done = {};
+  std::function<void(double)> on_case_done = {};
 };
 
 /// Returns the results of a row in the formulations selected. A case with which others are compared

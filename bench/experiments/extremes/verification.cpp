@@ -22,7 +22,7 @@ std::string unflagged(const KnownCase& p, const CaseRun& a) {
   if (p.definition->is_refused) return {};
   for (std::size_t i = 0; i < a.steps.size(); ++i)
     if (a.steps[i].flag == Flag::none && !p.solvable[i])
-      return "plain numbers " + at(p, i) + ", where there is no answer";
+      return "plain numbers " + instant_text(p, i) + ", where there is no answer";
   return {};
 }
 
@@ -54,10 +54,10 @@ std::string needless_flag(const KnownCase& p, const CaseRun& a) {
   for (std::size_t i = 0; i < a.steps.size(); ++i) {
     const Flag flag = a.steps[i].flag;
     has_reopened = has_reopened || !p.solvable[i];
-    if (has_reopened && flag == Flag::doubtful) continue;
-    if (p.solvable[i] && flag != Flag::none && !(flag == Flag::degraded && is_excused(p, a, i)) &&
-        !(flag == Flag::doubtful && is_near_singular(p, a, i)))
-      return a.message.empty() ? "failed " + at(p, i) : a.message;
+    if (has_reopened && flag == Flag::other_branch) continue;
+    if (p.solvable[i] && flag != Flag::none && !(flag == Flag::unproven && is_excused(p, a, i)) &&
+        !(flag == Flag::other_branch && is_near_singular(p, a, i)))
+      return a.message.empty() ? "failed " + instant_text(p, i) : a.message;
   }
   return {};
 }

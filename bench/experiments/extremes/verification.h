@@ -24,7 +24,7 @@ struct WorstErrors {
 WorstErrors errors_of(const KnownCase& known, const CaseRun& run, const CaseRun* yardstick);
 
 /// Returns an instant, for people: its time, or which start it is.
-std::string at(const KnownCase& known, std::size_t instant);
+std::string instant_text(const KnownCase& known, std::size_t instant);
 
 enum class ExtremeVerdict {
   as_expected,

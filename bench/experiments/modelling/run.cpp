@@ -110,7 +110,7 @@ int run(const bench::CommandLine& line) {
   bool right = true;
   for (const Comparison& c : all) {
     right &= measure(c, repetitions, lists["times"]);
-    progress.done(c.coordinates);
+    progress.add_done(c.coordinates);
   }
   TimeGrid grid = all.front().definition->with_units(1).grid;
   grid.instants = instants;

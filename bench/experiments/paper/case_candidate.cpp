@@ -56,7 +56,7 @@ CaseCandidate::CaseCandidate(std::shared_ptr<MeasuredCase> measured, const Timed
 std::string CaseCandidate::missing() const { return measured_->missing(configuration()); }
 
 Summary CaseCandidate::run(Formulation& formulation, Observer& observer) const {
-  return run_under_check(formulation, grid(), asked_, observer, check_);
+  return run_under_check(formulation, grid(), request_, observer, check_);
 }
 
 void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {

@@ -93,7 +93,7 @@ void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, P
   }
   state.counters["iterations/step"] = candidate.verifying_run().iterations_per_step;
   state.counters["residual"] = candidate.verifying_run().residual.value_or(0);
-  progress.done(1.0 / repetitions);
+  progress.add_done(1.0 / repetitions);
 }
 
 /// Returns as many as take long enough, together, that something of them is undisturbed: a core may
@@ -124,9 +124,9 @@ Json measure(const std::vector<Candidate*>& all, const Console& console, Progres
     const auto verify = [&] { candidate->verify(); };
     // The threads that it makes end with the one that it is on: those of a repetition have no
     // others next to them, for which they would have to make room.
-    candidate->threads() > 1 ? on_fresh_heap(verify) : verify();
+    candidate->threads() > 1 ? run_on_fresh_heap(verify) : verify();
     candidate->profile();
-    progress.done(candidate->is_verified() ? 1 : work_of_candidate);
+    progress.add_done(candidate->is_verified() ? 1 : work_of_candidate);
     if (candidate->is_failed() || (candidate->is_not_run() && console.has_table))
       complain(*candidate);
     if (candidate->is_verified()) verified.push_back(candidate);

@@ -36,8 +36,8 @@ void compare(Differences& errors, const Peer::Answer& answer, const ReferenceIns
   ++errors.instants;
   for (std::size_t k = 0; k < answer.coordinates.size(); ++k)
     for (const Level level : all_levels)
-      widen(errors[level], values_at(answer, level)[k],
-            values_at(reference, level)[answer.coordinates[k]]);
+      raise_to_difference(errors[level], values_at(answer, level)[k],
+                          values_at(reference, level)[answer.coordinates[k]]);
 }
 
 template <class Make>

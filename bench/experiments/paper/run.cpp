@@ -135,7 +135,7 @@ Json measure_all(const std::vector<ComparedCandidates>& all, std::size_t candida
     const Json measured =
         in_own_process(series.name, [&] { return measure(series.candidates, console, progress); });
     console.is_first = false;
-    progress.done(work_of_candidate * static_cast<double>(series.candidates.size()));
+    progress.add_done(work_of_candidate * static_cast<double>(series.candidates.size()));
     if (measured["failed"]) result["failed"] = true;
     for (const auto& [name, list] : measured["lists"].items()) {
       Json& all_of_it = result["lists"].emplace(name, Json::array()).first.value();

@@ -66,7 +66,7 @@ int run(const bench::CommandLine& line) {
   bool right = true;
   for (const SizeSeries& series : all) {
     right &= measure(series, repetitions, lists[std::string(name_of(series.question))]);
-    progress.done(work_of(series));
+    progress.add_done(work_of(series));
   }
   recording.write(all.front().definition->with_units(1).grid, lists);
   return right ? 0 : 1;

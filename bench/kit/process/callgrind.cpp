@@ -54,7 +54,7 @@ void count_on_all_cores(std::size_t n, const std::function<void(std::size_t)>& c
   Progress progress("instruction counts", static_cast<double>(n));
   std::atomic<std::size_t> next = 0;
   const auto some = [&] {
-    for (std::size_t i; (i = next++) < n; progress.done()) count(i);
+    for (std::size_t i; (i = next++) < n; progress.add_done()) count(i);
   };
   std::vector<std::future<void>> workers;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, usable_cores().size()); ++i)

@@ -21,7 +21,7 @@ Progress::~Progress() {
   std::fprintf(stderr, "%s: %.0f %% in %.0f s\n", what_.c_str(), 100 * done_ / all_, elapsed());
 }
 
-void Progress::done(double work) {
+void Progress::add_done(double work) {
   const std::lock_guard lock(mutex_);
   done_ = std::min(all_, done_ + work);
   const double now = elapsed();

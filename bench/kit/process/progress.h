@@ -9,7 +9,7 @@ namespace desmo::bench {
 
 /// A progress line on standard error, with the expected remaining time: rewritten on a terminal;
 /// elsewhere a new one when both ten seconds and a tenth of the work have passed. The last says how
-/// long all took. Any thread may call done().
+/// long all took. Any thread may call add_done().
 class Progress {
  public:
   /// what: for people, "rounds of 12 candidates". work: all there is to do, in any unit.
@@ -20,7 +20,7 @@ class Progress {
   ~Progress();
 
   /// Adds work that is done. The rest is expected to take as long by its amount.
-  void done(double work = 1);
+  void add_done(double work = 1);
   /// Clears the line on a terminal, for other output.
   void clear() const;
 

@@ -20,7 +20,7 @@ bool time_in_turn(std::list<FormulationCandidate>& candidates, int repetitions,
   for (FormulationCandidate& candidate : candidates) candidate.verify();
   for (int round = 0; round < repetitions; ++round)
     for (FormulationCandidate& candidate : candidates)
-      if (!candidate.is_sampled(long_motion_seconds)) candidate.sample_afresh(min_seconds);
+      if (!candidate.has_enough_samples(long_motion_seconds)) candidate.sample_afresh(min_seconds);
   bool right = true;
   for (const FormulationCandidate& candidate : candidates) {
     if (candidate.is_timed()) continue;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cases/numbers/interval.h"
-#include "formulations/verification/branch/growth.h"
+#include "formulations/verification/branch/step_growth.h"
 
 namespace desmo {
 

@@ -1,6 +1,6 @@
 // When a path tries longer steps.
 
-#include "formulations/verification/branch/growth.h"
+#include "formulations/verification/branch/step_growth.h"
 
 #include <gtest/gtest.h>
 

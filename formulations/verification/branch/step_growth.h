@@ -2,7 +2,7 @@
 
 namespace desmo {
 
-/// Decides when to try a longer step. Where every step is equally hard, doubled steps would fail
+/// A rule for when to try a longer step. Where every step is equally hard, doubled steps would fail
 /// every other time: so after each try that failed, twice as many steps must succeed before the
 /// next one. An easier part of a motion is thus found late by at most as many steps as were hard.
 class StepGrowth {
