@@ -16,6 +16,7 @@
 #include "cases/io/files.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/model/characteristic_lengths.h"
+#include "formulations/model/plan.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/branch/branch_path.h"
@@ -144,26 +145,50 @@ TEST(LeftOutEquations, ExplainHardlyMoreThanTheDigits) {
     }
 }
 
-/// A flap on a hinge, whose own points are farther apart than those of the ground.
+/// Flaps on one hinge of 0.4 m, each opened by a driver of its own: the first to F1. Their own
+/// points on the hinge are farther apart than those of the ground.
+Model flaps(int count, double farther) {
+  std::string bodies, joints, angles, drivers, motions;
+  for (int i = 1; i <= count; ++i) {
+    const std::string n = std::to_string(i), comma = i > 1 ? ", " : "";
+    bodies += comma + R"("flap)" + n + R"(": {"at": [0, 0, 0, 0, 0, 0], "points": {
+        "H": [0, 0, 0], "K": [0, )" +
+              formatted("%.17g", 0.4 + farther) + R"(, 0], "F)" + n + R"(": [0.3, 0, 0]}})";
+    joints += comma + R"({"type": "hinge", "bodies": ["ground", "flap)" + n +
+              R"("], "points": ["H", "K"]})";
+    angles += comma + R"("open)" + n + R"(": {"angle": ["H", "F)" + n +
+              R"("], "from": "x", "towards": "z"})";
+    drivers += comma + R"("open)" + n + '"';
+    motions += comma + R"("open)" + n + R"(": {"type": "polynomial", "coefficients": [0, 1]})";
+  }
+  return make_model(parse_scene(R"({"format": "desmo-scene", "version": 2, "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "flaps", "dimension": 3,
+      "points": {"H": [0, 0, 0], "K": [0, 0.4, 0]}, "vectors": {"x": [1, 0, 0], "z": [0, 0, 1]},
+      "ground": {"points": ["H", "K"], "vectors": ["x", "z"]}, "bodies": {)" +
+                                    bodies + R"(}, "joints": [)" + joints +
+                                    R"(], "coordinates": {)" + angles + R"(}, "drivers": [)" +
+                                    drivers + R"(]}, "motion": {)" + motions +
+                                    R"(}, "time": {"end": 1, "step": 0.1}})",
+                                "flaps.json", ""));
+}
+
 TEST(LeftOutEquations, HaveTheMisfitOfAShapeOnTheGround) {
   for (const double farther : {0., 1e-9, 4e-7}) {
-    const Model m = make_model(parse_scene(R"({"format": "desmo-scene", "version": 2, "mechanism": {
-      "format": "desmo-mechanism", "version": 1, "name": "flap", "dimension": 3,
-      "points": {"H": [0, 0, 0], "K": [0, 0.4, 0]}, "vectors": {"x": [1, 0, 0], "z": [0, 0, 1]},
-      "ground": {"points": ["H", "K"], "vectors": ["x", "z"]},
-      "bodies": {"flap": {"at": [0, 0, 0, 0, 0, 0], "points": {"H": [0, 0, 0], "K": [0, )" +
-                                               formatted("%.17g", 0.4 + farther) +
-                                               R"(, 0], "F": [0.3, 0, 0]}}},
-      "joints": [{"type": "hinge", "bodies": ["ground", "flap"], "points": ["H", "K"]}],
-      "coordinates": {"open": {"angle": ["H", "F"], "from": "x", "towards": "z"}},
-      "drivers": ["open"]}, "motion": {"open": {"type": "polynomial", "coefficients": [0, 1]}},
-      "time": {"end": 1, "step": 0.1}})",
-                                           "flap.json", ""));
+    const Model m = flaps(1, farther);
     EXPECT_EQ(LeftOutEquations(m).any(), farther > 0);
     const Found found = find(m, {0, 0.5, 1});
     EXPECT_EQ(found.proven, found.instants);
     EXPECT_EQ(found.flagged, farther > 0 ? found.instants : 0);
     EXPECT_NEAR(found.largest.amount, farther, 1e-3 * farther);
+  }
+}
+
+/// Two flaps with the same wrong length: a request of one alone still shows it.
+TEST(LeftOutEquations, OfAShapeOnTheGroundAreThoseOfEachGroup) {
+  const Model m = flaps(2, 4e-7);
+  for (const char* end : {"F1", "F2"}) {
+    const Plan plan = make_plan(m, std::vector{Output{m.find(end), Level::position}});
+    EXPECT_TRUE(LeftOutEquations(plan.model).any()) << end;
   }
 }
 

@@ -66,8 +66,15 @@ EntityId EquationWriter::add_variable(EntityKind kind, std::string name,
   return id;
 }
 
+bool EquationWriter::rests(const Mechanism::Direction& d) const {
+  const auto is_fixed = [&](EntityId e) { return coordinates_.model.entities[e].fixed; };
+  return d.is_line() ? is_fixed(point(d.from)) && is_fixed(point(d.to))
+                     : is_fixed(vector(d.vector));
+}
+
 bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism::Direction& b,
                                   double product, double magnitude) {
+  if (rests(a) && rests(b)) return true;
   const auto key = [&product](const Mechanism::Direction& d) {
     if (!d.is_line()) return Key{0, d.vector, d.vector};
     if (d.from > d.to) product = -product;  // of the line the other way round

@@ -67,7 +67,8 @@ class EquationWriter {
   }
 
   /// Records the first scalar product of two directions. Returns whether this one needs an
-  /// equation: not where it is the recorded one, to rounding. magnitude: that of the products whose
+  /// equation: not where it is the recorded one, to rounding. Products of directions that rest are
+  /// not recorded: every group says of them what it needs. magnitude: that of the products whose
   /// difference it is, such as reach times length of a line.
   bool note_product(const Mechanism::Direction& a, const Mechanism::Direction& b, double product,
                     double magnitude);
@@ -79,6 +80,9 @@ class EquationWriter {
   CandidateEquations release();
 
  private:
+  /// Returns whether a direction, or the points of a line, are fixed.
+  bool rests(const Mechanism::Direction& direction) const;
+
   using Key = std::array<int, 3>;
   Coordinates coordinates_;
   std::vector<Origin> origins_;  // source of each constraint
