@@ -7,38 +7,6 @@
 
 namespace desmo {
 
-namespace {
-
-/// Returns the largest distance between points of a constraint, or of its distance operands. A
-/// component of a point counts up to the size of the mechanism: beyond that it tells where the
-/// origin is.
-double extent(const Model& m, std::span<const double> q, const Constraint& c, double size) {
-  const double limit = joins_points(m, c) ? INFINITY : size;
-  double largest = 0;
-  const auto at_least = [&](double length) {
-    if (length > largest && std::isfinite(length)) largest = length;
-  };
-  const auto position = [&](EntityId e) {
-    return (m.entities[e].fixed ? m.fixed_values.data() : q.data()) + m.entities[e].first;
-  };
-  for (auto at = c.operands.begin(); at != c.operands.end(); ++at) {
-    const EntityId a = *at;
-    const double* x = position(a);
-    if (m.entities[a].kind == EntityKind::distance) at_least(std::min(std::abs(*x), limit));
-    if (m.entities[a].kind != EntityKind::point) continue;
-    for (const EntityId b : std::span(at + 1, c.operands.end())) {
-      if (m.entities[b].kind != EntityKind::point) continue;
-      const double* y = position(b);
-      double distance = 0;
-      for (int i = 0; i < m.entities[a].size; ++i) distance = std::hypot(distance, y[i] - x[i]);
-      at_least(distance);
-    }
-  }
-  return largest;
-}
-
-}  // namespace
-
 bool joins_points(const Model& m, const Constraint& c) {
   return std::ranges::count(c.operands, EntityKind::point,
                             [&](EntityId e) { return m.entities[e].kind; }) > 1;
@@ -48,10 +16,14 @@ CharacteristicLengths::CharacteristicLengths(const Model& m)
     : CharacteristicLengths(m, m.estimate) {}
 
 CharacteristicLengths::CharacteristicLengths(const Model& m, std::span<const double> q)
-    : m_(m), about_(m.entities.size()), of_group_(m.groups.size()), shortest_(m.entities.size()) {
-  const double size = nominal_size(m);
+    : m_(m),
+      q_(q.begin(), q.end()),
+      size_(nominal_size(m)),
+      about_(m.entities.size()),
+      of_group_(m.groups.size()),
+      shortest_(m.entities.size()) {
   for (const Constraint& c : m.constraints) {
-    const double length = extent(m, q, c, size);
+    const double length = extent(c);
     for (const EntityId e : c.operands) {
       about_[e] = std::max(about_[e], length);
       if (length > 0) shortest_[e] = shortest_[e] > 0 ? std::min(shortest_[e], length) : length;
@@ -59,6 +31,34 @@ CharacteristicLengths::CharacteristicLengths(const Model& m, std::span<const dou
     of_group_[c.group] = std::max(of_group_[c.group], length);
     of_all_ = std::max(of_all_, length);
   }
+}
+
+/// Returns the largest distance between points of a constraint, or of its distance operands. A
+/// component of a point counts up to the size of the mechanism: beyond that it tells where the
+/// origin is.
+double CharacteristicLengths::extent(const Constraint& c) const {
+  const double limit = joins_points(m_, c) ? INFINITY : size_;
+  double largest = 0;
+  const auto at_least = [&](double length) {
+    if (length > largest && std::isfinite(length)) largest = length;
+  };
+  const auto position = [&](EntityId e) {
+    return (m_.entities[e].fixed ? m_.fixed_values.data() : q_.data()) + m_.entities[e].first;
+  };
+  for (auto at = c.operands.begin(); at != c.operands.end(); ++at) {
+    const EntityId a = *at;
+    const double* x = position(a);
+    if (m_.entities[a].kind == EntityKind::distance) at_least(std::min(std::abs(*x), limit));
+    if (m_.entities[a].kind != EntityKind::point) continue;
+    for (const EntityId b : std::span(at + 1, c.operands.end())) {
+      if (m_.entities[b].kind != EntityKind::point) continue;
+      const double* y = position(b);
+      double distance = 0;
+      for (int i = 0; i < m_.entities[a].size; ++i) distance = std::hypot(distance, y[i] - x[i]);
+      at_least(distance);
+    }
+  }
+  return largest;
 }
 
 double CharacteristicLengths::or_wider(double length, GroupId group) const {
@@ -88,6 +88,11 @@ double CharacteristicLengths::of(const Constraint& c) const {
   for (const EntityId e : c.operands)
     if (is_length(m_.entities[e].kind)) longest = std::max(longest, about_[e]);
   return or_wider(longest, c.group);
+}
+
+double CharacteristicLengths::own(const Constraint& c) const {
+  const double length = c.constants.empty() ? 0 : extent(c);
+  return length > 0 ? length : of(c);
 }
 
 }  // namespace desmo

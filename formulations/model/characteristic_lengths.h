@@ -37,10 +37,17 @@ class CharacteristicLengths {
   /// Returns the largest length of a constraint's points and distances; falls back as above.
   double of(const Constraint& constraint) const;
 
+  /// Returns the largest distance between two points of a constraint, or of its distance
+  /// coordinates. Where it has none, as where two points are to coincide, returns of(constraint).
+  double own(const Constraint& constraint) const;
+
  private:
+  double extent(const Constraint& constraint) const;
   double or_wider(double length, GroupId group) const;
 
   const Model& m_;
+  const std::vector<double> q_;           // positions at which lengths are taken
+  const double size_;                     // nominal_size() of the model
   std::vector<double> about_, of_group_;  // by entity, by group; 0: no length
   std::vector<double> shortest_;          // by entity
   double of_all_ = 0;

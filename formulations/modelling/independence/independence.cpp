@@ -145,7 +145,7 @@ std::vector<LeftOut> constant_equations(const Model& m) {
     const std::vector<double> phi = residual_of(m, constraint, state);
     for (int row = 0; row < std::ssize(phi); ++row) {
       const Misfit misfit = misfit_of(m, c, row, phi[row], state);
-      if (misfit.over(lengths.of(constraint)) > max_misfit)
+      if (!(misfit.over(lengths.own(constraint)) <= max_misfit))
         throw ContradictionError(
             in_quotes(constraint.name) + " is off by ", misfit.amount,
             ": the places on the ground and the shape of the body, or two shapes, contradict each "
