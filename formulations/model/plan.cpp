@@ -75,11 +75,11 @@ class Upstream {
     for (std::size_t c = 0; c < m_.constraints.size(); ++c) {
       const Constraint& constraint = m_.constraints[c];
       if (kept_rows(constraint) > 0) continue;
-      constraint_kept[c] = std::ranges::all_of(constraint.operands, [&](EntityId id) {
-        return m_.entities[id].fixed || entity_level[id];
-      });
       const GroupId g = constraint.group;
-      if (is_constant(m_, constraint)) constraint_kept[c] = group_needed_[g] || !has_unknowns_[g];
+      const auto is_known = [&](EntityId id) { return m_.entities[id].fixed || entity_level[id]; };
+      constraint_kept[c] = is_constant(m_, constraint)
+                               ? group_needed_[g] || !has_unknowns_[g]
+                               : std::ranges::all_of(constraint.operands, is_known);
       if (!constraint_kept[c]) continue;
       for (const EntityId id : constraint.operands)
         if (m_.entities[id].fixed) need(id, Level::position, constraint.operands.front());
@@ -179,6 +179,9 @@ std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
     ++use.kept_blocks;
     use.level = std::max(use.level, *up.block_level[b]);
   }
+  for (std::size_t i = 0; i < whole.constraints.size(); ++i)
+    if (const Constraint& c = whole.constraints[i]; is_constant(whole, c) && !up.constraint_kept[i])
+      uses[c.group].may_lock = true;
   for (std::size_t i = 0; i < whole.entities.size(); ++i) {
     const Entity& e = whole.entities[i];
     if (e.fixed) continue;

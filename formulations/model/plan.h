@@ -24,7 +24,7 @@ struct Plan {
     int blocks = 0, kept_blocks = 0;      ///< irreducible blocks, and those still solved
     Level level = Level::position;        ///< highest level that is needed of it
     /// A dropped block, whose positions nobody looks at, may have no solution, whatever the kept
-    /// ones have.
+    /// ones have. Or a dropped equation between constants does not hold.
     bool may_lock = false;
     std::vector<std::string> kept, dropped;  ///< names of its entities
     /// Name of the requested entity for which the first entity is kept that was not requested

@@ -189,6 +189,8 @@ TEST(LeftOutEquations, OfAShapeOnTheGroundAreThoseOfEachGroup) {
   for (const char* end : {"F1", "F2"}) {
     const Plan plan = make_plan(m, std::vector{Output{m.find(end), Level::position}});
     EXPECT_TRUE(LeftOutEquations(plan.model).any()) << end;
+    const auto unseen = std::ranges::count(plan.groups, true, &Plan::GroupUse::may_lock);
+    EXPECT_EQ(unseen, 1) << end;  // the other flap
   }
 }
 

@@ -102,8 +102,8 @@ std::string note_on_unseen(const Plan& plan, const Model& whole) {
     if (plan.groups[g].may_lock) groups.push_back(named_group(whole.groups[g]));
   if (groups.empty()) return "";
   return "note: not checked: " + enumerate(groups, names_shown) +
-         ", which the request does not need; the motion may lock there (--check mechanism checks "
-         "all)\n";
+         ", which the request does not need; the motion may lock there, or equations may not hold "
+         "(--check mechanism checks all)\n";
 }
 
 }  // namespace desmo::cli
