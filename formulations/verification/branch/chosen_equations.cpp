@@ -68,7 +68,7 @@ std::unique_ptr<const Model> with_chosen_equations(const Model& model, std::span
 
 bool has_other_equations(const Model& m) {
   return std::ranges::any_of(m.constraints, [&m](const Constraint& c) {
-    return c.left_out != 0 && !m.groups[c.group].constant;
+    return c.left_out != 0 && !m.groups[c.group].constant && !is_constant(m, c);
   });
 }
 

@@ -17,7 +17,8 @@ namespace desmo {
 /// Dense in each group that has.
 std::unique_ptr<const Model> with_chosen_equations(const Model& model, std::span<const double> q);
 
-/// Returns whether a group that moves has equations that were left out.
+/// Returns whether a group that moves has equations that were left out, not counting those between
+/// constants.
 bool has_other_equations(const Model& model);
 
 }  // namespace desmo
