@@ -14,15 +14,16 @@
 #include <vector>
 
 #include "cases/io/files.h"
-#include "cases/mechanism/formatted.h"
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/plan.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/branch/branch_path.h"
+#include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"
+#include "tests/flaps.h"
 #include "tests/mechanisms.h"
 #include "tests/overconstrained.h"
 
@@ -145,36 +146,13 @@ TEST(LeftOutEquations, ExplainHardlyMoreThanTheDigits) {
     }
 }
 
-/// Flaps on one hinge of 0.4 m, each opened by a driver of its own: the first to F1. Their own
-/// points on the hinge are farther apart than those of the ground.
-Model flaps(int count, double farther) {
-  std::string bodies, joints, angles, drivers, motions;
-  for (int i = 1; i <= count; ++i) {
-    const std::string n = std::to_string(i), comma = i > 1 ? ", " : "";
-    bodies += comma + R"("flap)" + n + R"(": {"at": [0, 0, 0, 0, 0, 0], "points": {
-        "H": [0, 0, 0], "K": [0, )" +
-              formatted("%.17g", 0.4 + farther) + R"(, 0], "F)" + n + R"(": [0.3, 0, 0]}})";
-    joints += comma + R"({"type": "hinge", "bodies": ["ground", "flap)" + n +
-              R"("], "points": ["H", "K"]})";
-    angles += comma + R"("open)" + n + R"(": {"angle": ["H", "F)" + n +
-              R"("], "from": "x", "towards": "z"})";
-    drivers += comma + R"("open)" + n + '"';
-    motions += comma + R"("open)" + n + R"(": {"type": "polynomial", "coefficients": [0, 1]})";
-  }
-  return make_model(parse_scene(R"({"format": "desmo-scene", "version": 2, "mechanism": {
-      "format": "desmo-mechanism", "version": 1, "name": "flaps", "dimension": 3,
-      "points": {"H": [0, 0, 0], "K": [0, 0.4, 0]}, "vectors": {"x": [1, 0, 0], "z": [0, 0, 1]},
-      "ground": {"points": ["H", "K"], "vectors": ["x", "z"]}, "bodies": {)" +
-                                    bodies + R"(}, "joints": [)" + joints +
-                                    R"(], "coordinates": {)" + angles + R"(}, "drivers": [)" +
-                                    drivers + R"(]}, "motion": {)" + motions +
-                                    R"(}, "time": {"end": 1, "step": 0.1}})",
-                                "flaps.json", ""));
+Model flaps_model(int count, double farther) {
+  return make_model(parse_scene(flaps(count, farther), "flaps.json", ""));
 }
 
 TEST(LeftOutEquations, HaveTheMisfitOfAShapeOnTheGround) {
   for (const double farther : {0., 1e-9, 4e-7}) {
-    const Model m = flaps(1, farther);
+    const Model m = flaps_model(1, farther);
     EXPECT_EQ(LeftOutEquations(m).any(), farther > 0);
     const Found found = find(m, {0, 0.5, 1});
     EXPECT_EQ(found.proven, found.instants);
@@ -185,13 +163,22 @@ TEST(LeftOutEquations, HaveTheMisfitOfAShapeOnTheGround) {
 
 /// Two flaps with the same wrong length: a request of one alone still shows it.
 TEST(LeftOutEquations, OfAShapeOnTheGroundAreThoseOfEachGroup) {
-  const Model m = flaps(2, 4e-7);
+  const Model m = flaps_model(2, 4e-7);
   for (const char* end : {"F1", "F2"}) {
     const Plan plan = make_plan(m, std::vector{Output{m.find(end), Level::position}});
     EXPECT_TRUE(LeftOutEquations(plan.model).any()) << end;
     const auto unseen = std::ranges::count(plan.groups, true, &Plan::GroupUse::may_lock);
     EXPECT_EQ(unseen, 1) << end;  // the other flap
   }
+}
+
+TEST(LeftOutEquations, OfAShapeOnTheGroundAreNoneToChoose) {
+  Model m = flaps_model(1, 4e-7);
+  EXPECT_TRUE(has_other_equations(m));
+  for (Constraint& c : m.constraints)
+    if (!is_constant(m, c)) c.left_out = 0;
+  EXPECT_TRUE(LeftOutEquations(m).any());
+  EXPECT_FALSE(has_other_equations(m));
 }
 
 /// What a drawing may leave, 1e-4 of the lengths of an equation's points, is no contradiction.

@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "tests/cli/program.h"
+#include "tests/flaps.h"
 
 namespace desmo::flags_test {
 namespace {
@@ -78,6 +79,22 @@ TEST_F(Cli, RowsOnAChangePointHaveNoRates) {
   const Json row = Json::parse(lines()[5]);
   EXPECT_NEAR(row[1].get<double>(), 1, 1e-6);
   EXPECT_TRUE(row[3].is_null());
+}
+
+/// A body's own shape is longer than its hinge on the ground: by digits, or by more.
+TEST_F(Cli, ShapesThatFitTheGroundButForDigitsAreFlagged) {
+  const std::string flap = flaps(1, 4e-7), end = R"("time": {)";
+  const std::string one_point = replaced(flap, end, R"("request": [{"points": ["F1"]}], )" + end);
+  for (const std::string& scene : {flap, one_point}) {
+    write("flap.json", scene);
+    for (const std::string check : {"proof", "mechanism", "sample:4"}) {
+      const std::string solve = "solve flap.json -o out/motion.csv --check " + check;
+      expect_said(0, solve, "largest contradiction: 'flap1: H-K length' is off by 4.0e-07 m");
+      expect_said(1, solve + " --strict", "the equations contradict each other");
+    }
+  }
+  write("flap.json", flaps(1, 1e-4));
+  expect_said(65, "solve flap.json", "'flap1: H-K length' is off by 0.0001 m");
 }
 
 }  // namespace

@@ -236,6 +236,10 @@ TEST(Refused, ShapesOnTheGroundThatDifferByMoreThanDigitsAndNoOthers) {
         const Model kept = make_plan(nearly.model, {}).model;
         EXPECT_EQ(std::ranges::count(kept.constraints, "f: A-B length", &Constraint::name),
                   longer > 0);
+        // A request that needs neither body names the one whose equation is not looked at.
+        const Plan other =
+            make_plan(nearly.model, std::vector{Output{nearly.model.find("a"), Level::position}});
+        EXPECT_EQ(std::ranges::count(other.groups, true, &Plan::GroupUse::may_lock), longer > 0);
       }
       expect_refused(shapes(1.1e-4), {still}, {"'f: A-B length'", "contradict"});
     }
