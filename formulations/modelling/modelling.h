@@ -1,20 +1,24 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cases/mechanism/scene.h"
+#include "formulations/model/misfit.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
 
-/// A candidate equation that was left out because it follows from others, or is between constants.
+/// A candidate equation that was left out because it follows from others, or is between points and
+/// vectors of the ground.
 struct LeftOut {
   std::string equation;                   ///< name of the constraint
   std::vector<int> rows;                  ///< its rows that were left out
   GroupId group;                          ///< group of the equation
   std::vector<std::string> follows_from;  ///< names of the constraints that imply it
   bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
+  std::optional<Misfit> misfit{};  ///< largest of its rows; only of an equation of the ground
 };
 
 /// An idle freedom: a motion of a body that moves none of its points and vectors. An example is the
@@ -29,7 +33,7 @@ struct IdleFreedom {
 /// A model of a mechanism, with remarks for the user.
 struct ModellingResult {
   Model model;
-  std::vector<LeftOut> left_out;    ///< candidate equations that follow from others
+  std::vector<LeftOut> left_out;    ///< candidate equations that are not solved
   std::vector<IdleFreedom> idle{};  ///< freedoms that move no modelled point or vector
 };
 

@@ -6,6 +6,7 @@
 
 #include "cases/library/library.h"
 #include "tests/cli/program.h"
+#include "tests/flaps.h"
 
 namespace desmo::inspecting_test {
 namespace {
@@ -130,6 +131,16 @@ TEST_F(Cli, MarksRedundantConstraints) {
   ASSERT_EQ(desmo("inspect twins.json --json"), 0);
   const Json left_out = Json::parse(out_)["left_out"];
   EXPECT_TRUE(std::ranges::any_of(left_out, [](const Json& l) { return l["redundant"] == true; }));
+}
+
+TEST_F(Cli, SaysByHowMuchAShapeDoesNotFitTheGround) {
+  write("flap.json", flaps(1, 4e-7));
+  expect_printed("inspect flap.json",
+                 "flap1: H-K length (SG-I): between points of the ground; off "
+                 "by 4.0e-07 m");
+  ASSERT_EQ(desmo("inspect flap.json --json"), 0);
+  for (const Json& l : Json::parse(out_)["left_out"])
+    EXPECT_EQ(l["misfit"].is_null(), l["equation"] != "flap1: H-K length") << l;
 }
 
 /// A pin in a slot, with a cam on its arm; and two slides of which one rests on the other.

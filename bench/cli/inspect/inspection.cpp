@@ -132,6 +132,13 @@ std::pair<Json, Json> describe_tree(const Model& m, const Mechanism& d, const Ri
   return {bodies, cut_joints};
 }
 
+/// Returns by how much an equation does not hold, in the units of the input; null: nobody knows.
+Json describe_misfit(const LeftOut& left_out, const DisplayUnits& units) {
+  if (!left_out.misfit) return nullptr;
+  const DisplayUnit unit = left_out.misfit->is_length ? units.length : DisplayUnit{"1"};
+  return {{"amount", unit.from_si(left_out.misfit->amount)}, {"unit", unit.name}};
+}
+
 }  // namespace
 
 Json inspect(const Input& input, const ModellingResult& modelled) {
@@ -153,7 +160,8 @@ Json inspect(const Input& input, const ModellingResult& modelled) {
                         {"rows", l.rows},
                         {"group", m.groups[l.group].name},
                         {"follows_from", l.follows_from},
-                        {"redundant", l.redundant}});
+                        {"redundant", l.redundant},
+                        {"misfit", describe_misfit(l, input.units)}});
   Json idle = Json::array();
   for (const IdleFreedom& f : modelled.idle) idle.push_back({{"body", f.body}, {"about", f.about}});
   return {{"name", m.name},

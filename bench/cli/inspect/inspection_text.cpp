@@ -6,6 +6,7 @@
 
 #include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
+#include "bench/cli/units.h"
 #include "cases/mechanism/names.h"
 #include "formulations/base/modelling.h"
 
@@ -97,9 +98,15 @@ std::string left_out_text(const Json& left_out, const Json& groups) {
   std::string what = left_out["equation"];
   if (is_kept_in_part(left_out, groups))
     what += ", " + count(left_out["rows"].size(), "row") + " of it";
-  what += " (" + left_out["group"].get<std::string>() + "): follows from " +
-          (left_out["follows_from"].empty() ? "what earlier groups determine"
-                                            : enumerate(left_out["follows_from"], 12));
+  what += " (" + left_out["group"].get<std::string>() + "): ";
+  if (const Json& misfit = left_out["misfit"]; !misfit.is_null()) {
+    const DisplayUnit unit{misfit["unit"]};
+    what += "between points of the ground; off by " + quantity(misfit["amount"], unit, "%.1e");
+  } else {
+    what += "follows from " + (left_out["follows_from"].empty()
+                                   ? "what earlier groups determine"
+                                   : enumerate(left_out["follows_from"], 12));
+  }
   if (left_out["redundant"]) what += "; redundant but consistent: accepted";
   return entry(what);
 }
@@ -130,7 +137,8 @@ std::string inspection_text(const Json& structure) {
   std::vector<std::string> left_out, idle;
   for (const Json& l : structure["left_out"])
     left_out.push_back(left_out_text(l, structure["groups"]));
-  text += section("\nConstraints left out, because they follow from others", left_out);
+  text += section("\nConstraints left out, because they follow from others or are of the ground",
+                  left_out);
   for (const Json& f : structure["idle_freedoms"])
     idle.push_back(entry(f["body"].get<std::string>() + ": free to spin about " +
                          f["about"].get<std::string>()));

@@ -152,6 +152,8 @@ std::vector<LeftOut> constant_equations(const Model& m) {
             "other; make them the same",
             misfit.is_length ? m.length_unit : "1");
       all.back().rows.push_back(row);
+      std::optional<Misfit>& largest = all.back().misfit;
+      if (!largest || misfit.amount > largest->amount) largest = misfit;
     }
   }
   return all;
