@@ -43,7 +43,8 @@ struct Constraint {
   std::vector<EntityId> operands;
   std::vector<Derived> constants;  ///< formulations use their values; proofs all of them
   GroupId group;                   ///< group that it determines
-  unsigned left_out = 0;           ///< bit r: row r depends on other equations and is omitted
+  /// Bit r: row r is omitted. It depends on other equations, or is between constants.
+  unsigned left_out = 0;
   /// Bounds on what digits of the file leave of each row of Φ; empty: nothing. Only proofs use
   /// them.
   std::vector<double> slack{};

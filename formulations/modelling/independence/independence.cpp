@@ -25,7 +25,7 @@ constexpr double moved = 0.1;
 /// Near enough, each, for Newton's method; an even number.
 constexpr int steps = 10;
 
-/// Minimises Φ over the unknowns by Gauss and Newton's method. Overwrites the state; returns what
+/// Minimises Φ over the unknowns by the Gauss–Newton method. Overwrites the state; returns what
 /// is left of Φ, relative to its scales.
 VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
                            Lineariser& lineariser) {

@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Assembles a group from an estimate, even where equations depend on each other: by Gauss and
-/// Newton's method with the smallest correction, over unknowns and drivers. Returns whether Φ
+/// Assembles a group from an estimate, even where equations depend on each other: by the
+/// Gauss–Newton method with the smallest correction, over unknowns and drivers. Returns whether Φ
 /// vanishes, as far as rounding lets it, which is the less the farther from the origin a group is.
 bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int most = 100;

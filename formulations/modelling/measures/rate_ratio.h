@@ -14,7 +14,7 @@ namespace desmo {
 /// The ratio of two coordinates' rates (Measures).
 class RateRatio {
  public:
-  /// of: the coordinate whose rate is divided, and that by whose rate it is
+  /// of: positions in q of the coordinate whose rate is divided, and of the one that divides it
   RateRatio(const Model& model, const std::array<int, 2>& of, Measures::DrivenBy driven_by);
 
   /// Returns the ratio at an instant; NaN: it is not known.
