@@ -1,23 +1,25 @@
 #include <algorithm>
 
-#include "cases/mechanism/names.h"
 #include "formulations/modelling/groups/structure.h"
 
 namespace desmo {
 
 namespace {
 
+/// Returns a name in quotes, whole: in_quotes() is for messages, which cut it.
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+
 std::string line_of(const Mechanism& d, int a, int b) {
-  return "the line of " + in_quotes(d.points[a].name) + " and " + in_quotes(d.points[b].name);
+  return "the line of " + quoted(d.points[a].name) + " and " + quoted(d.points[b].name);
 }
 
 std::string axis(const Mechanism& d, const Basis& basis) {
   const std::string& origin = d.points[basis.origin].name;
-  if (basis.directions.empty()) return in_quotes(origin);
+  if (basis.directions.empty()) return quoted(origin);
   const Mechanism::Direction& along = basis.directions.front();
   return along.is_line() ? line_of(d, along.from, along.to)
-                         : "the line through " + in_quotes(origin) + " along " +
-                               in_quotes(d.vectors[along.vector].name);
+                         : "the line through " + quoted(origin) + " along " +
+                               quoted(d.vectors[along.vector].name);
 }
 
 }  // namespace
