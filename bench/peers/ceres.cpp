@@ -128,7 +128,8 @@ class CeresPeer final : public Peer {
       is_unknown_[e] = !m.is_at_rest(static_cast<EntityId>(e)) && !driven[m.entities[e].first];
     const Magnitudes magnitudes(m);
     for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
-      if (!m.groups[m.constraints[c].group].constant) add(c, magnitudes);
+      if (!m.groups[m.constraints[c].group].constant && kept_rows(m.constraints[c]) > 0)
+        add(c, magnitudes);
     for (const auto& part : parts_of(*rates_))  // global: one that moves
       if (!part.definition.constant) runs_ = ranges_of(part.definition.unknowns);
     answer_.coordinates.resize(m.coordinates());
