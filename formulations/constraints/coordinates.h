@@ -99,7 +99,7 @@ struct TableCoupling : NonlinearKind<1> {
   }
   /// Returns the same from number(k), number k of a constraint, in a scalar that compares.
   template <class S, class Number>
-  static std::array<S, constants> about(const Number& number, const S& s2) {
+  static std::array<S, constants> about_number(const Number& number, const S& s2) {
     const S at = number(1) * s2;
     const auto t = [&number](int k) { return number(table + k); };
     return {number(0),

@@ -16,7 +16,7 @@ template <class Kind, class S>
 auto dimensions_at(const Constraint& constraint, const S* const* x) {
   const auto number = [&](int k) { return as<S>(constraint.constants[k]); };
   if constexpr (has_table<Kind>) {
-    return Kind::about(number, x[1][0]);
+    return Kind::about_number(number, x[1][0]);
   } else {
     std::array<S, Kind::constants + 1> all{};
     for (int k = 0; k < Kind::constants; ++k) all[k] = number(k);

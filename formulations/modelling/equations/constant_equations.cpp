@@ -8,7 +8,7 @@
 
 namespace desmo {
 
-bool holds(const Model& m, const Constraint& c, double reach) {
+bool holds_to_rounding(const Model& m, const Constraint& c, double reach) {
   bool result = true;
   const auto rounded = [](double value, double magnitude) {
     return Interval(value, max_rounding * magnitude);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <stdexcept>
 
 #include "formulations/model/derivations.h"
 #include "formulations/modelling/equations/sliding_lines.h"
@@ -96,8 +97,9 @@ CandidateEquations EquationWriter::release() {
   Model& m = coordinates_.model;
   std::vector<int> order(origins_.size());
   std::iota(order.begin(), order.end(), 0);
+  // So far, only equations between constants are left out. They come last.
   std::ranges::stable_sort(order, {}, [&m](int c) {
-    return std::pair(m.constraints[c].group, is_constant(m, m.constraints[c]));
+    return std::pair(m.constraints[c].group, m.constraints[c].left_out != 0);
   });
   std::vector<Constraint> constraints;
   std::vector<Origin> origins;
@@ -121,7 +123,8 @@ void EquationWriter::constrain(Origin origin, std::string name, int kind,
   for (const EntityId e : operands)
     made.group = std::max(made.group, coordinates_.model.entities.at(e).group);
   if (made.group < 0) {
-    if (holds(coordinates_.model, made, farthest_)) return;
+    if (holds_to_rounding(coordinates_.model, made, farthest_)) return;
+    if (group_ < 0) throw std::logic_error("'" + made.name + "' is of no group");
     made.group = group_;
     made.left_out = (1u << rows(made)) - 1;
   }

@@ -109,7 +109,7 @@ bool is_rounding(double value, double magnitude);
 /// what rests on the ground is described twice, in different ways.
 /// - reach: largest absolute coordinate of a point [unit of length], nominally or in a body's own
 ///   frame. Each length may be off by max_rounding of it
-bool holds(const Model& model, const Constraint& constraint, double reach);
+bool holds_to_rounding(const Model& model, const Constraint& constraint, double reach);
 
 /// Returns whether a sliding joint in the plane keeps its offset by an equation of its own. Where
 /// it is drawn without one, the definition of a distance that is declared along it says that, too.
