@@ -170,7 +170,7 @@ std::vector<LeftOut> leave_out_dependent(CandidateEquations& candidates,
   std::vector<GroupSystem> systems = group_systems(m);
   for (GroupSystem& s : systems) s.redundant = surplus[s.group] > 0;
   Linearisers linearisers(m);
-  const JudgedPositions positions = assemble_positions(m, systems, linearisers);
+  const SampledPositions positions = assemble_positions(m, systems, linearisers);
   RowSelector selector(candidates, positions, linearisers);
   for (GroupSystem& s : systems) {
     SelectedRows selected = selector.select(s);

@@ -54,7 +54,7 @@ bool make_scalar(Constraint& constraint) {
 
 }  // namespace
 
-RowSelector::RowSelector(CandidateEquations& candidates, const JudgedPositions& positions,
+RowSelector::RowSelector(CandidateEquations& candidates, const SampledPositions& positions,
                          Linearisers& linearisers)
     : m_(candidates.model),
       origins_(candidates.origins),
@@ -86,7 +86,7 @@ void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
 /// lower rank is a special one.
 SelectedRows RowSelector::select(const GroupSystem& s) {
   SelectedRows selected;
-  selected.jacobians = judged_jacobians(s, positions_, linearisers_);
+  selected.jacobians = sample_jacobians(s, positions_, linearisers_);
   const std::vector<int> order = preference(s);
   int best_rank = -1;
   const auto take_rows = [&](const Eigen::MatrixXd& jacobian, const std::vector<bool>& among,

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "formulations/modelling/equations/candidates.h"
-#include "formulations/modelling/independence/judged_positions.h"
+#include "formulations/modelling/independence/sampled_positions.h"
 
 namespace desmo {
 
@@ -13,14 +13,14 @@ struct SelectedRows {
   /// Largest relative uncertainty of a row's derivatives by rounding of positions, with the
   /// shortest lengths; found where too few rows are selected.
   double uncertain = 0;
-  JudgedJacobians jacobians;
+  SampledJacobians jacobians;
 };
 
 /// A selector of independent equations among a group's candidates; see leave_out_dependent.
 class RowSelector {
  public:
   /// Stores references: all arguments must outlive the selector.
-  RowSelector(CandidateEquations& candidates, const JudgedPositions& positions,
+  RowSelector(CandidateEquations& candidates, const SampledPositions& positions,
               Linearisers& linearisers);
 
   SelectedRows select(const GroupSystem& system);
@@ -36,7 +36,7 @@ class RowSelector {
 
   Model& m_;
   const std::vector<Origin>& origins_;  // source of each constraint
-  const JudgedPositions& positions_;
+  const SampledPositions& positions_;
   Linearisers& linearisers_;
   std::vector<bool> moves_;  // whether each component of the state moves
 };

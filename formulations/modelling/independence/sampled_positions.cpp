@@ -1,4 +1,4 @@
-#include "formulations/modelling/independence/judged_positions.h"
+#include "formulations/modelling/independence/sampled_positions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,9 +80,9 @@ std::optional<std::vector<double>> perturb(std::vector<double> state, double amo
   return state;
 }
 
-JudgedPositions assembled(const Model& m, std::vector<GroupSystem>& systems,
-                          Linearisers& linearisers) {
-  JudgedPositions positions;
+SampledPositions assembled(const Model& m, std::vector<GroupSystem>& systems,
+                           Linearisers& linearisers) {
+  SampledPositions positions;
   std::vector<double>& nominal = positions[0];
   nominal = m.state_of(m.estimate);
   for (GroupSystem& s : systems) {
@@ -102,13 +102,13 @@ JudgedPositions assembled(const Model& m, std::vector<GroupSystem>& systems,
 
 }  // namespace
 
-JudgedPositions assemble_positions(const Model& m, std::vector<GroupSystem>& systems,
-                                   Linearisers& linearisers) {
-  const JudgedPositions positions = assembled(m, systems, linearisers);
+SampledPositions assemble_positions(const Model& m, std::vector<GroupSystem>& systems,
+                                    Linearisers& linearisers) {
+  const SampledPositions positions = assembled(m, systems, linearisers);
   bool again = false;
   for (GroupSystem& s : systems) {
     if (!s.redundant || s.closes_nearly() || s.drivers() == 0) continue;
-    const JudgedJacobians jacobians = judged_jacobians(s, positions, linearisers);
+    const SampledJacobians jacobians = sample_jacobians(s, positions, linearisers);
     GroupSystem nearly = s;
     nearly.dependent_below = max_misfit;
     if (mobility(s, jacobians) >= s.drivers() || mobility(nearly, jacobians) < s.drivers())
@@ -119,15 +119,15 @@ JudgedPositions assemble_positions(const Model& m, std::vector<GroupSystem>& sys
   return again ? assembled(m, systems, linearisers) : positions;
 }
 
-JudgedJacobians judged_jacobians(const GroupSystem& s, const JudgedPositions& positions,
-                                 Linearisers& linearisers) {
-  JudgedJacobians jacobians;
+SampledJacobians sample_jacobians(const GroupSystem& s, const SampledPositions& positions,
+                                  Linearisers& linearisers) {
+  SampledJacobians jacobians;
   for (std::size_t p = 0; p < positions.size(); ++p)
     jacobians[p] = linearisers.usual.at(positions[p], s).jacobian;
   return jacobians;
 }
 
-int mobility(const GroupSystem& s, const JudgedJacobians& jacobians) {
+int mobility(const GroupSystem& s, const SampledJacobians& jacobians) {
   const int columns = static_cast<int>(s.columns.size());
   int rank = 0;
   for (const Eigen::MatrixXd& jacobian : jacobians) {

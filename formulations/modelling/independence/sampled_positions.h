@@ -11,7 +11,7 @@ namespace desmo {
 
 /// The states at which the dependence of equations is judged: the nominal position, then two
 /// perturbed ones.
-using JudgedPositions = std::array<std::vector<double>, 3>;
+using SampledPositions = std::array<std::vector<double>, 3>;
 
 /// The linearisers of a model: by the longest lengths and, where these hide small bodies on large
 /// ones, by the shortest.
@@ -26,18 +26,18 @@ struct Linearisers {
 /// be assembled, or not move with its drivers, but for max_misfit, sets what its equations depend
 /// below. Throws std::invalid_argument, naming group, bodies and constraint, when the nominal
 /// position cannot be assembled.
-JudgedPositions assemble_positions(const Model& model, std::vector<GroupSystem>& systems,
-                                   Linearisers& linearisers);
+SampledPositions assemble_positions(const Model& model, std::vector<GroupSystem>& systems,
+                                    Linearisers& linearisers);
 
-/// Scaled Jacobians of all rows (rows × columns), at each judged position.
-using JudgedJacobians = std::array<Eigen::MatrixXd, std::tuple_size_v<JudgedPositions>>;
+/// Scaled Jacobians of all rows (rows × columns), at each sampled position.
+using SampledJacobians = std::array<Eigen::MatrixXd, std::tuple_size_v<SampledPositions>>;
 
-/// Returns the Jacobians of a group.
-JudgedJacobians judged_jacobians(const GroupSystem& system, const JudgedPositions& positions,
-                                 Linearisers& linearisers);
+/// Evaluates the Jacobians of a group.
+SampledJacobians sample_jacobians(const GroupSystem& system, const SampledPositions& positions,
+                                  Linearisers& linearisers);
 
 /// Returns the freedoms that the candidates leave to a group, drivers free, at the most general
 /// position.
-int mobility(const GroupSystem& system, const JudgedJacobians& jacobians);
+int mobility(const GroupSystem& system, const SampledJacobians& jacobians);
 
 }  // namespace desmo
