@@ -19,22 +19,23 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Movement of the drivers, in natural magnitudes. It is so large that a contradiction shows
+/// Movement of the drivers [natural magnitudes]. It is so large that a contradiction shows
 /// although other bodies give way to first order.
-constexpr double moved = 0.1;
-/// Near enough, each, for Newton's method; an even number.
-constexpr int steps = 10;
+constexpr double driver_movement = 0.1;
+/// Steps of this movement, each near enough for Newton's method; an even number.
+constexpr int movement_steps = 10;
 
 /// Minimises Φ over the unknowns by the Gauss–Newton method. Overwrites the state; returns what
 /// is left of Φ, relative to its scales.
 VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
                            Lineariser& lineariser) {
-  constexpr int most = 50;
-  constexpr double vanishes = 1e-12;
+  constexpr int max_iterations = 50;
+  constexpr double max_residual = 1e-12;  // |Φ| over its scales ≤ this: Φ vanishes
   for (int iteration = 0;; ++iteration) {
     const Linearisation now = lineariser.at(state, s);
     const VectorXd off = now.relative_phi();
-    if (iteration == most || !off.allFinite() || !(off.lpNorm<Eigen::Infinity>() > vanishes))
+    if (iteration == max_iterations || !off.allFinite() ||
+        !(off.lpNorm<Eigen::Infinity>() > max_residual))
       return off;
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));
     step.head(s.unknowns) = -smallest_correction(s, now.jacobian.leftCols(s.unknowns), now.phi);
@@ -43,10 +44,11 @@ VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
   }
 }
 
-/// Returns the misfit after a movement by one natural magnitude, from that after `moved` and half
-/// of it: it grows with the movement and its square.
+/// Returns the misfit after a movement by one natural magnitude, from that after driver_movement
+/// and half of it: it grows with the movement and its square.
 VectorXd extrapolated(const VectorXd& half, const VectorXd& whole) {
-  return (4 * half - whole) / moved + (2 * whole - 4 * half) / (moved * moved);
+  return (4 * half - whole) / driver_movement +
+         (2 * whole - 4 * half) / (driver_movement * driver_movement);
 }
 
 /// Returns the other constraints that contradict the one that is off most. The smallest residual is
@@ -69,15 +71,15 @@ std::optional<Contradiction> find_contradiction(const GroupSystem& s,
                                                 Lineariser& lineariser) {
   if (s.unknowns == 0 || s.rows.empty()) return {};
   std::optional<Contradiction> found;
-  for (const double way : {moved, -moved}) {  // one of them may be out of reach
+  for (const double way : {driver_movement, -driver_movement}) {  // one of them may be out of reach
     VectorXd step = VectorXd::Zero(static_cast<Eigen::Index>(s.columns.size()));
-    step.tail(s.drivers()).setConstant(way / steps);
+    step.tail(s.drivers()).setConstant(way / movement_steps);
     std::vector<double> state = position;
     VectorXd half, whole;
-    for (int i = 1; i <= steps; ++i) {
+    for (int i = 1; i <= movement_steps; ++i) {
       lineariser.move(state, s, step);
       whole = minimise_residual(state, s, lineariser);
-      if (i == steps / 2) half = whole;
+      if (i == movement_steps / 2) half = whole;
     }
     Eigen::Index worst = 0;
     const double off = whole.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);

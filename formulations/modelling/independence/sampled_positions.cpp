@@ -18,16 +18,16 @@ using Eigen::VectorXd;
 /// Gauss–Newton method with the smallest correction, over unknowns and drivers. Returns whether Φ
 /// vanishes, as far as rounding lets it, which is the less the farther from the origin a group is.
 bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
-  constexpr int most = 100;
-  constexpr double vanishes = 1e-9;
-  const double closes = s.closes_nearly() ? max_misfit : vanishes;
+  constexpr int max_iterations = 100;
+  constexpr double max_residual = 1e-9;  // |Φ| over its scales < this: Φ vanishes
+  const double closes = s.closes_nearly() ? max_misfit : max_residual;
   double largest = INFINITY;
-  for (int iteration = 0; iteration < most; ++iteration) {
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
     const Linearisation now = lineariser.at(state, s);
     if (!now.phi.allFinite() || !now.jacobian.allFinite()) return false;
     if (now.phi.size() == 0) return true;
     const double before = std::exchange(largest, now.relative_phi().lpNorm<Eigen::Infinity>());
-    if (largest < 1e-13 || (largest < vanishes && !(largest < before / 2))) return true;
+    if (largest < 1e-13 || (largest < max_residual && !(largest < before / 2))) return true;
     const VectorXd step = smallest_correction(s, now.jacobian, now.phi);
     lineariser.move(state, s, -step);
     if (!(step.norm() > 1e-14)) break;
@@ -38,12 +38,12 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
 /// Assembles a group by the longest lengths. Where these lose small bodies on large ones, assembles
 /// it by the shortest.
 bool assemble(std::vector<double>& state, const GroupSystem& s, Linearisers& linearisers) {
-  constexpr double hardly_off = 1e-7;  // which no rank depends on
+  constexpr double max_small_residual = 1e-7;  // Φ over the shortest lengths ≤ this changes no rank
   const std::vector<double> estimate = state;
   if (!assemble(state, s, linearisers.usual))
     state = estimate;
   else if (s.rows.empty() ||
-           linearisers.of_small.at(state, s).relative_phi().maxCoeff() <= hardly_off)
+           linearisers.of_small.at(state, s).relative_phi().maxCoeff() <= max_small_residual)
     return true;
   return assemble(state, s, linearisers.of_small);
 }
