@@ -93,6 +93,7 @@ const std::vector<Suffix>& suffixes() {
   static const std::vector<Suffix> all{
       choice("coordinates", &Settings::coordinates,
              {modelling_names.begin(), modelling_names.end()}),
+      choice("frames", &Settings::frames, {"linearised", "exact"}),
       choice("guess", &Settings::guess, guess_names()),
       choice("jacobian", &Settings::jacobian, {"newton", "step"}),
       choice("btf", &Settings::btf, {"on", "off"}),

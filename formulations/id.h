@@ -20,9 +20,9 @@ struct Configuration {
 /// Returns the id of a variant with these settings. Those that are not the paper's, except
 /// max_iterations, follow as suffixes, in this order:
 ///   <partition>_<equations>_<algebra>
-///     /coordinates:basis|reference|relative  /guess:linear|quadratic|hermite3|hermite5|adams8
-///     /jacobian:step  /btf:off  /lanes:4|8  /segments:4|8  /threads:2…  /stride:2…64
-///     /iterations:1…1000  /tolerance:1e-6
+///     /coordinates:basis|reference|relative  /frames:exact
+///     /guess:linear|quadratic|hermite3|hermite5|adams8  /jacobian:step  /btf:off  /lanes:4|8
+///     /segments:4|8  /threads:2…  /stride:2…64  /iterations:1…1000  /tolerance:1e-6
 std::string id_with(const Variant& variant, const Settings& settings);
 
 /// Returns the variant and the settings that an id names, its suffixes in any order. base: settings

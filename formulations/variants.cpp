@@ -63,6 +63,10 @@ std::string unsupported_reason(const Variant& v, const Settings& s) {
     return "lanes hold parts of one type or segments of the motion, not both";
   if (s.coordinates != Modelling::natural && (s.lanes != 1 || s.segments != 1))
     return "lanes and segments hold parts of natural coordinates";
+  if (s.frames == Frames::exact && !has_frames(s.coordinates))
+    return "bodies have frames in reference and relative coordinates alone";
+  if (s.frames == Frames::exact && v.evaluation == Evaluation::symbolic)
+    return "generated equations are evaluated all at once, not frames before the others";
   const Backend* const backend = find_backend(v.algebra);
   if (s.btf != BlockTriangularForm::on && !(backend && backend->has_btf))
     return "block triangular form is KLU's, and there is none to leave out";

@@ -9,7 +9,8 @@ namespace desmo::regression {
 
 bench::Problem problem_of(const bench::CandidateName& name, int instants) {
   bench::Problem problem;
-  problem.plan.model = make_model(make_scene(find_case(name.case_name), name.coordinates));
+  problem.plan.model = make_model(make_scene(find_case(name.case_name), name.coordinates),
+                                  parse_id(name.id).settings.coordinates);
   problem.grid = {0, 0.01, instants};
   return problem;
 }

@@ -12,8 +12,9 @@
 
 namespace desmo::regression {
 
-/// Returns a case at one size over its first instants, 10 ms apart, without a reference. Throws
-/// std::invalid_argument when this build has no such case or size.
+/// Returns a case at one size, in the coordinates of the id, over its first instants, 10 ms apart,
+/// without a reference. Throws std::invalid_argument when this build has no such case, size or
+/// formulation.
 bench::Problem problem_of(const bench::CandidateName& name, int instants);
 
 /// A formulation ready to be run, or stepped through, while its instructions are counted. It is no

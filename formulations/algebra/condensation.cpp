@@ -125,6 +125,13 @@ void Condensed::solve(double* b) {
   }
 }
 
+void Condensed::solve_closures(double* b) {
+  for (std::size_t c = 0; c < closure_row_.size(); ++c) x_[c] = b[closure_row_[c]];
+  if (solver_) solver_->solve(x_.data());
+  for (const DerivedUnknown& d : derived_) b[d.column] = 0;
+  for (std::size_t j = 0; j < column_.size(); ++j) b[column_[j]] = x_[j];
+}
+
 int Condensed::break_even_solves() const {
   return solver_ ? solver_->break_even_solves() : LinearSolver::break_even_solves();
 }

@@ -33,6 +33,7 @@ class Condensed final : public LinearSolver {
 
   bool factor(const double* values) override;
   void solve(double* b) override;
+  void solve_closures(double* b) override;
 
   int break_even_solves() const override;
   Pivots pivots() const override;

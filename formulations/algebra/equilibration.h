@@ -40,6 +40,13 @@ class Equilibration {
     row_.empty() ? solver.solve(b) : solve_scaled(solver, b);
   }
 
+  /// Like solve(), by LinearSolver::solve_closures().
+  void solve_closures(LinearSolver& solver, double* b) const {
+    for (std::size_t i = 0; i < row_.size(); ++i) b[i] *= row_[i];
+    solver.solve_closures(b);
+    for (std::size_t j = 0; j < column_.size(); ++j) b[j] *= column_[j];
+  }
+
  private:
   struct Entry {
     int row, column;

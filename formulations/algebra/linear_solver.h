@@ -37,6 +37,10 @@ class LinearSolver {
 
   /// Makes the next factor() choose its pivots anew.
   virtual void forget_pivots() {}
+
+  /// Like solve(), for b with 0 in the rows of derivations. A solver that condenses writes 0 to
+  /// derived unknowns.
+  virtual void solve_closures(double* b) { solve(b); }
 };
 
 }  // namespace desmo

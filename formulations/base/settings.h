@@ -36,6 +36,13 @@ enum class JacobianUpdate {
   step,    ///< at the solved position, also for the next step's iterations
 };
 
+/// How Newton's method finds the unknowns that are derived, such as those of a body's frame. Their
+/// rates follow from linear systems in any case.
+enum class Frames {
+  linearised,  ///< the linear system of an iteration corrects them, too
+  exact,       ///< each iteration evaluates them at the other unknowns, which it has corrected
+};
+
 /// Permutation of a matrix to block triangular form by KLU, before it factorises the blocks.
 enum class BlockTriangularForm { on, off };
 
@@ -72,6 +79,7 @@ struct Settings {
   /// are solved. step(), assemble() and checked runs after a jump or a gap always solve.
   int stride = 1;
   Modelling coordinates = Modelling::natural;  ///< of the model
+  Frames frames = Frames::linearised;          ///< for coordinates with frames (has_frames)
 };
 
 }  // namespace desmo

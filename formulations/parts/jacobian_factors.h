@@ -101,6 +101,8 @@ class JacobianFactors {
 
   /// Overwrites b with Φ_φ⁻¹ b by the factors at hand.
   void solve(Eigen::VectorXd& b) { equilibrated_.solve(*solver_, b.data()); }
+  /// Like solve(), for b with 0 in the rows of derivations; derived unknowns become 0.
+  void solve_closures(Eigen::VectorXd& b) { equilibrated_.solve_closures(*solver_, b.data()); }
 
   /// Discards the factors and the order of their pivots.
   void forget() {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formulations/base/part.h"
+#include "formulations/parts/exact_frames.h"
 #include "formulations/parts/jacobian_factors.h"
 #include "formulations/parts/part_unknowns.h"
 
@@ -40,13 +41,16 @@ class Acceptance {
 ///
 /// A step that fails is tried a second time, from the same prediction, where factors or a pivot
 /// order may have been old. The second attempt discards both and factorises in every iteration.
-class NewtonSolver final : public Part {
+///
+/// FrameMethod: LinearisedFrames or ExactFrames, by which an iteration finds derived unknowns.
+template <class FrameMethod>
+class NewtonSolverOf final : public Part {
  public:
   /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units. magnitudes: of
   /// the unknowns; empty: all are 1. linear_solver: of the pattern of these equations.
-  NewtonSolver(std::unique_ptr<const Equations> equations, std::span<const double> weights,
-               std::span<const double> magnitudes, const PartSettings& settings,
-               std::unique_ptr<LinearSolver> linear_solver)
+  NewtonSolverOf(std::unique_ptr<const Equations> equations, std::span<const double> weights,
+                 std::span<const double> magnitudes, const PartSettings& settings,
+                 std::unique_ptr<LinearSolver> linear_solver, FrameMethod frames = {})
       : equations_(std::move(equations)),
         pattern_(equations_->pattern()),
         unknowns_(pattern_.unknowns),
@@ -56,10 +60,14 @@ class NewtonSolver final : public Part {
         factors_(*equations_, weights, magnitudes, settings_.accept, std::move(linear_solver)),
         b_(pattern_.n),
         correction_(pattern_.n),
-        start_(pattern_.n) {}
+        start_(pattern_.n),
+        frames_(std::move(frames)) {}
 
-  NewtonSolver(const NewtonSolver&) = delete;
-  NewtonSolver& operator=(const NewtonSolver&) = delete;
+  NewtonSolverOf(const NewtonSolverOf&) = delete;
+  NewtonSolverOf& operator=(const NewtonSolverOf&) = delete;
+
+  void forget() override { frames_.forget(); }
+  void end_assembly() override { frames_.end_assembly(); }
 
   PartCounts counts() const override {
     return {.refactorisations = std::max(0L, factors_.solver().pivots().choices - 1)};
@@ -83,7 +91,7 @@ class NewtonSolver final : public Part {
  private:
   PartResult attempt(double* q, double* qd, double* qdd, Level level, JacobianUpdate update) {
     factors_.begin_position(update);
-    PartResult result = position(q);
+    PartResult result = frames_.choose([&](auto& frames) { return position(q, frames); });
     if (result.status != Status::solved) return result;
     if (level == Level::position)
       factors_.end_at_position();
@@ -94,11 +102,12 @@ class NewtonSolver final : public Part {
 
   // ---- The paper's Fig. 2b ----
 
-  PartResult position(double* q) {
+  template <class Chosen>
+  PartResult position(double* q, Chosen& frames) {
     PartResult result;
     Acceptance acceptance(settings_);
     for (;; ++result.iterations) {
-      equations_->residual(q, b_.data());  // Φ
+      frames.residual(*equations_, q, b_);  // Φ
       const double residual = weights_.cwiseProduct(b_).norm();
       result.residual2 = residual * residual;
       if (acceptance.update(residual, result.iterations)) return result;
@@ -111,7 +120,7 @@ class NewtonSolver final : public Part {
         return failure(result,
                        std::isfinite(residual) ? Status::not_converged : Status::not_finite);
       if (!factors_.prepare_correction(q, residual)) return failure(result, Status::singular);
-      factors_.solve(b_);                                          // Φ_φ Δφ = Φ
+      frames.solve(factors_, b_);                                  // Φ_φ Δφ = Φ
       unknowns_.for_each([&](int at, int i) { q[at] -= b_[i]; });  // eq. (2)
       if (factors_.corrects_with_old()) b_.swap(correction_);      // kept for retract()
     }
@@ -170,6 +179,9 @@ class NewtonSolver final : public Part {
   Eigen::VectorXd b_;           // right-hand side, then solution
   Eigen::VectorXd correction_;  // the last one by old factors
   Eigen::VectorXd start_;       // unknowns at the start of the step
+  FrameMethod frames_;
 };
+
+using NewtonSolver = NewtonSolverOf<LinearisedFrames>;
 
 }  // namespace desmo

@@ -47,6 +47,9 @@ class ProfiledSolver final : public LinearSolver {
   void solve(double* b) override {
     profile_.measure(Phase::solve, [&] { solver_->solve(b); });
   }
+  void solve_closures(double* b) override {
+    profile_.measure(Phase::solve, [&] { solver_->solve_closures(b); });
+  }
   int break_even_solves() const override { return solver_->break_even_solves(); }
   Pivots pivots() const override { return solver_->pivots(); }
   void forget_pivots() override { solver_->forget_pivots(); }

@@ -40,8 +40,12 @@ std::string kind_of(std::string_view id) {
   return given.empty() ? kinds.front() : std::string(given);
 }
 
+/// Returns an id of natural coordinates in others, the first of its settings.
 std::string id_in(std::string_view id, std::string_view kind) {
-  return std::string(id) + (kind == kinds.front() ? "" : "/coordinates:" + std::string(kind));
+  if (kind == kinds.front()) return std::string(id);
+  const std::size_t slash = std::min(id.find('/'), id.size());
+  return std::string(id.substr(0, slash)) + "/coordinates:" + std::string(kind) +
+         std::string(id.substr(slash));
 }
 
 /// Null where it was not measured, or failed.

@@ -44,17 +44,19 @@ TEST(Coordinates, DeliverTheNaturalMotionWhateverTheyAre) {
     for (int i = 0; i < grid.instants; i += std::max(1, grid.instants / 10))
       times.push_back(grid.time(i));
     const Reference reference = make_reference(natural, times);
-    for (const auto& [kind, name] : {std::pair{Modelling::basis, "basis"},
-                                     {Modelling::reference, "reference"},
-                                     {Modelling::relative, "relative"}}) {
-      const std::string where = natural.name + " in " + name;
+    for (const auto& [kind, settings] :
+         {std::pair{Modelling::basis, "/coordinates:basis"},
+          {Modelling::reference, "/coordinates:reference"},
+          {Modelling::reference, "/coordinates:reference/frames:exact"},
+          {Modelling::relative, "/coordinates:relative"},
+          {Modelling::relative, "/coordinates:relative/frames:exact"}}) {
+      const std::string where = natural.name + " in " + settings;
       SCOPED_TRACE(where);
       Model m;
       ASSERT_NO_THROW(m = make_model(scene, kind)) << where;
       for (const char* partition : {"global", "group", "block"})
         for (const char* algebra : {"lapack", "klu"}) {
-          const std::string id =
-              std::string(partition) + "_automatic_" + algebra + "/coordinates:" + name;
+          const std::string id = std::string(partition) + "_automatic_" + algebra + settings;
           NamedDifference difference(m, natural, reference.instants);
           const Summary s = formulated(id, m)->run(grid, {}, difference);
           EXPECT_TRUE(s.ok()) << id << ": " << describe(s, m);

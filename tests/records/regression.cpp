@@ -61,8 +61,9 @@ TEST(MeasuredCandidates, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
 }
 
 TEST(SteppedFormulation, WalksBackAndForthToTheSameSolution) {
-  const bench::Problem problem = problem_of({"four_bar", 24, {}}, 21);
-  SteppedFormulation stepped(problem, "group_symbolic_klu");
+  const char* id = "group_symbolic_klu";
+  const bench::Problem problem = problem_of({"four_bar", 24, id}, 21);
+  SteppedFormulation stepped(problem, id);
   ASSERT_TRUE(stepped.run().ok());
   EXPECT_EQ(stepped.last_instant(), 20);
   const Summary back = stepped.walk(19, 10);

@@ -48,7 +48,9 @@ TEST(Id, ReadsBackEveryValueOfEverySuffix) {
   for (const char* id :
        {"group_symbolic_explicit/lanes:4", "group_symbolic_explicit/lanes:8",
         "group_symbolic_explicit/segments:4", "group_symbolic_explicit/segments:8",
-        "group_symbolic_explicit/segments:4/threads:2", "global_automatic_klu/btf:off"}) {
+        "group_symbolic_explicit/segments:4/threads:2", "global_automatic_klu/btf:off",
+        "global_automatic_klu/coordinates:reference",
+        "group_automatic_lapack/coordinates:relative/frames:exact"}) {
     const Configuration c = parse_id(id);
     EXPECT_EQ(id_with(*c.variant, c.settings), id);
   }
@@ -77,8 +79,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
       {"group_symbolic_klu/gess:linear",
        "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: coordinates, "
-       "guess, "
-       "jacobian, btf, lanes, segments, threads, stride, iterations, tolerance"},
+       "frames, guess, jacobian, btf, lanes, segments, threads, stride, iterations, tolerance"},
       {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4, 8"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
@@ -100,6 +101,12 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/tolerance:1e-6x", "a number above 0"},
       {"global_automatic_umfpack/btf:off", "block triangular form is KLU's"},
       {"group_symbolic_inlined/btf:off", "block triangular form is KLU's"},
+      {"group_automatic_klu/frames:exact", "in reference and relative coordinates alone"},
+      {"group_automatic_klu/frames:exact/coordinates:basis",
+       "in reference and relative coordinates alone"},
+      {"group_symbolic_klu/coordinates:relative/frames:exact", "evaluated all at once"},
+      {"group_symbolic_inlined/coordinates:relative/frames:exact", "evaluated all at once"},
+      {"group_symbolic_explicit/coordinates:reference/frames:exact", "evaluated all at once"},
       {"group_mixed", "unknown formulation 'group_mixed'"},
       {"group_symbolic_inlined/jacobian:step", "keeps no factors"},
   };

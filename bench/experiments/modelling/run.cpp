@@ -44,11 +44,12 @@ std::vector<Comparison> comparisons(const bench::CommonOptions& options) {
       if (options.quick && n != c.sizes.front()) continue;
       Comparison one{&c, n, {}};
       for (const std::string_view natural : compared_ids())
-        for (const Modelling kind : modelling_kinds) {
-          const std::string id = id_in(natural, kind),
-                            name = std::string(c.name) + "/" + std::to_string(n) + "/" + id;
-          if (!id.empty() && std::regex_search(name, wanted)) one.ids.emplace_back(kind, id);
-        }
+        for (const Modelling kind : modelling_kinds)
+          for (const Frames frames : {Frames::linearised, Frames::exact}) {
+            const std::string id = id_in(natural, kind, frames),
+                              name = std::string(c.name) + "/" + std::to_string(n) + "/" + id;
+            if (!id.empty() && std::regex_search(name, wanted)) one.ids.emplace_back(kind, id);
+          }
       if (!one.ids.empty()) all.push_back(std::move(one));
     }
   return all;

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formulations/base/part.h"
+#include "formulations/equations/equations.h"
+#include "formulations/model/derivations.h"
+#include "formulations/model/model.h"
+#include "formulations/model/partition.h"
+#include "formulations/parts/jacobian_factors.h"
+
+namespace desmo {
+
+/// Iterations in which a linear system corrects all unknowns, derived ones among them.
+struct LinearisedFrames {
+  static void residual(const Equations& equations, const double* q, Eigen::VectorXd& phi) {
+    equations.residual(q, phi.data());
+  }
+  static void solve(JacobianFactors& factors, Eigen::VectorXd& b) { factors.solve(b); }
+
+  /// Calls solve_position(frames) with the iterations of the part's next position.
+  template <class Call>
+  [[gnu::always_inline]] PartResult choose(const Call& solve_position) {
+    return solve_position(*this);
+  }
+  void forget() {}
+  void end_assembly() {}
+};
+
+/// Iterations on x, the unknowns of a part that are not derived. Derivations are explicit in what
+/// they derive, y = f(x, y before), and are evaluated in their order. Newton's method then solves
+///
+///   Φ_c(x, y(x)) = 0,     with the Jacobian A_r = C_x − C_y D_y⁻¹ D_x (see Condensed).
+///
+/// Derivations hold but for rounding, so that neither of the two passes around A_r⁻¹ is needed.
+///
+/// An assembly iterates with linearised frames. From an estimate far off, y(x) leads farther away
+/// the longer the chain of bodies is: with 140 dyads in one part Newton's method did not converge.
+class ExactFrames {
+ public:
+  using MakeEquations = std::function<std::unique_ptr<const Equations>(const PartDefinition&)>;
+
+  /// - derived: of the part (see derivations())
+  /// - make_equations: makes the equations of a piece of the part
+  ExactFrames(const Model& model, const PartDefinition& part, std::span<const Derivation> derived,
+              const MakeEquations& make_equations);
+
+  /// Overwrites the derived unknowns in q by their values at the others, and phi (n) by Φ there,
+  /// with 0 in the rows of derivations.
+  void residual(const Equations&, double* q, Eigen::VectorXd& phi);
+
+  static void solve(JacobianFactors& factors, Eigen::VectorXd& b) { factors.solve_closures(b); }
+
+  template <class Call>
+  PartResult choose(const Call& solve_position) {
+    LinearisedFrames linearised;
+    return is_assembling_ ? solve_position(linearised) : solve_position(*this);
+  }
+  void forget() { is_assembling_ = true; }
+  void end_assembly() { is_assembling_ = false; }
+
+ private:
+  struct DerivedUnknown {
+    int place, row;  // in the state, among the equations of its level
+    double inverse;  // of the derivative of its equation by it: ±1
+  };
+  /// Derivations that read nothing of the part but x and what earlier levels derive.
+  struct Level {
+    std::unique_ptr<const Equations> equations;
+    std::vector<DerivedUnknown> derived;
+  };
+
+  static Level make_level(const Model& model, std::unique_ptr<const Equations> equations);
+
+  std::vector<Level> levels_;
+  std::unique_ptr<const Equations> closures_;
+  std::vector<int> closure_row_;  // row in the part of each closure
+  std::vector<double> residual_;  // of a level or of the closures
+  bool is_assembling_ = true;
+};
+
+}  // namespace desmo
