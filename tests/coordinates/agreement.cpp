@@ -66,5 +66,27 @@ TEST(Coordinates, DeliverTheNaturalMotionWhateverTheyAre) {
   }
 }
 
+/// Returns Newton's iterations in the assembly and ten steps of a tenth of a second.
+long iterations(const Model& m, const std::string& id) {
+  const auto f = formulated(id, m);
+  Summary total = f->assemble(0);
+  for (int i = 1; i <= 10; ++i) total.add(f->step(0.1 * i));
+  EXPECT_TRUE(total.ok()) << m.name << " " << id << ": " << describe(total, m);
+  return total.iterations;
+}
+
+/// Bodies of the long chain hang on each other: from the drawing, exact frames lead away.
+TEST(Coordinates, TakeNoMoreIterationsWithExactFrames) {
+  for (const auto& [kind, coordinates] : {std::pair{Modelling::reference, "/coordinates:reference"},
+                                          {Modelling::relative, "/coordinates:relative"}})
+    for (const Scene& scene : {truck_suspension(1), four_bar(DESMO_SANITIZED ? 20 : 140)}) {
+      const Model m = make_model(scene, kind);
+      for (const char* partition : {"global", "group"}) {
+        const std::string id = std::string(partition) + "_automatic_klu" + coordinates;
+        EXPECT_LE(iterations(m, id + "/frames:exact"), iterations(m, id)) << m.name << " " << id;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace desmo::coordinates_test
