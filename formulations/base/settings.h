@@ -40,7 +40,7 @@ enum class JacobianUpdate {
 /// rates follow from linear systems in any case.
 enum class Frames {
   linearised,  ///< the linear system of an iteration corrects them, too
-  exact,       ///< each iteration evaluates them at the other unknowns, which it has corrected
+  exact,       ///< in steps each iteration evaluates them at the others, which it has corrected
 };
 
 /// Permutation of a matrix to block triangular form by KLU, before it factorises the blocks.

@@ -24,6 +24,17 @@ TEST(ModellingTables, CompareWithinGroupsWithKlu) {
              {{"unknowns", "279"}, {"condensation", "3906"}, {"condition", "80"}});
 }
 
+TEST(ModellingTables, ShowExactFramesInARowOfTheirOwn) {
+  Json json = modelling_record();
+  Json& times = json["modelling"]["times"];
+  Json exact = times.back();
+  exact["id"] = "group_automatic_klu/coordinates:relative/frames:exact";
+  times.push_back(exact);
+  expect_row(table_named(make_report(record_from(json)), "modelling_in_short"),
+             {"group_automatic_klu/frames:exact"},
+             {{"natural", missing_mark}, {"relative", "27.9"}});
+}
+
 TEST(ModellingFigure, HasTheFormulations) {
   bool found = false;
   for (const NewFile& file : figures(make_report(record_from(modelling_record()))))
