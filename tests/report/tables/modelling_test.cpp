@@ -30,8 +30,7 @@ TEST(ModellingTables, ShowExactFramesInARowOfTheirOwn) {
   Json exact = times.back();
   exact["id"] = "group_automatic_klu/coordinates:relative/frames:exact";
   times.push_back(exact);
-  expect_row(table_named(make_report(record_from(json)), "modelling_in_short"),
-             {"group_automatic_klu/frames:exact"},
+  expect_row(table_of(json, "modelling_in_short"), {"group_automatic_klu/frames:exact"},
              {{"natural", missing_mark}, {"relative", "27.9"}});
 }
 
