@@ -5,31 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "formulations/verification/branch/branch_path.h"
-#include "formulations/verification/branch/left_out_equations.h"
 #include "formulations/verification/branch/passage.h"
 #include "formulations/verification/branch/start.h"
-#include "formulations/verification/certificate/refinement.h"
 #include "formulations/verification/run/checked_run.h"
+#include "formulations/verification/run/follower.h"
 
 namespace desmo {
-
-/// Follower of a motion, with one choice of equations.
-struct Follower {
-  /// - chosen: equations that were chosen anew; null: the model's
-  /// - model, levels: of CheckedMotion
-  /// - budget: of BranchPath
-  Follower(std::unique_ptr<const Model> chosen, const Model& model, std::span<const Level> levels,
-           int budget = BranchPath::max_tests);
-  Follower(const Follower&) = delete;
-  Follower& operator=(const Follower&) = delete;
-
-  std::unique_ptr<const Model> chosen;
-  const Model& model;
-  Refinement refinement;
-  BranchPath path;
-  LeftOutEquations left_out;
-};
 
 /// The motion of a checked run, without the formulation that solves it: corrects instants, follows
 /// the steps between them, and says what is proven of each.
@@ -105,18 +86,5 @@ class CheckedMotion {
   CheckedInstant result_;
   bool elsewhere_ = false;
 };
-
-/// Returns the flag of a first row [s]: of a crossing, or of an unknown branch, on the way to it.
-RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time);
-
-/// Returns the flag, but for its row's time, of a row where an equation that was left out does not
-/// hold, or does not on the way from the last row; nothing where all do. What left_out has noted on
-/// that way it forgets.
-/// - refined: the row's instant
-/// - offset: what is to be added to times of the path, for times of rows [s]
-/// - drivers: as in LeftOutEquations::check()
-std::optional<RowFlag> misfit_flag(const Model& model, LeftOutEquations& left_out,
-                                   const RefinedInstant& refined, double offset = 0,
-                                   const LiveRow* drivers = nullptr);
 
 }  // namespace desmo

@@ -8,7 +8,7 @@
 #include "cases/mechanism/formatted.h"
 #include "formulations/motion/diagnosis.h"
 #include "formulations/motion/internals.h"
-#include "formulations/verification/run/checked_motion.h"
+#include "formulations/verification/run/follower.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/row_motions.h"
 #include "formulations/verification/run/running_scales.h"

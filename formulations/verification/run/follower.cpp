@@ -1,0 +1,44 @@
+#include "formulations/verification/run/follower.h"
+
+#include <utility>
+
+namespace desmo {
+
+Follower::Follower(std::unique_ptr<const Model> c, const Model& m, std::span<const Level> levels,
+                   int budget)
+    : chosen(std::move(c)),
+      model(chosen ? *chosen : m),
+      refinement(model, levels),
+      path(model, budget),
+      left_out(model) {
+  if (left_out.any())
+    path.ask_about_steps([this](const PathProof& step) { return left_out.look_along(step); });
+}
+
+RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time) {
+  return {.kind = kind,
+          .time = time,
+          .after = time,
+          .before = time,
+          .group = start.group,
+          .out_of_tests = start.out_of_tests};
+}
+
+std::optional<RowFlag> misfit_flag(const Model& m, LeftOutEquations& left_out,
+                                   const RefinedInstant& r, double offset, const LiveRow* drivers) {
+  std::optional<Misfit> misfit = left_out.check(r, drivers);
+  double time = offset + r.instant.time;
+  if (const auto between = left_out.take_between();
+      between && (!misfit || between->misfit.amount > misfit->amount)) {
+    misfit = between->misfit;
+    time = offset + between->time;
+  }
+  if (!misfit) return {};
+  return RowFlag{.kind = RowFlag::Kind::misfit,
+                 .after = time,
+                 .before = time,
+                 .group = m.constraints[misfit->constraint].group,
+                 .misfit = misfit};
+}
+
+}  // namespace desmo
