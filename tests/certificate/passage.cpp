@@ -112,7 +112,7 @@ TEST(Passage, EndsOnThePoint) {
   auto passage = pass_change_point(rests, path.present(), std::span(&direction, 1), 0);
   ASSERT_TRUE(passage);
   EXPECT_EQ(passage->before, INFINITY);
-  EXPECT_LE(joint_distance(rests, passage->positions(rests, 5), scene.joint_on_point()), 1e-7);
+  EXPECT_LE(joint_distance(rests, positions_on(*passage, rests, 5), scene.joint_on_point()), 1e-7);
 }
 
 TEST(Passage, StopsAtADeadPoint) {
@@ -137,7 +137,7 @@ TEST(Passage, LeadsOnBesideOtherBranches) {
   ASSERT_TRUE(point);
   EXPECT_NEAR(point->time, 2, 1e-6);
   const int c = m.coordinate("C.x");
-  EXPECT_NEAR(point->positions(m, 2)[c], 0, 1e-12);
+  EXPECT_NEAR(positions_on(*point, m, 2)[c], 0, 1e-12);
   ASSERT_TRUE(path.start_at(point->beyond()));
   ASSERT_EQ(path.go_to(4).end, PathEnd::same);
   EXPECT_NEAR(path.present().values.position[c], 2 * std::cos(150 * pi / 180), 1e-12);

@@ -89,10 +89,9 @@ double DriverLine::distance(std::span<const double> z, double s) const {
   return std::sqrt(squares);
 }
 
-Model with_drivers_on(const DriverLine& line, Model m) {
+void DriverLine::lead(Model& m) const {
   for (std::size_t k = 0; k < m.drivers.size(); ++k)
-    m.drivers[k].motion = Polynomial{{line.origin[k], line.rates[k]}};
-  return m;
+    m.drivers[k].motion = Polynomial{{origin[k], rates[k]}};
 }
 
 }  // namespace desmo

@@ -32,12 +32,11 @@ struct DriverLine {
   std::vector<double> at(double s) const;
   /// Returns the distance of the drivers from the line's point at an arc.
   double distance(std::span<const double> z, double s) const;
+  /// Lets the drivers of a model go along the line: its time is the arc.
+  void lead(Model& model) const;
 
   /// Numbers of each driver; one that is none of the line's has an infinite magnitude.
   std::vector<double> magnitudes, origin, rates;
 };
-
-/// Returns the model with drivers that go along a line: its time is the arc.
-Model with_drivers_on(const DriverLine& line, Model model);
 
 }  // namespace desmo

@@ -7,23 +7,11 @@
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/branch/departure.h"
+#include "formulations/verification/branch/straight_path.h"
 
 namespace desmo {
 
 namespace {
-
-/// Leads positions from one point of the drivers straight to another one. Returns whether all the
-/// way is proven.
-bool lead(Model m, std::span<const double> from, std::span<const double> to,
-          std::vector<double>& q) {
-  if (std::ranges::equal(from, to)) return true;
-  for (std::size_t k = 0; k < from.size(); ++k)
-    m.drivers[k].motion = Polynomial{{from[k], to[k] - from[k]}};
-  BranchPath path(m);
-  if (!path.start_at({0, {q, {}, {}}, {}}) || path.go_to(1).end != PathEnd::same) return false;
-  std::ranges::copy(path.present().values.position, q.begin());
-  return true;
-}
 
 /// Proves the instant of the motion at a time, on the branch to which the line leads, and that the
 /// motion goes on from there to a later time, or up to a point of another group than this one.
@@ -42,7 +30,8 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, dou
     qdd[i] = qdd[i] * rate * rate + qd[i] * change;
     qd[i] *= rate;
   }
-  if (m.drivers.size() > 1 && !lead(m, crossing.line().at(s), z.position, q)) return false;
+  if (m.drivers.size() > 1 && !StraightPath(m).lead(crossing.line().at(s), z.position, q))
+    return false;
   Refinement refinement(m);
   const RefinedInstant& r = refinement.refine(instant_of(time, x.view().values));
   if (!r.proven) return false;
@@ -127,23 +116,22 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
 
 /// Shifts the line to where its other drivers are now, and the polynomials with it: their ends,
 /// which are proven, are led there. Returns whether they can be.
-bool PassedPoint::move_line_to(const Model& m, std::span<const double> z) {
+bool PassedPoint::move_line_to(std::span<const double> z, StraightPath& path) {
   DriverLine to = line;
   for (std::size_t k = 0; k < z.size(); ++k)
     if (!line.counts(k)) to.origin[k] = z[k];
   if (to.origin == line.origin) return true;
-  const Model straight = with_drivers_on(to, m);
-  BranchPath path(straight);
   std::array<InstantCopy, 2> ends;
   for (const int side : {0, 1}) {
     const double s = side ? width : -width;
     std::vector<double> q;
     for (const Quintic<double>& p : polynomials) q.push_back(value_at(p, side ? 1. : -1.));
-    if (!lead(m, line.at(s), to.at(s), q)) return false;
-    if (!path.start_at({s, {q, {}, {}}, {}})) return false;
-    ends[side].assign(path.present());
+    if (!path.lead(line.at(s), to.at(s), q)) return false;
+    const CertifiedInstant* const end = path.find(to, s, q);
+    if (!end) return false;
+    ends[side].assign(*end);
   }
-  for (int i = 0; i < m.coordinates(); ++i) {
+  for (std::size_t i = 0; i < polynomials.size(); ++i) {
     const auto end = [&](const InstantCopy& x) {
       const auto& [q, qd, qdd] = x.values;
       return EndValues<double>{q[i], qd[i] * width, qdd[i] * (width * width)};
@@ -154,13 +142,14 @@ bool PassedPoint::move_line_to(const Model& m, std::span<const double> z) {
   return true;
 }
 
-std::vector<double> PassedPoint::positions(const Model& m, double at) {
+std::vector<double> PassedPoint::find_positions(StraightPath& path, double at) {
+  const Model& m = path.model();
   const std::vector<double> z = drivers_at(m, at).position;
-  if (!move_line_to(m, z)) return {};
+  if (!move_line_to(z, path)) return {};
   const double s = line.arc(z) / width, end = std::clamp(s, -1., 1.);
   std::vector<double> q;
   for (const Quintic<double>& polynomial : polynomials) q.push_back(value_at(polynomial, end));
-  if (s != end && !lead(m, line.at(end * width), z, q)) return {};
+  if (s != end && !path.lead(line.at(end * width), z, q)) return {};
   for (std::size_t k = 0; k < z.size(); ++k) q[m.entities[m.drivers[k].coordinate].first] = z[k];
   return q;
 }

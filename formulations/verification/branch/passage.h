@@ -8,6 +8,8 @@
 
 namespace desmo {
 
+class StraightPath;
+
 /// A change point that a motion passes, turns back at or rests on.
 struct PassedPoint {
   double time;           ///< of the point [s], about
@@ -22,13 +24,14 @@ struct PassedPoint {
 
   /// Returns `first`, from which BranchPath goes on.
   CertifiedInstant beyond() const { return first.view(); }
-  /// Returns positions of all coordinates at a time between `after` and `before`, where no instant
-  /// is proven and rates have no digits. Line and polynomials move on with the other drivers. Empty
+  /// Finds positions of all coordinates at a time between `after` and `before`, where no instant is
+  /// proven and rates have no digits. Line and polynomials move on with the other drivers. Empty
   /// where paths lead neither what depends on these nor, beyond the polynomials, the rest.
-  std::vector<double> positions(const Model& model, double time);
+  /// path: of the model that passes the point
+  std::vector<double> find_positions(StraightPath& path, double time);
 
  private:
-  bool move_line_to(const Model& model, std::span<const double> drivers);
+  bool move_line_to(std::span<const double> drivers, StraightPath& path);
 };
 
 /// Passes the change point on which a motion is stuck (PathEnd::stuck), if there is a smooth
@@ -45,7 +48,8 @@ struct PassedPoint {
 ///   const FollowedStep step = path.go_to(time);
 ///   if (step.end == PathEnd::stuck)
 ///     if (auto point = pass_change_point(model, path.present(), step.group))
-///       path.start_at(point->beyond());   // rows between after and before: point->positions()
+///       path.start_at(point->beyond());   // rows between after and before:
+///       point->find_positions()
 std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
                                              GroupId group = no_position);
 

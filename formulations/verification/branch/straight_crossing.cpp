@@ -27,11 +27,12 @@ StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
                                    std::span<const double> direction, GroupId group)
     : magnitudes_(nominal_magnitudes(m)),
       line_(m, last.values.position, direction, group),
-      model_(with_drivers_on(line_, m)),
+      model_(m),
       before_(model_),
       beyond_(model_),
       refinement_(model_),
       no_rates_(m.coordinates()) {
+  line_.lead(model_);
   if (line_.exists()) find_nodes(last);
 }
 

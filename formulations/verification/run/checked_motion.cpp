@@ -206,7 +206,9 @@ void CheckedMotion::deliver_path(const Instant& at) {
 
 /// Delivers the position on the change point, which has no rates. Returns whether it is known.
 bool CheckedMotion::deliver_point(const Instant& at) {
-  on_point_ = point_->positions(follower_->model, at.time);
+  std::unique_ptr<StraightPath>& straight = follower_->straight;
+  if (!straight) straight = std::make_unique<StraightPath>(follower_->model);
+  on_point_ = point_->find_positions(*straight, at.time);
   if (on_point_.empty()) {
     step_.group = no_position;  // another one is stuck
     return false;

@@ -7,6 +7,7 @@
 #include "formulations/verification/branch/branch_path.h"
 #include "formulations/verification/branch/left_out_equations.h"
 #include "formulations/verification/branch/start.h"
+#include "formulations/verification/branch/straight_path.h"
 #include "formulations/verification/certificate/refinement.h"
 #include "formulations/verification/run/checked_run.h"
 
@@ -27,6 +28,7 @@ struct Follower {
   Refinement refinement;
   BranchPath path;
   LeftOutEquations left_out;
+  std::unique_ptr<StraightPath> straight{};  ///< null: not needed so far
 };
 
 /// Returns the flag of a first row [s]: of a crossing, or of an unknown branch, on the way to it.

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/verification/branch/branch_path.h"
+#include "formulations/verification/branch/driver_line.h"
+
+namespace desmo {
+
+/// Paths of a mechanism whose drivers go straight, on the branch of given positions. All share one
+/// memory.
+class StraightPath {
+ public:
+  /// The model must outlive this; its motions do not count.
+  explicit StraightPath(const Model& model) : m_(model), straight_(model), path_(straight_) {}
+  explicit StraightPath(const Model&& model) = delete;
+  StraightPath(const StraightPath&) = delete;
+  StraightPath& operator=(const StraightPath&) = delete;
+
+  const Model& model() const { return m_; }
+
+  /// Leads positions q (coordinates) from one point of the drivers to another one. Returns whether
+  /// all the way is proven; else they are as they were.
+  bool lead(std::span<const double> from, std::span<const double> to, std::vector<double>& q);
+
+  /// Finds the instant at arc s of a line, near positions q, with rates with respect to s. Null: it
+  /// is not proven. Valid until the next call.
+  const CertifiedInstant* find(const DriverLine& line, double s, std::span<const double> q);
+
+ private:
+  const Model& m_;
+  Model straight_;
+  BranchPath path_;
+};
+
+}  // namespace desmo
