@@ -93,22 +93,5 @@ TEST(ChangePoints, ArePassedByOneMechanismAfterTheOther) {
   }
 }
 
-/// While one parallelogram rests on its point, no path leads the other one through its own: rows
-/// say so.
-TEST(ChangePoints, OfOneMechanismArePassedWhileTheOtherRestsOrRowsAreFlagged) {
-  Scene scene = scene_file("two_parallelograms");
-  scene.motions = {Polynomial{{pi}}, Polynomial{{pi - 0.5, 1.75}}};
-  const Model m = make_model(scene);
-  const CheckedRows r = solve_checked(m, scene.grid, "group_automatic_lapack");
-  EXPECT_NE(r.summary.outcome(), Outcome::converged);
-  for (const CheckedRow& row : r.rows) {
-    ASSERT_TRUE(row.flag) << row.time;
-    if (row.flag->kind == RowFlag::Kind::unproven || row.flag->kind == RowFlag::Kind::branch)
-      continue;
-    const auto at = [&](const char* name) { return m.value(name, row.values.position); };
-    EXPECT_NEAR(at("K.x") - at("H.x"), 0.048, 1e-9) << row.time;
-  }
-}
-
 }  // namespace
 }  // namespace desmo::change_points_test

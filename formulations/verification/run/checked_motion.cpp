@@ -41,15 +41,30 @@ void CheckedMotion::begin(double time) {
   if (!on_path_) lost_ = start_flag(RowFlag::Kind::branch, start_, time);
 }
 
+bool CheckedMotion::continue_from(const CertifiedInstant& instant) {
+  point_.reset();
+  lost_.reset();
+  first_flag_.reset();
+  follower_->left_out.take_between();
+  start_ = {};
+  step_ = {.time = instant.time};
+  on_path_ = false;
+  const auto begins = [&] { return follower_->path.start_at(instant); };
+  on_path_ = begins() || (choose_other_equations(instant.values.position) && begins());
+  return on_path_;
+}
+
 void CheckedMotion::keep_last() {
   last_.on_path = on_path_;
   last_.point = point_ ? std::make_shared<PassedPoint>(*point_) : nullptr;
   last_.lost = lost_;
+  last_.first_flag = first_flag_;
   if (follows()) last_.instant.assign(follower_->path.present());
 }
 
 void CheckedMotion::return_to_last() {
   lost_ = last_.lost;
+  first_flag_ = last_.first_flag;
   point_ = last_.point;
   on_path_ = last_.on_path && (point_ || follower_->path.start_at(last_.instant.view()));
 }

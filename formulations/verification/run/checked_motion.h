@@ -23,6 +23,8 @@ class CheckedMotion {
 
   /// Goes from the drawing to a time, where the motion begins. The next instant is the one there.
   void begin(double time);
+  /// Goes on from a proven instant instead, wherever the motion was before. Returns whether it can.
+  bool continue_from(const CertifiedInstant& instant);
 
   /// Checks the next instant, which a formulation has solved. The result is valid until the next
   /// call.
@@ -35,6 +37,9 @@ class CheckedMotion {
   bool is_on_step(const Instant& instant) const;
   /// Returns to where the last check() began.
   void return_to_last();
+
+  /// Returns the last proven instant, where the path is.
+  const CertifiedInstant& present() const { return follower_->path.present(); }
 
   /// Returns the positions up to which the motion was followed from the drawing.
   std::span<const double> followed_to() const {
@@ -73,7 +78,7 @@ class CheckedMotion {
     InstantCopy instant;
     bool on_path = false;
     std::shared_ptr<PassedPoint> point;
-    std::optional<RowFlag> lost;
+    std::optional<RowFlag> lost, first_flag;
   } last_;
   FoundStart start_;
   bool on_path_ = false;                // the branch is known

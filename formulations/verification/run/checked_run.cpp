@@ -7,8 +7,8 @@
 
 #include "formulations/base/output_writer.h"
 #include "formulations/motion/internals.h"
-#include "formulations/verification/run/checked_motion.h"
 #include "formulations/verification/run/gap_search.h"
+#include "formulations/verification/run/independent_motions.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/running_scales.h"
 
@@ -154,6 +154,8 @@ class CheckedRun final : Observer {
       length_[level] = std::max(length_[level], radius.length[level]);
       rotation_[level] = std::max(rotation_[level], radius.rotation[level]);
     }
+    if (row.flag && row.flag->kind == RowFlag::Kind::on_point)
+      row.relative_radius = {INFINITY, INFINITY, INFINITY};
   }
 
   void take_flag(const RowFlag& flag) {
@@ -246,7 +248,7 @@ class CheckedRun final : Observer {
   const TimeGrid grid_;
   const Request request_;
   const CheckOptions options_;
-  CheckedMotion motion_;
+  IndependentMotions motion_;
   RunningScales scales_;
   const OutputWriter output_;
   Observer& next_;

@@ -53,10 +53,11 @@ std::string_view word_of(const RowFlag& flag);
 /// A row and what is proven of it.
 struct CheckedInstant {
   Instant instant;  ///< with corrections; valid until the next row
-  /// Bounds on |instant − exact| of each coordinate. Infinite: there is no proof. Empty: it was not
+  /// Bounds on |instant − exact| of each coordinate. Infinite: there is no proof. Empty: none was
   /// certified.
   PerLevel<std::span<const double>> radius{};
-  /// The largest radius over its scale so far. Infinite: there is no proof. 0: `radius` is empty.
+  /// The largest radius over its scale so far. Infinite: of some coordinates there is no proof. 0:
+  /// `radius` is empty, and the row lies between two that are proven.
   PerLevel<double> relative_radius{};
   double condition = 0;           ///< of the instant (Certificate::condition)
   std::optional<RowFlag> flag{};  ///< none: proven

@@ -1,0 +1,207 @@
+#include "formulations/verification/run/independent_motions.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "formulations/verification/run/submodels.h"
+
+namespace desmo {
+
+namespace {
+
+/// Returns a copy of a mechanism's numbers, out of those of all coordinates.
+void gather(const Submodel& s, std::span<const double> all, std::vector<double>& own) {
+  own.clear();
+  if (all.empty()) return;
+  for (const int i : s.coordinates) own.push_back(all[i]);
+}
+
+/// Writes a mechanism's numbers to those of all coordinates.
+void scatter(const Submodel& s, std::span<const double> own, std::span<double> all) {
+  for (std::size_t k = 0; k < own.size(); ++k) all[s.coordinates[k]] = own[k];
+}
+
+/// Returns whether the mechanisms of a row are to be looked at one by one. Equations that were left
+/// out are looked at one by one anyway.
+bool concerns_one(const std::optional<RowFlag>& flag) {
+  return flag && flag->kind != RowFlag::Kind::misfit;
+}
+
+/// Returns the place of a kind of flag, the worst first.
+std::ptrdiff_t rank(RowFlag::Kind kind) {
+  using enum RowFlag::Kind;
+  constexpr std::array worst_first{unproven, branch, on_point, crossing, misfit};
+  return std::ranges::find(worst_first, kind) - worst_first.begin();
+}
+
+}  // namespace
+
+/// The motion of a mechanism that depends on no other one.
+struct IndependentMotions::SubmodelMotion {
+  SubmodelMotion(Submodel s, double tolerance)
+      : submodel(std::move(s)), motion(submodel.model, submodel.levels, tolerance) {}
+
+  const CheckedInstant* take(const Instant& at, bool is_solved) {
+    Instant own = at;
+    gather(submodel, at.q, handed_in.values.position);
+    gather(submodel, at.qd, handed_in.values.velocity);
+    gather(submodel, at.qdd, handed_in.values.acceleration);
+    own.q = handed_in.values.position;
+    own.qd = handed_in.values.velocity;
+    own.qdd = handed_in.values.acceleration;
+    return is_solved ? &motion.check(own) : motion.solve(own);
+  }
+
+  void continue_from(const CertifiedInstant& whole) {
+    InstantCopy own;
+    own.time = whole.time;
+    for (const Level level : all_levels) gather(submodel, whole.values[level], own.values[level]);
+    gather(submodel, whole.radius, own.radius);
+    motion.continue_from(own.view());
+  }
+
+  Submodel submodel;
+  CheckedMotion motion;
+  InstantCopy handed_in;
+};
+
+IndependentMotions::IndependentMotions(const Model& m, std::span<const Level> levels,
+                                       double tolerance)
+    : m_(m), levels_(levels), tolerance_(tolerance), together_(m, levels, tolerance) {}
+
+IndependentMotions::~IndependentMotions() = default;
+
+void IndependentMotions::begin(double time) {
+  together_.begin(time);
+  state_ = {};
+  begin_ = time;
+  began_apart_ = false;
+}
+
+bool IndependentMotions::is_on_step(const Instant& instant) const {
+  return state_.together && together_.is_on_step(instant);
+}
+
+void IndependentMotions::return_to_last() {
+  state_ = last_;
+  if (state_.together)
+    together_.return_to_last();
+  else
+    for (const auto& each : *each_) each->motion.return_to_last();
+}
+
+std::vector<double> IndependentMotions::followed_to() const {
+  if (state_.together) {
+    const std::span<const double> q = together_.followed_to();
+    return {q.begin(), q.end()};
+  }
+  std::vector<double> all(m_.coordinates());
+  for (const auto& each : *each_) {
+    const std::span<const double> q = each->motion.followed_to();
+    if (q.empty()) return {};
+    scatter(each->submodel, q, all);
+  }
+  return all;
+}
+
+FoundStart::Stage IndependentMotions::start() const {
+  if (!began_apart_) return together_.start();
+  FoundStart::Stage stage = FoundStart::Stage::reached;
+  for (const auto& each : *each_) stage = std::max(stage, each->motion.start());
+  return stage;
+}
+
+const CheckedInstant* IndependentMotions::take(const Instant& at, bool is_solved) {
+  last_ = state_;
+  if (state_.together) {
+    const CheckedInstant* row = is_solved ? &together_.check(at) : together_.solve(at);
+    if ((row && !concerns_one(row->flag)) || !separate()) {
+      state_.has_begun = true;
+      elsewhere_ = together_.is_elsewhere();
+      return row;
+    }
+  }
+  if (!take_each(at, is_solved)) return nullptr;
+  state_.has_begun = true;
+  if (!concerns_one(result_.flag)) join();
+  return &result_;
+}
+
+/// Goes back to the last row, from which each mechanism is followed by itself. Returns whether
+/// there are several.
+bool IndependentMotions::separate() {
+  if (!each_) {
+    each_.emplace();
+    for (Submodel& s : independent_submodels(m_, levels_))
+      each_->push_back(std::make_unique<SubmodelMotion>(std::move(s), tolerance_));
+  }
+  if (each_->empty()) return false;
+  together_.return_to_last();
+  state_.together = false;
+  began_apart_ |= !state_.has_begun;
+  for (const auto& each : *each_)
+    if (state_.has_begun)
+      each->continue_from(together_.present());
+    else
+      each->motion.begin(begin_);
+  return true;
+}
+
+/// Follows all mechanisms together from a row on that is proven of each.
+void IndependentMotions::join() {
+  state_.together =
+      together_.continue_from({result_.instant.time,
+                               {result_.instant.q, result_.instant.qd, result_.instant.qdd},
+                               radius_.position,
+                               levels_});
+}
+
+/// Makes the rows of all mechanisms the result. Returns false where one of them does not move on.
+bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
+  result_ = {.instant = at};
+  elsewhere_ = false;
+  for (const Level level : all_levels) {
+    values_[level].resize(m_.coordinates());
+    radius_[level].assign(m_.coordinates(), INFINITY);
+    result_.radius[level] = radius_[level];
+  }
+  result_.instant.q = values_.position;
+  if (!at.qd.empty()) result_.instant.qd = values_.velocity;
+  if (!at.qdd.empty()) result_.instant.qdd = values_.acceleration;
+  for (const auto& each : *each_) {
+    const CheckedInstant* row = each->take(at, is_solved);
+    if (!row) return false;
+    add(*each, *row);
+  }
+  return true;
+}
+
+void IndependentMotions::add(const SubmodelMotion& of, const CheckedInstant& row) {
+  const Submodel& s = of.submodel;
+  scatter(s, row.instant.q, values_.position);
+  scatter(s, row.instant.qd, values_.velocity);
+  scatter(s, row.instant.qdd, values_.acceleration);
+  for (const Level level : all_levels) scatter(s, row.radius[level], radius_[level]);
+  result_.condition = std::max(result_.condition, row.condition);
+  elsewhere_ |= of.motion.is_elsewhere();
+  if (row.flag) add_flag(s, *row.flag);
+}
+
+/// Makes a flag of a submodel the row's if it is the worst so far. The row has the largest misfit.
+void IndependentMotions::add_flag(const Submodel& of, RowFlag flag) {
+  if (flag.group != no_position) flag.group = of.groups[flag.group];
+  if (flag.misfit) flag.misfit->constraint = of.constraints[flag.misfit->constraint];
+  if (result_.flag) {
+    const std::optional<Misfit>& other = result_.flag->misfit;
+    if (other && (!flag.misfit || flag.misfit->amount < other->amount)) flag.misfit = other;
+    if (rank(result_.flag->kind) <= rank(flag.kind)) {
+      result_.flag->misfit = flag.misfit;
+      return;
+    }
+  }
+  result_.flag = flag;
+}
+
+}  // namespace desmo

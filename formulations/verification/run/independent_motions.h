@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/verification/run/checked_motion.h"
+
+namespace desmo {
+
+struct Submodel;
+
+/// The motion of a checked run. Mechanisms of a model that do not depend on each other are followed
+/// as if each stood alone in its file: a change point, or a branch that is lost, concerns one of
+/// them alone. While all are proven they are followed together, which costs less.
+///
+/// Functions are those of CheckedMotion. A row has the worst flag of its mechanisms.
+class IndependentMotions {
+ public:
+  IndependentMotions(const Model& model, std::span<const Level> levels, double tolerance);
+  ~IndependentMotions();
+  IndependentMotions(const IndependentMotions&) = delete;
+  IndependentMotions& operator=(const IndependentMotions&) = delete;
+
+  void begin(double time);
+  const CheckedInstant& check(const Instant& solved) { return *take(solved, true); }
+  const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
+  bool is_on_step(const Instant& instant) const;
+  void return_to_last();
+  /// Empty: one of the mechanisms has not been followed.
+  std::vector<double> followed_to() const;
+  FoundStart::Stage start() const;
+  bool is_elsewhere() const { return elsewhere_; }
+
+ private:
+  struct SubmodelMotion;
+  struct State {
+    bool together = true;    // the motion is followed as a whole
+    bool has_begun = false;  // there is a row
+  };
+
+  const CheckedInstant* take(const Instant& at, bool is_solved);
+  bool take_each(const Instant& at, bool is_solved);
+  bool separate();
+  void join();
+  void add(const SubmodelMotion& of, const CheckedInstant& row);
+  void add_flag(const Submodel& of, RowFlag flag);
+
+  const Model& m_;
+  const std::span<const Level> levels_;
+  const double tolerance_;
+  CheckedMotion together_;
+  std::optional<std::vector<std::unique_ptr<SubmodelMotion>>> each_;  // none: not needed so far
+  State state_, last_;        // last_: in which the last check began
+  double begin_ = 0;          // s
+  bool began_apart_ = false;  // the mechanisms began one by one
+  PerLevel<std::vector<double>> values_, radius_;
+  CheckedInstant result_;
+  bool elsewhere_ = false;
+};
+
+}  // namespace desmo
