@@ -36,6 +36,7 @@ BranchPath::BranchPath(const Model& m, int budget, InitialResidual initial)
 void BranchPath::keep(const RefinedInstant& r) {
   memory_.assign(certified(r));
   present_ = memory_.view();
+  worst_conditioned_ = r.last.worst_conditioned;
 }
 
 /// Rates that an instant does not have are found first: they are linear, so corrections lead to
@@ -56,6 +57,7 @@ bool BranchPath::start_at(const CertifiedInstant& instant) {
     std::ranges::copy(instant.radius, memory_.radius.begin());
     memory_.time = instant.time;
     present_ = memory_.view();
+    worst_conditioned_ = no_position;
     return true;
   }
   const RefinedInstant& refined =
@@ -175,6 +177,8 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   }
   result.time = present_.time;
   result.out_of_tests = result.tests >= budget_;
+  // What is nearly singular spoils what is solved after it, and that may fail first.
+  if (worst_conditioned_ != no_position) result.group = std::min(result.group, worst_conditioned_);
   return result;
 }
 

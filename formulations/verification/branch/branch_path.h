@@ -73,7 +73,8 @@ class BranchPath {
   PathProof path_;  // shares its blocks
   std::function<bool(const PathProof&)> is_accepted_;
   InstantCopy memory_;
-  CertifiedInstant present_;  // what is in memory
+  CertifiedInstant present_;                 // what is in memory
+  GroupId worst_conditioned_ = no_position;  // there, if it is known
   InstantCopy predicted_;
 };
 
