@@ -12,8 +12,8 @@
 #include "formulations/model/misfit.h"
 #include "formulations/model/whole_turns.h"
 #include "formulations/verification/branch/branch_path.h"
-#include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/branch/passage.h"
+#include "formulations/verification/branch/way.h"
 
 namespace desmo {
 
@@ -48,62 +48,6 @@ std::vector<int> free_angles(const Model& m) {
         !e.fixed && e.kind == EntityKind::angle && !driven[e.first] && !coupled[i])
       angles.push_back(e.first);
   return angles;
-}
-
-/// Follows a way from 0 to 1. found: begins at its positions, which are overwritten by the last
-/// proven ones. What is regular by other equations of an overconstrained group is no change point,
-/// so these are tried first. Each round goes on from another place, or passes a change point, or is
-/// the last one; and each counts as a test at least.
-FollowedStep follow(const Model& m, InitialResidual initial, bool may_pass, FoundStart& found) {
-  std::unique_ptr<const Model> chosen;  // other equations, by which the way goes on; null: none
-  auto path = std::make_unique<BranchPath>(m, BranchPath::max_tests, initial);
-  const auto model = [&]() -> const Model& { return chosen ? *chosen : m; };
-  const auto choose = [&] {
-    auto other = with_chosen_equations(model(), found.q);
-    if (!other) return false;
-    auto on = std::make_unique<BranchPath>(*other, BranchPath::max_tests, initial);
-    if (!on->start_at({found.share, {found.q, {}, {}}})) return false;
-    path = std::move(on);
-    chosen = std::move(other);
-    return true;
-  };
-  const auto take_positions = [&] {
-    const std::span<const double> q = path->present().values.position;
-    found.q.assign(q.begin(), q.end());
-  };
-  FollowedStep step;
-  int tests = 0;
-  double chosen_at = -1;  // share at which other equations were asked for
-  found.share = 0;
-  bool begun = path->start_at({0, {found.q, {}, {}}});
-  while (true) {
-    if (begun) {
-      step = path->go_to(1);
-      tests += std::max(1, step.tests);
-      take_positions();
-      found.share = path->present().time;
-      if (step.end == PathEnd::same) break;
-    }
-    if (tests >= BranchPath::max_tests) break;
-    const bool is_asked = std::exchange(chosen_at, found.share) == found.share;
-    if (!is_asked && choose()) {
-      begun = true;
-      continue;
-    }
-    if (!begun || !may_pass) break;
-    const std::optional<PassedPoint> point =
-        pass_change_point(model(), path->present(), step.group);
-    if (!point || !(point->before < 1)) break;
-    begun = path->start_at(point->beyond());
-    if (!begun) break;
-    found.passed.push_back(point->time);
-  }
-  step.tests = tests;
-  step.out_of_tests = step.end == PathEnd::stuck && tests >= BranchPath::max_tests;
-  if (begun) found.group = step.group;
-  // The last step may have ended with digits to correct.
-  if (step.end == PathEnd::same && path->start_at({1, {found.q, {}, {}}})) take_positions();
-  return step;
 }
 
 /// Passes the change point on which the motion begins, if the way of the drivers ends at one.
@@ -150,7 +94,7 @@ FollowedStep lead_drivers(const Model& m, double time, const Turns& left_out, Fo
     found.share = 0;
     return none;
   }
-  const FollowedStep step = follow(going, {}, true, found);
+  const FollowedStep step = follow_way(going, {}, true, found);
   if (step.end == PathEnd::stuck && !step.out_of_tests) pass_at_start(m, going, time, found);
   if (step.end != PathEnd::same) return step;
   for (int i = 0; i < m.coordinates(); ++i) found.q[i] += turn * left_out.of_coordinates[i];
@@ -179,7 +123,7 @@ bool add_turns(const Model& m, const std::vector<double>& signs, double count,
   const std::span<const double> from = first.start_at({0, {nominal.q, {}, {}}})
                                            ? first.present().values.position
                                            : std::span<const double>(nominal.q);
-  if (follow(going, {}, true, found).end != PathEnd::same || !is_back(m, from, found.q))
+  if (follow_way(going, {}, true, found).end != PathEnd::same || !is_back(m, from, found.q))
     return false;
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle)
@@ -240,7 +184,7 @@ FoundStart find_start(const Model& m, double time) {
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;
-    const FollowedStep way = follow(at_drawing, residual_of_drawing(m), false, found);
+    const FollowedStep way = follow_way(at_drawing, residual_of_drawing(m), false, found);
     if (way.end != PathEnd::same) {
       found.stage = Stage::drawing;
       found.out_of_tests = way.out_of_tests;
