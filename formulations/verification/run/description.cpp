@@ -1,4 +1,4 @@
-// A checked run in a line.
+// A checked run, or a live row, in a line.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -6,6 +6,7 @@
 
 #include "cases/mechanism/formatted.h"
 #include "formulations/verification/run/checked_run.h"
+#include "formulations/verification/run/live_run.h"
 
 namespace desmo {
 
@@ -53,6 +54,23 @@ std::string describe(const CheckedSummary& s, const Model& m) {
                                                                  : "converged: ";
   return outcome + flags + (flags.empty() ? "" : "; ") + std::to_string(s.instants) +
          " instants in all, " + describe_radius(s, Level::acceleration);
+}
+
+std::string describe(const LiveSummary& s, const Model& m) {
+  switch (s.fault) {
+    case RowFault::none:
+      return s.is_unreached()
+                 ? describe(Summary{s}, m) +
+                       formatted("; the motion to it is not proven beyond t = %.9g s", s.path.time)
+                 : describe(Summary{s}, m);
+    case RowFault::wrong_size:
+      return "refused: there is not one value for each driver";
+    case RowFault::not_finite:
+      return "refused: a value or the time is not a finite number";
+    case RowFault::time_not_later:
+      return "refused: the time is not after the last good row";
+  }
+  return {};
 }
 
 std::string describe_radius(const CheckedSummary& s, Level level) {

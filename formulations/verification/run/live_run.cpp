@@ -5,7 +5,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "cases/mechanism/formatted.h"
 #include "formulations/motion/diagnosis.h"
 #include "formulations/motion/internals.h"
 #include "formulations/verification/run/follower.h"
@@ -80,23 +79,6 @@ RowFault LiveRun::fault_of(const LiveRow& row) const {
                            fault(row.zdd, Level::acceleration)})
     if (f != RowFault::none) return f;
   return has_position_ && row.time <= time_ ? RowFault::time_not_later : RowFault::none;
-}
-
-std::string describe(const LiveSummary& s, const Model& m) {
-  switch (s.fault) {
-    case RowFault::none:
-      return s.is_unreached()
-                 ? describe(Summary{s}, m) +
-                       formatted("; the motion to it is not proven beyond t = %.9g s", s.path.time)
-                 : describe(Summary{s}, m);
-    case RowFault::wrong_size:
-      return "refused: there is not one value for each driver";
-    case RowFault::not_finite:
-      return "refused: a value or the time is not a finite number";
-    case RowFault::time_not_later:
-      return "refused: the time is not after the last good row";
-  }
-  return {};
 }
 
 LiveSummary LiveRun::step(const LiveRow& row) {
