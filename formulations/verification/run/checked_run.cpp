@@ -1,7 +1,6 @@
 #include "formulations/verification/run/checked_run.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -9,15 +8,11 @@
 #include "formulations/motion/internals.h"
 #include "formulations/verification/run/gap_search.h"
 #include "formulations/verification/run/independent_motions.h"
-#include "formulations/verification/run/relative_radius.h"
-#include "formulations/verification/run/running_scales.h"
+#include "formulations/verification/run/row_tally.h"
 
 namespace desmo {
 
 namespace {
-
-/// Covers the few roundings of a ratio.
-constexpr double above = 1 + 0x1p-48;
 
 /// One run, in spans between the intervals that cannot be assembled. As an observer of the
 /// formulation it hands on what is checked, and stops the run where the formulation is elsewhere.
@@ -32,7 +27,7 @@ class CheckedRun final : Observer {
         request_(request),
         options_(options),
         motion_(formulation.model(), options.levels, formulation.tolerance()),
-        scales_(formulation.model(), grid),
+        tally_(formulation.model(), grid),
         output_(request, formulation.model().coordinates()),
         next_(observer),
         memory_(options.mode == CheckMode::sample ? options.sample - 1 : 0,
@@ -53,11 +48,7 @@ class CheckedRun final : Observer {
     explain_failure();
     for (; !summary_.ok() && options_.past_failures; explain_failure())
       if (pass_gap()) go_on(From::estimate);
-    summary_.scales = scales_.current();
-    const auto share = [](double radius, double scale) { return scale > 0 ? radius / scale : 0; };
-    for (const Level l : all_levels)
-      summary_.radius[l] = above * std::max(share(length_[l], summary_.scales.length[l]),
-                                            share(rotation_[l], summary_.scales.rotation[l]));
+    tally_.finish(summary_);
     return summary_;
   }
 
@@ -115,10 +106,8 @@ class CheckedRun final : Observer {
   }
 
   Flow hand_on(CheckedInstant row) {
-    scales_.take(row.instant);
     summary_.time = row.instant.time;
-    take_radius(row);
-    if (row.flag) take_flag(*row.flag);
+    tally_.take(row, summary_);
     summary_.refused = options_.strict && row.flag;
     if (summary_.refused) return Flow::stop;
     summary_.condition = std::max(summary_.condition, row.condition);
@@ -132,42 +121,6 @@ class CheckedRun final : Observer {
     tried_ = row.instant.index + 1;
     summary_.stopped = flow == Flow::stop;
     return flow;
-  }
-
-  /// Includes a proven row in the largest radii. Flags it where they leave no digit.
-  void take_radius(CheckedInstant& row) {
-    if (row.flag && row.flag->kind == RowFlag::Kind::unproven) {
-      row.relative_radius = {INFINITY, INFINITY, INFINITY};
-      return;
-    }
-    const RelativeRadius radius =
-        relative_radius(formulation_.model(), row.radius, scales_.current());
-    row.relative_radius = radius.largest;
-    if (radius.proves_no_digit()) {
-      row.flag = {.kind = RowFlag::Kind::unproven,
-                  .time = row.instant.time,
-                  .group = radius.group,
-                  .failure = ProofFailure::singular};
-      return;
-    }
-    for (const Level level : all_levels) {
-      length_[level] = std::max(length_[level], radius.length[level]);
-      rotation_[level] = std::max(rotation_[level], radius.rotation[level]);
-    }
-    if (row.flag && row.flag->kind == RowFlag::Kind::on_point)
-      row.relative_radius = {INFINITY, INFINITY, INFINITY};
-  }
-
-  void take_flag(const RowFlag& flag) {
-    ++summary_.flagged;
-    if (!summary_.first_flag) summary_.first_flag = flag;
-    if (flag.kind == RowFlag::Kind::crossing || flag.kind == RowFlag::Kind::on_point) {
-      summary_.crossings += last_point_ != flag.after;
-      last_point_ = flag.after;
-      if (!summary_.first_crossing) summary_.first_crossing = flag;
-    }
-    if (flag.misfit && (!summary_.misfit || flag.misfit->amount > summary_.misfit->amount))
-      summary_.misfit = flag.misfit;
   }
 
   void take_failure(const Summary& failed) {
@@ -249,15 +202,13 @@ class CheckedRun final : Observer {
   const Request request_;
   const CheckOptions options_;
   IndependentMotions motion_;
-  RunningScales scales_;
+  RowTally tally_;
   const OutputWriter output_;
   Observer& next_;
   std::vector<InstantCopy> memory_;  // of those that wait
   std::vector<Instant> waiting_;     // CheckMode::sample: rows since the last one that was checked
   CheckedSummary summary_;
-  PerLevel<double> length_{}, rotation_{};  // largest radii of proven rows
   double max_residual_ = 0;
-  double last_point_ = NAN;   // RowFlag::after of the last change point
   int tried_ = 0;             // rows handed on, or left out
   bool elsewhere_ = false;    // the formulation is not where the last row is
   std::vector<double> last_;  // positions of that row

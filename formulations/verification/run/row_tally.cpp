@@ -1,0 +1,59 @@
+#include "formulations/verification/run/row_tally.h"
+
+#include <algorithm>
+
+#include "formulations/verification/run/relative_radius.h"
+
+namespace desmo {
+
+void RowTally::take(CheckedInstant& row, CheckedSummary& summary) {
+  scales_.take(row.instant);
+  take_radius(row);
+  if (row.flag) take_flag(*row.flag, summary);
+}
+
+/// Includes a proven row in the largest radii. Flags it where they leave no digit.
+void RowTally::take_radius(CheckedInstant& row) {
+  if (row.flag && row.flag->kind == RowFlag::Kind::unproven) {
+    row.relative_radius = {INFINITY, INFINITY, INFINITY};
+    return;
+  }
+  const RelativeRadius radius = relative_radius(m_, row.radius, scales_.current());
+  row.relative_radius = radius.largest;
+  if (radius.proves_no_digit()) {
+    row.flag = {.kind = RowFlag::Kind::unproven,
+                .time = row.instant.time,
+                .group = radius.group,
+                .failure = ProofFailure::singular};
+    return;
+  }
+  for (const Level level : all_levels) {
+    length_[level] = std::max(length_[level], radius.length[level]);
+    rotation_[level] = std::max(rotation_[level], radius.rotation[level]);
+  }
+  if (row.flag && row.flag->kind == RowFlag::Kind::on_point)
+    row.relative_radius = {INFINITY, INFINITY, INFINITY};
+}
+
+void RowTally::take_flag(const RowFlag& flag, CheckedSummary& summary) {
+  ++summary.flagged;
+  if (!summary.first_flag) summary.first_flag = flag;
+  if (flag.kind == RowFlag::Kind::crossing || flag.kind == RowFlag::Kind::on_point) {
+    summary.crossings += last_point_ != flag.after;
+    last_point_ = flag.after;
+    if (!summary.first_crossing) summary.first_crossing = flag;
+  }
+  if (flag.misfit && (!summary.misfit || flag.misfit->amount > summary.misfit->amount))
+    summary.misfit = flag.misfit;
+}
+
+void RowTally::finish(CheckedSummary& summary) const {
+  constexpr double above = 1 + 0x1p-48;  // covers the few roundings of a ratio
+  const auto share = [](double radius, double scale) { return scale > 0 ? radius / scale : 0; };
+  summary.scales = scales_.current();
+  for (const Level l : all_levels)
+    summary.radius[l] = above * std::max(share(length_[l], summary.scales.length[l]),
+                                         share(rotation_[l], summary.scales.rotation[l]));
+}
+
+}  // namespace desmo
