@@ -231,6 +231,32 @@ TEST(ChangePoints, ShowInTheConditionNextToThem) {
   EXPECT_GT(s.condition, 1e6);
 }
 
+/// Where a step is one digit of time, there is none between for a sub-step. The drivers go by 0.01
+/// rad in it, far from a change point.
+TEST(ChangePoints, AreNotSeenWhereAStepIsOneDigitOfTime) {
+  const CheckedSummary s = expect_parallel(HarmonicSum{1.5, {{0.1, 1, 0.3}}}, {1e15, 1. / 8, 20},
+                                           "global_automatic_klu");
+  EXPECT_EQ(s.crossings, 0);
+  ASSERT_TRUE(s.first_flag);
+  EXPECT_EQ(s.first_flag->kind, RowFlag::Kind::unproven);
+  EXPECT_EQ(s.first_flag->failure, ProofFailure::time);
+}
+
+/// A kite folds, so that its rocker's joint may be anywhere on a circle. What depends on it fails
+/// first.
+TEST(ChangePoints, AreThoseOfTheGroupThatIsSingular) {
+  DyadChain chain{.crank = 2, .start = 0.6, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {2, 0, 0}, 3, 3, 1)};
+  extremes::add_dyad(chain, 5, 3, 3);
+  const TimeGrid grid{0, 0.01, 100};
+  const Model m = make_model(extremes::case_of("kite", chain, -1, grid).scene);
+  for (const char* id : {"global_automatic_klu", "group_automatic_lapack"}) {
+    const CheckedSummary s = solve_checked(m, grid, id).summary;
+    ASSERT_TRUE(s.first_flag) << id;
+    EXPECT_EQ(m.groups.at(s.first_flag->group).name, "dyad1/SG-I") << id;
+  }
+}
+
 /// Bennett's linkage, drawn on the other side of where the equations that are kept for that drawing
 /// are singular and all equations are not. No row is wrong without a flag.
 TEST(ChangePoints, OfKeptEquationsAloneLeadNobodyAstray) {

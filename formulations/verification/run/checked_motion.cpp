@@ -6,6 +6,7 @@
 
 #include "formulations/model/scales.h"
 #include "formulations/verification/branch/chosen_equations.h"
+#include "formulations/verification/branch/departure.h"
 
 namespace desmo {
 
@@ -115,6 +116,7 @@ bool CheckedMotion::take(const Instant& at, bool is_solved) {
                  .group = step_.group,
                  .out_of_tests = step_.out_of_tests};
       point_.reset();
+      result_.flag.reset();
       // Tests that ran out once would do so in each step: the path does not begin again.
       on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(*found, levels_));
     }
@@ -148,9 +150,19 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
       deliver_path(at);
       return true;
     }
+    if (step_.out_of_tests) return false;
+    const double next = std::nextafter(path.present().time, at.time);
+    if (const std::vector<double> q = straight_ahead(next); !q.empty()) {
+      if (!path.start_at({next, {q, {}, {}}, {}})) return false;
+      result_.flag = {.kind = RowFlag::Kind::unproven,
+                      .after = step_.time,
+                      .before = next,
+                      .group = step_.group,
+                      .failure = ProofFailure::time};
+      continue;
+    }
     std::optional<PassedPoint> point;
-    if (may_pass && !step_.out_of_tests)
-      point = pass_change_point(follower_->model, path.present(), step_.group);
+    if (may_pass) point = pass_change_point(follower_->model, path.present(), step_.group);
     if (!point) return false;
     point_ = std::make_shared<PassedPoint>(std::move(*point));
     result_.flag = {.kind = RowFlag::Kind::crossing,
@@ -161,6 +173,18 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
   point_.reset();
   step_.out_of_tests = true;
   return false;
+}
+
+/// Returns the positions to which drivers that go straight are proven to lead, at the next time
+/// that there is; empty: they are not. Where they are, it is no change point on which the motion is
+/// stuck, but a digit of time, in which the drivers go far.
+std::vector<double> CheckedMotion::straight_ahead(double next) {
+  const CertifiedInstant& last = follower_->path.present();
+  const std::vector<double> from = drivers_at(m_, last.time).position,
+                            to = drivers_at(m_, next).position;
+  std::vector<double> q(last.values.position.begin(), last.values.position.end());
+  if (from == to || !straight_path().lead(from, to, q)) q.clear();
+  return q;
 }
 
 /// Returns whether the way from the last instant contradicts equations that are left out: where a
@@ -189,68 +213,10 @@ bool CheckedMotion::choose_other_equations(std::span<const double> q) {
   return true;
 }
 
-void CheckedMotion::deliver(const RefinedInstant& r) {
-  result_.instant = r.instant;
-  result_.radius = r.radius;
-  result_.condition = r.last.condition;
-  if (r.proven) {
-    const std::optional<RowFlag> flag = misfit_flag(m_, follower_->left_out, r);
-    if (flag && result_.flag)  // it stays, with the misfit
-      result_.flag->misfit = flag->misfit;
-    else if (flag)
-      result_.flag = flag;
-    return;
-  }
-  result_.flag = {.kind = RowFlag::Kind::unproven,
-                  .after = step_.time,
-                  .before = r.instant.time,
-                  .group = r.last.group,
-                  .failure = r.last.failure};
-}
-
-/// Delivers the end of the path, with the levels of an instant.
-void CheckedMotion::deliver_path(const Instant& at) {
-  elsewhere_ = true;
-  const CertifiedInstant& present = follower_->path.present();
-  Instant end = at;
-  end.q = present.values.position;
-  if (!at.qd.empty()) end.qd = present.values.velocity;
-  if (!at.qdd.empty()) end.qdd = present.values.acceleration;
-  deliver(follower_->refinement.refine(end));
-}
-
-/// Delivers the position on the change point, which has no rates. Returns whether it is known.
-bool CheckedMotion::deliver_point(const Instant& at) {
-  std::unique_ptr<StraightPath>& straight = follower_->straight;
-  if (!straight) straight = std::make_unique<StraightPath>(follower_->model);
-  on_point_ = point_->find_positions(*straight, at.time);
-  if (on_point_.empty()) {
-    step_.group = no_position;  // another one is stuck
-    return false;
-  }
-  elsewhere_ = true;
-  result_.instant = at;
-  result_.instant.q = on_point_;
-  if (!at.qd.empty()) result_.instant.qd = no_rates_;
-  if (!at.qdd.empty()) result_.instant.qdd = no_rates_;
-  result_.condition = INFINITY;
-  result_.flag = {.kind = RowFlag::Kind::on_point,
-                  .after = point_->after,
-                  .before = point_->before,
-                  .group = step_.group};
-  return true;
-}
-
-/// Flags the result where its branch is unknown.
-void CheckedMotion::complete_flag() {
-  if (lost_ && !(result_.flag && result_.flag->kind == RowFlag::Kind::unproven)) {
-    const std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
-    result_.flag = lost_;
-    result_.flag->misfit = misfit;
-  }
-  if (first_flag_ && !result_.flag) result_.flag = first_flag_;
-  first_flag_.reset();
-  if (result_.flag) result_.flag->time = result_.instant.time;
+StraightPath& CheckedMotion::straight_path() {
+  std::unique_ptr<StraightPath>& path = follower_->straight;
+  if (!path) path = std::make_unique<StraightPath>(follower_->model);
+  return *path;
 }
 
 }  // namespace desmo

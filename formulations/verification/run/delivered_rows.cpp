@@ -1,0 +1,70 @@
+// What a checked motion delivers, and says of it.
+#include <cmath>
+
+#include "formulations/verification/run/checked_motion.h"
+
+namespace desmo {
+
+void CheckedMotion::deliver(const RefinedInstant& r) {
+  result_.instant = r.instant;
+  result_.radius = r.radius;
+  result_.condition = r.last.condition;
+  if (r.proven) {
+    const std::optional<RowFlag> flag = misfit_flag(m_, follower_->left_out, r);
+    if (flag && result_.flag)  // it stays, with the misfit
+      result_.flag->misfit = flag->misfit;
+    else if (flag)
+      result_.flag = flag;
+    return;
+  }
+  result_.flag = {.kind = RowFlag::Kind::unproven,
+                  .after = step_.time,
+                  .before = r.instant.time,
+                  .group = r.last.group,
+                  .failure = r.last.failure};
+}
+
+/// Delivers the end of the path, with the levels of an instant.
+void CheckedMotion::deliver_path(const Instant& at) {
+  elsewhere_ = true;
+  const CertifiedInstant& present = follower_->path.present();
+  Instant end = at;
+  end.q = present.values.position;
+  if (!at.qd.empty()) end.qd = present.values.velocity;
+  if (!at.qdd.empty()) end.qdd = present.values.acceleration;
+  deliver(follower_->refinement.refine(end));
+}
+
+/// Delivers the position on the change point, which has no rates. Returns whether it is known.
+bool CheckedMotion::deliver_point(const Instant& at) {
+  on_point_ = point_->find_positions(straight_path(), at.time);
+  if (on_point_.empty()) {
+    step_.group = no_position;  // another one is stuck
+    return false;
+  }
+  elsewhere_ = true;
+  result_.instant = at;
+  result_.instant.q = on_point_;
+  if (!at.qd.empty()) result_.instant.qd = no_rates_;
+  if (!at.qdd.empty()) result_.instant.qdd = no_rates_;
+  result_.condition = INFINITY;
+  result_.flag = {.kind = RowFlag::Kind::on_point,
+                  .after = point_->after,
+                  .before = point_->before,
+                  .group = step_.group};
+  return true;
+}
+
+/// Flags the result where its branch is unknown.
+void CheckedMotion::complete_flag() {
+  if (lost_ && !(result_.flag && result_.flag->kind == RowFlag::Kind::unproven)) {
+    const std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
+    result_.flag = lost_;
+    result_.flag->misfit = misfit;
+  }
+  if (first_flag_ && !result_.flag) result_.flag = first_flag_;
+  first_flag_.reset();
+  if (result_.flag) result_.flag->time = result_.instant.time;
+}
+
+}  // namespace desmo
