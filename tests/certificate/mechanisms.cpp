@@ -70,6 +70,7 @@ TEST(Certificate, HoldsOnTheCases) {
 /// Expects proofs in bases, and no radius above a limit.
 void expect_narrow(const Model& m, const std::vector<double>& times, double limit) {
   const Containment c = contain(m, times, ErrorSets::bases);
+  EXPECT_GT(c.instants, 0);
   EXPECT_EQ(c.proven, c.instants);
   for (const Level level : all_levels) EXPECT_LE(c.widest[level], limit);
 }

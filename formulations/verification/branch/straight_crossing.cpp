@@ -43,9 +43,9 @@ void StraightCrossing::find_nodes(const CertifiedInstant& last) {
   const std::optional<Node> here = node({0, {last.values.position, no_rates_, no_rates_}, {}});
   if (!here) return;
   std::vector<double> q(here->values.position), acceleration(here->values.acceleration);
-  // So near to the point rounding may leave not even a sign.
+  // So near to the point rounding may leave not even a sign of second derivatives.
   for (std::size_t i = 0; i < acceleration.size(); ++i)
-    if (std::abs(acceleration[i]) <= here->radius.acceleration[i]) acceleration[i] = 0;
+    if (!(std::abs(acceleration[i]) > here->radius.acceleration[i])) acceleration[i] = 0;
   for (double s = std::sqrt(Interval::unit); s < 1; s *= 2) {
     for (std::size_t i = 0; i < q.size(); ++i)
       q[i] = here->values.position[i] - s * (here->values.velocity[i] - s / 2 * acceleration[i]);
@@ -71,11 +71,13 @@ bool StraightCrossing::leads_to(const Node& end, double nearest) {
   for (int i = 0; i < model_.coordinates(); ++i) {
     // From −2h and −h to 0: the argument is 3. So near to the point branches may differ by their
     // rates alone.
-    const Quintic<Interval> branch = polynomial(far, near, i);
-    const double half = (near.s - far.s) / 2;
-    if (!may_be_same(value_at(branch, Interval(3)), number(end, Level::position, i)) ||
-        !may_be_same(slope_at(branch, Interval(3)), number(end, Level::velocity, i) * half))
-      return false;
+    Quintic<Interval> branch = polynomial(far, near, i);
+    double unit = 1;
+    for (const Level level : all_levels) {
+      if (!may_be_same(value_at(branch, Interval(3)), number(end, level, i) * unit)) return false;
+      branch = derivative(branch);
+      unit *= (near.s - far.s) / 2;
+    }
   }
   return true;
 }

@@ -63,8 +63,10 @@ struct ShapedBlock {
   std::vector<int> coordinates;  ///< coordinate of each column
   std::vector<Derived> constants;
   std::vector<Remainder> remainders;  ///< of each local state; empty: none
-  std::vector<double> slack;          ///< by how much each row of Φ may be off (n); empty: none
-  std::vector<double> initial;        ///< Φ₀ of a homotopy (n); empty: none
+  /// By how much each row of Φ may be off (n); empty: none. It counts for positions alone: rates
+  /// and paths have no bound for it.
+  std::vector<double> slack;
+  std::vector<double> initial;  ///< Φ₀ of a homotopy (n); empty: none
 
   /// Returns the coordinates of the inputs (m).
   std::span<const int> inputs() const { return std::span(coordinates).subspan(shape.unknowns); }

@@ -75,7 +75,8 @@ struct Certificate {
 /// - Φ and its rates: BlockEquations::motion(); midpoint and radius go into find_image()
 /// - Φ_φ and Φ_h within X and δ, and their rates: BlockEquations::jacobian(), jacobian_rates()
 /// - errors of drivers: Certifier::Proof::take()
-/// - what dimensions and fixed values lack of those in the file: BlockEquations
+/// - what dimensions and fixed values lack of those in the file: BlockEquations, LinearEquations
+/// - by how much rows may be off: BlockEquations::motion()
 /// - errors δ of earlier blocks: BlockProof::gather(); centres and radii go through Y Φ_h in
 ///   find_image(), symbols in find_generators()
 /// - errors of lower levels, which rates depend on: BlockProof::bound_rates()

@@ -42,12 +42,12 @@ S value_at(const Quintic<S>& c, const S& s) {
   return sum;
 }
 
-/// Evaluates the derivative of a polynomial by Horner's rule.
+/// Returns the derivative of a polynomial with respect to s.
 template <class S>
-S slope_at(const Quintic<S>& c, const S& s) {
-  S sum = S(5) * c[5];
-  for (int k = 4; k > 0; --k) sum = sum * s + S(k) * c[k];
-  return sum;
+Quintic<S> derivative(const Quintic<S>& c) {
+  Quintic<S> result{};
+  for (int k = 1; k <= 5; ++k) result[k - 1] = S(k) * c[k];
+  return result;
 }
 
 }  // namespace desmo

@@ -30,12 +30,14 @@ struct LaneMatrix {
 /// about instants and about paths take them from here.
 class LinearEquations {
  public:
+  /// A term of an equation: factor × local state.
   struct Term {
     int state;
     int slot;  ///< in the Jacobian; -1: none
     Compensated<LaneNumbers> factor;
     LaneInterval enclosed;  ///< the factor, about its double
   };
+  /// An equation, which is a row of the block.
   struct Equation {
     int row;
     LaneInterval at_origin;           ///< Φ(0), about its double
@@ -63,7 +65,7 @@ class LinearEquations {
   void add(const BlockShape::Object& object, const Compensated<LaneNumbers>* constants);
 
   std::vector<Equation> equations_;
-  bool has_offsets_ = false;  // one is not 0
+  bool has_offsets_ = false;  // the offset of some equation is not 0
 };
 
 }  // namespace desmo

@@ -18,7 +18,7 @@ class PathEquations {
   /// States of which derivatives are taken: what turns with the step is linear in s.
   using Slope = TaylorModel<LaneNumbers, 1>;
 
-  /// The batch must outlive this.
+  /// The batch must outlive this, and stay where it is.
   PathEquations(const Model& model, const BlockBatch& batch);
 
   /// Writes the states that are fixed, and zeros for those that no equation reads.

@@ -91,12 +91,10 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     if (sets == ErrorSets::bases || !certifier_.has_long_chains()) break;
     sets = ErrorSets::bases;
   }
-  if (result_.proven) {
-    show(result_.instant, best_);
-    for (const Level level : levels_) result_.radius[level] = best_radius_[level];
-  } else {
-    result_.radius = result_.last.radius;
-  }
+  if (result_.proven) show(result_.instant, best_);
+  for (const Level level : levels_)
+    result_.radius[level] =
+        result_.proven ? std::span<const double>(best_radius_[level]) : result_.last.radius[level];
   return result_;
 }
 

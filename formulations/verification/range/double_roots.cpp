@@ -53,11 +53,15 @@ double DoubleRootSearch::root_at(int block, double distance) {
 }
 
 /// Returns the distance from the middle point at which a determinant is least, by Brent's method.
-/// It is off by 1e-4 at most, which the distances that value_of_root() looks at exceed.
+/// It is off by 2⁻¹² of itself and 2⁻¹⁴, which the distances that value_of_root() looks at exceed.
 double DoubleRootSearch::least(int block) {
-  constexpr int bits = 14;  // 2⁻¹³ of the distance and 2⁻¹⁵
-  const auto root = [&](double distance) { return root_at(block, distance); };
-  return boost::math::tools::brent_find_minima(root, -last_[1].length, last_[2].length, bits).first;
+  constexpr int bits = 14;
+  const double end = last_[2].length;
+  // The search begins at the end, whose value is known: a single step may not lead so far.
+  const auto root = [&](double distance) {
+    return distance == end ? last_[2].root(block) : root_at(block, distance);
+  };
+  return boost::math::tools::brent_find_minima(root, -last_[1].length, end, bits).first;
 }
 
 /// Returns the driver's value where √|det| with a sign on either side vanishes, if det does: both

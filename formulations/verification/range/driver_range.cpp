@@ -9,6 +9,7 @@
 
 #include "formulations/verification/branch/chosen_equations.h"
 #include "formulations/verification/range/driver_sweep.h"
+#include "formulations/verification/range/singular_points.h"
 
 namespace desmo {
 

@@ -136,8 +136,9 @@ void DriverSweep::look_for_double_root(const Point& next, const Determinants& th
 
 /// Looks for a double root as far as one more point, unless a determinant changes its sign before.
 void DriverSweep::look_beyond(const Point& point, const Determinants& here, double length) {
+  if (here.empty()) return;
   const std::optional<Point> next = curve().step(point, length);
-  if (!next || next->sign != point.sign || here.empty()) return;
+  if (!next || next->sign != point.sign) return;
   if (const Determinants there = determinants(*next); there.signs == here.signs)
     look_for_double_root(*next, there, std::abs(length));
 }

@@ -10,8 +10,8 @@
 
 namespace desmo {
 
-/// Largest speed along a curve (SolutionCurve::Point::speed) at which a driver rests. Its value is
-/// off that at the dead point by about the square, which is far below rounding.
+/// Largest speed along a curve (SolutionCurve::Point::speed) at which a driver rests. The
+/// driver's value there is off that at the dead point by about the square, far below rounding.
 inline constexpr double max_resting_speed = 1e-9;
 
 /// Dead point of a curve, and a point beyond it.
