@@ -68,7 +68,7 @@ bool is_wrong(const WorstError& e, double tolerance, double stated) {
 
 }  // namespace
 
-std::string at(const KnownCase& p, std::size_t instant) {
+std::string instant_text(const KnownCase& p, std::size_t instant) {
   if (p.definition->starts) return formatted("from start %zu", instant + 1);
   return formatted("at t = %.9g s", p.definition->scene.grid.time(static_cast<int>(instant)));
 }
