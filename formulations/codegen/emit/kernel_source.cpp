@@ -1,11 +1,13 @@
 #include "formulations/codegen/emit/kernel_source.h"
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "formulations/codegen/eliminate/elimination.h"
 #include "formulations/codegen/emit/emission.h"
-#include "formulations/codegen/emit/function_writer.h"
-#include "formulations/codegen/emit/inlined_solve.h"
+#include "formulations/codegen/emit/monitors.h"
 
 namespace desmo::generate {
 
@@ -13,8 +15,11 @@ namespace {
 
 using Expressions = std::vector<Expr>;
 
-/// More orders than these make code long, and none is right at a singular position.
-constexpr std::size_t max_orders = 3;
+Expressions concatenate(std::initializer_list<Expressions> lists) {
+  Expressions all;
+  for (const Expressions& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
 
 Expressions values_of(const std::vector<RecordedEntry>& entries) {
   Expressions result;
@@ -22,11 +27,26 @@ Expressions values_of(const std::vector<RecordedEntry>& entries) {
   return result;
 }
 
-/// Writes the functions that evaluate the equations of a part.
-class EvaluationWriter {
+/// More orders than these make code long, and none is right at a singular position.
+constexpr std::size_t max_orders = 3;
+
+/// Writes the functions of one kernel.
+class KernelWriter {
  public:
-  EvaluationWriter(std::ostream& out, const PartType& type, const RecordedPart& part)
-      : out_(out), type_(type), function_(out, part) {}
+  KernelWriter(std::ostream& out, const PartType& type, const RecordedPart& group,
+               std::size_t orders, std::size_t first_samples)
+      : out_(out),
+        type_(type),
+        g_(group),
+        unknowns_(unknowns_of(type)),
+        orders_(eliminations(jacobian_rows(), orders, first_samples)) {
+    for (std::size_t i = 0; i < type_.inputs.size(); ++i) {
+      const std::string place = "[in[" + std::to_string(i) + "]]";
+      source_[g_.q[i].id()] = "q" + place;
+      source_[g_.qd[i].id()] = "qd" + place;
+      source_[g_.qdd[i].id()] = "qdd" + place;
+    }
+  }
 
   void entries(const char* list, const std::vector<RecordedEntry>& entries) {
     out_ << "constexpr std::array<KernelEntry, " << entries.size() << "> " << list << "{{\n";
@@ -38,30 +58,150 @@ class EvaluationWriter {
 
   /// Writes a function with one value for each equation.
   void of_rows(const char* signature, const std::string& array, const Expressions& values) {
-    function_.open(signature);
+    open(signature);
     Emitter emitter = begin(values);
     emitter.prepare(values);
     for (int r = 0; r < type_.rows(); ++r)
       assign(emitter, array + "[" + std::to_string(r) + "]", values[r], type_.row_names[r]);
-    function_.close();
+    close();
   }
 
   /// Writes a function with one value for each of these entries, the first of which has that place.
   void of_entries(const std::string& signature, const std::vector<RecordedEntry>& list,
                   std::size_t first) {
-    function_.open(signature);
+    open(signature);
     const Expressions outputs = values_of(list);
     Emitter emitter = begin(outputs);
     emitter.prepare(outputs);
     for (std::size_t e = 0; e < list.size(); ++e)
       assign(emitter, "values[slot[" + std::to_string(first + e) + "]]", list[e].value,
              type_.row_names[list[e].row] + ", " + type_.inputs[list[e].input].name);
-    function_.close();
+    close();
+  }
+
+  /// Writes the two functions that eliminate, for the last order first: each leaves to the next one
+  /// what it refuses.
+  void elimination() {
+    for (std::size_t order = orders_.size(); order-- > 0;) {
+      position(order);
+      rates(order);
+    }
   }
 
  private:
+  static std::string name_of(const char* function, std::size_t order) {
+    return order == 0 ? function : function + ("_in_order_" + std::to_string(order + 1));
+  }
+  bool is_last(std::size_t order) const { return order + 1 == orders_.size(); }
+
+  void position(std::size_t order) {
+    const Expressions step = orders_[order].solve(g_.phi);
+    const std::vector<double> unsampled(Graph::current().samples(g_.phi.front().id()).size(), 1.0);
+    Expr norm2 = 0;
+    for (int r = 0; r < type_.rows(); ++r) {
+      const std::string name = "weight[" + std::to_string(r) + "]";
+      const Expr weighted = Expr::node(Graph::current().input(name, unsampled)) * g_.phi[r];
+      norm2 = norm2 + weighted * weighted;
+    }
+    const Expressions all = concatenate({{norm2}, step});
+
+    open("InlinedResult " + name_of("position", order) +
+         "(double* q, const int* in, const double* c, const double* weight,\n"
+         "                       double tolerance2, int max_iterations)");
+    load(positions(g_, unknowns_), "double");
+    load(all, "const double");
+    out_ << "  InlinedResult result{0, 0};\n  for (;; ++result.iterations) {\n";
+    Emitter emitter(out_, "    ", all);
+    emitter.prepare({norm2});
+    out_ << "    result.residual2 = " << emitter.text(norm2) << ";\n"
+         << "    if (!(result.residual2 >= tolerance2) || result.iterations == max_iterations) "
+            "break;\n";
+    emitter.prepare(step);
+    // All increments before any update: later ones may be written with the old values.
+    for (std::size_t j = 0; j < step.size(); ++j)
+      out_ << "    const double delta" << j << " = " << emitter.text(step[j]) << ";\n";
+    for (std::size_t j = 0; j < step.size(); ++j)
+      out_ << "    q" << variable_name(type_, unknowns_[j]) << " -= delta" << j << ";\n";
+    out_ << "  }\n";
+    if (!is_last(order))
+      out_ << "  if (!(result.residual2 < tolerance2) && tolerance2 > 0) {\n"
+           << "    InlinedResult other = " << name_of("position", order + 1)
+           << "(q, in, c, weight, tolerance2, max_iterations);\n"
+           << "    other.iterations += result.iterations;\n    return other;\n  }\n";
+    for (std::size_t j = 0; j < step.size(); ++j)
+      out_ << "  q[in[" << unknowns_[j] << "]] = q" << variable_name(type_, unknowns_[j]) << ";\n";
+    out_ << "  return result;\n";
+    close();
+  }
+
+  void rates(std::size_t order) {
+    const Elimination& elimination = orders_[order];
+    const Monitors monitors{{}, elimination.monitors()};
+    // Velocities of the unknowns become expressions of the known, and enter γ as such.
+    const Expressions velocity = elimination.solve(known_product(g_.qd));
+    const Expressions watched = monitored(monitors);
+    Expressions acceleration_right = known_product(g_.qdd);
+    for (int r = 0; r < type_.rows(); ++r)
+      acceleration_right[r] = acceleration_right[r] - g_.gamma[r];
+    const Expressions acceleration = elimination.solve(acceleration_right);
+
+    open("bool " + name_of("rates", order) +
+         "(const double* q, double* qd, double* qdd, const int* in, const double* c)");
+    const Expressions first = concatenate({watched, velocity});
+    load(first, "const double");
+    Emitter emitter(out_, "  ", concatenate({watched, velocity, acceleration}));
+    emitter.prepare(first);
+    out_ << "  if (!(" << all_of(conditions(emitter, monitors)) << ")) return "
+         << (is_last(order) ? "false" : name_of("rates", order + 1) + "(q, qd, qdd, in, c)")
+         << ";\n";
+    for (std::size_t j = 0; j < velocity.size(); ++j) {
+      const std::string name = "qd" + variable_name(type_, unknowns_[j]);
+      out_ << "  const double " << name << " = " << emitter.text(velocity[j]) << ";\n"
+           << "  qd[in[" << unknowns_[j] << "]] = " << name << ";\n";
+    }
+    for (const int i : unknowns_) loaded_.insert(g_.qd[i].id());
+    out_ << "  if (!qdd) return true;\n";
+    load(acceleration, "const double");
+    emitter.prepare(acceleration);
+    for (std::size_t j = 0; j < acceleration.size(); ++j)
+      out_ << "  qdd[in[" << unknowns_[j] << "]] = " << emitter.text(acceleration[j]) << ";\n";
+    out_ << "  return true;\n";
+    close();
+  }
+
+  SparseRows jacobian_rows() const {
+    std::map<int, int> column;
+    for (const int i : unknowns_) column.emplace(i, static_cast<int>(column.size()));
+    SparseRows result(type_.rows());
+    for (const auto* list : {&g_.constant, &g_.dependent})
+      for (const RecordedEntry& e : *list)
+        if (const auto it = column.find(e.input); it != column.end() && !e.value.is_zero())
+          result[e.row].emplace(it->second, e.value);
+    return result;
+  }
+
+  /// −Φ_h w for the rates w of the known inputs.
+  Expressions known_product(const Expressions& rate) const {
+    Expressions result(type_.rows(), Expr(0));
+    for (const auto* list : {&g_.constant, &g_.known})
+      for (const RecordedEntry& e : *list)
+        if (type_.inputs[e.input].role == Role::known)
+          result[e.row] = result[e.row] - e.value * rate[e.input];
+    return result;
+  }
+
+  void open(const std::string& signature) {
+    out_ << signature << " {\n";
+    loaded_.clear();
+  }
+  void close() { out_ << "}\n\n"; }
+
+  void load(const Expressions& expressions, const char* declaration) {
+    declare_inputs(out_, expressions, declaration, source_, loaded_);
+  }
+
   Emitter begin(const Expressions& outputs) {
-    function_.load(outputs);
+    load(outputs, "const double");
     return Emitter(out_, "  ", outputs);
   }
 
@@ -72,7 +212,11 @@ class EvaluationWriter {
 
   std::ostream& out_;
   const PartType& type_;
-  FunctionWriter function_;
+  const RecordedPart& g_;
+  const std::vector<int> unknowns_;  // inputs, by column
+  std::vector<Elimination> orders_;
+  std::map<int, std::string> source_;  // where an input is read from
+  std::set<int> loaded_;               // inputs declared in the function being written
 };
 
 }  // namespace
@@ -83,8 +227,7 @@ void write_kernel(std::ostream& out, const SampledType& t) {
   if (!has_one_order) all.insert(all.end(), samples.begin(), samples.end());
   Graph graph(static_cast<int>(all.size()));
   const RecordedPart group = record(type, all);
-  const InlinedSolve solve(type, group, has_one_order ? 1 : max_orders, pivot_samples.size());
-  EvaluationWriter writer(out, type, group);
+  KernelWriter writer(out, type, group, has_one_order ? 1 : max_orders, pivot_samples.size());
   out << "namespace " << name << " {\n\n// " << type.fingerprint << "\n\n";
   writer.entries("constant_entries", group.constant);
   writer.entries("dependent_entries", group.dependent);
@@ -102,7 +245,7 @@ void write_kernel(std::ostream& out, const SampledType& t) {
       "void quadratic(const double* q, const double* qd, const int* in, const double* c, "
       "double* gamma)",
       "gamma", group.gamma);
-  solve.write(out);
+  writer.elimination();
   out << "}  // namespace " << name << "\n\n";
 }
 
