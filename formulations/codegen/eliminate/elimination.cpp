@@ -7,10 +7,72 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 namespace desmo::generate {
 
 namespace {
+
+// Least ratio of a pivot to the largest entry of its column. Dividing by a constant costs nothing,
+// and the growth that it allows is bounded: KLU prefers its diagonal down to the same ratio.
+constexpr double min_constant = 1e-3, min_variable = 0.1;
+
+double min_ratio(Expr pivot) { return pivot.is_constant() ? min_constant : min_variable; }
+
+/// The ratio of an entry to the largest of its column, over the sample points.
+struct RelativeSize {
+  double worst = 1;
+  double share = 0;  ///< of the samples: where it is at least `min_constant`
+  int served = 0;    ///< samples where it is at least `min_variable`
+};
+
+struct PivotChoice {
+  int row = -1, column = -1;
+  bool is_sound = false;  // large enough at every sample
+  RelativeSize size;
+  std::tuple<bool, int, double> rank;  // smaller is better
+};
+
+/// The ratio of an entry to the largest of its column at one sample point; 0: the column vanishes.
+double ratio_at(std::size_t sample, const SparseRows& rows, int row, int column) {
+  const auto size = [sample](Expr e) { return std::abs(e.samples()[sample]); };
+  const double pivot = size(rows[row].at(column));
+  double largest = pivot;
+  for (const auto& r : rows)
+    if (const auto it = r.find(column); it != r.end())
+      largest = std::max(largest, size(it->second));
+  return largest > 0 ? pivot / largest : 0.0;
+}
+
+RelativeSize relative_size(const SparseRows& rows, int row, int column, const SampleNumbers& at) {
+  RelativeSize size;
+  for (const std::size_t s : at) {
+    const double ratio = ratio_at(s, rows, row, column);
+    size.worst = std::min(size.worst, ratio);
+    size.served += ratio >= min_variable;
+    size.share += (ratio >= min_constant) / static_cast<double>(at.size());
+  }
+  return size;
+}
+
+PivotChoice choose_pivot(const SparseRows& rows, const SampleNumbers& at, Unsound unsound) {
+  std::map<int, int> column_count;
+  for (const auto& r : rows)
+    for (const auto& entry : r) ++column_count[entry.first];
+
+  PivotChoice best, largest;
+  for (int i = 0; i < static_cast<int>(rows.size()); ++i)
+    for (const auto& [j, value] : rows[i]) {
+      const int fill = (static_cast<int>(rows[i].size()) - 1) * (column_count[j] - 1);
+      const RelativeSize size = relative_size(rows, i, j, at);
+      const PivotChoice c{i, j, true, size, {!value.is_constant(), fill, -size.worst}};
+      if (size.worst >= min_ratio(value) && (best.row < 0 || c.rank < best.rank)) best = c;
+      const int served = unsound == Unsound::serves_most ? size.served : 0;
+      const PivotChoice l{i, j, false, size, {false, -served, -size.worst}};
+      if (largest.row < 0 || l.rank < largest.rank) largest = l;
+    }
+  return best.row >= 0 ? best : largest;
+}
 
 /// The largest |a| / |b| over the sample points, except where it is not finite: where the order of
 /// the pivots fails, the monitors shall refuse it.
@@ -71,13 +133,14 @@ Elimination::Elimination(SparseRows rows, SampleNumbers at, Unsound unsound) : a
     const std::size_t open = n - steps_.size();
     if (!pivot.is_sound && !mark && open >= Adjugate::least && open <= Adjugate::most)
       mark.emplace(Mark{rows, *this});
-    if (mark && pivot.share < min_share) {
+    if (mark && pivot.size.share < min_share) {
       *this = std::move(mark->elimination);
       solve_last_by_adjugate(mark->rows);
       break;
     }
+    const double least = min_ratio(rows[pivot.row].at(pivot.column));
     for (std::size_t s = 0; s < is_poor_.size(); ++s)
-      is_poor_[s] = is_poor_[s] || is_poor_pivot(rows, pivot.row, pivot.column, s);
+      is_poor_[s] = is_poor_[s] || ratio_at(s, rows, pivot.row, pivot.column) < least;
     std::map<int, Expr> pivot_row = std::move(rows[pivot.row]);
     rows[pivot.row].clear();
     const Expr p = pivot_row.at(pivot.column);
@@ -131,7 +194,7 @@ void Elimination::solve_last_by_adjugate(const SparseRows& rows) {
   const std::vector<double>&determinant = last_->inverse.determinant().samples(),
         &magnitude = last_->inverse.magnitude().samples();
   for (std::size_t s = 0; s < is_poor_.size(); ++s)
-    is_poor_[s] = is_poor_[s] || !(std::abs(determinant[s]) >= min_constant_pivot * magnitude[s]);
+    is_poor_[s] = is_poor_[s] || !(std::abs(determinant[s]) >= min_constant * magnitude[s]);
 
   const auto add_monitors = [&](Expr what, Expr against) {
     monitors_.push_back(

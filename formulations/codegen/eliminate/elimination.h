@@ -1,13 +1,18 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "formulations/codegen/eliminate/adjugate.h"
-#include "formulations/codegen/eliminate/pivots.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
+
+/// A matrix by its rows: entries by column; absent entries are zero.
+using SparseRows = std::vector<std::map<int, Expr>>;
 
 /// The conditions under which a recorded pivot is trusted at run time. Compared with its column, it
 /// must not be far smaller than at the worst sample point.
@@ -19,6 +24,15 @@ struct PivotMonitor {
   Expr pivot;
   std::vector<Bound> magnified;  ///< |value| < bound; value: multiplier of a remaining row
   std::vector<Bound> against;    ///< |pivot| > bound · |value|; value: earlier row's column entry
+};
+
+/// Numbers of sample points of the current graph.
+using SampleNumbers = std::vector<std::size_t>;
+
+/// Choice of a pivot where none is large enough at every sample point.
+enum class Unsound {
+  has_largest_worst,  ///< the one that is largest where it is worst
+  serves_most,        ///< the one large enough at the most points: at a singular one all are small
 };
 
 /// A sparse Gaussian elimination of Φ_φ (Jacobian by the part's unknowns), recorded once with a
