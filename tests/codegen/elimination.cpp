@@ -85,8 +85,8 @@ bool is_trusted(const Elimination& e, std::size_t sample) {
   return true;
 }
 
-/// SparseRows that point along another axis at each sample have no pivot that serves two of them.
-/// At the last sample two rows are equal.
+/// Rows that point along another axis at each sample have no pivot that serves two of them. At the
+/// last sample two rows are equal.
 TEST(Elimination, SolvesRowsThatPointAnyWayByTheirAdjugate) {
   for (const int n : {2, 3})
     for (const bool follow_another : {false, true}) {
