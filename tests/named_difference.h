@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "formulations/base/observer.h"
+#include "formulations/base/per_level.h"
 #include "formulations/base/reference_instant.h"
 #include "formulations/model/model.h"
+#include "tests/formulated.h"
 
 namespace desmo {
 
@@ -54,9 +56,9 @@ class NamedDifference final : public Observer {
  private:
   void widen(double& largest, std::span<const double> a, const std::vector<double>& b) {
     for (std::size_t i = 0; i < from_.size(); ++i) {
-      const double off = to_[i] < 0 ? 0 : std::abs(a[to_[i]] - b[from_[i]]);
-      if (off <= largest || std::isinf(largest)) continue;
-      largest = std::isnan(off) ? INFINITY : off;  // what is not a number stays
+      const double off = to_[i] < 0 ? 0 : larger_error(0, std::abs(a[to_[i]] - b[from_[i]]));
+      if (off <= largest) continue;
+      largest = off;
       worst_ = names_[i];
     }
   }
