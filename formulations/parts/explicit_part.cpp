@@ -85,14 +85,15 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
                          .max_iterations = settings.max_iterations}};
 }
 
-[[gnu::always_inline]] inline ExplicitChainResult ExplicitPart::run(State& s, Level level) const {
+[[gnu::always_inline]] inline ExplicitChainResult ExplicitPart::solve_generated(State& s,
+                                                                                Level level) const {
   ExplicitKernel::Solve* const solve = kernel_.solve[static_cast<std::size_t>(level)];
   return solve(s.q.data(), s.qd.data(), s.qdd.data(), &binding_, 1);
 }
 
 PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level level) {
   if (!assembled_) return fall_back(s, last, level);
-  const ExplicitChainResult r = run(s, level);
+  const ExplicitChainResult r = solve_generated(s, level);
   if (r.accepted == 0) return solve_refused(s, last, level);
   return {Status::solved, r.iterations, r.residual2};
 }
@@ -110,7 +111,7 @@ bool ExplicitPart::continue_torn(State& s, std::span<const double> last, int ste
   bool accepted = true;
   for (int step = 0; step < steps && accepted; ++step) {
     for (const int k : known_) s.q[k] = last[k] + s.qd[k] * step / steps;
-    accepted = run(s, Level::velocity).accepted == 1;
+    accepted = solve_generated(s, Level::velocity).accepted == 1;
     for (const int input : kernel_.torn) s.q[inputs_[input]] += s.qd[inputs_[input]] / steps;
   }
   for (std::size_t i = 0; i < known_.size(); ++i) {
@@ -126,7 +127,7 @@ bool ExplicitPart::continue_torn(State& s, std::span<const double> last, int ste
   if (!kernel_.torn.empty())
     for (const int steps : torn_steps)
       if (continue_torn(s, last, steps))
-        if (const ExplicitChainResult r = run(s, level); r.accepted == 1)
+        if (const ExplicitChainResult r = solve_generated(s, level); r.accepted == 1)
           return {Status::solved, r.iterations, r.residual2};
   ++fallbacks_;
   std::ranges::copy(branches(), branch_before_);

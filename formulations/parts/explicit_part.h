@@ -50,7 +50,7 @@ class ExplicitPart final : public Part {
 
  private:
   std::vector<int> in_state(std::span<const int> inputs) const;
-  ExplicitChainResult run(State& state, Level level) const;
+  ExplicitChainResult solve_generated(State& state, Level level) const;
   bool continue_torn(State& state, std::span<const double> last, int steps);
   PartResult solve_refused(State& state, std::span<const double> last, Level level);
   PartResult fall_back(State& state, std::span<const double> last, Level level);
