@@ -12,6 +12,7 @@
 
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
+#include "formulations/base/per_level.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
 
@@ -113,8 +114,7 @@ TEST(Scales, AreThoseOfEachCoordinate) {
     if (e.fixed) continue;
     EXPECT_EQ(moving.position[e.first], is_length(e.kind) ? size : 1);
     EXPECT_NEAR(moving.velocity[e.first], 3 * std::sqrt(2), 1e-12);  // of a point, of a vector
-    for (const Level rate : {Level::velocity, Level::acceleration})
-      EXPECT_EQ(at_rest[rate][e.first], 1);
+    for (const Level rate : rate_levels) EXPECT_EQ(at_rest[rate][e.first], 1);
   }
 }
 
