@@ -62,11 +62,11 @@ struct Scales {
         for (int i = 0; i < q.size; ++i) {
           for (const Level level : rate_levels) {
             double& scale = (is_length(kind) ? lengths : others)[level];
-            scale = std::max(scale, std::abs(q.of[level][i]));
+            scale = std::max(scale, std::abs(q.levels[level][i]));
           }
           if (kind != EntityKind::point) continue;
-          low[i] = std::min(low[i], q.of.position[i]);
-          high[i] = std::max(high[i], q.of.position[i]);
+          low[i] = std::min(low[i], q.levels.position[i]);
+          high[i] = std::max(high[i], q.levels.position[i]);
         }
       }
     for (int i = 0; i < 3; ++i) lengths.position = std::max(lengths.position, high[i] - low[i]);
@@ -95,7 +95,7 @@ class Comparison final : public Observer {
       const PerLevel<std::span<const double>> found{instant.q, instant.qd, instant.qdd};
       for (const Level level : all_levels)
         for (int i = 0; i < q.size; ++i) {
-          double error = found[level][e.first + i] - q.of[level][i];
+          double error = found[level][e.first + i] - q.levels[level][i];
           if (level == Level::position && e.kind == EntityKind::angle)
             error = std::remainder(error, 2 * std::numbers::pi);
           if (error == 0) continue;  // also where nothing moves and the scale is 0
@@ -185,12 +185,12 @@ TEST_P(LibraryMechanisms, IndependentSolutionsAreSmoothAndTheirOwnDerivatives) {
           const EntityKind kind = m.entities[m.find(name)].kind;
           double slope = 0;
           for (int j = 0; j < 4; ++j) {
-            double change = near[j].at(name).of[level][k] - q.of[level][k];
+            double change = near[j].at(name).levels[level][k] - q.levels[level][k];
             if (level == Level::position && kind == EntityKind::angle)
               change = std::remainder(change, 2 * std::numbers::pi);
             slope += weight[j] / h * change;
           }
-          EXPECT_NEAR(slope, q.of[next][k], 1e-7 * scales.of(kind)[next])
+          EXPECT_NEAR(slope, q.levels[next][k], 1e-7 * scales.of(kind)[next])
               << level_names[next] << " of " << name << " at " << t << " s";
         }
   }

@@ -19,13 +19,13 @@ namespace desmo::exact {
 /// A point, a vector (2 or 3 components) or a relative coordinate (1).
 struct Quantity {
   int size;
-  PerLevel<std::array<double, 3>> of{};
+  PerLevel<std::array<double, 3>> levels{};
 
   Quantity(Jet scalar) : Quantity(std::array{scalar}) {}
   template <std::size_t D>
   Quantity(const std::array<Jet, D>& x) : size(D) {
     for (const Level level : all_levels)
-      for (std::size_t i = 0; i < D; ++i) of[level][i] = static_cast<double>(x[i].at(level));
+      for (std::size_t i = 0; i < D; ++i) levels[level][i] = static_cast<double>(x[i].at(level));
   }
 };
 
