@@ -49,10 +49,10 @@ constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleratio
 
 /// The largest values of the whole motion at each level, by which errors are judged: for lengths
 /// (of which positions: the extent of the mechanism) and for directions and angles (positions: 1).
-struct Scales {
+struct LargestValues {
   PerLevel<double> lengths{0, 0, 0}, others{1, 0, 0};
 
-  Scales(const Model& m, const std::vector<Solution>& motion) {
+  LargestValues(const Model& m, const std::vector<Solution>& motion) {
     double low[3], high[3];
     std::fill_n(low, 3, INFINITY);
     std::fill_n(high, 3, -INFINITY);
@@ -113,7 +113,7 @@ class Comparison final : public Observer {
  private:
   const Model& m_;
   const std::vector<Solution>& motion_;
-  const Scales scales_;
+  const LargestValues scales_;
 };
 
 using MechanismAndVariant = std::tuple<LibraryMechanism, Variant>;
@@ -173,7 +173,7 @@ TEST_P(LibraryMechanisms, IndependentSolutionsAreSmoothAndTheirOwnDerivatives) {
   const Scene scene = library_scene(GetParam().name);
   const Model m = make_model(scene);
   const auto at = exact::library_solutions().at(GetParam().name);
-  const Scales scales(m, solutions(scene));
+  const LargestValues scales(m, solutions(scene));
   constexpr double h = 2.5e-4, weight[] = {1.0 / 12, -2.0 / 3, 2.0 / 3, -1.0 / 12};
   for (int i = 0; i < 20; ++i) {
     const double t = scene.grid.time(scene.grid.instants * i / 20);
