@@ -7,8 +7,8 @@
 
 #include "formulations/algebra/condensation.h"
 #include "formulations/equations/automatic.h"
+#include "formulations/model/derivations.h"
 #include "tests/coordinates/textbook_motion.h"
-#include "tests/formulated.h"
 
 namespace desmo::textbook_test {
 
@@ -34,26 +34,6 @@ class Keeper final : public LinearSolver {
 };
 
 }  // namespace
-
-Instant::Instant(const Scene& scene, Modelling kind, double time)
-    : m(make_model(scene, kind)),
-      rigid_(find_rigid_bodies(scene.mechanism)),
-      framed(put_frames(scene.mechanism, rigid_, find_structure(scene.mechanism, rigid_), kind)),
-      part_(make_partition(m, Partition::global).front()) {
-  for (const PartDefinition& part : make_partition(m, Partition::global))
-    if (!part.constant && part.unknowns.size() > derivations(m, part).size()) part_ = part;
-  Settings settings;
-  settings.fixed_iterations = 6;  // to what rounding leaves
-  settings.coordinates = kind;
-  const auto f = make_formulation(find_variant("group_automatic_lapack"), m, settings);
-  EXPECT_TRUE(f->assemble(0).ok() && f->step(time).ok()) << m.name;
-  q = {f->q().begin(), f->q().end()};
-  qd = {f->qd().begin(), f->qd().end()};
-  q.insert(q.end(), m.fixed_values.begin(), m.fixed_values.end());
-  qd.resize(q.size());
-  condense();
-  move_bodies();
-}
 
 void Instant::condense() {
   const AutomaticEquations equations(m, part_);

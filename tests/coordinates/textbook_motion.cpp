@@ -1,11 +1,36 @@
 #include "tests/coordinates/textbook_motion.h"
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
 #include <string>
 
 #include "cases/mechanism/joint_forms.h"
+#include "formulations/model/derivations.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/variants.h"
 
 namespace desmo::textbook_test {
+
+Instant::Instant(const Scene& scene, Modelling kind, double time)
+    : m(make_model(scene, kind)),
+      rigid_(find_rigid_bodies(scene.mechanism)),
+      framed(put_frames(scene.mechanism, rigid_, find_structure(scene.mechanism, rigid_), kind)),
+      part_(make_partition(m, Partition::global).front()) {
+  for (const PartDefinition& part : make_partition(m, Partition::global))
+    if (!part.constant && part.unknowns.size() > derivations(m, part).size()) part_ = part;
+  Settings settings;
+  settings.fixed_iterations = 6;  // to what rounding leaves
+  settings.coordinates = kind;
+  const auto f = make_formulation(find_variant("group_automatic_lapack"), m, settings);
+  EXPECT_TRUE(f->assemble(0).ok() && f->step(time).ok()) << m.name;
+  q = {f->q().begin(), f->q().end()};
+  qd = {f->qd().begin(), f->qd().end()};
+  q.insert(q.end(), m.fixed_values.begin(), m.fixed_values.end());
+  qd.resize(q.size());
+  condense();
+  move_bodies();
+}
 
 Vector3d Instant::at(const std::vector<double>& state, EntityId e) const {
   Vector3d x = Vector3d::Zero();
