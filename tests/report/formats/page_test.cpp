@@ -17,13 +17,14 @@ TEST(Page, RefersToNothingOutsideItself) {
 
 TEST(Page, LinksLeadToPlacesThatExistOnce) {
   const std::string page = page_of(requests_record());
-  std::vector<std::string> ids = found(page, " id=\"");
+  std::vector<std::string> ids = texts_between(page, " id=\"");
   const std::size_t all = ids.size();
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   EXPECT_EQ(ids.size(), all);
-  std::vector<std::string> targets = found(page, "href=\"#");
-  for (const std::string& label : found(page, "aria-labelledby=\"")) targets.push_back(label);
+  std::vector<std::string> targets = texts_between(page, "href=\"#");
+  for (const std::string& label : texts_between(page, "aria-labelledby=\""))
+    targets.push_back(label);
   EXPECT_GT(targets.size(), 10u);
   for (const std::string& target : targets)
     EXPECT_TRUE(std::binary_search(ids.begin(), ids.end(), target)) << target;
