@@ -22,8 +22,9 @@ std::int64_t count(const Results& results, Verdict verdict) {
 std::optional<double> worst_over_floor(const Results& results) {
   std::optional<double> worst;
   for (const ExtremeResult* r : results) {
-    const Levels<ExtremeError> levels = r->worst.value_or(Levels<ExtremeError>());
-    for (const ExtremeError& e : {levels.position, levels.velocity, levels.acceleration})
+    if (!r->worst) continue;
+    const auto& [position, velocity, acceleration] = *r->worst;
+    for (const ExtremeError& e : {position, velocity, acceleration})
       if (e.floor > 0) worst = std::max(worst.value_or(0), e.error / e.floor);
   }
   return worst;
