@@ -29,7 +29,7 @@ struct Floor {
 };
 
 /// The largest errors of a motion. Empty for a level whose error is beyond all measure.
-using MaxErrors = Levels<std::optional<double>>;
+using MaxErrors = PerLevel<std::optional<double>>;
 
 struct PointKey {
   SeriesKey series;
@@ -101,7 +101,7 @@ struct ExtremeResult {
   std::string id;  ///< a formulation, with settings
   Verdict verdict = Verdict::as_expected;
   std::string reason;  ///< empty when as expected
-  std::optional<Levels<ExtremeError>> worst = {};
+  std::optional<PerLevel<ExtremeError>> worst = {};
 };
 
 }  // namespace desmo::report

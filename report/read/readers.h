@@ -65,8 +65,8 @@ Status read_status(const RecordValue& node);
 /// Reads a position, velocity and acceleration, each by a function of a value.
 template <class Read>
 auto read_levels(const RecordValue& node, const Read& read) {
-  return Levels{std::invoke(read, node["position"]), std::invoke(read, node["velocity"]),
-                std::invoke(read, node["acceleration"])};
+  return PerLevel{std::invoke(read, node["position"]), std::invoke(read, node["velocity"]),
+                  std::invoke(read, node["acceleration"])};
 }
 
 /// Says what exceeds its limit: "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing

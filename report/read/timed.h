@@ -56,12 +56,12 @@ struct TimedStep {
   std::vector<double> seconds_per_step;  ///< samples of CPU time; never empty when ok, else always
 };
 
-/// Something for each level.
+/// A value for each level.
 template <class Value>
-struct Levels {
+struct PerLevel {
   Value position = {}, velocity = {}, acceleration = {};
 };
-using LevelNumbers = Levels<double>;
+using LevelNumbers = PerLevel<double>;
 
 /// The origin of a time. Digests are SHA-256.
 struct Origin {
