@@ -147,7 +147,10 @@ inline std::string_view request_of(std::string_view id) {
 }
 
 /// Tells whether it has the paper's experiment.
-inline bool has_paper(const Record& record) { return !measurements(record).empty(); }
+inline bool has_paper(const Record& record) {
+  return !record.candidates.empty() || !record.requests.empty() || !record.peers.empty() ||
+         !record.wall_candidates.empty();
+}
 
 /// Checks everything the report relies on: the schema's name and major version, required keys,
 /// types, times above zero, the verification of every "ok" candidate and request, as many windows
