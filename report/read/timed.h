@@ -14,6 +14,7 @@ namespace desmo::report {
 struct CaseSize {
   std::string case_name;
   std::int64_t coordinates = 0;
+  /// Returns whether it is of the same case and size; derived keys compare these alone.
   bool is_at(const CaseSize& place) const { return *this == place; }
   auto operator<=>(const CaseSize&) const = default;
 };

@@ -42,7 +42,7 @@ struct MeasuredSpeedUp {
   std::string mark;
 };
 
-/// Without a reference, the mark is missing_mark.
+/// Returns the speed-up over a reference; without one, the mark is missing_mark.
 MeasuredSpeedUp measured_speed_up(const Record& record,
                                   const std::optional<CandidateKey>& reference,
                                   const CandidateKey& variant);
