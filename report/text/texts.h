@@ -23,14 +23,13 @@ struct TextValue {
 
 using TextValues = std::vector<TextValue>;
 
-// Those with a name or block throw std::logic_error when the file has no such text, or a
-// placeholder no value.
+/// Returns words in a row: "15, 25 and 66".
+std::string in_a_row(const std::vector<std::string>& words);
+
+// All throw std::logic_error when the file has no such text, or a placeholder no value.
 
 /// Returns the sentence "block.word" with its placeholders filled.
 std::string sentence(std::string_view name, const TextValues& values = {});
-
-/// Returns words in a row: "15, 25 and 66".
-std::string in_a_row(const std::vector<std::string>& words);
 
 /// Returns a table without rows: name, title, notes (but for empty ones) and columns of a block.
 Table headed_table(std::string_view block, const TextValues& values = {});
