@@ -33,8 +33,7 @@ std::vector<std::string> guesses_of(const Points& points);
 
 bool is_solved(const NamedPoint& point);
 double position_error(const NamedPoint& point);  ///< the largest; of a solved point
-
-double step_seconds(const NamedPoint& point);  ///< the least sample; of a solved point
+double step_seconds(const NamedPoint& point);    ///< the least sample; of a solved point
 
 /// Returns the ratio of the least samples of a step, of solved points.
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
