@@ -16,6 +16,7 @@
 #include "cases/io/scene_text.h"
 #include "cases/io/text_file.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/base/per_level.h"
 #include "formulations/verification/condition.h"
 
 namespace desmo::cli {
@@ -64,8 +65,8 @@ std::string evidence(const accuracy::SearchResult& found) {
   if (budget)
     text += "nothing takes at most " + microseconds(options.budget) + " a step here";
   else
-    text += "nothing holds a relative " + std::string(bench::level_names[options.level]) +
-            " error of " + formatted("%.2g", options.max_error);
+    text += "nothing holds a relative " + std::string(level_names[options.level]) + " error of " +
+            formatted("%.2g", options.max_error);
   if (nearest)
     text += "; the " + std::string(budget ? "fastest" : "most accurate") + " is " + nearest->id +
             " with " + formatted("%.2g", nearest->error) + " in " + microseconds(nearest->seconds);
@@ -103,7 +104,7 @@ void tune(const TuneOptions& options) {
   const Plan plan = make_plan(whole_model, outputs_of(input, whole_model));
   const accuracy::Goal goal = options.goal();
   if (plan.level() < goal.level)
-    throw CommandError(usage_error, "--level " + std::string(bench::level_names[options.level]) +
+    throw CommandError(usage_error, "--level " + std::string(level_names[options.level]) +
                                         ": the scene does not ask for any");
   const auto say = [&](const std::string& what) {
     if (!options.quiet) std::fprintf(stderr, "tune: %s\n", what.c_str());
@@ -154,7 +155,7 @@ void add_tune(CLI::App& program) {
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
       ->check(CLI::PositiveNumber);
   Choices<Level> levels;
-  for (const Level level : all_levels) levels.emplace_back(bench::level_names[level], level);
+  for (const Level level : all_levels) levels.emplace_back(level_names[level], level);
   add_choice(command, "--level", options.level, levels,
              "Which error is meant; position by default");
   command.add_flag("--write", options.write, "Store the choice in the scene file");

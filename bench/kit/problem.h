@@ -6,16 +6,12 @@
 
 #include "bench/kit/verification.h"
 #include "cases/mechanism/motion.h"
-#include "formulations/base/per_level.h"
 #include "formulations/base/settings.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/model/plan.h"
 #include "formulations/verification/reference/reference.h"
 
 namespace desmo::bench {
-
-/// Names of the levels, in records and for people.
-inline constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleration"};
 
 /// A motion that candidates solve, and what is right.
 struct Problem {

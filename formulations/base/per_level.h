@@ -28,4 +28,7 @@ struct PerLevel {
   }
 };
 
+/// Names of the levels, in files and for people.
+inline constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleration"};
+
 }  // namespace desmo

@@ -45,8 +45,6 @@ const std::vector<Solution>& solutions(const Scene& scene) {
   return list;
 }
 
-constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleration"};
-
 /// The largest values of the whole motion at each level, by which errors are judged: for lengths
 /// (of which positions: the extent of the mechanism) and for directions and angles (positions: 1).
 struct LargestValues {

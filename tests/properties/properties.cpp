@@ -10,14 +10,13 @@
 #include <vector>
 
 #include "cases/mechanism/formatted.h"
+#include "formulations/base/per_level.h"
 #include "tests/properties/formulations.h"
 #include "tests/properties/judge.h"
 #include "tests/properties/options.h"
 
 namespace desmo::properties::properties_test {
 namespace {
-
-constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
 
 /// Numbers of instants of one kind of scene, or of all.
 struct Tally {
@@ -70,8 +69,8 @@ void report(const DrawnScene& s, const std::string& id, const Judgement& j) {
     const Finding& f = *j.wrong;
     ADD_FAILURE() << scene << ": " << f.what
                   << formatted(": %s, %s: error %.3e, radius %.3e, t = %.17g s, condition %.1e\n",
-                               f.coordinate.c_str(), level_names[static_cast<int>(f.level)],
-                               f.error, f.radius, f.time, f.condition)
+                               f.coordinate.c_str(), level_names[f.level], f.error, f.radius,
+                               f.time, f.condition)
                   << repeated(s, id);
   }
   if (j.regular_flags.empty()) return;

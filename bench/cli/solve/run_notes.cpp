@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bench/cli/text.h"
-#include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/base/per_level.h"
 #include "formulations/model/partition.h"
 #include "formulations/motion/internals.h"
 
@@ -22,7 +22,7 @@ std::string fraction(int kept, int all, const std::string& noun) {
 std::string use_text(const Plan::GroupUse& use) {
   std::string text = use.name + ": keeps " + fraction(use.kept_unknowns, use.unknowns, "unknown") +
                      " in " + fraction(use.kept_blocks, use.blocks, "block") + ", to " +
-                     bench::level_names[use.level];
+                     level_names[use.level];
   if (!use.serves.empty()) text += "; serves " + use.serves;
   text += "; kept: " + enumerate(use.kept, names_shown);
   if (!use.dropped.empty()) text += "; dropped: " + enumerate(use.dropped, names_shown);

@@ -9,8 +9,8 @@
 
 #include "bench/cli/solve/columns.h"
 #include "bench/cli/view/drawn_entities.h"
-#include "bench/kit/problem.h"
 #include "cases/io/files.h"
+#include "formulations/base/per_level.h"
 #include "formulations/modelling/measures/measures.h"
 
 namespace desmo::cli {
@@ -150,7 +150,7 @@ class Writer {
         continue;
       }
       const int place = pack(column);
-      const char* level = bench::level_names[column.level];
+      const char* level = level_names[column.level];
       if (!result.contains(level)) result[level] = place;
     }
     return result;
@@ -213,7 +213,7 @@ class Writer {
                               [](const RecordedInstant& i) { return i.condition; });
     for (const Level level : all_levels)
       json_["radii"].push_back(
-          pack({{"name", std::string("radius, ") + bench::level_names[level]}, {"unit", "1"}},
+          pack({{"name", std::string("radius, ") + level_names[level]}, {"unit", "1"}},
                [&](const RecordedInstant& i) { return i.radius[level]; }));
   }
 

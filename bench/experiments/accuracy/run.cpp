@@ -13,6 +13,7 @@
 #include "bench/experiments/accuracy/trial.h"
 #include "bench/experiments/experiments.h"
 #include "bench/kit/process/progress.h"
+#include "formulations/base/per_level.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/condition.h"
 
@@ -20,7 +21,6 @@ namespace desmo::accuracy {
 
 namespace {
 
-using bench::level_names;
 using Json = nlohmann::ordered_json;
 
 constexpr int compared_instants = 21;

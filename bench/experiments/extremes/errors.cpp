@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "bench/experiments/extremes/verification.h"
-#include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/base/per_level.h"
 
 namespace desmo::extremes {
 
@@ -96,7 +96,7 @@ WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const CaseRun* yards
                            is_wrong(e, p.definition->scene.tolerance, stated);
         std::string& first = wrong ? found.defect : found.inexact;
         if (first.empty())
-          first = formatted("%s wrong by %.1e %s, allowed %.1e", bench::level_names[level], e.error,
+          first = formatted("%s wrong by %.1e %s, allowed %.1e", level_names[level], e.error,
                             instant_text(p, p.compared[next]).c_str(), e.allowed);
       }
     }

@@ -13,10 +13,10 @@
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
 #include "bench/kit/checked_run.h"
-#include "bench/kit/problem.h"
 #include "bench/kit/process/progress.h"
 #include "cases/generators/cases.h"
 #include "cases/mechanism/names.h"
+#include "formulations/base/per_level.h"
 
 namespace desmo::extremes {
 
@@ -33,7 +33,7 @@ Json worst_json(const PerLevel<WorstError>& worst) {
   Json j;
   for (const Level level : all_levels) {
     const WorstError& e = worst[level];
-    j[bench::level_names[level]] = {
+    j[level_names[level]] = {
         {"error", rounded(e.error)}, {"floor", rounded(e.floor)}, {"allowed", rounded(e.allowed)}};
   }
   return j;

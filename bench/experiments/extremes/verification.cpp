@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "bench/kit/problem.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/base/per_level.h"
 
 namespace desmo::extremes {
 
@@ -89,8 +89,8 @@ std::string overstated(const KnownCase& p, const CaseRun& a) {
       p.definition->factor * std::max(p.definition->scene.tolerance, std::ldexp(condition, -53));
   for (const Level level : all_levels) {
     if (!(a.max.radius[level] <= allowed))
-      return formatted("%s said to be wrong by up to %.1e, more than %.1e",
-                       bench::level_names[level], a.max.radius[level], allowed);
+      return formatted("%s said to be wrong by up to %.1e, more than %.1e", level_names[level],
+                       a.max.radius[level], allowed);
     allowed *= std::max(condition, 1.0);
   }
   return {};

@@ -12,6 +12,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
+#include "formulations/base/per_level.h"
 #include "formulations/model/plan.h"
 #include "formulations/modelling/measures/measures.h"
 #include "formulations/modelling/modelling.h"

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bench/kit/problem.h"
 #include "bench/kit/record/environment.h"
+#include "formulations/base/per_level.h"
 
 namespace desmo::bench {
 
