@@ -123,6 +123,7 @@ bool CheckedMotion::take(const Instant& at, bool is_solved) {
     deliver(*refined);
     break;
   }
+  if (!point_) follower_->straight.reset();  // its memory serves rows on a point alone
   complete_flag();
   return true;
 }
