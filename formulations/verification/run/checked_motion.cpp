@@ -6,7 +6,6 @@
 
 #include "formulations/model/scales.h"
 #include "formulations/verification/branch/chosen_equations.h"
-#include "formulations/verification/branch/departure.h"
 
 namespace desmo {
 
@@ -116,7 +115,6 @@ bool CheckedMotion::take(const Instant& at, bool is_solved) {
                  .group = step_.group,
                  .out_of_tests = step_.out_of_tests};
       point_.reset();
-      result_.flag.reset();
       // Tests that ran out once would do so in each step: the path does not begin again.
       on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(*found, levels_));
     }
@@ -151,19 +149,9 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
       deliver_path(at);
       return true;
     }
-    if (step_.out_of_tests) return false;
-    const double next = std::nextafter(path.present().time, at.time);
-    if (const std::vector<double> q = straight_ahead(next); !q.empty()) {
-      if (!path.start_at({next, {q, {}, {}}, {}})) return false;
-      result_.flag = {.kind = RowFlag::Kind::unproven,
-                      .after = step_.time,
-                      .before = next,
-                      .group = step_.group,
-                      .failure = ProofFailure::time};
-      continue;
-    }
     std::optional<PassedPoint> point;
-    if (may_pass) point = pass_change_point(follower_->model, path.present(), step_.group);
+    if (may_pass && !step_.out_of_tests)
+      point = pass_change_point(follower_->model, path.present(), step_.group);
     if (!point) return false;
     point_ = std::make_shared<PassedPoint>(std::move(*point));
     result_.flag = {.kind = RowFlag::Kind::crossing,
@@ -174,18 +162,6 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
   point_.reset();
   step_.out_of_tests = true;
   return false;
-}
-
-/// Returns the positions to which drivers that go straight are proven to lead, at the next time
-/// that there is; empty: they are not. Where they are, it is no change point on which the motion is
-/// stuck, but a digit of time, in which the drivers go far.
-std::vector<double> CheckedMotion::straight_ahead(double next) {
-  const CertifiedInstant& last = follower_->path.present();
-  const std::vector<double> from = drivers_at(m_, last.time).position,
-                            to = drivers_at(m_, next).position;
-  std::vector<double> q(last.values.position.begin(), last.values.position.end());
-  if (from == to || !straight_path().lead(from, to, q)) q.clear();
-  return q;
 }
 
 /// Returns whether the way from the last instant contradicts equations that are left out: where a

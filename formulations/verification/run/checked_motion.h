@@ -62,7 +62,6 @@ class CheckedMotion {
   bool follows() const { return on_path_ && !point_; }
   bool take(const Instant& at, bool is_solved);
   bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);
-  std::vector<double> straight_ahead(double next);
   StraightPath& straight_path();
   bool choose_other_equations(std::span<const double> q);
   bool is_led_astray() const;
