@@ -129,7 +129,7 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
     summary.radius = radius.largest;
     if (radius.proves_no_digit())
       summary.flag = {
-          .kind = RowFlag::Kind::unproven, .group = radius.group, .failure = radius.failure()};
+          .kind = RowFlag::Kind::unproven, .group = radius.group, .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
     else if (const std::optional<RowFlag> flag =

@@ -24,12 +24,6 @@ RelativeRadius relative_radius(const Model& m, const PerLevel<std::span<const do
       result.largest[level] = std::max(result.largest[level], size);
       if (size > result.worst) result.worst = size, result.group = e.group;
     }
-  for (const Driver& d : m.drivers) {
-    const Entity& e = m.entities[d.coordinate];
-    for (const Level level : all_levels)
-      if (const double scale = scales.of(e.kind, level); scale > 0 && !radius[level].empty())
-        result.of_drivers = std::max(result.of_drivers, radius[level][e.first] / scale);
-  }
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
 #include "formulations/model/scales.h"
-#include "formulations/verification/certificate/certificate.h"
 
 namespace desmo {
 
@@ -13,16 +12,11 @@ namespace desmo {
 struct RelativeRadius {
   PerLevel<double> largest{};             ///< over scales
   PerLevel<double> length{}, rotation{};  ///< in their own units
-  double worst = 0, of_drivers = 0;       ///< of all coordinates, and of those that are driven
+  double worst = 0;
   GroupId group = no_position;
 
   /// A radius of this part of a scale proves no digit.
-  static constexpr double no_digit = 0.5;
-  bool proves_no_digit() const { return worst > no_digit; }
-  /// Returns why: the drivers' motions have none at the time, or the position is singular.
-  ProofFailure failure() const {
-    return of_drivers > no_digit ? ProofFailure::time : ProofFailure::singular;
-  }
+  bool proves_no_digit() const { return worst > 0.5; }
 };
 
 /// Returns the largest radii of points, directions, angles and distances, rounded up, over their

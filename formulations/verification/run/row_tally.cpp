@@ -24,7 +24,7 @@ void RowTally::take_radius(CheckedInstant& row) {
     row.flag = {.kind = RowFlag::Kind::unproven,
                 .time = row.instant.time,
                 .group = radius.group,
-                .failure = radius.failure()};
+                .failure = ProofFailure::singular};
     return;
   }
   for (const Level level : all_levels) {
