@@ -128,8 +128,9 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
         relative_radius(formulation_.model(), found->radius, c.scales->current());
     summary.radius = radius.largest;
     if (radius.proves_no_digit())
-      summary.flag = {
-          .kind = RowFlag::Kind::unproven, .group = radius.group, .failure = ProofFailure::singular};
+      summary.flag = {.kind = RowFlag::Kind::unproven,
+                      .group = radius.group,
+                      .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
     else if (const std::optional<RowFlag> flag =
