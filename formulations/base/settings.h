@@ -36,8 +36,8 @@ enum class JacobianUpdate {
   step,    ///< at the solved position, also for the next step's iterations
 };
 
-/// How Newton's method finds the unknowns that are derived, such as those of a body's frame. Their
-/// rates follow from linear systems in any case.
+/// Evaluation of derived unknowns, such as those of a body's frame, in Newton's method. Their rates
+/// follow from linear systems in any case.
 enum class Frames {
   linearised,  ///< the linear system of an iteration corrects them, too
   exact,       ///< in steps each iteration evaluates them at the others, which it has corrected

@@ -63,8 +63,8 @@ struct ShapedBlock {
   std::vector<int> coordinates;  ///< coordinate of each column
   std::vector<Derived> constants;
   std::vector<Remainder> remainders;  ///< of each local state; empty: none
-  /// By how much each row of Φ may be off (n); empty: none. It counts for positions alone: rates
-  /// and paths have no bound for it.
+  /// Bounds on how far each row of Φ may be off (n); empty: none. They count for positions alone:
+  /// rates and paths have no bound for it.
   std::vector<double> slack;
   std::vector<double> initial;  ///< Φ₀ of a homotopy (n); empty: none
 

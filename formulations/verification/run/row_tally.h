@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-/// What the summary of a checked run says of its rows: flags, change points and largest radii.
+/// Tally of the rows of a checked run for its summary: flags, change points and largest radii.
 class RowTally {
  public:
   /// The model must outlive this.
