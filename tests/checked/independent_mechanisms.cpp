@@ -116,6 +116,7 @@ TEST_P(IndependentMechanisms, AreFollowedAsIfEachStoodAlone) {
       ASSERT_EQ(std::ssize(a.rows), grid.instants) << describe(a.summary, one);
       ASSERT_EQ(std::ssize(b.rows), grid.instants) << describe(b.summary, other);
       EXPECT_NE(r.summary.outcome(), Outcome::failed);
+      EXPECT_EQ(r.summary.crossings, a.summary.crossings + b.summary.crossings);
       for (int i = 0; i < grid.instants; ++i) {
         const CheckedRow& row = r.rows[i];
         const int expected = std::min(rank(a.rows[i]), rank(b.rows[i]));
@@ -138,6 +139,30 @@ TEST_P(IndependentMechanisms, AreFollowedAsIfEachStoodAlone) {
         }
       }
     }
+}
+
+/// The way from the drawing to the first mechanism is blocked; the other one rests on its point.
+TEST(IndependentMechanism, WithoutRatesIsSaidBesideAWorseFlag) {
+  const Model m = model_of(Polynomial{{5.2, 0.3}}, stays);
+  const int on = m.coordinate("K.x"), off = m.coordinate("C.x");
+  RowCount rows;
+  CheckOptions options;
+  options.checked = [&](const CheckedInstant& row) {
+    ASSERT_TRUE(row.flag && row.other_flags.size() == 1) << row.instant.time;
+    EXPECT_EQ(row.flag->kind, branch);
+    EXPECT_EQ(row.other_flags[0].kind, on_point);
+    EXPECT_NE(row.flag->group, row.other_flags[0].group);
+    EXPECT_TRUE(row.is_on_point());
+    EXPECT_EQ(row.relative_radius.position, INFINITY);
+    EXPECT_TRUE(std::isnan(row.instant.qd[on]) && std::isfinite(row.instant.qd[off]));
+  };
+  const auto f = make_formulation(find_variant(ids[0]), m);
+  const TimeGrid grid = scene_file("two_parallelograms").grid;
+  const CheckedSummary s = run_checked(*f, grid, {Level::acceleration}, rows, options);
+  EXPECT_EQ(s.flagged, grid.instants);
+  EXPECT_EQ(s.crossings, 1);
+  ASSERT_TRUE(s.first_flag && s.first_crossing);
+  EXPECT_EQ(s.first_flag->kind, branch);
 }
 
 INSTANTIATE_TEST_SUITE_P(Pairs, IndependentMechanisms, testing::ValuesIn(all_pairs));

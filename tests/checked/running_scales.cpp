@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "formulations/verification/run/row_tally.h"
 #include "tests/dead_point.h"
 
 namespace desmo::running_scales_test {
@@ -39,6 +40,28 @@ TEST(RunningScales, BeginWithTheLargestRatesOfDrivers) {
   for (int i = 0; i < 11; ++i)
     largest = std::max(largest, std::abs(0.1 * std::cos(std::acos(0.) + 0.5 * i)));
   EXPECT_DOUBLE_EQ(scales.current().rotation.velocity, largest);
+}
+
+/// Rates next to a lock are no scale of what is proven elsewhere.
+TEST(RowTally, TakesNoScaleFromWhatIsNotProven) {
+  const Model m = locking_four_bar(Polynomial{{1, 2}});
+  RowTally tally(m, {0, 0.1, 11});
+  CheckedSummary summary, before;
+  tally.finish(before);
+  const std::vector<double> rates(m.coordinates(), 1e6), none(m.coordinates(), INFINITY);
+  CheckedInstant row{.instant = instant_of(0, {rates, rates, rates}, Level::acceleration),
+                     .radius = {none, none, none}};
+  row.flag = {.kind = RowFlag::Kind::unproven};
+  tally.take(row, summary);
+  tally.finish(summary);
+  EXPECT_EQ(summary.flagged, 1);
+  EXPECT_EQ(summary.scales.length.velocity, before.scales.length.velocity);
+  row.flag.reset();
+  const std::vector<double> proven(m.coordinates(), 0);
+  row.radius = {proven, proven, proven};
+  tally.take(row, summary);
+  tally.finish(summary);
+  EXPECT_GE(summary.scales.length.velocity, 1e6);
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ std::string note_on_flags(const CheckedSummary& s, const Model& m, const Display
   if (s.first_flag)
     note += "accuracy: degraded: " + count(s.flagged, "row") + " of " + std::to_string(s.instants) +
             ", the first at " + flag_text(*s.first_flag, m, units) + '\n';
-  if (s.first_crossing && s.first_crossing->time != s.first_flag->time)
+  if (s.first_crossing && !s.first_flag->is_of_change_point())
     note += "accuracy: degraded: " + flag_text(*s.first_crossing, m, units) + '\n';
   if (s.misfit)
     note += "accuracy: largest contradiction: " +

@@ -43,8 +43,8 @@ Flow MotionRecorder::observe(const Instant&) noexcept {
 
 void MotionRecorder::record(const CheckedInstant& checked) {
   const Instant& instant = checked.instant;
-  flag(checked);
-  if (checked.flag && checked.flag->kind == RowFlag::Kind::on_point) return;  // it has no rates
+  checked.for_each_flag([&](const RowFlag& f) { flag(f, instant.index); });
+  if (checked.is_on_point()) return;  // it has no rates
   const auto n = static_cast<std::size_t>(model_.coordinates());
   for (const std::span<const double> values : {instant.q, instant.qd, instant.qdd})
     overflowed_ = overflowed_ ||
@@ -103,24 +103,24 @@ void MotionRecorder::drop_every_second() {
 }
 
 /// Flags an interval; one that lasts grows with the row.
-void MotionRecorder::flag(const CheckedInstant& checked) {
-  if (!checked.flag) return;
-  const RowFlag& f = *checked.flag;
-  const bool passes = f.kind == RowFlag::Kind::crossing || f.kind == RowFlag::Kind::on_point;
+void MotionRecorder::flag(const RowFlag& f, int index) {
+  const bool passes = f.is_of_change_point();
   const Flag::Kind kind = passes                            ? Flag::Kind::crossing
                           : f.kind == RowFlag::Kind::branch ? Flag::Kind::branch
                           : f.kind == RowFlag::Kind::misfit ? Flag::Kind::misfit
                                                             : Flag::Kind::unproven;
-  const int index = checked.instant.index;
   const double from = passes ? std::max(f.after, grid_.start) : f.time,
                to = passes ? std::min(f.before, grid_.time(grid_.instants - 1)) : f.time;
-  const bool lasts = last_flagged_ + 1 == index && flags_.back().kind == kind &&
-                     (!passes || flags_.back().from == from);
-  if (lasts)
-    flags_.back().to = to;
-  else
-    flags_.push_back({kind, from, to, flag_text(f, model_, units_)});
-  last_flagged_ = index;
+  for (auto& [last_row, place] : lasting_) {
+    Flag& last = flags_[place];
+    if (last_row + 1 != index || last.kind != kind || (passes && last.from != from)) continue;
+    last.to = to;
+    last_row = index;
+    return;
+  }
+  std::erase_if(lasting_, [&](const Lasting& l) { return l.last_row + 1 < index; });
+  lasting_.push_back({index, flags_.size()});
+  flags_.push_back({kind, from, to, flag_text(f, model_, units_)});
 }
 
 void MotionRecorder::flag_failures(const CheckedSummary& summary) {

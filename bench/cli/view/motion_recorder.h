@@ -57,8 +57,14 @@ class MotionRecorder final : public Observer {
   std::vector<double> state_of(const Instant& instant);
   void keep(RecordedInstant instant);
   void drop_every_second();
-  void flag(const CheckedInstant& instant);
+  void flag(const RowFlag& flag, int index);
   void flag_failures(const CheckedSummary& summary);
+
+  /// A flag that grows if the next row has it, too.
+  struct Lasting {
+    int last_row;
+    std::size_t place;  // among the flags
+  };
 
   const Model& model_;
   Measures& measures_;
@@ -68,7 +74,8 @@ class MotionRecorder final : public Observer {
   bench::Progress* progress_;
   std::vector<RecordedInstant> instants_, passed_;  // passed_: the last one, where it is not kept
   std::vector<Flag> flags_;
-  int stride_ = 1, last_flagged_ = -2;
+  std::vector<Lasting> lasting_;
+  int stride_ = 1;
   long solved_ = 0;
   double condition_ = 0;
   PerLevel<double> radius_ = no_radius;

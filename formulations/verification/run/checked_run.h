@@ -45,6 +45,9 @@ struct RowFlag {
   bool out_of_tests = false;    ///< branch: the budget of tests ended before the interval did
   ProofFailure failure = ProofFailure::none;
   std::optional<Misfit> misfit{};
+
+  /// Returns whether the motion passes a change point, or is on one.
+  bool is_of_change_point() const { return kind == Kind::crossing || kind == Kind::on_point; }
 };
 
 /// Returns a word for a flag, as columns have it: "unproven", "branch", "misfit", "crossing".
@@ -59,8 +62,22 @@ struct CheckedInstant {
   /// The largest radius over its scale so far. Infinite: of some coordinates there is no proof. 0:
   /// `radius` is empty, and the row lies between two that are proven.
   PerLevel<double> relative_radius{};
-  double condition = 0;           ///< of the instant (Certificate::condition)
-  std::optional<RowFlag> flag{};  ///< none: proven
+  double condition = 0;                    ///< of the instant (Certificate::condition)
+  std::optional<RowFlag> flag{};           ///< none: proven. Of independent mechanisms, the worst
+  std::span<const RowFlag> other_flags{};  ///< of the other mechanisms
+
+  /// Calls a function with each flag, the worst first.
+  template <class Call>
+  void for_each_flag(const Call& call) const {
+    if (flag) call(*flag);
+    for (const RowFlag& other : other_flags) call(other);
+  }
+  /// Returns whether a mechanism is on a change point: it has no rates there.
+  bool is_on_point() const {
+    bool is = false;
+    for_each_flag([&](const RowFlag& f) { is |= f.kind == RowFlag::Kind::on_point; });
+    return is;
+  }
 };
 
 /// Interval in which a mechanism could not be assembled. Its ends are accurate to 1e-9 s or, where

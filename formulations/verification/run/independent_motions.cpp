@@ -161,6 +161,7 @@ void IndependentMotions::join() {
 /// Makes the rows of all mechanisms the result. Returns false where one of them does not move on.
 bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
   result_ = {.instant = at};
+  flags_.clear();
   elsewhere_ = false;
   for (const Level level : all_levels) {
     values_[level].resize(m_.coordinates());
@@ -175,6 +176,10 @@ bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
     if (!row) return false;
     add(*each, *row);
   }
+  if (flags_.empty()) return true;
+  std::ranges::stable_sort(flags_, {}, [](const RowFlag& flag) { return rank(flag.kind); });
+  result_.flag = flags_.front();
+  result_.other_flags = std::span(flags_).subspan(1);
   return true;
 }
 
@@ -186,22 +191,10 @@ void IndependentMotions::add(const SubmodelMotion& of, const CheckedInstant& row
   for (const Level level : all_levels) scatter(s, row.radius[level], radius_[level]);
   result_.condition = std::max(result_.condition, row.condition);
   elsewhere_ |= of.motion.is_elsewhere();
-  if (row.flag) add_flag(s, *row.flag);
-}
-
-/// Makes a flag of a submodel the row's if it is the worst so far. The row has the largest misfit.
-void IndependentMotions::add_flag(const Submodel& of, RowFlag flag) {
-  if (flag.group != no_position) flag.group = of.groups[flag.group];
-  if (flag.misfit) flag.misfit->constraint = of.constraints[flag.misfit->constraint];
-  if (result_.flag) {
-    const std::optional<Misfit>& other = result_.flag->misfit;
-    if (other && (!flag.misfit || flag.misfit->amount < other->amount)) flag.misfit = other;
-    if (rank(result_.flag->kind) <= rank(flag.kind)) {
-      result_.flag->misfit = flag.misfit;
-      return;
-    }
-  }
-  result_.flag = flag;
+  if (!row.flag) return;
+  RowFlag& flag = flags_.emplace_back(*row.flag);
+  if (flag.group != no_position) flag.group = s.groups[flag.group];
+  if (flag.misfit) flag.misfit->constraint = s.constraints[flag.misfit->constraint];
 }
 
 }  // namespace desmo

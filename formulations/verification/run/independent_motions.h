@@ -15,7 +15,7 @@ struct Submodel;
 /// as if each stood alone in its file: a change point, or a branch that is lost, concerns one of
 /// them alone. While all are proven they are followed together, which costs less.
 ///
-/// Functions are those of CheckedMotion. A row has the worst flag of its mechanisms.
+/// Functions are those of CheckedMotion. A row has the flags of all mechanisms, the worst first.
 class IndependentMotions {
  public:
   IndependentMotions(const Model& model, std::span<const Level> levels, double tolerance);
@@ -45,7 +45,6 @@ class IndependentMotions {
   bool separate();
   void join();
   void add(const SubmodelMotion& of, const CheckedInstant& row);
-  void add_flag(const Submodel& of, RowFlag flag);
 
   const Model& m_;
   const std::span<const Level> levels_;
@@ -56,6 +55,7 @@ class IndependentMotions {
   double begin_ = 0;          // s
   bool began_apart_ = false;  // the mechanisms began one by one
   PerLevel<std::vector<double>> values_, radius_;
+  std::vector<RowFlag> flags_;  // of the mechanisms, the worst first
   CheckedInstant result_;
   bool elsewhere_ = false;
 };

@@ -7,40 +7,43 @@
 namespace desmo {
 
 void RowTally::take(CheckedInstant& row, CheckedSummary& summary) {
-  scales_.take(row.instant);
   take_radius(row);
-  if (row.flag) take_flag(*row.flag, summary);
+  if (!row.flag) return;
+  ++summary.flagged;
+  if (!summary.first_flag) summary.first_flag = row.flag;
+  row.for_each_flag([&](const RowFlag& flag) { take_flag(flag, summary); });
 }
 
-/// Includes a proven row in the largest radii. Flags it where they leave no digit.
+/// Includes a proven row in the scales and the largest radii. Flags it where they leave no digit.
 void RowTally::take_radius(CheckedInstant& row) {
   if (row.flag && row.flag->kind == RowFlag::Kind::unproven) {
     row.relative_radius = {INFINITY, INFINITY, INFINITY};
     return;
   }
+  scales_.take(row.instant);
   const RelativeRadius radius = relative_radius(m_, row.radius, scales_.current());
   row.relative_radius = radius.largest;
   if (radius.proves_no_digit()) {
+    const std::optional<Misfit> misfit = row.flag ? row.flag->misfit : std::nullopt;
     row.flag = {.kind = RowFlag::Kind::unproven,
                 .time = row.instant.time,
                 .group = radius.group,
-                .failure = ProofFailure::singular};
+                .failure = ProofFailure::singular,
+                .misfit = misfit};
     return;
   }
   for (const Level level : all_levels) {
     length_[level] = std::max(length_[level], radius.length[level]);
     rotation_[level] = std::max(rotation_[level], radius.rotation[level]);
   }
-  if (row.flag && row.flag->kind == RowFlag::Kind::on_point)
-    row.relative_radius = {INFINITY, INFINITY, INFINITY};
+  if (row.is_on_point()) row.relative_radius = {INFINITY, INFINITY, INFINITY};
 }
 
 void RowTally::take_flag(const RowFlag& flag, CheckedSummary& summary) {
-  ++summary.flagged;
-  if (!summary.first_flag) summary.first_flag = flag;
-  if (flag.kind == RowFlag::Kind::crossing || flag.kind == RowFlag::Kind::on_point) {
-    summary.crossings += last_point_ != flag.after;
-    last_point_ = flag.after;
+  if (flag.is_of_change_point()) {
+    const auto [last, is_new] = last_point_.try_emplace(flag.group, flag.after);
+    summary.crossings += is_new || last->second != flag.after;
+    last->second = flag.after;
     if (!summary.first_crossing) summary.first_crossing = flag;
   }
   if (flag.misfit && (!summary.misfit || flag.misfit->amount > summary.misfit->amount))

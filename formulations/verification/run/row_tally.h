@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include <map>
 
 #include "formulations/verification/run/checked_run.h"
 #include "formulations/verification/run/running_scales.h"
@@ -25,7 +25,7 @@ class RowTally {
   const Model& m_;
   RunningScales scales_;
   PerLevel<double> length_{}, rotation_{};  // largest radii of proven rows
-  double last_point_ = NAN;                 // RowFlag::after of the last change point
+  std::map<GroupId, double> last_point_;    // of a group, RowFlag::after
 };
 
 }  // namespace desmo

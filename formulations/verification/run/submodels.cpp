@@ -60,8 +60,11 @@ Submodel submodel_of(const Model& whole, std::span<const EntityId> moving,
   for (int c = 0; c < static_cast<int>(whole.constraints.size()); ++c)  // in the same order
     if (const std::size_t own = made.constraints.size();
         own < made.model.constraints.size() &&
-        made.model.constraints[own].name == whole.constraints[c].name)
+        made.model.constraints[own].name == whole.constraints[c].name) {
       made.constraints.push_back(c);
+      if (const GroupId group = made.model.constraints[own].group; group != no_position)
+        made.groups[group] = whole.constraints[c].group;
+    }
   if (!levels.empty())
     for (const int i : made.coordinates) made.levels.push_back(levels[i]);
   return made;
