@@ -89,7 +89,7 @@ std::optional<Summary> TimeStepping::solve_segments(const TimeGrid& grid, const 
   if (!total && at_once) observer.restart();
   if (!total || total->stopped) return total;
   now_.state = ended_;  // steps go on from here
-  forget();
+  forget_steps();
   now_.time = grid.time(grid.instants - 1);
   now_.level = request.level;
   if (buffer) buffer->hand_over(output, observer, *total);

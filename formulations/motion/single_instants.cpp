@@ -19,7 +19,7 @@ Summary TimeStepping::step_to_row(const LiveRow& row, Level level, int max_sub_s
   const Summary summary = assemble_or_step(row.time, level, max_sub_steps);
   drivers_.hand_back();
   if (!summary.ok()) {
-    forget();  // parts remember instants that are not to be gone on from
+    forget_steps();  // parts remember instants that are not to be gone on from
     now_.time = start;
   }
   return summary;
@@ -28,7 +28,7 @@ Summary TimeStepping::step_to_row(const LiveRow& row, Level level, int max_sub_s
 void TimeStepping::return_to(std::span<const double> q, double t) {
   std::ranges::copy(q.first(std::min(q.size(), now_.state.q.size())), now_.state.q.begin());
   assembled_ = !q.empty();
-  forget();
+  forget_steps();
   now_.time = t;
 }
 

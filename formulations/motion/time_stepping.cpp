@@ -49,6 +49,12 @@ void TimeStepping::forget() {
   for (SolvedState* s : {&now_, &before_}) s->forget();
 }
 
+/// Forgets the steps so far, from which none is to be gone on. What follows are steps again.
+void TimeStepping::forget_steps() {
+  forget();
+  sequence_.end_assembly();
+}
+
 // ---- A motion, the paper's Fig. 2a ----
 
 Summary TimeStepping::run(const TimeGrid& grid, const Request& request, Observer& observer) {

@@ -91,6 +91,7 @@ class TimeStepping final : public Formulation {
 
   void prepare();
   void forget();
+  void forget_steps();
   void begin_at(std::span<const double> q);
   void set_read_outside(const Request& request, bool lent = false);
   Summary run_with_stride(const TimeGrid& grid, const Request& request, Observer& observer);

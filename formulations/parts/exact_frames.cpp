@@ -73,7 +73,10 @@ void ExactFrames::residual(const Equations&, double* q, Eigen::VectorXd& phi) {
     for (const auto& [place, row, inverse] : level.derived) q[place] -= inverse * residual_[row];
   }
   closures_->residual(q, residual_.data());
-  phi.setZero();
+  double of_derivations = 0;  // or no number, where something derived is none
+  for (const Level& level : levels_)
+    for (const DerivedUnknown& d : level.derived) of_derivations += q[d.place] - q[d.place];
+  phi.setConstant(of_derivations);
   for (std::size_t c = 0; c < closure_row_.size(); ++c) phi[closure_row_[c]] = residual_[c];
 }
 

@@ -88,5 +88,13 @@ TEST(Coordinates, TakeNoMoreIterationsWithExactFrames) {
     }
 }
 
+/// A part whose unknowns are all derived has no closure that would tell.
+TEST(Coordinates, ThatAreNoNumbersAreNoneWithExactFrames) {
+  const Model m = make_model(four_bar(1), Modelling::relative);
+  const auto f = formulated("block_automatic_klu/coordinates:relative/frames:exact", m);
+  ASSERT_TRUE(f->assemble(0).ok());
+  EXPECT_EQ(f->step(NAN).status, Status::not_finite);
+}
+
 }  // namespace
 }  // namespace desmo::coordinates_test
