@@ -129,6 +129,13 @@ std::vector<std::array<T, 4>> interpolated(const std::vector<double>& times,
   return pieces;
 }
 
+/// Returns the first double that is not before a time: the one that is that time, if there is one.
+double first_from(const Derived& time) {
+  const auto [value, correction, radius] = time.rounded();
+  return correction > radius ? std::nextafter(value, std::numeric_limits<double>::infinity())
+                             : value;
+}
+
 void require_finite(const Derived& coefficient) {
   if (!std::isfinite(coefficient.value))
     throw std::invalid_argument("the motion is too steep to be computed with");
@@ -160,16 +167,16 @@ void Spline::add(double knot, const Piece& piece) {
 }
 
 /// The distance is covered in the times up, steady and up again. Pieces are exact cubics of the
-/// time since their rounded knots, so that the motion is continuous but for a part in 2^100.
+/// time since their knots, so that the motion is continuous but for a part in 2^100. Knots are
+/// rounded up: no time that is a double lies between one and what it stands for.
 Spline make_spline(const Trapezoid& of) {
   const bool is_back = of.distance.value < 0;
   const Derived s = is_back ? -of.distance : of.distance, v = of.velocity, a = of.acceleration;
   const bool is_triangle = (v * v).value >= (a * s).value;
   const Derived up = is_triangle ? sqrt(s / a) : v / a;
   const Derived end = Derived(of.start) + (is_triangle ? up * 2 : up + s / v);
-  const double steady = (Derived(of.start) + up).rounded().value,
-               brakes = is_triangle ? steady : (end - up).rounded().value,
-               rests = end.rounded().value;
+  const double steady = first_from(Derived(of.start) + up),
+               brakes = is_triangle ? steady : first_from(end - up), rests = first_from(end);
   if (!(of.start < steady && brakes < rests && std::isfinite(rests)) ||
       (!is_triangle && !(steady < brakes)))
     throw std::invalid_argument("the times at which it changes cannot be told apart");

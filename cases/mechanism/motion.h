@@ -87,7 +87,8 @@ struct Trapezoid {
 };
 
 /// Makes a spline of a trapezoid, with the rest before and after. Knots are where the acceleration
-/// jumps, rounded. Throws std::invalid_argument when they coincide or anything overflows.
+/// jumps, rounded up: at each double the motion is that of the exact knots. Throws
+/// std::invalid_argument when they coincide or anything overflows.
 Spline make_spline(const Trapezoid& trapezoid);
 
 /// Prescribed motion of one independent coordinate.
