@@ -242,6 +242,10 @@ TEST(Measures, ThatThereAreNotAreRefused) {
                   "'A.x' is fixed");
   EXPECT_CONTAINS(refusal(slider_crank, turning, R"({"ratios": {"C.x": ["s", "theta"]}})"),
                   "the name 'C.x' is taken by a coordinate");
+  EXPECT_CONTAINS(refusal(slider_crank, turning,
+                          R"({"rotations": ["crank"], "level": "velocity"},
+                             {"ratios": {"crank.omega": ["s", "theta"]}})"),
+                  "or by another rotation, joint or ratio; rename one");
   EXPECT_EQ(refusal(slider_crank, turning, R"({"rotations": ["slider"]})"), "accepted");
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/cli/input.h"
 #include "bench/cli/units.h"
-#include "cases/mechanism/scene.h"
 #include "formulations/formulation.h"
 #include "formulations/model/plan.h"
 #include "formulations/modelling/measures/measures.h"
@@ -42,8 +42,9 @@ std::vector<Column> columns_of(const Measures& measures, int coordinates,
 
 /// Entity by entity in the order asked for: positions, velocities and
 /// accelerations as far as asked; then the measures. Where everything is asked for, what never
-/// moves is left out.
-std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Scene& scene,
-                                 const DisplayUnits& units);
+/// moves is left out. remark: name of a last column of words, "" for none. Throws InputError,
+/// naming the source, where two columns, the time included, have one name.
+std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Input& input,
+                                 const std::string& remark);
 
 }  // namespace desmo::cli

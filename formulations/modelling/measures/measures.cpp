@@ -166,7 +166,8 @@ class Builder {
       if (level > bodies_.level) names[level].clear();
       if (!names[level].empty() && !taken_.insert(names[level]).second)
         throw std::invalid_argument("request: the name '" + names[level] +
-                                    "' is taken by a coordinate of the mechanism; rename that");
+                                    "' is taken by a coordinate of the mechanism, or by another "
+                                    "rotation, joint or ratio; rename one of them");
     }
     list.push_back({std::move(names), kind});
   }
