@@ -66,6 +66,9 @@ struct TableFile {
         fail("column " + std::to_string(i + 1) + " is called " + in_quotes(names[i]) + ", where " +
              name(i) + " is expected; correct the heading");
     }
+    if (at[0] == at[1])
+      fail("column " + std::to_string(at[0] + 1) + ", " + name(0) +
+           ", would be arguments and values; rename the coordinate, or leave the heading out");
     for (const int i : {0, 1}) read_unit(*columns[i], column_heading(fields[at[i]]));
   }
 

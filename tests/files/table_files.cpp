@@ -81,6 +81,17 @@ TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
                "s.json: /time: the table of 'angle' reaches only from 0 s to 1 s");
 }
 
+/// A driver has the name of the time.
+TEST_F(TableFile, MustTellTimesFromValues) {
+  text_ = replaced_everywhere(replaced(text_, "\"angle\": {\"angle\"", "\"t\": {\"angle\""),
+                              "\"angle\": {\"type\"", "\"t\": {\"type\"");
+  text_ = replaced(text_, R"(["angle"])", R"(["t"])");
+  EXPECT_EQ(read("0,0\n2,1\n"), "accepted");
+  for (const char* heading : {"t,t\n", "t [s],t [deg]\n", "t,deflection\n", "flag,t,t\n"})
+    EXPECT_CONTAINS(read(heading + std::string("0,0,0\n2,1,1\n")),
+                    ", 't', would be arguments and values; rename the coordinate");
+}
+
 /// The height follows the angle by a table in a file.
 class CouplingFile : public TableFile {
  protected:
