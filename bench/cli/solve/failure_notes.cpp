@@ -40,12 +40,26 @@ Reason table_reason(const CheckedSummary& s, const Model& m, const DisplayUnits&
   return {"a coordinate is outside of its table", "extend the table, or let it repeat"};
 }
 
+/// Returns whether a constraint defines the distance of points that coincide in the drawing.
+bool measures_no_distance(const Model& m, int constraint) {
+  if (constraint < 0) return false;
+  const Constraint& c = m.constraints[constraint];
+  const Entity& measured = m.entities[c.operands.back()];
+  return constraint_kind_name(c.kind).starts_with("distance") && !measured.fixed &&
+         m.estimate[measured.first] == 0;
+}
+
 /// Returns why no position was found. is_start: the failed instant is the first, so that no step
 /// leads to it.
 Reason reason_of(const CheckedSummary& s, const Model& m, const DisplayUnits& units,
                  bool is_start) {
   if (is_start && s.start == FoundStart::Stage::drawing)
-    return {"the drawing is singular", "draw it off the singular position, such as a dead centre"};
+    return measures_no_distance(m, s.constraint)
+               ? Reason{"the drawing is singular: a distance is measured whose points coincide "
+                        "there, so that it has no rate",
+                        "draw the points apart, or measure something else, such as a component"}
+               : Reason{"the drawing is singular",
+                        "draw it off the singular position, such as a dead centre"};
   if (s.status == Status::singular)
     return {"the position is singular", "choose a motion that avoids it"};
   if (s.status == Status::not_finite && s.constraint >= 0 &&
