@@ -44,15 +44,18 @@ class RequestReader {
           "asks for nothing; give points, vectors, angles, distances, bodies, rotations, joints, "
           "ratios or \"everything\": true");
     const auto want_kind = [&](Kind kind) {
-      return [this, kind, level](int i) { want(kind, i, level); };
+      return [this, kind, level](int i, bool) { want(kind, i, level); };
     };
     names_.read(entry, names_.points, want_kind(Kind::point));
     names_.read(entry, names_.vectors, want_kind(Kind::vector));
     names_.read(entry, names_.angles, want_kind(Kind::coordinate));
     names_.read(entry, names_.distances, want_kind(Kind::coordinate));
-    names_.read(entry, names_.bodies, [&](int i) { want_body(i, level); });
-    names_.read(entry, names_.rotations, [&](int i) { measure(MeasureKind::rotation, i, level); });
-    names_.read(entry, names_.joints, [&](int i) { measure(MeasureKind::joint, i, level); });
+    const auto measure_kind = [&](MeasureKind kind) {
+      return [this, kind, level](int i, bool by_pattern) { measure(kind, i, level, by_pattern); };
+    };
+    names_.read(entry, names_.bodies, [&](int i, bool) { want_body(i, level); });
+    names_.read(entry, names_.rotations, measure_kind(MeasureKind::rotation));
+    names_.read(entry, names_.joints, measure_kind(MeasureKind::joint));
     if (const auto ratios = entry.find("ratios")) {
       if (level_given && level != Level::velocity)
         level_given->complain(
@@ -74,11 +77,13 @@ class RequestReader {
     known = std::max(known, level);
   }
 
-  void measure(MeasureKind kind, int index, Level level) {
+  void measure(MeasureKind kind, int index, Level level, bool by_pattern) {
     const auto [place, is_new] = measure_places_.try_emplace({kind, index}, measures_.size());
-    if (is_new) measures_.push_back({kind, index, level});
-    Level& known = measures_[place->second].level;
-    known = std::max(known, level);
+    if (is_new)
+      measures_.push_back({.kind = kind, .index = index, .level = level, .by_pattern = by_pattern});
+    RequestedMeasure& known = measures_[place->second];
+    known.level = std::max(known.level, level);
+    known.by_pattern = known.by_pattern && by_pattern;
   }
 
   void read_ratio(const JsonValue& value) {

@@ -38,12 +38,12 @@ Requestable::Requestable(const Mechanism& mechanism) : d_(mechanism) {
        [&](int j) { return turns(d_.joints[j].type) || slides(d_.joints[j].type); });
 }
 
-void Requestable::read(const JsonValue& entry, const RequestKey& names,
-                       const std::function<void(int)>& want) {
+void Requestable::read(const JsonValue& entry, const RequestKey& names, const Want& want) {
   const auto list = entry.find(names.key);
   if (!list) return;
   if (list->is_object() && defines_in_place(names)) {
-    for (const JsonValue& defined : list->members()) want(names.find(defined, defined.key()));
+    for (const JsonValue& defined : list->members())
+      want(names.find(defined, defined.key()), false);
     return;
   }
   const std::vector<JsonValue> listed = list->elements();
@@ -53,11 +53,11 @@ void Requestable::read(const JsonValue& entry, const RequestKey& names,
       name.complain("defines something in a list of names; give \"" + names.key +
                     "\": {\"NAME\": …} in an entry of its own");
     if (name.text().find('*') != std::string_view::npos) {
-      for (const int i : match(name, names)) want(i);
+      for (const int i : match(name, names)) want(i, true);
     } else {
       check_kind(name, names);
       if (&names == &joints) check_joint(name);
-      want(names.find(name));
+      want(names.find(name), false);
     }
   }
 }

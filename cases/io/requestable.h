@@ -25,9 +25,11 @@ class Requestable {
   /// mechanism: outlives this, and has what the request defines.
   explicit Requestable(const Mechanism& mechanism);
 
-  /// Reads what an entry of a request lists, or has defined, under a key. Calls want() with the
-  /// position of each; of a pattern, of all that match.
-  void read(const JsonValue& entry, const RequestKey& names, const std::function<void(int)>& want);
+  /// Receives the position of an entity, and whether a pattern asks for it.
+  using Want = std::function<void(int, bool)>;
+  /// Reads what an entry of a request lists, or has defined, under a key. Calls want() for each; of
+  /// a pattern, for all that match.
+  void read(const JsonValue& entry, const RequestKey& names, const Want& want);
 
   /// Reads the name of a coordinate, or of a component of a point or vector: "C.x".
   std::string read_component(const JsonValue& value) const;

@@ -30,6 +30,7 @@ struct RequestedMeasure {
   Level level;                      ///< highest level requested; of a ratio: velocity
   std::string name{};               ///< of a ratio
   std::array<std::string, 2> of{};  ///< a ratio's coordinates, as Model::coordinate() knows them
+  bool by_pattern = false;          ///< a pattern asks for all of the kind that have one
 };
 
 /// Default limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude.

@@ -62,20 +62,24 @@ Line BodyFrames::find_line(const Mechanism::Direction& d) {
   return {find_operand(d_.points[d.to].name), find_operand(d_.points[d.from].name)};
 }
 
+bool BodyFrames::tells_turn(int body) const {
+  const int r = rigid_.of_body[body];
+  return r == 0 || rigid_.list[r].basis.directions.size() >= enough();
+}
+
 BodyFrame BodyFrames::find_frame(int body) {
   BodyFrame result;
   const int r = rigid_.of_body[body];
   if (r == 0) return result;
   const auto& directions = rigid_.list[r].basis.directions;
-  const std::size_t enough = d_.dimension == 2 ? 1 : 2;
-  if (directions.size() < enough)
+  if (!tells_turn(body))
     throw std::invalid_argument("request: the points and vectors of body '" + d_.bodies[body].name +
                                 "' do not tell how it is turned; give it another" +
-                                (enough == 2 ? " that is not in line with them" : "") +
+                                (enough() == 2 ? " that is not in line with them" : "") +
                                 ", or ask for an angle or a vector");
-  for (std::size_t k = 0; k < enough; ++k) result.lines.push_back(find_line(directions[k]));
+  for (std::size_t k = 0; k < enough(); ++k) result.lines.push_back(find_line(directions[k]));
   const Vector u = drawn(body, directions[0]);
-  result.drawn = enough == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
+  result.drawn = enough() == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
   return result;
 }
 

@@ -58,8 +58,9 @@ class BodyFrames {
       : d_(d), m_(m), inputs_(inputs), rigid_(find_rigid_bodies(d)) {}
 
   Line find_line(const Mechanism::Direction& direction);
-  /// Throws std::invalid_argument, naming the body, where its points and vectors do not tell how it
-  /// is turned.
+  /// Returns whether a body's points and vectors tell how it is turned.
+  bool tells_turn(int body) const;
+  /// Throws std::invalid_argument, naming the body, where they do not.
   BodyFrame find_frame(int body);
   /// Returns a direction of a body in the body's own frame or, where it has none, as drawn.
   Vector drawn(int body, const Mechanism::Direction& direction) const;
@@ -68,6 +69,8 @@ class BodyFrames {
 
  private:
   Operand find_operand(const std::string& name);
+  /// Returns how many directions tell how a body is turned.
+  std::size_t enough() const { return d_.dimension == 2 ? 1 : 2; }
 
   const Mechanism& d_;
   const Model& m_;

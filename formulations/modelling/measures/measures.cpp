@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <map>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -55,11 +57,15 @@ class Builder {
         taken_.insert(coordinate_name(m_, e, m_.entities[e].first + i));
     for (const RequestedMeasure& wanted : scene.measures) {
       bodies_.level = wanted.level;
+      const std::size_t before = list.size();
       using enum RequestedMeasure::Kind;
-      if (wanted.kind == rotation) add_rotation(wanted.index);
-      if (wanted.kind == joint) add_joint(d_.joints[wanted.index]);
+      if (wanted.kind == rotation && has_turn(wanted, {wanted.index})) add_rotation(wanted.index);
+      if (wanted.kind == joint) add_joint(wanted);
       if (wanted.kind == ratio) add_ratio(wanted);
+      if (list.size() > before) found_.insert(wanted.kind);
     }
+    for (const auto& [kind, body] : turnless_)
+      if (!found_.contains(kind)) bodies_.find_frame(body);  // refuses it
   }
 
   std::vector<Measure> list;
@@ -83,13 +89,25 @@ class Builder {
     add_turn(first, 0, body, std::move(axes), turn_of_frame(body));
   }
 
-  void add_joint(const Mechanism::Joint& joint) {
+  /// Returns whether to measure a turn between bodies: not where a pattern asks for it and one of
+  /// them does not tell how it is turned.
+  bool has_turn(const RequestedMeasure& wanted, std::initializer_list<int> bodies) {
+    for (const int body : bodies)
+      if (wanted.by_pattern && !bodies_.tells_turn(body)) {
+        turnless_.try_emplace(wanted.kind, body);
+        return false;
+      }
+    return true;
+  }
+
+  void add_joint(const RequestedMeasure& wanted) {
+    const Mechanism::Joint& joint = d_.joints[wanted.index];
     const Drawing<double> drawing{d_};
     const auto add_with_rates = [&](const std::string& name, EntityKind kind) {
       add({name, "d/dt " + name, "d2/dt2 " + name}, kind);
       return list.size() - 1;
     };
-    if (turns(joint.type)) {
+    if (turns(joint.type) && has_turn(wanted, {joint.bodies[0], joint.bodies[1]})) {
       Vector axis{0., 0., 1.};
       if (d_.dimension == 3)
         axis = unit(bodies_.drawn(joint.bodies[0], joint.vectors.empty()
@@ -177,6 +195,8 @@ class Builder {
   Measures::DrivenBy driven_by_;
   BodyFrames bodies_;
   std::set<std::string> taken_;
+  std::set<RequestedMeasure::Kind> found_;
+  std::map<RequestedMeasure::Kind, int> turnless_;  // with the first body that a pattern leaves out
 };
 
 }  // namespace

@@ -55,7 +55,8 @@ class Measures {
   enum class DrivenBy { motions, rows };
 
   /// Throws std::invalid_argument, naming the measure, for a body or joint whose points and vectors
-  /// do not tell its rotation, for a coordinate that is fixed, and for a name that the model has.
+  /// do not tell its rotation (unless a pattern asks for it and for others that do), for a
+  /// coordinate that is fixed, and for a name that the model has.
   Measures(const Scene& scene, const Model& model, DrivenBy driven_by = DrivenBy::motions);
 
   const std::vector<Measure>& list() const { return list_; }
