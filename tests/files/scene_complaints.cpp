@@ -121,6 +121,11 @@ TEST(SceneFile, MembersThatAreWrongAreNamed) {
   for (const auto& [member, message] : members)
     expect_start(scene_complaint(scene_of(slider_crank, driven + ", " + member)),
                  std::string("s.json: ") + message);
+  const auto named = [](std::size_t characters) {
+    return scene_of(slider_crank, driven + ", \"name\": \"" + std::string(characters, 'a') + '"');
+  };
+  EXPECT_EQ(scene_complaint(named(200)), "accepted");
+  EXPECT_CONTAINS(scene_complaint(named(201)), "is longer than 200 characters; shorten it");
   expect_start(
       scene_complaint(
           scene_of(spatial, driven + R"(, "request": [{"joints": ["spherical/crank/rod"]}])")),
