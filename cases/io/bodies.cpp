@@ -31,6 +31,7 @@ class BodyReader {
     for (const JsonValue& value : members) {
       if (value.key() == ground.key())
         value.complain("'ground' is the name of the ground; choose another for this body");
+      value.require_object(R"({"points": ["A", "B"]})");
       value.allow({"at", "points", "vectors", "length"});
       d_.bodies.push_back({checked_name(value, value.key())});
       names_.bodies.add(value.key());

@@ -19,7 +19,12 @@ void read_angle(const JsonValue& value, int dimension, const Names& names, Coord
     if (const auto from = value.find("from")) c.from = read_direction(*from, names);
     return;
   }
-  const JsonValue from = value["from"], towards = value["towards"];
+  const auto given = value.find("from");
+  if (!given || !value.find("towards") || !given->is_string())
+    value.complain(
+        "an angle in space needs the vectors where it is 0 and π/2; name them: \"from\": \"u\", "
+        "\"towards\": \"v\"");
+  const JsonValue from = *given, towards = value["towards"];
   std::string_view name = from.text();
   c.opposite = name.starts_with('-');
   if (c.opposite) name.remove_prefix(1);
@@ -68,6 +73,7 @@ Coordinate read_coordinate(const JsonValue& value, int dimension, const DisplayU
                            const Names& names) {
   Coordinate c;
   c.name = checked_name(value, value.key());
+  value.require_object(R"({"angle": ["A", "B"]})");
   value.allow({"angle", "distance", "component", "from", "towards", "along", "axis", "estimate"});
   const auto angle = value.find("angle"), distance = value.find("distance"),
              component = value.find("component");

@@ -49,6 +49,7 @@ Coupling of_sum(const JsonValue& value, const std::vector<Coordinate>& coordinat
   if (!value.find("sum")) value.allow({"sum", "coordinate", "of", "at", "values"});
   value.allow({"sum"});
   Coupling coupling;
+  value["sum"].require_object(R"({"a": 20, "b": 40})");
   for (const JsonValue& factor : value["sum"].members())
     coupling.terms.push_back(
         {names.coordinates.find(factor, factor.key()), Derived(factor.number())});

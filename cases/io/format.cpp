@@ -36,11 +36,14 @@ Derived exact_size(const DisplayUnit& unit) {
 }
 
 int check_format(const JsonValue& root, std::string_view format, int latest) {
-  const JsonValue given = root["format"];
-  if (given.text() != format) {
-    const bool known = given.text() == "desmo-scene" || given.text() == "desmo-mechanism";
-    given.complain("the format is " + in_quotes(given.text()) + ", not " + in_quotes(format) +
-                   "; " + (known ? "give the other kind of file here" : "correct it"));
+  const auto given = root.find("format");
+  if (!given)
+    root.complain("the key 'format' is missing; add it: \"format\": \"" + std::string(format) +
+                  '"');
+  if (given->text() != format) {
+    const bool known = given->text() == "desmo-scene" || given->text() == "desmo-mechanism";
+    given->complain("the format is " + in_quotes(given->text()) + ", not " + in_quotes(format) +
+                    "; " + (known ? "give the other kind of file here" : "correct it"));
   }
   const JsonValue version = root["version"];
   if (version.number() != 1 && version.number() != latest)
@@ -62,6 +65,7 @@ std::string checked_name(const JsonValue& place, std::string_view name) {
 FileUnits read_units(const JsonValue& root, FileUnits units) {
   const auto given = root.find("units");
   if (!given) return units;
+  given->require_object(R"({"length": "mm", "angle": "deg"})");
   given->allow({"length", "angle"});
   if (const auto value = given->find("length")) units.length = read_unit(*value, length_units);
   if (const auto value = given->find("angle")) units.angle = read_unit(*value, angle_units);

@@ -67,6 +67,8 @@ class JsonValue {
   std::vector<JsonValue> elements() const;                    ///< elements of an array
   std::optional<JsonValue> find(std::string_view key) const;  ///< optional member
   JsonValue operator[](std::string_view key) const;           ///< required member
+  /// Throws InputError, with an example of an object, if it is none.
+  void require_object(std::string_view example) const;
   /// Throws InputError if there are members with other keys.
   void allow(std::initializer_list<std::string_view> keys) const;
 

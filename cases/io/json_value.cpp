@@ -37,6 +37,11 @@ JsonValue JsonValue::operator[](std::string_view key) const {
   complain("the key " + in_quotes(key) + " is missing; add it");
 }
 
+void JsonValue::require_object(std::string_view example) const {
+  if (is_object()) return;
+  expect(JsonDocument::Kind::object, ("an object such as " + std::string(example)).c_str());
+}
+
 void JsonValue::allow(std::initializer_list<std::string_view> keys) const {
   for (const JsonValue& member : members())
     if (std::ranges::find(keys, member.key()) == keys.end())

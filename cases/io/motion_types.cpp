@@ -48,6 +48,7 @@ struct MotionReader {
     static constexpr std::array readers{&MotionReader::constant, &MotionReader::polynomial,
                                         &MotionReader::harmonic, &MotionReader::table,
                                         &MotionReader::speed,    &MotionReader::trapezoid};
+    value.require_object(R"({"type": "speed", "value": 360})");
     const std::size_t type = value["type"].choose("type of motion", types);
     Motion motion = (this->*readers[type])();
     const auto from = value.find("from");

@@ -61,6 +61,7 @@ class RequestReader {
         level_given->complain(
             "a ratio is one of velocities; give \"velocity\" or leave the level out, in an "
             "entry of its own");
+      ratios->require_object(R"({"i": ["s", "C.x"]})");
       for (const JsonValue& ratio : ratios->members()) read_ratio(ratio);
     }
   }
@@ -136,6 +137,7 @@ void read_request(const JsonValue& root, const FileUnits& units, Scene& scene) {
   if (!list) return;
   const std::vector<JsonValue> entries = list->elements();
   if (entries.empty()) list->complain("asks for nothing; leave it out to ask for everything");
+  for (const JsonValue& entry : entries) entry.require_object(R"({"points": ["C"]})");
   add_definitions(entries, units, scene.mechanism);
   RequestReader(scene).read(entries);
 }

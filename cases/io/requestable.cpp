@@ -82,9 +82,12 @@ std::vector<int> Requestable::match(const JsonValue& pattern, const RequestKey& 
   return found;
 }
 
-/// Refuses a name of another kind, and one that no body carries. It is more likely meant than a
-/// similar one of this kind, which a complaint about an unknown name would offer.
+/// Refuses a name of another kind, and one that no body carries or that never turns. It is more
+/// likely meant than a similar one of this kind, which a complaint about an unknown name would
+/// offer.
 void Requestable::check_kind(const JsonValue& name, const RequestKey& names) const {
+  if (&names == &rotations && name.text() == d_.bodies.front().name)
+    name.complain("the ground never turns; name a body that moves");
   if (names.position(name.text()) || &names == &rotations || &names == &joints) return;
   for (const RequestKey* other : {&points, &vectors, &angles, &distances, &bodies})
     if (other->position(name.text()))

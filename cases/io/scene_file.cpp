@@ -30,6 +30,7 @@ Start without_motion(ReadMechanism read) {
 }
 
 TimeGrid read_time(const JsonValue& value) {
+  value.require_object(R"({"end": 1, "step": 0.01})");
   if (const auto at = value.find("at")) {
     value.allow({"at"});
     return {at->number(), 1, 1};

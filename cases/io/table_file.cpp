@@ -45,7 +45,7 @@ struct TableFile {
     }
     if (fields.size() != width)
       fail("has " + std::to_string(fields.size()) + " columns, where " + std::to_string(width) +
-           " are expected");
+           " are expected; give as many");
     const std::vector<double>& arguments = columns[0]->numbers;
     for (const int i : {0, 1}) columns[i]->numbers.push_back(number(at[i]));
     if (arguments.size() > 1 && !(arguments.back() > arguments[arguments.size() - 2]))
@@ -60,7 +60,8 @@ struct TableFile {
       if (found != names.end())
         at[i] = static_cast<std::size_t>(found - names.begin());
       else if (width != 2)
-        fail("no column is called " + name(i) + "; " + suggestion(columns[i]->name, names));
+        fail("no column is called " + name(i) + "; " +
+             remedy(fields.front(), suggestion(columns[i]->name, names)));
       else if (names[i] == columns[1 - i]->name ||
                std::ranges::count(coordinates, names[i], &Mechanism::Coordinate::name) > 0)
         fail("column " + std::to_string(i + 1) + " is called " + in_quotes(names[i]) + ", where " +
@@ -88,8 +89,15 @@ struct TableFile {
     double value = 0;
     if (!to_number(fields[column], value) || !(std::abs(value) <= max_number))
       fail("column " + std::to_string(column + 1) + ": " + in_quotes(fields[column]) +
-           " is not a number up to 1e100");
+           " is not a number up to 1e100; " + remedy(fields[column], "give one"));
     return value;
+  }
+
+  /// Semicolons between columns leave fields that hold one.
+  static std::string remedy(std::string_view field, const std::string& usual) {
+    return field.find(';') == field.npos
+               ? usual
+               : "separate columns by commas, tabs or blanks, and write decimal points";
   }
 
   [[noreturn]] void fail(const std::string& what) const {

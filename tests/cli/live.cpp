@@ -180,8 +180,8 @@ TEST_F(Cli, GoesOnAfterARowThatFailsWhenItIsTold) {
 
 TEST_F(Cli, NamesLineAndColumnOfARowThatCannotBeRead) {
   for (const auto& [rows, message] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"0,0,1,0\n1,0,1,0\n2,0,one,0\n", "line 3, column 3: 'one' is not a number"},
-           {"0,0,1,0\n1,0,1\n", "line 2, column 4: 3 numbers, where 4 are expected"},
+           {"0,0,1,0\n1,0,1,0\n2,0,one,0\n", "line 3, column 3: 'one' is not a number; write one"},
+           {"0,0,1,0\n1,0,1\n", "line 2, column 4: 3 numbers, where 4 are expected; write as many"},
            {"0,0,1\n",
             "line 1, column 4: 3 numbers, where 4 are needed; write t [s],theta [deg],d/dt theta "
             "[deg/s]"},

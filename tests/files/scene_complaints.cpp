@@ -105,7 +105,7 @@ TEST(SceneFile, MembersThatAreWrongAreNamed) {
       {R"("request": [{"points": {"m": {"body": "rod", "at": [90, 0]}}}])",
        "/request/0/points/m: body 'rod': has a length but 3 points; "},
       {R"("request": [{"rotations": ["ground"]}])",
-       "/request/0/rotations/0: unknown moving body 'ground'; "},
+       "/request/0/rotations/0: the ground never turns; name a body that moves"},
       {R"("request": [{"joints": ["J2"]}])",
        "/request/0/joints/0: unknown joint that turns or slides 'J2'; did you mean 'J1'?"},
       {R"("request": [{"ratios": {"r": ["s", "C.z"]}}])",
@@ -135,6 +135,32 @@ TEST(SceneFile, MembersThatAreWrongAreNamed) {
   EXPECT_EQ(scene_complaint(scene_of(free, driven)), "accepted");
   expect_start(scene_complaint(scene_of(free, driven + R"(, "units": {"length": "mm"})")),
                "s.json: /units/length: the mechanism's unit of length is '1', any one unit; ");
+}
+
+/// What is no object is refused with an example of one.
+TEST(SceneFile, ShapesThatAreWrongAreShownRight) {
+  const std::string good = scene_of(slider_crank, driven + R"(, "request": [{"points": ["C"]}])");
+  const Change changes[] = {
+      {R"({"length": "mm", "angle": "deg"})", "\"mm\"",
+       "/mechanism/units: is a text; give an object such as {\"length\": \"mm\", \"angle\": "
+       "\"deg\"}"},
+      {R"({"points": ["A", "B"]})", R"(["A", "B"])",
+       "/mechanism/bodies/crank: is a list; give an object such as {\"points\": [\"A\", \"B\"]}"},
+      {R"({"angle": ["A", "B"], "estimate": 10})", R"(["A", "B"])",
+       "/mechanism/coordinates/theta: is a list; give an object such as {\"angle\": "},
+      {R"({"type": "polynomial", "coefficients": [0, 360]})", "360",
+       "/motion/theta: is a number; give an object such as {\"type\": \"speed\", \"value\": 360}"},
+      {R"({"end": 1, "step": 0.01})", "[0, 1]",
+       "/time: is a list; give an object such as {\"end\": 1, \"step\": 0.01}"},
+      {R"([{"points": ["C"]}])", R"(["C"])",
+       "/request/0: is a text; give an object such as {\"points\": [\"C\"]}"},
+      {R"({"points": ["C"]}])", R"({"ratios": ["s", "theta"]}])",
+       "/request/0/ratios: is a list; give an object such as {\"i\": [\"s\", \"C.x\"]}"},
+      {R"("format": "desmo-mechanism",)", "",
+       "/mechanism: the key 'format' is missing; add it: \"format\": \"desmo-mechanism\""},
+  };
+  for (const auto& [old, by, message] : changes)
+    expect_start(scene_complaint(replaced(good, old, by)), "s.json: " + message);
 }
 
 TEST(SceneFile, MechanismsThatDoNotExistAreNamed) {

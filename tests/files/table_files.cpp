@@ -69,10 +69,13 @@ TEST_F(TableFile, WhatIsWrongIsNamedWithItsLine) {
        "line 1: 't' is in 'ms', no unit that it can have; give it in 's'"},
       {"t,z (mm)\n0,0\n1,1\n",
        "line 1: 'angle' is in 'mm', no unit that it can have; give it in 'deg'"},
-      {"t,angle\n0,0\n\n1,x\n", "line 4: column 2: 'x' is not a number"},
+      {"t,angle\n0,0\n\n1,x\n", "line 4: column 2: 'x' is not a number up to 1e100; give one"},
       {"0,0\n1,nan\n", "line 2: column 2: 'nan' is not a number"},
       {"0,0\n1,1e101\n", "line 2: column 2: '1e101' is not a number up to 1e100"},
-      {"0,0\n1\n", "line 2: has 1 columns, where 2 are expected"},
+      {"0,0\n1\n", "line 2: has 1 columns, where 2 are expected; give as many"},
+      {"t;angle\n0;0\n", "line 1: no column is called 't'; separate columns by commas, tabs or bl"},
+      {"0,5;0\n1,0;1\n",
+       "line 1: column 2: '5;0' is not a number up to 1e100; separate columns by commas"},
       {"0,0\n1,1\n1,2\n", "line 3: its 't' is not above the one before"},
   };
   const std::string start = "s.json: /motion/angle/file: the table file '" + file("t.csv") + "': ";

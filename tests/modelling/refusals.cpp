@@ -126,13 +126,14 @@ TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {
   const Mechanism measured = driven(d.release_pinned(), {"theta"});
   expect_refused(measured, turning, {"'base'", "measures nothing that can move"});
   expect_refused(driven(measured, {"theta", "base"}), {still, still},
-                 {"'base'", "measures nothing that can move"});
+                 {"'base'", "measures nothing that can move; drive another"});
 }
 
 TEST(Refused, BodyThatCarriesNothing) {
   Sketch d = four_bar_sketch();
   d.body("ghost", {});
-  expect_refused(driven(d.release_pinned(), {"theta"}), turning, {"'ghost'", "carries no point"});
+  expect_refused(driven(d.release_pinned(), {"theta"}), turning,
+                 {"'ghost'", "carries no point", "; list some in it"});
 }
 
 TEST(Refused, MechanismWithoutMovingBodies) {

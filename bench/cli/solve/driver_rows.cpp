@@ -122,12 +122,12 @@ bool DriverRows::next(LiveRow& row) {
   if (fields_.size() != targets_.size())
     fail(std::min(fields_.size(), targets_.size()),
          std::to_string(fields_.size()) + " numbers, where " + std::to_string(targets_.size()) +
-             " are expected");
+             " are expected; write as many");
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const auto& [order, driver] = targets_[k];
     if (k != time_column_ && (order < 0 || wanted_[driver] < 0)) continue;
     if (!to_number(fields_[k], value))
-      fail(k, desmo::in_quotes(std::string(fields_[k])) + " is not a number");
+      fail(k, desmo::in_quotes(std::string(fields_[k])) + " is not a number; write one");
     if (k == time_column_)
       row.time = value;
     else

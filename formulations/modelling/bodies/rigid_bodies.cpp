@@ -230,7 +230,8 @@ RigidBodies find_rigid_bodies(const Mechanism& d) {
     body.freedoms = count_freedoms(d.dimension, body.basis);
     if (body.freedoms == 0)
       throw std::invalid_argument("body '" + d.bodies[body.bodies.front()].name +
-                                  "' carries no point and no vector: nothing can tell where it is");
+                                  "' carries no point and no vector: nothing can tell where it is; "
+                                  "list some in it, or leave it out");
   }
   return rigid;
 }

@@ -58,9 +58,11 @@ const RigidBody& body_of(const Definition& definition, const Direction& d) {
   if (!d.is_line()) return w.rigid.list.front();
   for (const int r : w.rigid.of_point[d.from])
     if (std::ranges::binary_search(w.rigid.of_point[d.to], r)) return w.rigid.list[r];
-  throw std::invalid_argument("coordinate '" + definition.coordinate.name +
-                              "': no body carries both points of " + w.text(d) +
-                              "; an angle needs a line of constant length");
+  throw std::invalid_argument(
+      "coordinate '" + definition.coordinate.name + "': no body carries both points of " +
+      w.text(d) +
+      "; an angle needs a line of constant length: measure that of a body's "
+      "line or vector");
 }
 
 void define_from_x_axis(const Definition& definition) {

@@ -21,7 +21,8 @@ std::vector<Restriction> find_restrictions(const Mechanism& d, const RigidBodies
     if (!c.driven) continue;
     all.push_back({bodies_related(rigid, c), 1});
     if (all.back().bodies.empty())
-      throw std::invalid_argument("driver '" + c.name + "' measures nothing that can move");
+      throw std::invalid_argument("driver '" + c.name +
+                                  "' measures nothing that can move; drive another coordinate");
   }
   for (const Mechanism::Coupling& coupling : d.couplings) {
     Restriction r{{}, 1};
