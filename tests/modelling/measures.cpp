@@ -8,11 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "cases/library/library.h"
-#include "tests/contains.h"
 #include "tests/modelling/differences.h"
-#include "tests/refusal.h"
-#include "tests/replaced.h"
 
 namespace desmo::measures_test {
 namespace {
@@ -230,54 +226,6 @@ TEST(Measures, OfABodyWithAFrameInSpaceIsTheFramesRotation) {
       expect_near(turned({0, 0, 1}, rotation), {0, -sine, cosine}, 1e-13, "z");
     }
   }
-}
-
-/// A pattern asks for all that there are.
-TEST(Measures, OfAPatternLeaveOutWhatHasNoTurn) {
-  const auto names = [](const std::string& mechanism, const std::string& motion,
-                        const std::string& request) {
-    const Scene s = scene(mechanism, motion, request);
-    const Measures measures(s, make_model(s));
-    std::string all;
-    for (const Measure& measure : measures.list()) all += measure.names[Level::position] + " ";
-    return all;
-  };
-  const auto of_wishbone = [&](const std::string& request) {
-    return names(R"({"library": "double_wishbone"})", "", request);
-  };
-  EXPECT_EQ(of_wishbone(R"({"rotations": ["upper", "tie*"]})"),
-            "upper.rotation.x upper.rotation.y upper.rotation.z ");
-  for (const char* request :
-       {R"({"rotations": ["u*", "tie_rod"]})", R"({"rotations": ["tie*"]}, {"joints": ["*"]})"})
-    EXPECT_CONTAINS(desmo::refusal([&] { of_wishbone(request); }),
-                    "of body 'tie_rod' do not tell how it is turned");
-  // A body of one point turns about it, nobody knows how far.
-  const std::string crank(find_library("slider_crank")->mechanism),
-      bob = replaced(replaced(crank, R"("slider": {)", R"("bob": {"points": ["B"]}, "slider": {)"),
-                     R"("joints": [)",
-                     R"("joints": [{"type": "revolute", "bodies": ["crank", "bob"],
-                                    "points": ["B"]},)");
-  EXPECT_EQ(names(bob, turning, R"({"joints": ["*"]})"),
-            names(crank, turning, R"({"joints": ["*"]})"));
-}
-
-TEST(Measures, ThatThereAreNotAreRefused) {
-  const auto refusal = [](const std::string& mechanism, const std::string& motion,
-                          const std::string& request) {
-    const Scene s = scene(mechanism, motion, request);
-    return desmo::refusal([&] { outputs_of(s, make_model(s)); });
-  };
-  EXPECT_CONTAINS(refusal(R"({"library": "double_wishbone"})", "", R"({"rotations": ["tie_rod"]})"),
-                  "the points and vectors of body 'tie_rod' do not tell how it is turned");
-  EXPECT_CONTAINS(refusal(slider_crank, turning, R"({"ratios": {"r": ["theta", "A.x"]}})"),
-                  "'A.x' is fixed");
-  EXPECT_CONTAINS(refusal(slider_crank, turning, R"({"ratios": {"C.x": ["s", "theta"]}})"),
-                  "the name 'C.x' is taken by a coordinate");
-  EXPECT_CONTAINS(refusal(slider_crank, turning,
-                          R"({"rotations": ["crank"], "level": "velocity"},
-                             {"ratios": {"crank.omega": ["s", "theta"]}})"),
-                  "or by another rotation, joint or ratio; rename one");
-  EXPECT_EQ(refusal(slider_crank, turning, R"({"rotations": ["slider"]})"), "accepted");
 }
 
 }  // namespace
