@@ -9,56 +9,53 @@
 
 namespace desmo::bench {
 
-VerifiedCandidate::VerifiedCandidate(Key, Candidate& candidate)
-    : candidate_(candidate), windows_(candidate.grid().instants, candidate.clock()) {}
-
-double VerifiedCandidate::time_afresh() {
-  const Clock clock = candidate_.clock();
-  double least = std::numeric_limits<double>::infinity();
-  run_on_fresh_heap([&] {
-    const Analysis analysis = candidate_.make_analysis(windows_);
-    const double begin = now(clock);
-    do {
-      const double before = now(clock);
-      analysis();
-      least = std::min(least, now(clock) - before);
-    } while (clock == Clock::wall && now(clock) - begin < min_wall_seconds);
-  });
-  return least;
-}
-
 void Candidate::verify() {
-  if (!std::holds_alternative<Unverified>(state_)) return;
+  if (is_verified_ || refusal_) return;
   try {
     if (Checked wrong = check(verifying_run_))
       refuse(*std::move(wrong));
     else
-      state_.emplace<VerifiedCandidate>(VerifiedCandidate::Key(), *this);
+      is_verified_ = true;
   } catch (const std::exception& e) {
     refuse(failed(e.what()));
   }
 }
 
-void Candidate::measure(const std::function<void(VerifiedCandidate&)>& measurement) {
-  auto* const verified = std::get_if<VerifiedCandidate>(&state_);
-  if (!verified) return;
+void Candidate::refuse(Refusal why) {
+  refusal_ = std::move(why);
+  is_verified_ = false;
+  seconds_.clear();
+}
+
+void Candidate::measure(const std::function<void()>& measurement) {
+  if (!is_verified_) return;
   try {
-    measurement(*verified);
+    measurement();
   } catch (const std::exception& e) {
     refuse(failed(e.what()));
   }
+}
+
+std::optional<double> Candidate::time_afresh() {
+  double least = std::numeric_limits<double>::infinity();
+  measure([&] {
+    run_on_fresh_heap([&] {
+      const Analysis analysis = make_analysis(windows_);
+      const double begin = now(clock_);
+      do {
+        const double before = now(clock_);
+        analysis();
+        least = std::min(least, now(clock_) - before);
+      } while (clock_ == Clock::wall && now(clock_) - begin < min_wall_seconds);
+    });
+  });
+  return is_verified_ ? std::optional(least) : std::nullopt;
+}
+
+void Candidate::add_sample(double seconds) {
+  if (is_verified_) seconds_.push_back(seconds);
 }
 
 void Candidate::add_to(nlohmann::ordered_json&) const {}
-
-std::string Candidate::message() const {
-  const auto* const refusal = std::get_if<Refusal>(&state_);
-  return refusal ? refusal->reason : "";
-}
-
-bool Candidate::is_refused(Refusal::Kind kind) const {
-  const auto* const refusal = std::get_if<Refusal>(&state_);
-  return refusal && refusal->kind == kind;
-}
 
 }  // namespace desmo::bench

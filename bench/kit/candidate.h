@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "bench/kit/time/timing_windows.h"
@@ -13,8 +12,6 @@
 #include "cases/mechanism/motion.h"
 
 namespace desmo::bench {
-
-class Candidate;
 
 /// The run that verifies a candidate: what is found and measured.
 struct VerifyingRun {
@@ -45,44 +42,13 @@ struct Refusal {
 /// time is taken. Throws std::exception where that fails.
 using Analysis = std::function<void()>;
 
-/// A candidate that passed its verification, and its times. Only Candidate makes one, and lends it
-/// to what measures (Candidate::measure).
-class VerifiedCandidate {
- public:
-  /// Key that Candidate alone has, to make one in place.
-  class Key {
-    friend class Candidate;
-    Key() {}
-  };
-
-  VerifiedCandidate(Key, Candidate& candidate);
-  VerifiedCandidate(const VerifiedCandidate&) = delete;
-  VerifiedCandidate& operator=(const VerifiedCandidate&) = delete;
-
-  /// Makes an analysis, runs it, and discards it, on a fresh heap (see run_on_fresh_heap). Returns
-  /// the seconds of its run; by the wall clock, the least of several runs: others may interrupt
-  /// one. Throws what the run throws.
-  double time_afresh();
-
-  /// Adds a time that was measured by the candidate's clock.
-  void add_sample(double seconds) { seconds_.push_back(seconds); }
-
-  const std::vector<double>& seconds() const { return seconds_; }  ///< samples
-  const TimingWindows& windows() const { return windows_; }  ///< timing windows of all analyses
-
- private:
-  Candidate& candidate_;
-  std::vector<double> seconds_;
-  TimingWindows windows_;
-};
-
-/// A formulation, or a peer, that solves a motion. It is verified first. Only then it turns into
-/// something that can be timed, a VerifiedCandidate; otherwise it has a Refusal:
+/// A formulation, or a peer, that solves a motion. It is verified first. Only then it can be timed;
+/// otherwise it has a Refusal:
 ///
-///   unverified ── verify() ──→ verified ── measure(), add_sample() ──→ timed
-///        │                        │                                      │
-///        │ refuse(), verify()     │ an exception in measure()            │ the same
-///        └──────────────────→ refused ←──────────────────────────────────┘
+///   unverified ── verify() ──→ verified ── time_afresh(), add_sample() ──→ timed
+///        │                        │                                          │
+///        │ refuse(), verify()     │ an exception in measure()                │ the same
+///        └──────────────────→ refused ←──────────────────────────────────────┘
 ///
 /// Nothing leads out of `refused`.
 class Candidate {
@@ -105,19 +71,21 @@ class Candidate {
   /// Adds its entries to the lists of a record (results/record.schema.json); none by default.
   virtual void add_to(nlohmann::ordered_json& lists) const;
 
-  /// Runs a measurement if the candidate is verified. An exception of it becomes a refusal: the
-  /// VerifiedCandidate is destroyed with all its samples, and what verified() returned dangles.
-  void measure(const std::function<void(VerifiedCandidate&)>& measurement);
+  /// Makes an analysis, runs it, and discards it, on a fresh heap (see run_on_fresh_heap). Returns
+  /// the seconds of its run; by the wall clock, the least of several runs: others may interrupt
+  /// one. Returns nothing unless it is verified and the run goes well.
+  std::optional<double> time_afresh();
+  /// Adds a time that was measured by clock(). Does nothing unless it is verified.
+  void add_sample(double seconds);
 
-  /// Returns what can be timed; null unless it is verified. Valid until it is refused.
-  const VerifiedCandidate* verified() const { return std::get_if<VerifiedCandidate>(&state_); }
-  bool is_verified() const { return verified() != nullptr; }
+  const std::vector<double>& seconds() const { return seconds_; }  ///< samples
+  const TimingWindows& windows() const { return windows_; }  ///< timing windows of all analyses
+  bool is_verified() const { return is_verified_; }
   bool is_failed() const { return is_refused(Refusal::Kind::failed); }
   bool is_not_run() const { return is_refused(Refusal::Kind::not_run); }
-  bool is_timed() const { return is_verified() && !verified()->seconds().empty(); }
-
+  bool is_timed() const { return !seconds_.empty(); }
   /// Returns why it was refused; empty when it was not.
-  std::string message() const;
+  std::string message() const { return refusal_ ? refusal_->reason : ""; }
   /// Returns what its verification found before it ended or failed.
   const VerifyingRun& verifying_run() const { return verifying_run_; }
 
@@ -128,7 +96,10 @@ class Candidate {
  protected:
   /// Several threads are timed by the wall clock, whatever `by` says.
   explicit Candidate(const TimeGrid& instants, int on_threads = 1, Clock by = Clock::cpu)
-      : grid_(instants), threads_(on_threads), clock_(on_threads > 1 ? Clock::wall : by) {}
+      : grid_(instants),
+        threads_(on_threads),
+        clock_(on_threads > 1 ? Clock::wall : by),
+        windows_(instants.instants, clock_) {}
 
   /// The result of a check; nothing: all is right.
   using Checked = std::optional<Refusal>;
@@ -138,24 +109,26 @@ class Candidate {
   virtual Checked check(VerifyingRun& found) = 0;
 
   /// Makes the analysis that is timed, and assembles it once. windows: receives its times; outlives
-  /// it. Called by VerifiedCandidate only.
+  /// it. Called by time_afresh() only.
   virtual Analysis make_analysis(TimingWindows& windows) const = 0;
 
+  /// Runs a measurement if the candidate is verified. An exception of it becomes a refusal.
+  void measure(const std::function<void()>& measurement);
   static Refusal failed(std::string why) { return {Refusal::Kind::failed, std::move(why)}; }
   static Refusal not_run(std::string why) { return {Refusal::Kind::not_run, std::move(why)}; }
-  void refuse(Refusal why) { state_ = std::move(why); }
+  /// Drops all samples.
+  void refuse(Refusal why);
 
  private:
-  friend class VerifiedCandidate;
-
-  struct Unverified {};
-
-  bool is_refused(Refusal::Kind kind) const;
+  bool is_refused(Refusal::Kind kind) const { return refusal_ && refusal_->kind == kind; }
 
   const TimeGrid grid_;
   const int threads_;
   const Clock clock_;
-  std::variant<Unverified, Refusal, VerifiedCandidate> state_;
+  bool is_verified_ = false;
+  std::optional<Refusal> refusal_;
+  std::vector<double> seconds_;
+  TimingWindows windows_;
   VerifyingRun verifying_run_;
 };
 

@@ -124,9 +124,8 @@ Analysis FormulationCandidate::make_analysis(TimingWindows& windows) const {
 }
 
 void FormulationCandidate::sample_afresh(double duration) {
-  measure([&](VerifiedCandidate& verified) {
-    run_on_fresh_heap([&] { verified.add_sample(step_seconds(*make_assembled(), duration)); });
-  });
+  measure(
+      [&] { run_on_fresh_heap([&] { add_sample(step_seconds(*make_assembled(), duration)); }); });
 }
 
 double FormulationCandidate::step_seconds(Formulation& formulation, double duration) const {
@@ -144,13 +143,11 @@ double FormulationCandidate::step_seconds(Formulation& formulation, double durat
 }
 
 double FormulationCandidate::min_seconds() const {
-  return is_timed() ? std::ranges::min(verified()->seconds())
-                    : std::numeric_limits<double>::infinity();
+  return is_timed() ? std::ranges::min(seconds()) : std::numeric_limits<double>::infinity();
 }
 
 bool FormulationCandidate::has_enough_samples(double long_motion_seconds) const {
-  return is_verified() && verified()->seconds().size() >= 2 &&
-         min_seconds() * grid().instants > long_motion_seconds;
+  return seconds().size() >= 2 && min_seconds() * grid().instants > long_motion_seconds;
 }
 
 }  // namespace desmo::bench

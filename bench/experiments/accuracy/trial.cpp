@@ -36,9 +36,7 @@ Trial::Checked Trial::check(bench::VerifyingRun& found) {
 }
 
 void Trial::time(double duration) {
-  measure([&](bench::VerifiedCandidate& verified) {
-    verified.add_sample(step_seconds(*formulation_, duration));
-  });
+  measure([&] { add_sample(step_seconds(*formulation_, duration)); });
 }
 
 }  // namespace desmo::accuracy

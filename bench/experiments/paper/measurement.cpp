@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -64,9 +65,7 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       const auto it = candidates_.find(run.run_name.function_name);
       if (it != candidates_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
-        it->second->measure([&](VerifiedCandidate& verified) {
-          verified.add_sample(run.real_accumulated_time / static_cast<double>(run.iterations));
-        });
+        it->second->add_sample(run.real_accumulated_time / static_cast<double>(run.iterations));
       if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
           run.aggregate_name == "cv")
         shown.push_back(shown_as_cpu_time(run));
@@ -87,9 +86,9 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
 void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, Progress& progress) {
   if (!candidate.is_verified()) return state.SkipWithError(candidate.message().c_str());
   for (auto _ : state) {
-    candidate.measure(
-        [&](VerifiedCandidate& verified) { state.SetIterationTime(verified.time_afresh()); });
-    if (candidate.is_failed()) return state.SkipWithError(candidate.message().c_str());
+    const std::optional<double> seconds = candidate.time_afresh();
+    if (!seconds) return state.SkipWithError(candidate.message().c_str());
+    state.SetIterationTime(*seconds);
   }
   state.counters["iterations/step"] = candidate.verifying_run().iterations_per_step;
   state.counters["residual"] = candidate.verifying_run().residual.value_or(0);
