@@ -4,61 +4,29 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
 #include "bench/cli/solve/failure_notes.h"
+#include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo::cli {
 namespace {
 
 constexpr std::size_t enough_to_write = std::size_t{1} << 16;
 
-/// digits · 10^exponent, the shortest decimal that reads back as a double.
-struct Decimal {
-  std::int64_t digits;
-  int exponent;
-
-  explicit Decimal(double value) : digits(0), exponent(0) {
-    char text[32];
-    const char* const end =
-        std::to_chars(text, text + sizeof text, std::abs(value), std::chars_format::scientific).ptr;
-    const char* const e = std::find(static_cast<const char*>(text), end, 'e');
-    std::from_chars(e[1] == '+' ? e + 2 : e + 1, end, exponent);
-    for (const char* c = text; c != e; ++c) {
-      if (*c == '.') continue;
-      digits = 10 * digits + (*c - '0');
-      if (c != text) --exponent;  // digits behind the point
-    }
-    if (value < 0) digits = -digits;
-  }
-};
-
-std::int64_t power_of_ten(int exponent) {
-  std::int64_t power = 1;
-  for (int i = 0; i < exponent; ++i) power *= 10;
-  return power;
+/// Returns the shortest decimal that reads back as a double.
+Quadruple as_written(double value) {
+  char text[32] = {};
+  std::to_chars(text, text + sizeof text - 1, value);
+  return Quadruple(text);
 }
 
-/// Returns start + count · step in decimal arithmetic, rounded to a double; none where it has more
-/// digits than 64 bits.
-std::optional<double> decimal_time(double start, double step, std::int64_t count) {
-  const Decimal a(start), b(step);
-  const int exponent = start == 0 ? b.exponent : std::min(a.exponent, b.exponent);
-  const int of_a = a.exponent - exponent, of_b = b.exponent - exponent;
-  constexpr int max_power = std::numeric_limits<std::int64_t>::digits10;
-  if ((start != 0 && of_a > max_power) || of_b > max_power) return std::nullopt;
-  std::int64_t first = 0, rest = 0, sum = 0;
-  if ((start != 0 && __builtin_mul_overflow(a.digits, power_of_ten(of_a), &first)) ||
-      __builtin_mul_overflow(b.digits, power_of_ten(of_b), &rest) ||
-      __builtin_mul_overflow(rest, count, &rest) || __builtin_add_overflow(first, rest, &sum))
-    return std::nullopt;
-  const std::string text = std::to_string(sum) + "e" + std::to_string(exponent);
-  double time = 0;
-  std::from_chars(text.data(), text.data() + text.size(), time);
-  return time;
+/// Returns start + count · step of decimals, rounded to a double.
+double decimal_time(double start, double step, std::int64_t count) {
+  constexpr double max_rounding = 1e-25;  // decimals of doubles that do not cancel leave more
+  const Quadruple first = as_written(start), time = first + count * as_written(step);
+  return abs(time) < max_rounding * abs(first) ? 0 : static_cast<double>(time);
 }
 
 /// Appends the shortest decimal number that reads back as this double; of −0 that of 0.
@@ -69,18 +37,17 @@ void append_number(double value, std::string& text) {
   text.append(digits, end);
 }
 
-/// Appends a time [s] as it was asked for: of the i-th instant, start + i step in decimal
-/// arithmetic, rounded once, where the double has the rounding of `step` i times. Of a time that is
-/// none of the grid's instants, appends the number.
+/// Appends a time [s] as it was asked for: of the i-th instant, start + i step of the decimals,
+/// where the double has the rounding of `step` i times. Of a time that is none of the grid's
+/// instants, appends the number.
 void append_time(double time, const TimeGrid& grid, std::string& text) {
   const double index = std::round((time - grid.start) / grid.interval());
   const bool is_instant =
       index >= 0 && index < grid.instants && grid.time(static_cast<int>(index)) == time;
-  const auto decimal =
-      is_instant ? decimal_time(grid.start, grid.step,
-                                static_cast<std::int64_t>(index) * grid.steps_per_interval)
-                 : std::nullopt;
-  append_number(decimal.value_or(time), text);
+  if (is_instant)
+    time = decimal_time(grid.start, grid.step,
+                        static_cast<std::int64_t>(index) * grid.steps_per_interval);
+  append_number(time, text);
 }
 
 /// On a change point there are no rates, and no ratio of them at rest.
