@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "cases/mechanism/formatted.h"
+#include "formulations/runtime/digest.h"
 
 namespace desmo::bench {
 

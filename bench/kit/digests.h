@@ -4,7 +4,6 @@
 #include <string>
 
 #include "formulations/model/model.h"
-#include "formulations/runtime/digest.h"
 
 namespace desmo::bench {
 
@@ -23,18 +22,5 @@ std::string model_digest(const Model& model);
 /// away, the two do not round alike. All that is no number, or larger than 10¹⁸ units, is the same
 /// multiple.
 std::int64_t rounded(double value, double reference, double unit);
-
-/// A digest of results, each rounded to what it may differ from the reference: that of the
-/// reference itself when every value is within it, another when one is not.
-class ResultDigest {
- public:
-  void add(double value, double reference, double unit) {
-    digest_.add(std::to_string(rounded(value, reference, unit)) + ' ');
-  }
-  std::string hex() { return digest_.hex(); }
-
- private:
-  Digest digest_;
-};
 
 }  // namespace desmo::bench

@@ -8,10 +8,12 @@
 #include <tuple>
 #include <utility>
 
+#include "bench/kit/digests.h"
 #include "cases/mechanism/formatted.h"
 #include "formulations/model/partition.h"
 #include "formulations/model/scales.h"
 #include "formulations/motion/internals.h"
+#include "formulations/runtime/digest.h"
 
 namespace desmo::bench {
 
@@ -56,7 +58,7 @@ Flow ComparingObserver::observe(const Instant& i) noexcept {
 
 Comparison ComparingObserver::compare() const {
   Differences errors;
-  ResultDigest results;
+  Digest results;
   for (std::size_t r = 0; r < copies_.size(); ++r) {
     const auto& [was_delivered, state] = copies_[r];
     if (!was_delivered) continue;
@@ -65,7 +67,8 @@ Comparison ComparingObserver::compare() const {
       const double value = values_at(state, level)[delivered];
       const double right = values_at(reference_[r], level)[reference];
       raise_to_difference(errors[level], value / scale, right / scale);
-      results.add(value, right, allowed_difference[level] * scale);
+      const auto multiple = rounded(value, right, allowed_difference[level] * scale);
+      results.add(std::to_string(multiple) + ' ');
     }
   }
   return {errors, results.hex()};

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bench/kit/delivery.h"
-#include "bench/kit/digests.h"
 #include "formulations/base/part.h"
 #include "formulations/base/per_level.h"
 #include "formulations/formulation.h"
