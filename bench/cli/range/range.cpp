@@ -14,6 +14,7 @@
 #include "cases/io/new_files.h"
 #include "cases/mechanism/names.h"
 #include "formulations/variants.h"
+#include "formulations/verification/branch/departure.h"
 #include "formulations/verification/run/checked_run.h"
 
 namespace desmo::cli {
@@ -96,12 +97,13 @@ void range(const RangeOptions& options) {
     try {
       named.range = find_range(m, start.q, i);
     } catch (const std::runtime_error& error) {
-      throw CommandError(not_solved, input.source + ": " + error.what() +
-                                         (start.summary.outcome() != Outcome::failed
-                                              ? ""
-                                              : ": " + describe(start.summary, m)) +
-                                         start_text(m, input.units, driver_values(m, ranges.time)) +
-                                         "; choose a start that can be assembled");
+      throw CommandError(
+          not_solved,
+          input.source + ": " + error.what() +
+              (start.summary.outcome() != Outcome::failed ? ""
+                                                          : ": " + describe(start.summary, m)) +
+              start_text(m, input.units, drivers_at(m, ranges.time).position) +
+              "; choose a start that can be assembled");
     }
     const DriverRange& r = named.range;
     named.ends = {with_names(r.down, "down", m, d), with_names(r.up, "up", m, d)};

@@ -8,6 +8,7 @@
 #include "bench/cli/solve/check_notes.h"
 #include "bench/cli/text.h"
 #include "cases/mechanism/formatted.h"
+#include "formulations/verification/branch/departure.h"
 
 namespace desmo::cli {
 
@@ -82,12 +83,6 @@ Reason reason_of(const CheckedSummary& s, const Model& m, const DisplayUnits& un
 
 }  // namespace
 
-std::vector<double> driver_values(const Model& m, double time) {
-  std::vector<double> z;
-  for (const Driver& driver : m.drivers) z.push_back(sample(driver.motion, time).position);
-  return z;
-}
-
 std::string start_text(const Model& m, const DisplayUnits& units, std::span<const double> z) {
   constexpr std::size_t most = 3;
   const std::vector<double> magnitudes = nominal_magnitudes(m);
@@ -140,7 +135,7 @@ std::string failure_text(const CheckedSummary& s, const Model& m, const DisplayU
       std::isfinite(s.residual) ? formatted(" (residual %.1e)", s.residual) : "";
   std::string start = !is_start ? ""
                                 : start_text(m, units,
-                                             z.empty() ? driver_values(m, s.time)
+                                             z.empty() ? drivers_at(m, s.time).position
                                                        : std::vector(z.begin(), z.end()));
   if (!start.empty() && z.empty())
     start += " (a motion with \"from\": \"drawing\" counts from there)";

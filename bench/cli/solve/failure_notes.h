@@ -21,9 +21,6 @@ std::string failure_text(const CheckedSummary& summary, const Model& model,
 /// drivers, the farthest from the drawing first; "" where all start as drawn.
 /// - z: values of the drivers
 std::string start_text(const Model& model, const DisplayUnits& units, std::span<const double> z);
-/// Returns the drivers' values of their motions at a time.
-std::vector<double> driver_values(const Model& model, double time);
-
 /// Returns lines on the intervals that could not be assembled, if any.
 std::string note_on_gaps(const CheckedSummary& summary, const Model& model,
                          const DisplayUnits& units);

@@ -18,15 +18,6 @@ Quadruple near(const Quadruple& angle, double before) {
   return angle + turn * round((Quadruple(before) - angle) / turn);
 }
 
-/// The nearest doubles, and what they leave.
-void split(const std::vector<Quadruple>& wide, std::vector<double>& high,
-           std::vector<double>& remainder) {
-  for (const Quadruple& x : wide) {
-    high.push_back(static_cast<double>(x));
-    remainder.push_back(static_cast<double>(x - high.back()));
-  }
-}
-
 }  // namespace
 
 ChainSolution::ChainSolution(const DyadChain& chain, const Model& m)
@@ -130,14 +121,6 @@ void ChainSolution::put(int i, const Quadruple& q, const Quadruple& qd, const Qu
   now_.q[i] = q;
   now_.qd[i] = qd;
   now_.qdd[i] = qdd;
-}
-
-ReferenceInstant ChainSolution::instant() const {
-  ReferenceInstant r{now_.time, {}, {}, {}};
-  split(now_.q, r.q, r.remainder.q);
-  split(now_.qd, r.qd, r.remainder.qd);
-  split(now_.qdd, r.qdd, r.remainder.qdd);
-  return r;
 }
 
 }  // namespace desmo::extremes

@@ -26,7 +26,7 @@ class ChainSolution {
   bool solve(double t);
 
   /// Returns the instant solved last.
-  ReferenceInstant instant() const;
+  ReferenceInstant instant() const { return rounded(now_); }
 
   /// Returns the sensitivity of the instant solved last to rounding: the change of its positions,
   /// to first order, when every length and every joint on the way is rounded to double. It is
