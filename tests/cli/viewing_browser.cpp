@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -145,9 +144,6 @@ class ViewInBrowser : public View {
       expect_positions(numbers[k], right.at(static_cast<int>(k)), seen["size"]);
       expect_values(numbers[k], right.at(static_cast<int>(k)));
     }
-    std::printf("%s: %s ms of script a frame in the median of %s, at most %s\n", scene.c_str(),
-                seen["script"]["median"].dump().c_str(), seen["script"]["frames"].dump().c_str(),
-                seen["script"]["longest"].dump().c_str());
   }
 
   void expect_all_well(const std::vector<std::string>& scenes) {

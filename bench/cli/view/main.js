@@ -1,18 +1,16 @@
 // The page: data, picture, player and plots, and what is chosen in them.
 //
 // For tests and the curious, window.desmo reads what is shown:
-//   desmo.ready        a promise of the page, once it is drawn
 //   desmo.instants     how many there are; desmo.time(k) and desmo.index(k) of each
 //   desmo.size         the diagonal of the box of all positions
 //   desmo.show(k)      goes to one
 //   desmo.positions()  of each point, as the picture has it now
 //   desmo.places()     of each point, in pixels of the picture
 //   desmo.values(k)    of each line, as the plots have it
-//   desmo.script()     of the last frames drawn: their number, and ms of script, median and longest
 import {at, length, minus, read} from './data.js';
 import {Picture} from './picture.js';
 import {Player} from './player.js';
-import {Plots} from './plots.js';
+import {choice, Plots} from './plots.js';
 import {connectSaving} from './save.js';
 
 const get = id => document.getElementById(id);
@@ -73,14 +71,10 @@ function connectTraces(data, picture) {
   let traced = moving.filter(p => asked.has(data.points[p].name)).slice(0, most_traced);
   if (traced.length === 0) traced = [farthest(data, moving)];
   for (const p of moving) {
-    const label = document.createElement('label'), box = document.createElement('input');
     const owner = data.points[p].bodies.find(b => data.bodies[b].group >= 0) ?? 0;
-    const show = () => picture.trace(p, owner, box.checked);
-    Object.assign(box, {type: 'checkbox', checked: traced.includes(p)});
-    box.addEventListener('change', show);
-    label.append(box, ` ${data.points[p].name}`);
-    get('traces').append(label);
-    if (box.checked) show();
+    const show = shown => picture.trace(p, owner, shown);
+    get('traces').append(choice(data.points[p].name, traced.includes(p), show));
+    if (traced.includes(p)) show(true);
   }
 }
 
@@ -169,16 +163,10 @@ function writeWords(data) {
     `${time.solved} of ${time.instants} instants solved`,
     ...(data.shown < time.solved ? [`1 in ${time.stride} of them is on this page`] : []),
   ].filter(Boolean).join(' · ');
+  get('about').textContent = `Solved by ${data.formulation}; ${data.accuracy}. The picture shows solved positions only; all ` +
+      'numbers have seven digits. Radii are proven, all rounding included.';
   get('turning').textContent = data.dimension === 2 ? 'the picture moves and zooms'
       : 'the picture turns and zooms, and moves with shift; the arrow keys turn it once it has the focus';
-}
-
-function writeAbout(data, player) {
-  const {frames, median, longest} = player.script;
-  const script = frames > 30
-      ? ` Script a frame: ${median.toFixed(1)} ms in the median of the last ${frames}, at most ${longest.toFixed(1)} ms.` : '';
-  get('about').textContent = `Solved by ${data.formulation}; ${data.accuracy}. The picture shows solved positions only; all ` +
-      `numbers have seven digits. Radii are proven, all rounding included.${script}`;
 }
 
 // Says what is flagged at the time of the slider, and marks in the picture what does not close.
@@ -225,9 +213,7 @@ async function start() {
   if (data.failed.length > 0) player.go(data.failed[0].from);
   else player.draw();
   await plots.draw();
-  writeAbout(data, player);
-  setInterval(() => player.playing && writeAbout(data, player), 1000);
-  Object.assign(window.desmo, {
+  window.desmo = {
     instants: data.shown,
     size: data.size,
     time: k => data.times[k],
@@ -236,10 +222,8 @@ async function start() {
     positions: () => picture.positions(),
     places: () => Object.fromEntries(data.points.map(({name}, p) => [name, picture.screen(p)])),
     values: k => plots.values(k),
-    script: () => player.script,
-  });
+  };
   document.documentElement.dataset.state = 'ready';
 }
 
-window.desmo = {};
-window.desmo.ready = start();
+start();

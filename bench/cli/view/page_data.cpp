@@ -122,8 +122,10 @@ class Writer {
     json_["formulation"] = motion_.formulation;
     json_["coordinates"] = m_.coordinates();
     json_["accuracy"] = describe_radius(s, Level::acceleration);
-    for (const Level level : all_levels)
+    for (const Level level : all_levels) {
+      json_["levels"].push_back(level_names[level]);
       json_["units"].push_back(unit_of(motion_.units, EntityKind::point, level).name);
+    }
     const DisplayUnit& angle = motion_.units.angle;
     json_["angle_unit"] = {{"name", angle.name}, {"radian", angle.from_si(1)}};
     json_["time"] = {{"start", scene_.grid.start},

@@ -9,7 +9,6 @@ export class Player {
   #shown = [];
   #playing = false;
   #last = 0;
-  #script = [];  // ms of each frame, of the last ones
 
   constructor(data) {
     this.#data = data;
@@ -24,13 +23,6 @@ export class Player {
       return off(b) < off(a) ? b : a;
     });
     this.#connect();
-  }
-
-  get playing() { return this.#playing; }
-  // Returns how long the last frames took [ms]: their number, median and maximum.
-  get script() {
-    const sorted = this.#script.toSorted((a, b) => a - b);
-    return {frames: sorted.length, median: sorted[sorted.length >> 1], longest: sorted.at(-1)};
   }
 
   // Calls a function with (instant, time, moved) whenever something else is to be shown.
@@ -64,12 +56,9 @@ export class Player {
   }
 
   draw() {
-    const begin = performance.now();
     get('slider').value = this.time;
     get('now').textContent = `t = ${this.#data.seconds(this.time)}`;
     for (const show of this.#shown) show(this.instant, this.time);
-    this.#script.push(performance.now() - begin);
-    if (this.#script.length > 300) this.#script.shift();
   }
 
   toggle(play = !this.#playing) {

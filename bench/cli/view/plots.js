@@ -1,7 +1,8 @@
 // Plots over time, and what is chosen in them.
 import {Panel} from './panel.js';
 
-function choice(text, checked, changed) {
+// Returns a box to check, with a text; changed: called with whether it is checked.
+export function choice(text, checked, changed) {
   const label = document.createElement('label'), box = document.createElement('input');
   box.type = 'checkbox';
   box.checked = checked;
@@ -18,7 +19,6 @@ function selection(label, columns, data, chosen, changed) {
   return select;
 }
 
-const level_names = ['position', 'velocity', 'acceleration'];
 const most_chosen = 4, most_requested = 8;  // of what is plotted to begin with
 
 export class Plots {
@@ -64,7 +64,7 @@ export class Plots {
         this.chosen[on ? 'add' : 'delete'](c);
         this.draw();
       }));
-    level_names.forEach((name, level) => {
+    data.levels.forEach((name, level) => {
       if (data.plotted.some(c => data.columns[c].level === level))
         levels.append(choice(name, this.levels.has(level), on => {
           this.levels[on ? 'add' : 'delete'](level);

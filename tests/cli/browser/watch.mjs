@@ -138,7 +138,6 @@ async function look(browser, file) {
     result.overflow[width] = await settled(page,
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth, 0);
   }
-  result.script = await page.evaluate(() => desmo.script());
   await page.close();
   return result;
 }
