@@ -26,12 +26,9 @@ constexpr std::size_t rows_shown = 12;
 
 struct TuneOptions {
   std::string scene;
-  Level level = Level::position;
-  double max_error = 0, budget = 0;
+  accuracy::Goal goal;
   bool write = false, quiet = false;
   GenerationOptions own_code;
-
-  accuracy::Goal goal() const { return {level, max_error, budget}; }
 };
 
 std::string microseconds(double seconds) { return formatted("%.4g us", 1e6 * seconds); }
@@ -54,7 +51,7 @@ std::string evidence(const accuracy::SearchResult& found) {
 [[noreturn]] void refuse(const accuracy::SearchResult& found, const accuracy::Problem& whole,
                          const TuneOptions& options, const Input& input) {
   const accuracy::TriedConfiguration* nearest = nullptr;
-  const bool budget = options.budget > 0;
+  const bool budget = options.goal.budget > 0;
   // An error on the beginning alone says little of the whole.
   const auto rank = [&](const accuracy::TriedConfiguration& t) {
     return budget ? std::pair(false, t.seconds) : std::pair(!t.whole, t.error);
@@ -63,17 +60,17 @@ std::string evidence(const accuracy::SearchResult& found) {
     if (!nearest || rank(t) < rank(*nearest)) nearest = &t;
   std::string text = input.source + ": ";
   if (budget)
-    text += "nothing takes at most " + microseconds(options.budget) + " a step here";
+    text += "nothing takes at most " + microseconds(options.goal.budget) + " a step here";
   else
-    text += "nothing holds a relative " + std::string(level_names[options.level]) + " error of " +
-            formatted("%.2g", options.max_error);
+    text += "nothing holds a relative " + std::string(level_names[options.goal.level]) +
+            " error of " + formatted("%.2g", options.goal.max_error);
   if (nearest)
     text += "; the " + std::string(budget ? "fastest" : "most accurate") + " is " + nearest->id +
             " with " + formatted("%.2g", nearest->error) + " in " + microseconds(nearest->seconds);
   if (!budget)
     text += "; conditioning sets a floor of the order of " +
             formatted("%.1g", accuracy_limit(accuracy::max_condition(whole),
-                                             std::ldexp(1, -53))[options.level]);
+                                             std::ldexp(1, -53))[options.goal.level]);
   throw CommandError(not_solved, text + "; ask for " + (budget ? "more time" : "a larger error"));
 }
 
@@ -93,7 +90,7 @@ KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptio
 }
 
 void tune(const TuneOptions& options) {
-  if ((options.max_error > 0) == (options.budget > 0))
+  if ((options.goal.max_error > 0) == (options.goal.budget > 0))
     throw CommandError(usage_error, "give either --max-error or --budget");
   const Input input = load_scene(options.scene);
   if (options.write && (input.file.empty() || options.scene == "-"))
@@ -102,9 +99,8 @@ void tune(const TuneOptions& options) {
                                         "('desmo show NAME --scene') and tune that");
   const Model whole_model = model_mechanism(input).model;
   const Plan plan = make_plan(whole_model, outputs_of(input, whole_model));
-  const accuracy::Goal goal = options.goal();
-  if (plan.level() < goal.level)
-    throw CommandError(usage_error, "--level " + std::string(level_names[options.level]) +
+  if (plan.level() < options.goal.level)
+    throw CommandError(usage_error, "--level " + std::string(level_names[options.goal.level]) +
                                         ": the scene does not ask for any");
   const auto say = [&](const std::string& what) {
     if (!options.quiet) std::fprintf(stderr, "tune: %s\n", what.c_str());
@@ -113,7 +109,7 @@ void tune(const TuneOptions& options) {
   say("reference solutions in quadruple precision");
   accuracy::TunedMotion motion = accuracy::make_tuned_motion(plan, input.scene.grid);
   motion.whole.kernels = motion.beginning.kernels = kernels;
-  const accuracy::SearchResult found = accuracy::search(motion, goal, {.say = say});
+  const accuracy::SearchResult found = accuracy::search(motion, options.goal, {.say = say});
   if (!found.choice) refuse(found, motion.whole, options, input);
 
   const std::string id = id_with(*found.choice->variant, found.choice->settings);
@@ -142,12 +138,12 @@ void add_tune(CLI::App& program) {
       "Find the cheapest formulation and settings that are accurate enough for a scene", tune);
   add_scene(command, options.scene);
   command
-      .add_option("--max-error", options.max_error,
+      .add_option("--max-error", options.goal.max_error,
                   "Largest error, relative to the size (speed, acceleration) of the mechanism")
       ->check(refuse_nan)
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--budget", options.budget,
+      .add_option("--budget", options.goal.budget,
                   "Time that a step may take, such as 50us: the most accurate within it. "
                   "Either --max-error or --budget is required")
       ->transform(CLI::AsNumberWithUnit(
@@ -156,7 +152,7 @@ void add_tune(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   Choices<Level> levels;
   for (const Level level : all_levels) levels.emplace_back(level_names[level], level);
-  add_choice(command, "--level", options.level, levels,
+  add_choice(command, "--level", options.goal.level, levels,
              "Which error is meant; position by default");
   command.add_flag("--write", options.write, "Store the choice in the scene file");
   add_options(command, options.own_code);

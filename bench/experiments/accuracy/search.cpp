@@ -45,9 +45,8 @@ class Searcher {
     for (Trial& t : trials)
       if (meets_goal(t)) hopeful.push_back(&t);
     decide(hopeful);
-    for (const Trial& t : trials) tried_.push_back(tried(t, false));
-    std::ranges::stable_sort(tried_, {}, &TriedConfiguration::seconds);
-    found_.tried = std::move(tried_);
+    for (const Trial& t : trials) found_.tried.push_back(tried(t, false));
+    std::ranges::stable_sort(found_.tried, {}, &TriedConfiguration::seconds);
     return std::move(found_);
   }
 
@@ -175,7 +174,7 @@ class Searcher {
     }
     for (int round = 0; round < options_.rounds; ++round)
       for (Trial* t : holding) t->time(min_sample);
-    for (const Trial& t : trials) tried_.push_back(tried(t, true));
+    for (const Trial& t : trials) found_.tried.push_back(tried(t, true));
     if (holding.empty()) return;
     sort(holding);
     choose(*holding.front());
@@ -198,7 +197,6 @@ class Searcher {
   const Problem &whole_, &beginning_;
   const Goal& goal_;
   const SearchOptions& options_;
-  std::vector<TriedConfiguration> tried_;
   SearchResult found_;
 };
 
