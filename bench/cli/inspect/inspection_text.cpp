@@ -1,10 +1,10 @@
+#include "bench/cli/inspect/inspection_text.h"
+
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
-#include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
 #include "bench/cli/units.h"
 #include "cases/mechanism/names.h"
