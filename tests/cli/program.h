@@ -58,6 +58,24 @@ inline std::string driven_by_s(const std::string& scene, const std::string& defi
 /// A slider-crank whose rod is too short for a full turn: it locks at the crank angle asin(30/50).
 inline const std::string locks = slider_crank(30, R"(, "time": {"end": 1, "step": 0.01})");
 
+/// A parallelogram that turns from 100° to 260°; branches meet at 180°, which no instant hits.
+inline const std::string parallelogram = R"({"format": "desmo-scene", "version": 2, "mechanism": {
+    "format": "desmo-mechanism", "version": 1, "name": "parallelogram", "dimension": 2,
+    "units": {"angle": "deg"},
+    "points": {"A": [0, 0], "B": [0, 1], "C": [2, 1], "D": [2, 0]},
+    "ground": {"points": ["A", "D"]},
+    "bodies": {"crank": {"points": ["A", "B"]}, "rod": {"points": ["B", "C"]},
+               "rocker": {"points": ["C", "D"]}},
+    "joints": [
+      {"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
+      {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]},
+      {"type": "revolute", "bodies": ["rod", "rocker"], "points": ["C"]},
+      {"type": "revolute", "bodies": ["rocker", "ground"], "points": ["D"]}],
+    "coordinates": {"theta": {"angle": ["A", "B"]}}, "drivers": ["theta"]},
+  "motion": {"theta": {"type": "polynomial", "coefficients": [100, 160]}},
+  "time": {"end": 1, "step": 0.04},
+  "request": [{"points": ["C"], "level": "acceleration"}]})";
+
 /// A fixture that runs the program in a temporary folder, where its cache is, too.
 class Cli : public InFolder {
  protected:
@@ -74,15 +92,17 @@ class Cli : public InFolder {
     return InFolder::shell("cd '" + folder_.string() + "' && { " + command + "; }");
   }
   int desmo(const std::string& arguments) { return shell(DESMO_CLI " " + arguments); }
-  /// Expects an exit code, and a message on standard error.
-  void expect_said(int code, const std::string& arguments, const std::string& message) {
+  /// Expects an exit code, and messages on standard error.
+  void expect_said(int code, const std::string& arguments, const auto&... messages) {
     EXPECT_EQ(desmo(arguments), code) << arguments << err_;
-    EXPECT_TRUE(says(message)) << arguments << " says " << err_ << "instead of " << message;
+    for (const std::string& message : {std::string(messages)...})
+      EXPECT_TRUE(says(message)) << arguments << " says " << err_ << "instead of " << message;
   }
-  /// Expects success, and a text on standard output.
-  void expect_printed(const std::string& arguments, const std::string& text) {
+  /// Expects success, and texts on standard output.
+  void expect_printed(const std::string& arguments, const auto&... texts) {
     EXPECT_EQ(desmo(arguments), 0) << arguments << err_;
-    EXPECT_TRUE(prints(text)) << arguments << " prints " << out_ << "instead of " << text;
+    for (const std::string& text : {std::string(texts)...})
+      EXPECT_TRUE(prints(text)) << arguments << " prints " << out_ << "instead of " << text;
   }
   /// Starts a command in the folder that never ends, and sends it a signal as soon as it has begun
   /// what it is to be interrupted at. Returns its exit code.

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST_F(Cli, SolvesToTheSameNumbersInEitherFormat) {
-  ASSERT_EQ(desmo("solve slider_crank --quiet"), 0) << err_;
+  ASSERT_EQ(desmo("solve slider_crank --quiet -o -"), 0) << err_;
   EXPECT_EQ(err_, "");
   const std::vector<std::string> csv = lines();
   ASSERT_EQ(csv.size(), 402u);

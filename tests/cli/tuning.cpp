@@ -24,8 +24,8 @@ TEST_F(Cli, TunesWithinABudget) {
 
 TEST_F(Cli, SaysWhenNothingIsAccurateOrFastEnough) {
   expect_said(1, "tune slider_crank --max-error 1e-19 --quiet",
-              "nothing holds a relative position error of 1e-19; the most accurate is ");
-  EXPECT_TRUE(says("conditioning sets a floor of the order of ")) << err_;
+              "nothing holds a relative position error of 1e-19; the most accurate is ",
+              "conditioning sets a floor of the order of ");
   expect_said(1, "tune slider_crank --budget 0.001ns --quiet",
               "nothing takes at most 1e-06 us a step here; the fastest is ");
 }

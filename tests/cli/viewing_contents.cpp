@@ -69,8 +69,8 @@ TEST_F(View, PlotsMeasuresByTheNamesOfTheirColumns) {
 
 TEST_F(View, ShowsHowFarAMechanismGetsThatLocks) {
   write("scene.json", locks);
-  expect_said(1, "view scene.json -o out/page.html", "group 'SG-II' (rod, slider)");
-  EXPECT_TRUE(says("the page shows the last position")) << err_;
+  expect_said(1, "view scene.json -o out/page.html", "group 'SG-II' (rod, slider)",
+              "the page shows the last position");
   const Json data = data_of(text_of(out("page.html")));
   // What is beyond an interval that cannot be assembled is on an unknown branch.
   std::vector<std::string> kinds;
