@@ -6,8 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <string_view>
+#include <string>
 
 #include "cases/mechanism/names.h"
 #include "formulations/codegen/emit/library_source.h"
@@ -27,25 +26,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::string_view bytes(const std::vector<double>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
-}
-
-/// Returns the digest of all that a library's source depends on.
-std::string digest_of(const std::vector<SampledType>& types, LibraryContents contents) {
-  Digest digest;
-  digest.add(generate::generator_digest());
-  if (contents.lanes > 1) digest.add(std::to_string(contents.lanes));
-  digest.add(contents.lanes > 1 ? "lanes" : contents.explicit_order ? "explicit" : "inlined");
-  for (const SampledType& t : types)
-    for (const auto* samples : {&t.samples, &t.pivot_samples}) {
-      digest.add("\n" + t.type.fingerprint + "\n" + std::to_string(samples->size()) + "\n");
-      for (const generate::SamplePoint& s : *samples)
-        digest.add(bytes(s.q)).add(bytes(s.constants));
-    }
-  return digest.hex();
 }
 
 /// Loads a compiled library. It stays in memory as long as the pointer or a copy of it exists.
@@ -75,19 +55,16 @@ std::shared_ptr<const KernelLibrary> make_library(const std::vector<SampledType>
   const Cache cache = Cache::open();
   told.folder = cache.folder().string();
 
-  const std::string source_name = digest_of(types, contents) + ".cpp";
-  std::optional<std::string> source = cache.read(source_name);
-  if (!source) {
-    source = generate::library_source(types, contents);
-    cache.write(source_name, *source);
-  }
-  if (source->empty()) throw Unavailable("the generator has no code for parts like these");
-
-  const std::string library_name = Digest().add(compiler.identity()).add(*source).hex() + ".so";
+  const std::string source = generate::library_source(types, contents);
+  if (source.empty()) throw Unavailable("the generator has no code for parts like these");
+  const std::string name = Digest().add(compiler.identity()).add(source).hex();
+  const std::string library_name = name + ".so";
   if (!cache.read(library_name)) {
     const Clock::time_point start = Clock::now();
-    cache.write(library_name, cache.content_made_by([&](const std::string& name) {
-      compiler.compile(source_name, name, cache.descriptor(), compile_time);
+    const std::string source_name = name + ".cpp";
+    cache.write(source_name, source);
+    cache.write(library_name, cache.content_made_by([&](const std::string& made) {
+      compiler.compile(source_name, made, cache.descriptor(), compile_time);
     }));
     told.seconds_compiling = seconds_since(start);
     told.compiled = true;

@@ -26,7 +26,4 @@ std::span<const std::string_view> kernel_headers();
 /// The same arguments give the same bytes. types: with distinct names.
 std::string library_source(const std::vector<SampledType>& types, LibraryContents contents);
 
-/// Returns a digest of everything but its arguments that determines library_source's result.
-std::string_view generator_digest();
-
 }  // namespace desmo::generate
