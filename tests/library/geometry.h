@@ -92,6 +92,20 @@ inline Vec3 rotated(const Vec3& a, const Vec3& c) {
   return a + (Jet(2) / (Jet(1) + dot(c, c))) * (moved + cross(c, moved));
 }
 
+/// A body in space.
+struct Body {
+  Vec3 drawn, at;  ///< one of its points in the drawing, and where it is
+  Vec3 turn;       ///< from the drawing, in rotation parameters
+
+  Vec3 direction(const Vec3& a) const { return rotated(a, turn); }
+  Vec3 point(const Vec3& a) const { return at + rotated(a - drawn, turn); }
+};
+
+/// Returns a body that is drawn at the origin, from its position and its turn.
+inline Body body_at(const std::array<Jet, 6>& x) {
+  return {{}, {{x[0], x[1], x[2]}}, {{x[3], x[4], x[5]}}};
+}
+
 /// Returns the greater of the angles θ next to atan2(b, a) with a cos θ + b sin θ = c.
 inline Jet angle_with(Jet a, Jet b, Jet c) {
   return atan2(b, a) + atan2(sqrt(a * a + b * b - c * c), c);

@@ -19,16 +19,11 @@ Solution macpherson(double time) {
       Jet(0.310L) + Jet(0.060L) * sin(Jet(2 * pi) * t) + Jet(0.010L) * sin(Jet(6 * pi) * t);
   const Vec3 TI = RK + steering * y_axis;
 
-  struct Upright {
-    Vec3 LB, LB0, c;
-    Vec3 direction(const Vec3& v) const { return rotated(v, c); }
-    Vec3 point(const Vec3& at) const { return LB + rotated(at - LB0, c); }
-  };
   const auto upright_at = [&](const std::array<Jet, 4>& x) {
-    return Upright{LO + rotated(LB0 - LO, lw, x[0]), LB0, {{x[1], x[2], x[3]}}};
+    return Body{LB0, LO + rotated(LB0 - LO, lw, x[0]), {{x[1], x[2], x[3]}}};
   };
-  const Upright upright = upright_at(solve<4>({0, 0, 0, 0}, [&](const std::array<Jet, 4>& x) {
-    const Upright guess = upright_at(x);
+  const Body upright = upright_at(solve<4>({0, 0, 0, 0}, [&](const std::array<Jet, 4>& x) {
+    const Body guess = upright_at(x);
     const Vec3 strut = T - guess.point(U0), tie_rod = guess.point(TO0) - TI;
     return std::array{dot(strut, guess.direction(across1)), dot(strut, guess.direction(across2)),
                       dot(tie_rod, tie_rod) - dot(TO0 - TI0, TO0 - TI0),
@@ -45,7 +40,7 @@ Solution macpherson(double time) {
             {"a", a},
             {"steering", steering},
             {"height", height}});
-  s.insert({{"LB", upright.LB},
+  s.insert({{"LB", upright.at},
             {"TO", upright.point(TO0)},
             {"W", upright.point(W0)},
             {"N", upright.point(N0)},

@@ -13,12 +13,6 @@ Vec3 on_circle(Real radius, Real degrees, Real height) {
   return {{radius * std::cos(angle), radius * std::sin(angle), height}};
 }
 
-/// The platform's position and its turn.
-struct Pose {
-  Vec3 P, c;
-  explicit Pose(const std::array<Jet, 6>& x) : P{{x[0], x[1], x[2]}}, c{{x[3], x[4], x[5]}} {}
-};
-
 }  // namespace
 
 /// The lengths of the legs are known functions of the platform's pose.
@@ -36,23 +30,22 @@ Solution stewart(double time) {
                 Jet(0.03L) * sin(Jet(2 * pi) * t + Jet(q * q));
   }
 
-  const Pose pose(solve<6>({0, 0, 1.2L, 0, 0, 0}, [&](const std::array<Jet, 6>& x) {
-    const Pose guess(x);
+  const Body platform = body_at(solve<6>({0, 0, 1.2L, 0, 0, 0}, [&](const std::array<Jet, 6>& x) {
     std::array<Jet, 6> residual;
     for (int i = 0; i < 6; ++i) {
-      const Vec3 leg = guess.P + rotated(b[i], guess.c) - A[i];
+      const Vec3 leg = body_at(x).point(b[i]) - A[i];
       residual[i] = dot(leg, leg) - length[i] * length[i];
     }
     return residual;
   }));
 
-  const Vec3 px = rotated(x_axis, pose.c), pz = rotated(z_axis, pose.c);
-  Solution s{{"P", pose.P}, {"x", x_axis}, {"y", y_axis},
-             {"z", z_axis}, {"px", px},    {"py", rotated(y_axis, pose.c)},
+  const Vec3 px = platform.direction(x_axis), pz = platform.direction(z_axis);
+  Solution s{{"P", platform.at}, {"x", x_axis}, {"y", y_axis},
+             {"z", z_axis},      {"px", px},    {"py", platform.direction(y_axis)},
              {"pz", pz}};
   for (int i = 0; i < 6; ++i) {
     const std::string n = std::to_string(i + 1);
-    const Vec3 B = pose.P + rotated(b[i], pose.c), d = unit(B - A[i]);
+    const Vec3 B = platform.point(b[i]), d = unit(B - A[i]);
     s.insert({{"A" + n, A[i]},
               {"B" + n, B},
               {"g" + n, g[i]},
@@ -60,7 +53,8 @@ Solution stewart(double time) {
               {"u" + n, unit(cross(g[i], d))},
               {"s" + n, length[i]}});
   }
-  s.insert({{"heave", pose.P[2]}, {"yaw", atan2(px[1], px[0])}, {"tilt", atan2(pz[0], pz[2])}});
+  s.insert(
+      {{"heave", platform.at[2]}, {"yaw", atan2(px[1], px[0])}, {"tilt", atan2(pz[0], pz[2])}});
   return s;
 }
 
