@@ -35,25 +35,6 @@ TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
       }
 }
 
-TEST(Lanes, WriteWhatIsAskedForAndAllForThoseWhoTakeSteps) {
-  const Model m = truck_model(5);
-  const TimeGrid grid{0, 0.01, 20};
-  const std::vector<int> asked{m.coordinates() - 1, 40, 151};
-  for (const int lanes : lanes_here()) {
-    const std::string id = "group_symbolic_explicit/guess:hermite5/lanes:" + std::to_string(lanes);
-    const auto all = formulated(id, m), some = formulated(id, m);
-    const Everything expected = everything_of(*all, grid);
-    Everything actual(grid.instants);
-    ASSERT_TRUE(some->run(grid, {Level::acceleration, asked}, actual).ok());
-    for (const int i : asked)
-      for (int level = 0; level < 3; ++level)
-        EXPECT_EQ(actual.all.back()[level * m.coordinates() + i],
-                  expected.all.back()[level * m.coordinates() + i]);
-    ASSERT_TRUE(all->step(grid.time(20)).ok() && some->step(grid.time(20)).ok());
-    EXPECT_TRUE(are_at_one_instant(*all, *some));
-  }
-}
-
 TEST(Lanes, AreRefusedWhereTheProcessorHasNone) {
   if (has_lanes(8)) GTEST_SKIP() << "this processor has eight";
   EXPECT_NE(unavailable_reason({.lanes = 8}), "");

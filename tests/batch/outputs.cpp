@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,16 +70,25 @@ TEST_P(OnLanes, OutputsHoldDriversAtEveryLevel) {
   expect_in_outputs(lender, drivers, Level::acceleration, whole.all);
 }
 
+/// Whether it lends memory or not.
 TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
-  const auto f = make(), g = make();
-  Lender lender(grid.instants, {7}, Level::position);
-  everything_of(*g, grid);
-  ASSERT_TRUE(f->run(grid, {Level::acceleration, std::vector{7}}, lender).ok());
-  EXPECT_TRUE(are_at_one_instant(*f, *g));
-  for (int i = 0; i < 3; ++i) {
-    const double t = grid.time(grid.instants + i);
-    ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
+  const int n = truck().coordinates();
+  const std::vector<int> asked{n - 1, 40, 151};
+  Lender lender(grid.instants, asked, Level::position);
+  Everything shown(grid.instants);
+  for (Observer* const observer : std::initializer_list<Observer*>{&lender, &shown}) {
+    const auto f = make(), g = make();
+    const Everything whole = everything_of(*g, grid);
+    ASSERT_TRUE(f->run(grid, {Level::acceleration, asked}, *observer).ok());
     EXPECT_TRUE(are_at_one_instant(*f, *g));
+    for (int i = 0; i < 3; ++i) {
+      const double t = grid.time(grid.instants + i);
+      ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
+      EXPECT_TRUE(are_at_one_instant(*f, *g));
+    }
+    for (const int i : asked)
+      for (const int k : {i, n + i, 2 * n + i})
+        if (observer == &shown) EXPECT_EQ(shown.all.back()[k], whole.all.back()[k]) << k;
   }
 }
 

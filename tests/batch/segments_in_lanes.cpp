@@ -14,7 +14,6 @@
 #include "formulations/motion/internals.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
-#include "tests/dead_point.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/lender.h"
@@ -65,34 +64,22 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
   }
 }
 
+/// Borrowed for as many instants at once as may be, up to the end of the segments.
 TEST_P(OnTheCases, OutputsHoldWhatIsRequested) {
   const Model m = truck_model(2);
   const auto f = formulated("group_symbolic_explicit", m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);  // the last segment is shorter
+  const int lanes = GetParam().segments, length = (grid.instants + lanes - 1) / lanes;
   const Everything whole = everything_of(*f, grid);
   for (const Level level : all_levels)
     for (const std::vector<int>& some :
-         {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50}}) {
-      Lender lender(grid.instants, some, level);
-      ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
-      expect_in_outputs(lender, some, level, whole.all);
-    }
-}
-
-/// As many as may be, up to the end of the segments, the last of which is shorter.
-TEST_P(OnTheCases, OutputsOfSeveralInstantsAreBorrowedAtOnce) {
-  const Model m = truck_model(1);
-  const auto f = formulated("group_symbolic_explicit", m, GetParam());
-  const TimeGrid grid = time_grid(3, 0.01);
-  const std::vector<int> some{7, 3};
-  const int lanes = GetParam().segments, length = (grid.instants + lanes - 1) / lanes;
-  const Everything whole = everything_of(*f, grid);
-  for (const int steps : {1, 3, length, 2 * length}) {
-    Lender lender(grid.instants, some, Level::velocity, lanes * steps);
-    ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
-    expect_in_outputs(lender, some, Level::velocity, whole.all);
-    EXPECT_EQ(lender.asked, (length + steps - 1) / steps);
-  }
+         {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50}})
+      for (const int steps : {1, 3, length, 2 * length}) {
+        Lender lender(grid.instants, some, level, lanes * steps);
+        ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
+        expect_in_outputs(lender, some, level, whole.all);
+        EXPECT_EQ(lender.asked, (length + steps - 1) / steps);
+      }
 }
 
 TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
@@ -110,28 +97,12 @@ TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
 
 INSTANTIATE_TEST_SUITE_P(SegmentsInLanes, OnTheCases, testing::ValuesIn(every_kind()));
 
-TEST(SegmentsInLanes, LeaveTheLastInstantToStepOnFrom) {
-  const Model m = truck_model(2);
-  const auto f = formulated("group_symbolic_explicit/segments:4", m),
-             g = formulated("group_symbolic_explicit", m);
-  const TimeGrid grid = time_grid(2, 0.01);
-  everything_of(*f, grid);
-  everything_of(*g, grid);
-  expect_to_step_on_alike(*f, *g, 2);
-}
-
 TEST(SegmentsInLanes, LeaveShortMotionsToSteps) {
   const Model m = truck_model(1);
   const auto f = formulated("group_symbolic_explicit/segments:4", m);
   const TimeGrid grid = time_grid(0.2, 0.01);
   EXPECT_EQ(everything_of(*f, grid).order.size(), static_cast<std::size_t>(grid.instants));
   EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1);
-}
-
-TEST(SegmentsInLanes, FailAsStepsFail) {
-  const Model m = locking_four_bar();
-  expect_to_fail_alike(*formulated("group_symbolic_explicit/segments:4", m),
-                       *formulated("group_symbolic_explicit", m), time_grid(6, 0.01));
 }
 
 /// Runs that are never what they should be.

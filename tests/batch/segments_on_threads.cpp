@@ -1,5 +1,5 @@
 // Segments of a motion on several threads: the same instants as step by step, or step by step
-// after all.
+// after all; and what holds of segments in lanes, too.
 
 #include "formulations/batch/segments_on_threads.h"
 
@@ -106,10 +106,10 @@ TEST(SegmentsOnThreads, StaysOnOneThreadWhereThereIsLittleToDo) {
   EXPECT_EQ(lender.threads, std::set{std::this_thread::get_id()});
 }
 
-TEST(SegmentsOnThreads, LeavesTheLastInstantToStepOnFrom) {
+TEST(Segments, LeaveTheLastInstantToStepOnFrom) {
   const Model m = truck_model(2);
-  for (const char* id :
-       {"group_symbolic_explicit/threads:2", "group_symbolic_explicit/lanes:4/threads:3"}) {
+  for (const char* id : {"group_symbolic_explicit/segments:4", "group_symbolic_explicit/threads:2",
+                         "group_symbolic_explicit/lanes:4/threads:3"}) {
     const auto f = formulated(id, m), g = formulated("group_symbolic_explicit", m);
     const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
     everything_of(*f, grid);
@@ -128,12 +128,14 @@ TEST(SegmentsOnThreads, LeavesOutWhatNobodyAsksFor) {
     for (const int k : part.definition.unknowns) EXPECT_EQ(f->qdd()[k], 0) << k;
 }
 
-TEST(SegmentsOnThreads, FailsAsStepsFail) {
+TEST(Segments, FailAsStepsFail) {
   const Model m = locking_four_bar();
-  const auto f = formulated("group_symbolic_explicit/threads:3", m),
-             g = formulated("group_symbolic_explicit", m);
-  expect_to_fail_alike(*f, *g, worth_three_threads(time_grid(6, 0.01), *g));
-  EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1);
+  for (const char* id :
+       {"group_symbolic_explicit/segments:4", "group_symbolic_explicit/threads:3"}) {
+    const auto f = formulated(id, m), g = formulated("group_symbolic_explicit", m);
+    expect_to_fail_alike(*f, *g, worth_three_threads(time_grid(6, 0.01), *g));
+    EXPECT_EQ(stepping_of(*f).runs_without_segments(), 1) << id;
+  }
 }
 
 /// What a tolerance of 1e-7 leaves is no other branch; a way of 1e-5 to one is short, but no
