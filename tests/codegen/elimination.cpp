@@ -188,10 +188,5 @@ TEST(Elimination, IsTrustedAsFarAsItIsExact) {
   }
 }
 
-TEST(Elimination, RefusesAStructurallySingularMatrix) {
-  Graph graph(1);
-  EXPECT_THROW(Elimination({{{0, Expr(1)}}, {{0, Expr(2)}}}), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace desmo::generate::elimination_test

@@ -85,6 +85,17 @@ class Loading : public InFolder {
     EXPECT_TRUE(is_as_named(*f)) << id;
     return f;
   }
+  /// Expects that there is no code, why, and that the mechanism is solved without.
+  void expect_problem(const std::string& why) {
+    KernelTable table;
+    const GenerationOutcome own = load(table);
+    EXPECT_CONTAINS(own.problem, why);
+    EXPECT_FALSE(own.types.empty());
+    EXPECT_EQ(compilations(), 0);
+    const auto f = make_formulation(find_variant("group_symbolic_inlined"), model_, {}, table);
+    EXPECT_FALSE(is_as_named(*f));
+    EXPECT_TRUE(f->assemble(0).ok());
+  }
   static bool is_as_named(const Formulation& f) {
     return std::ranges::all_of(parts_of(f), &DefinedPart::as_named);
   }
