@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 
 #include "formulations/constraints/constraints.h"
 #include "formulations/variants.h"
@@ -81,10 +80,6 @@ TEST(Condition, PredictsWhatDoubleReaches) {
       condition = std::max(condition, condition_number(at.q));
     const PerLevel<double> limit = accuracy_limit(condition, 0x1p-53);
     const SolutionError e = measure.error();
-    std::cout << l.name << ": condition " << condition;
-    for (const Level level : all_levels)
-      std::cout << ", " << e[level].max << " <~ " << limit[level];
-    std::cout << '\n';
     for (const Level level : all_levels) EXPECT_LT(e[level].max, 100 * limit[level]) << l.name;
   }
 }

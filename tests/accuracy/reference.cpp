@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 #include <numbers>
 
 #include "cases/generators/dyad_chain.h"
@@ -29,8 +28,6 @@ void expect_agreement(const Model& m, const TimeGrid& grid, int instants) {
     EXPECT_LE(r.floor[level], agreement) << m.name << ", level " << static_cast<int>(level);
     EXPECT_GT(r.floor[level], 0) << "they round alike: are they the same?";
   }
-  std::cout << m.name << ", " << m.coordinates() << " coordinates: floor " << r.floor.position
-            << ", " << r.floor.velocity << ", " << r.floor.acceleration << '\n';
 }
 
 class ReferenceOfCase : public testing::TestWithParam<std::pair<const Case*, int>> {};
