@@ -1,16 +1,13 @@
 #include "formulations/batch/segments_on_threads.h"
 
 #include <omp.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <mutex>
 #include <utility>
-
-#ifdef __linux__
-#include <sched.h>
-#endif
 
 namespace desmo {
 
@@ -27,14 +24,6 @@ long moving_unknowns(const TimeStepping& f) {
   return sum;
 }
 
-/// Returns the processor of the calling thread, from 1; where it is unknown, another for each.
-int processor() {
-#ifdef __linux__
-  if (const int known = sched_getcpu(); known >= 0) return known + 1;
-#endif
-  return omp_get_thread_num() + 1;
-}
-
 bool all_differ(const std::vector<std::atomic<int>>& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -48,11 +37,11 @@ bool all_differ(const std::vector<std::atomic<int>>& numbers) {
 void start_threads(int count) {
   constexpr std::chrono::milliseconds too_long{30};
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<std::atomic<int>> on(count);
+  std::vector<std::atomic<int>> on(count);  // the processor of each, from 1; 0: not known yet
 #pragma omp parallel num_threads(count)
   {
     const bool may_spread = omp_get_num_threads() == count && count <= omp_get_num_procs();
-    do on[omp_get_thread_num()] = processor();
+    do on[omp_get_thread_num()] = sched_getcpu() + 1;
     while (may_spread && !all_differ(on) && std::chrono::steady_clock::now() - begin < too_long);
   }
 }
