@@ -51,6 +51,9 @@ struct Constraint {
   /// Operand that Φ is explicit in, ∂Φ/∂operand = ±1: the constraint is a *derivation* of it from
   /// the others. no_position: the constraint is a *closure*.
   int derives = no_position;
+  /// Φ₀ of each row in Newton's homotopy Φ(q, t) = (1 − t) Φ₀; empty: Φ(q, t) = 0. Only proofs use
+  /// it.
+  std::vector<double> initial_residual{};
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are

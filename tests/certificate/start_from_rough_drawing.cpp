@@ -85,14 +85,11 @@ TEST(StartFromRoughDrawing, KeepsTheHomotopysEquations) {
   roughen(m, std::normal_distribution<double>(0, 0.02), generator);
   std::vector<double> residual(system.rows());
   system.residual<double>(m.state_of(m.estimate), residual);
-  std::vector<std::vector<double>> initial;
   int next = 0;
-  for (const Constraint& c : m.constraints) {
-    initial.emplace_back();
+  for (Constraint& c : m.constraints)
     for (int r = 0; r < rows(c); ++r)
-      initial.back().push_back(c.left_out >> r & 1 ? NAN : residual[next++]);
-  }
-  BranchPath path(m, BranchPath::max_tests, initial);
+      c.initial_residual.push_back(c.left_out >> r & 1 ? NAN : residual[next++]);
+  BranchPath path(m);
   ASSERT_TRUE(path.start_at({0, {m.estimate, {}, {}}}));
   for (const double time : {0.0, 0.3, 1.0}) {
     if (time > 0) ASSERT_EQ(path.go_to(time).end, PathEnd::same);
@@ -102,11 +99,11 @@ TEST(StartFromRoughDrawing, KeepsTheHomotopysEquations) {
     for (const double x : m.fixed_values) state.emplace_back(x);
     system.residual<Jet<double>>(state, phi);
     int row = 0;
-    for (std::size_t c = 0; c < m.constraints.size(); ++c)
-      for (int r = 0; r < rows(m.constraints[c]); ++r) {
-        if (m.constraints[c].left_out >> r & 1) continue;
-        EXPECT_NEAR(phi[row].value, (1 - time) * initial[c][r], 1e-12);
-        EXPECT_NEAR(phi[row].first, -initial[c][r], 1e-12);
+    for (const Constraint& c : m.constraints)
+      for (int r = 0; r < rows(c); ++r) {
+        if (c.left_out >> r & 1) continue;
+        EXPECT_NEAR(phi[row].value, (1 - time) * c.initial_residual[r], 1e-12);
+        EXPECT_NEAR(phi[row].first, -c.initial_residual[r], 1e-12);
         EXPECT_NEAR(phi[row].second, 0, 1e-11);
         ++row;
       }

@@ -24,10 +24,10 @@ bool are_apart(const CertifiedInstant& a, const CertifiedInstant& b) {
 
 }  // namespace
 
-BranchPath::BranchPath(const Model& m, int budget, InitialResidual initial)
+BranchPath::BranchPath(const Model& m, int budget)
     : m_(m),
       budget_(budget),
-      refinement_(m, {}, initial),
+      refinement_(m),
       path_(m, refinement_.certifier()),
       memory_(m.coordinates()),
       predicted_(m.coordinates()) {}

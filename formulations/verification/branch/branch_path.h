@@ -29,11 +29,9 @@ class BranchPath {
  public:
   static constexpr int max_tests = 10000;
 
-  /// budget: path proofs of one step, after which it counts as stuck. initial: as in Certifier. The
-  /// model must outlive this.
-  explicit BranchPath(const Model& model, int budget = max_tests, InitialResidual initial = {});
-  explicit BranchPath(const Model&& model, int budget = max_tests,
-                      InitialResidual initial = {}) = delete;
+  /// budget: path proofs of one step, after which it counts as stuck. The model must outlive this.
+  explicit BranchPath(const Model& model, int budget = max_tests);
+  explicit BranchPath(const Model&& model, int budget = max_tests) = delete;
 
   /// Asks about each step that is proven. Where the answer is false, shorter ones are taken.
   void ask_about_steps(std::function<bool(const PathProof&)> is_accepted) {

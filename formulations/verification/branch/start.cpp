@@ -22,12 +22,10 @@ namespace {
 using Stage = FoundStart::Stage;
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Returns Φ of the drawing.
-std::vector<std::vector<double>> residual_of_drawing(const Model& m) {
+/// Makes the equations of a model Newton's homotopy, which begins at the drawing.
+void begin_at_drawing(Model& m) {
   const std::vector<double> state = m.state_of(m.estimate);
-  std::vector<std::vector<double>> all;
-  for (const Constraint& c : m.constraints) all.push_back(residual_of(m, c, state));
-  return all;
+  for (Constraint& c : m.constraints) c.initial_residual = residual_of(m, c, state);
 }
 
 /// Returns the motion from a value, at 0, to that of another motion at a time, at 1, but for whole
@@ -94,7 +92,7 @@ FollowedStep lead_drivers(const Model& m, double time, const Turns& left_out, Fo
     found.share = 0;
     return none;
   }
-  const FollowedStep step = follow_way(going, {}, true, found);
+  const FollowedStep step = follow_way(going, true, found);
   if (step.end == PathEnd::stuck && !step.out_of_tests) pass_at_start(m, going, time, found);
   if (step.end != PathEnd::same) return step;
   for (int i = 0; i < m.coordinates(); ++i) found.q[i] += turn * left_out.of_coordinates[i];
@@ -123,7 +121,7 @@ bool add_turns(const Model& m, const std::vector<double>& signs, double count,
   const std::span<const double> from = first.start_at({0, {nominal.q, {}, {}}})
                                            ? first.present().values.position
                                            : std::span<const double>(nominal.q);
-  if (follow_way(going, {}, true, found).end != PathEnd::same || !is_back(m, from, found.q))
+  if (follow_way(going, true, found).end != PathEnd::same || !is_back(m, from, found.q))
     return false;
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle)
@@ -184,7 +182,8 @@ FoundStart find_start(const Model& m, double time) {
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;
-    const FollowedStep way = follow_way(at_drawing, residual_of_drawing(m), false, found);
+    begin_at_drawing(at_drawing);
+    const FollowedStep way = follow_way(at_drawing, false, found);
     if (way.end != PathEnd::same) {
       found.stage = Stage::drawing;
       found.out_of_tests = way.out_of_tests;

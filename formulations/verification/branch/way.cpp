@@ -14,14 +14,14 @@ namespace desmo {
 
 /// Each round goes on from another place, or passes a change point, or is the last one; and each
 /// counts as a test at least.
-FollowedStep follow_way(const Model& m, InitialResidual initial, bool may_pass, FoundStart& found) {
+FollowedStep follow_way(const Model& m, bool may_pass, FoundStart& found) {
   std::unique_ptr<const Model> chosen;  // other equations, by which the way goes on; null: none
-  auto path = std::make_unique<BranchPath>(m, BranchPath::max_tests, initial);
+  auto path = std::make_unique<BranchPath>(m);
   const auto model = [&]() -> const Model& { return chosen ? *chosen : m; };
   const auto choose = [&] {
     auto other = with_chosen_equations(model(), found.q);
     if (!other) return false;
-    auto on = std::make_unique<BranchPath>(*other, BranchPath::max_tests, initial);
+    auto on = std::make_unique<BranchPath>(*other);
     if (!on->start_at({found.share, {found.q, {}, {}}})) return false;
     path = std::move(on);
     chosen = std::move(other);

@@ -16,10 +16,9 @@ constexpr int level_count = static_cast<int>(all_levels.size());
 
 class Builder {
  public:
-  Builder(const Model& m, std::span<const Level> up_to, InitialResidual initial)
+  Builder(const Model& m, std::span<const Level> up_to)
       : m_(m),
         up_to_(up_to),
-        initial_(initial),
         magnitudes_(CharacteristicLengths(m).of_coordinates()),
         group_(m.coordinates(), -1),
         row_(m.coordinates(), -1),
@@ -79,12 +78,8 @@ class Builder {
 
   /// Returns a block with its rows; those of its coordinates where no others are given.
   BlockBatch::Member member(const PartDefinition& part, const std::vector<int>& row) {
-    BlockBatch::Member made{shaped_block(m_, part, initial_),
-                            part.groups.front(),
-                            order_++,
-                            part.unknowns.front(),
-                            Level::acceleration,
-                            {}};
+    BlockBatch::Member made{shaped_block(m_, part), part.groups.front(), order_++,
+                            part.unknowns.front(),  Level::acceleration, {}};
     for (const int i : made.block.coordinates) made.rows.push_back(row.empty() ? i : row[i]);
     if (!up_to_.empty()) {
       made.solved = Level::position;
@@ -176,7 +171,6 @@ class Builder {
 
   const Model& m_;
   std::span<const Level> up_to_;
-  InitialResidual initial_;
   const std::vector<double> magnitudes_;
   std::vector<std::map<int, std::vector<int>>> reads_;  // coordinates by group; -1: driven
   std::vector<int> chain_;                              // length of the longest through each group
@@ -191,9 +185,8 @@ class Builder {
 
 }  // namespace
 
-BlockSchedule block_schedule(const Model& model, std::span<const Level> levels,
-                             InitialResidual initial) {
-  return Builder(model, levels, initial).build();
+BlockSchedule block_schedule(const Model& model, std::span<const Level> levels) {
+  return Builder(model, levels).build();
 }
 
 }  // namespace desmo

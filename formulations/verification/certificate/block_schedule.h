@@ -42,7 +42,6 @@ struct BlockSchedule {
 /// Cuts a model into blocks. levels: up to which each coordinate is solved; empty: all. Errors go
 /// from block to block as boxes, but along chains of many groups in bases: there boxes would grow
 /// without limit.
-BlockSchedule block_schedule(const Model& model, std::span<const Level> levels,
-                             InitialResidual initial);
+BlockSchedule block_schedule(const Model& model, std::span<const Level> levels);
 
 }  // namespace desmo

@@ -14,7 +14,7 @@ class Builder {
  public:
   Builder(const Model& m, const PartDefinition& part) : m_(m), part_(part) {}
 
-  ShapedBlock build(InitialResidual initial) {
+  ShapedBlock build() {
     for (std::size_t row = 0; row < part_.equations.size(); ++row)
       if (row == 0 || part_.equations[row].constraint != part_.equations[row - 1].constraint)
         add(part_.equations[row].constraint);
@@ -26,10 +26,8 @@ class Builder {
     for (const Equation& e : part_.equations) {
       const Constraint& c = m_.constraints[e.constraint];
       block_.slack.push_back(c.slack.empty() ? 0 : c.slack[e.row]);
+      if (!c.initial_residual.empty()) block_.initial.push_back(c.initial_residual[e.row]);
     }
-    if (!initial.empty())
-      for (const Equation& e : part_.equations)
-        block_.initial.push_back(initial[e.constraint][e.row]);
     return std::move(block_);
   }
 
@@ -135,8 +133,8 @@ class Builder {
 
 }  // namespace
 
-ShapedBlock shaped_block(const Model& model, const PartDefinition& block, InitialResidual initial) {
-  return Builder(model, block).build(initial);
+ShapedBlock shaped_block(const Model& model, const PartDefinition& block) {
+  return Builder(model, block).build();
 }
 
 }  // namespace desmo

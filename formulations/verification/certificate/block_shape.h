@@ -7,7 +7,6 @@
 #include "cases/numbers/derived.h"
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
-#include "formulations/verification/certificate/initial_residual.h"
 
 namespace desmo {
 
@@ -72,7 +71,6 @@ struct ShapedBlock {
   std::span<const int> inputs() const { return std::span(coordinates).subspan(shape.unknowns); }
 };
 
-ShapedBlock shaped_block(const Model& model, const PartDefinition& block,
-                         InitialResidual initial = {});
+ShapedBlock shaped_block(const Model& model, const PartDefinition& block);
 
 }  // namespace desmo

@@ -14,7 +14,7 @@ namespace desmo {
 /// The proof of one instant after the other, step by step.
 class Certifier::Proof {
  public:
-  Proof(const Model& model, std::span<const Level> levels, InitialResidual initial);
+  Proof(const Model& model, std::span<const Level> levels);
   Certificate certify(const Instant& instant, const LiveRow* drivers, ErrorSets sets);
   const std::shared_ptr<BlockSchedule>& schedule() const { return schedule_; }
 
@@ -33,9 +33,9 @@ class Certifier::Proof {
   PerLevel<ErrorTable> errors_;
 };
 
-Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to, InitialResidual initial)
+Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
     : m_(m),
-      schedule_(std::make_shared<BlockSchedule>(block_schedule(m, up_to, initial))),
+      schedule_(std::make_shared<BlockSchedule>(block_schedule(m, up_to))),
       proof_(schedule_->largest) {
   for (const Level level : all_levels) {
     ErrorTable& e = errors_[level];
@@ -160,8 +160,8 @@ Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* 
   return result;
 }
 
-Certifier::Certifier(const Model& model, std::span<const Level> levels, InitialResidual initial)
-    : proof_(std::make_unique<Proof>(model, levels, initial)) {}
+Certifier::Certifier(const Model& model, std::span<const Level> levels)
+    : proof_(std::make_unique<Proof>(model, levels)) {}
 Certifier::~Certifier() = default;
 
 Certificate Certifier::certify(const Instant& instant, ErrorSets sets) {

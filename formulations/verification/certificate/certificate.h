@@ -7,7 +7,6 @@
 #include "formulations/base/observer.h"
 #include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
-#include "formulations/verification/certificate/initial_residual.h"
 
 namespace desmo {
 
@@ -96,12 +95,10 @@ class Certifier {
  public:
   /// Cuts the model into blocks and allocates everything. levels: the level up to which each
   /// coordinate is solved (Plan::levels); empty: as far as the instant. The memory of both must
-  /// last as long as the certifier. initial: Φ₀ of a homotopy, in which the times of instants are
-  /// its parameter; it is copied.
-  explicit Certifier(const Model& model, std::span<const Level> levels = {},
-                     InitialResidual initial = {});
-  explicit Certifier(const Model&& model, std::span<const Level> levels = {},
-                     InitialResidual initial = {}) = delete;
+  /// last as long as the certifier. In a homotopy (Constraint::initial_residual) the times of
+  /// instants are its parameter.
+  explicit Certifier(const Model& model, std::span<const Level> levels = {});
+  explicit Certifier(const Model&& model, std::span<const Level> levels = {}) = delete;
   ~Certifier();
 
   /// Certifies an instant of all coordinates, up to the levels that it has, with the motions of the

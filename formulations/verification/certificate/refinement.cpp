@@ -34,8 +34,8 @@ double largest(const LaneNumbers& x) { return std::max({x[0], x[1], x[2], x[3]})
 
 }  // namespace
 
-Refinement::Refinement(const Model& m, std::span<const Level> levels, InitialResidual initial)
-    : m_(m), certifier_(m, levels, initial) {
+Refinement::Refinement(const Model& m, std::span<const Level> levels)
+    : m_(m), certifier_(m, levels) {
   lengths_.resize((m.coordinates() + count - 1) / count);
   for (const Entity& e : m.entities)
     for (int i = e.first; !e.fixed && is_length(e.kind) && i < e.first + e.size; ++i)

@@ -31,10 +31,8 @@ class Refinement {
   static constexpr int max_passes = 8;
 
   /// Contract of Certifier.
-  explicit Refinement(const Model& model, std::span<const Level> levels = {},
-                      InitialResidual initial = {});
-  explicit Refinement(const Model&& model, std::span<const Level> levels = {},
-                      InitialResidual initial = {}) = delete;
+  explicit Refinement(const Model& model, std::span<const Level> levels = {});
+  explicit Refinement(const Model&& model, std::span<const Level> levels = {}) = delete;
 
   /// Refines an instant of all coordinates, up to the levels that it has. The result is valid until
   /// the next call. Allocates nothing.
