@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
@@ -28,22 +28,26 @@ struct Equation {
 /// Points of a block, their errors and the proof.
 class Block {
  public:
-  Block(int unknowns, int inputs, const std::vector<Equation>& equations)
-      : unknowns_(dimensions * unknowns), width_(dimensions * (unknowns + inputs)) {
-    BlockBatch::Member made{{}, 0, 0, 0, Level::acceleration, {}};
-    BlockShape& s = made.block.shape;
-    s.unknowns = unknowns_;
-    s.inputs = width_ - unknowns_;
-    for (int j = 0; j < width_; ++j) {
-      s.columns.push_back(j);
-      made.rows.push_back(j);
+  Block(int unknowns, int inputs, const std::vector<Equation>& equations) {
+    Model m;
+    PartDefinition part{.groups = {m.add_group("block", {})}, .unknowns = {}, .equations = {}};
+    const std::array<double, dimensions> origin{};
+    for (int k = 0; k < unknowns + inputs; ++k)
+      m.add(EntityKind::point, "P" + std::to_string(k), origin, part.groups[0]);
+    for (int i = 0; i < dimensions * unknowns; ++i) part.unknowns.push_back(i);
+    for (const Equation& e : equations) {
+      const int constraint = static_cast<int>(m.constraints.size());
+      for (int row = 0; row < dimensions; ++row) part.equations.push_back({constraint, row});
+      m.add({.name = "sum",
+             .kind = kind_index<Kind>(),
+             .operands = {e.points.begin(), e.points.end()},
+             .constants = {e.c.begin(), e.c.end()},
+             .group = part.groups[0]});
     }
-    made.block.states = made.block.coordinates = made.rows;
-    add_rows(s, equations);
-    for (const Equation& equation : equations)
-      made.block.constants.insert(made.block.constants.end(), equation.c.begin(), equation.c.end());
-    batch_.emplace(std::vector{made}, std::vector<double>(width_, 1), 0);
-    errors_.position.rows.resize(width_);
+    BlockBatch::Member made{shaped_block(m, part), 0, 0, 0, Level::acceleration, {}};
+    made.rows = made.block.coordinates;
+    batch_.emplace(std::vector{made}, std::vector<double>(m.coordinates(), 1), 0);
+    errors_.position.rows.resize(m.coordinates());
   }
 
   void deliver(int point, double value) {
@@ -58,53 +62,14 @@ class Block {
     }
   }
   bool prove() {
-    BlockProof proof({.unknowns = unknowns_, .width = width_, .states = width_, .columns = 0});
+    const BlockShape& s = batch_->equations.shape();
+    BlockProof proof(
+        {.unknowns = s.unknowns, .width = s.width(), .states = s.states(), .columns = 0});
     return proof.prove(*batch_, Level::position, errors_).position[0];
   }
   double radius(int point) const { return errors_.position.rows[dimensions * point].sum; }
 
  private:
-  static void add_rows(BlockShape& s, const std::vector<Equation>& equations) {
-    s.row_begins = {0};
-    std::vector<std::vector<std::array<int, 2>>> by_column(s.width());
-    int row = 0;
-    for (const Equation& e : equations) {
-      BlockShape::Object o{kind_index<Kind>(),
-                           {},
-                           {row, row + 1, row + 2},
-                           static_cast<int>(summands * s.objects.size()),
-                           {}};
-      for (int k = 0; k <= summands; ++k) o.operands[k] = dimensions * e.points[k];
-      for (int i = 0; i < dimensions; ++i, ++row) {
-        std::array<int, summands + 1> sorted = e.points;
-        std::ranges::sort(sorted);
-        const int begin = s.row_begins.back();
-        int inputs_begin = begin + summands + 1;
-        for (int k = 0; k <= summands; ++k) {
-          const int column = dimensions * sorted[k] + i;
-          if (column >= s.unknowns) inputs_begin = std::min(inputs_begin, begin + k);
-          by_column[column].push_back({row, begin + k});
-          s.entries.push_back(column);
-        }
-        for (const int point : e.points)
-          o.slots.push_back(begin +
-                            static_cast<int>(std::ranges::find(sorted, point) - sorted.begin()));
-        s.row_begins.push_back(begin + summands + 1);
-        s.input_begins.push_back(inputs_begin);
-      }
-      s.objects.push_back(o);
-    }
-    s.column_begins = {0};
-    for (const auto& column : by_column) {
-      for (const auto& [of_row, entry] : column) {
-        s.column_rows.push_back(of_row);
-        s.column_entries.push_back(entry);
-      }
-      s.column_begins.push_back(static_cast<int>(s.column_rows.size()));
-    }
-  }
-
-  int unknowns_, width_;
   std::optional<BlockBatch> batch_;
   PerLevel<ErrorTable> errors_;
 };

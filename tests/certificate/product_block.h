@@ -1,6 +1,7 @@
 // A block of one equation, made by hand.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,20 +19,13 @@ inline PerLevel<ErrorTable> tables_of(int rows) {
 
 /// An equation u·v = c, of which only the first component of u is unknown.
 inline BlockBatch::Member product_of_vectors(double c) {
-  BlockBatch::Member made{{}, 0, 0, 0, Level::acceleration, {0, 1, 2, 3, 4, 5}};
-  BlockShape& s = made.block.shape;
-  s.unknowns = 1;
-  s.inputs = 5;
-  s.linear = false;
-  s.columns = s.entries = s.column_entries = made.rows;
-  s.column_rows = {0, 0, 0, 0, 0, 0};
-  s.row_begins = {0, 6};
-  s.input_begins = {1};
-  s.column_begins = {0, 1, 2, 3, 4, 5, 6};
-  s.objects.push_back({kind_index<Dot<3>>(), {0, 3}, {0, -1, -1}, 0, {0, 3, 1, 4, 2, 5}});
-  made.block.states = made.block.coordinates = made.rows;
-  made.block.constants = {c};
-  return made;
+  Model m;
+  const GroupId group = m.add_group("block", {});
+  for (const char* name : {"u", "v"})
+    m.add(EntityKind::vector, name, std::array<double, 3>{}, group);
+  m.add({"product", kind_index<Dot<3>>(), {0, 1}, {c}, group});
+  const PartDefinition part{.groups = {group}, .unknowns = {0}, .equations = {{0, 0}}};
+  return {shaped_block(m, part), group, 0, 0, Level::acceleration, {0, 1, 2, 3, 4, 5}};
 }
 
 /// A proof about that block alone. Rows of its tables are u₁ u₂ u₃ v₁ v₂ v₃. With symbols, it is in
