@@ -5,31 +5,18 @@
 
 namespace desmo {
 
-namespace {
-
-std::vector<Output> everything(const Model& m) {
-  std::vector<Output> all;
-  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
-    all.push_back({e, Level::acceleration});
-  return all;
-}
-
-}  // namespace
-
-ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> reference,
-                           const Scales& scales)
-    : ErrorMeasure(m, reference, scales, everything(m)) {}
-
 ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> reference,
                            const Scales& scales, std::span<const Output> outputs)
     : reference_(reference) {
-  for (const auto& [id, level] : outputs) {
-    const Entity& e = m.entities[id];
-    if (e.fixed) continue;
+  const auto add = [&](const Entity& e, Level level) {
+    if (e.fixed) return;
     Compared o{e.first, e.size, level, {}};
     for (const Level l : all_levels) o.scale[l] = scales.of(e.kind, l);
     compared_.push_back(o);
-  }
+  };
+  for (const auto& [id, level] : outputs) add(m.entities[id], level);
+  if (outputs.empty())
+    for (const Entity& e : m.entities) add(e, Level::acceleration);
 }
 
 Flow ErrorMeasure::observe(const Instant& instant) noexcept {

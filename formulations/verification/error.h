@@ -33,16 +33,12 @@ struct SolutionError : PerLevel<LevelError> {
 /// then shows as 1e-20.
 class ErrorMeasure final : public Observer {
  public:
-  /// Compares all outputs at all levels. The reference must outlive the measure.
+  /// outputs: compared up to their levels (Plan::outputs), but for fixed ones; empty: all outputs
+  /// at all levels. The reference must outlive the measure.
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
-               const Scales& scales);
+               const Scales& scales, std::span<const Output> outputs = {});
   ErrorMeasure(const Model& model, const std::vector<ReferenceInstant>&& reference,
-               const Scales& scales) = delete;
-  /// Compares only these outputs, each up to its requested level (Plan::outputs); skips fixed ones.
-  ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
-               const Scales& scales, std::span<const Output> outputs);
-  ErrorMeasure(const Model& model, const std::vector<ReferenceInstant>&& reference,
-               const Scales& scales, std::span<const Output> outputs) = delete;
+               const Scales& scales, std::span<const Output> outputs = {}) = delete;
 
   Flow observe(const Instant& instant) noexcept override;
   /// Returns the errors of the instants observed so far. SolutionError::instants counts the
