@@ -7,7 +7,6 @@
 
 #include "cases/numbers/interval.h"
 #include "formulations/base/per_level.h"
-#include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo {
 
@@ -44,33 +43,16 @@ struct ErrorTable {
   }
   /// Writes bounds on the errors of the coordinates from their rows.
   void write_bounds() {
-    const std::size_t size = radius.size();
-    std::size_t i = 0;
-    for (; i + LaneNumbers::count <= size; i += LaneNumbers::count) {
-      const auto row = [&](int k) { return LaneNumbers::load(&rows[i + k].delivered); };
-      LaneNumbers delivered = row(0), centre = row(1), own = row(2), sum = row(3);
-      transpose(delivered, centre, own, sum);
-      sum.store(&radius[i]);
-      centre.store(&correction[i]);
-      left(sum, abs(centre)).store(&rest[i]);
-    }
-    for (; i < size; ++i) {
-      radius[i] = rows[i].sum;
+    for (std::size_t i = 0; i < radius.size(); ++i) {
+      const double sum = rows[i].sum;
+      radius[i] = sum;
       correction[i] = rows[i].centre;
-      rest[i] = left(rows[i].sum, std::abs(rows[i].centre));
+      rest[i] = std::fma(2 * Interval::unit, sum, sum - std::abs(correction[i]));
     }
   }
   bool has_generators(int row) const { return columns > 0 && row >= first_lent; }
   double* of_row(int row) { return generators.data() + (row - first_lent) * columns; }
   const double* of_row(int row) const { return generators.data() + (row - first_lent) * columns; }
-
- private:
-  /// Bounds what a correction leaves of an error.
-  template <class S>
-  static S left(const S& sum, const S& correction) {
-    using std::fma;
-    return fma(S(2 * Interval::unit), sum, sum - correction);
-  }
 };
 
 }  // namespace desmo
