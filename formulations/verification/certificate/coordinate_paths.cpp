@@ -1,8 +1,7 @@
-#include "formulations/verification/certificate/coordinate_paths.h"
-
+// The paths of all coordinates over a step: what a tube lies about.
 #include <array>
 
-#include "formulations/verification/certificate/path_equations.h"
+#include "formulations/verification/certificate/path_proof.h"
 
 namespace desmo {
 
@@ -59,15 +58,10 @@ LaneNumbers gap(const Quintic<LaneNumbers>& path, const LaneNumbers& first,
 
 }  // namespace
 
-void CoordinatePaths::find(const CertifiedInstant& from, const CertifiedInstant& to) {
-  span_ = TimeSpan(from.time, to.time);
-  find_between(from, to);
-  find_drivers();
-}
-
 /// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants, and its gap:
 /// the distance at the ends from the farthest point of the certified boxes.
-void CoordinatePaths::find_between(const CertifiedInstant& from, const CertifiedInstant& to) {
+void PathProof::find_paths(const CertifiedInstant& from, const CertifiedInstant& to) {
+  span_ = TimeSpan(from.time, to.time);
   const double s0 = span_.s(from.time), s1 = span_.s(to.time);
   for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
     const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
@@ -84,13 +78,14 @@ void CoordinatePaths::find_between(const CertifiedInstant& from, const Certified
       transpose(low[0], low[1], low[2], low[3]);
       transpose(high[0], high[1], high[2], high[3]);
       for (int i = first; i <= last; ++i)
-        if (levels[i - first] == level) rows_[i].set(low[i - first], high[i - first]);
+        if (levels[i - first] == level) paths_[i].set(low[i - first], high[i - first]);
     }
   }
 }
 
-/// Replaces the path of driven coordinates by Taylor polynomials of their motions.
-void CoordinatePaths::find_drivers() {
+/// Replaces the path of driven coordinates by Taylor polynomials of their motions, with their
+/// tubes.
+void PathProof::find_driven_paths() {
   using Exact = TaylorModel<Compensated<double>, degree>;
   Exact time(span_.middle);
   time.c[1] = span_.half;
@@ -100,10 +95,10 @@ void CoordinatePaths::find_drivers() {
     double rest = z.rest;
     for (int k = 0; k <= degree; ++k) {
       const Interval c = z.c[k].enclosure();
-      rows_[i].path[k] = c.mid;
+      paths_[i].path[k] = c.mid;
       rest += c.radius;
     }
-    rows_[i].radius = rest * (1 + 16 * unit);
+    radius_[i] = paths_[i].radius = rest * (1 + 16 * unit);
   }
 }
 

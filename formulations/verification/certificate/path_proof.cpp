@@ -29,7 +29,7 @@ std::optional<double> first_knot(const Model& m, double from, double to) {
 }
 
 PathProof::PathProof(const Model& m, const Certifier& certifier)
-    : m_(m), schedule_(certifier.schedule()), paths_(m), radius_(m.coordinates()) {
+    : m_(m), schedule_(certifier.schedule()), paths_(m.coordinates()), radius_(m.coordinates()) {
   for (const CertificationStep& step : schedule_->steps)
     for (const BlockBatch& batch : step.batches) equations_.emplace_back(m, batch);
   const auto& [n, width, states, columns] = schedule_->largest;
@@ -44,7 +44,7 @@ PathProof::PathProof(const Model& m, const Certifier& certifier)
 void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
-  const CoordinatePath* const rows = &paths_[0];
+  const CoordinatePath* const rows = paths_.data();
   equations.write_fixed(states_.data());
   for (int j = 0; j < shape.width(); ++j) {
     const int* const at = &b.coordinates[LaneNumbers::count * j];
@@ -82,8 +82,8 @@ void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
 
 /// Makes Φ − (1 − t) Φ₀ of Φ along the path.
 void PathProof::add_homotopy(const BlockBatch& b) {
-  Value time(paths_.span().middle), one(1);
-  time.c[1] = paths_.span().half;
+  Value time(span_.middle), one(1);
+  time.c[1] = span_.half;
   for (int r = 0; r < b.equations.shape().unknowns; ++r) {
     Value initial;
     initial.c[0] = b.initial[r];
@@ -157,12 +157,9 @@ LaneMask PathProof::prove(BlockBatch& b, const PathEquations& equations) {
 
 PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedInstant& to) {
   if (first_knot(m_, from.time, to.time)) return {};
-  paths_.find(from, to);
+  find_paths(from, to);
   std::ranges::fill(radius_, INFINITY);
-  for (const Driver& d : m_.drivers) {
-    const int i = m_.entities[d.coordinate].first;
-    radius_[i] = paths_[i].radius;
-  }
+  find_driven_paths();
   std::size_t batch = 0;
   for (CertificationStep& step : schedule_->steps)
     for (BlockBatch& b : step.batches) {
@@ -174,9 +171,7 @@ PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedIn
 }
 
 double PathProof::centre(int coordinate, double time) const {
-  return value_at(path(coordinate), paths_.span().s(time));
+  return value_at(path(coordinate), span_.s(time));
 }
-
-double PathProof::time_at(double s) const { return paths_.span().time(s); }
 
 }  // namespace desmo

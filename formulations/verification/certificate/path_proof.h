@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -7,7 +9,8 @@
 
 #include "formulations/model/model.h"
 #include "formulations/verification/certificate/certificate.h"
-#include "formulations/verification/certificate/coordinate_paths.h"
+#include "formulations/verification/certificate/certified_instant.h"
+#include "formulations/verification/certificate/hermite.h"
 #include "formulations/verification/certificate/path_equations.h"
 #include "formulations/verification/certificate/preconditioner.h"
 
@@ -19,6 +22,31 @@ struct PathCertificate {
   /// Structural group of the block whose proof failed; no_position where none has, or a knot lies
   /// in the step.
   GroupId group = no_position;
+};
+
+/// The path of a coordinate and the tube about it, in two registers.
+struct alignas(32) CoordinatePath {
+  Quintic<double> path{};
+  double gap = 0;     ///< from the path to the instants
+  double radius = 0;  ///< of the tube; infinite: not proven
+
+  void set(const LaneNumbers& low, const LaneNumbers& high) {
+    low.store(path.data());
+    high.store(path.data() + LaneNumbers::count);  // and what follows it
+  }
+};
+static_assert(sizeof(CoordinatePath) == 8 * sizeof(double));
+
+/// Time along a path, s in [−1, 1]: middle + half s, with exact doubles whose range covers both
+/// ends.
+struct TimeSpan {
+  double middle, half;
+
+  TimeSpan(double from, double to) : middle(from + (to - from) / 2) {
+    half = std::nextafter(std::max(to - middle, middle - from), INFINITY);
+  }
+  double s(double time) const { return (time - middle) / half; }
+  double time(double s) const { return middle + half * s; }
 };
 
 /// Returns the first knot of a driver's spline between two times [s], both excluded: where a step
@@ -65,11 +93,15 @@ class PathProof {
   double centre(int coordinate, double time) const;
   /// Returns the tube's centre line as a polynomial of s, and the time at s [s].
   const Quintic<double>& path(int coordinate) const { return paths_[coordinate].path; }
-  double time_at(double s) const;
+  double time_at(double s) const { return span_.time(s); }
 
  private:
   using Value = PathEquations::Value;
   using Slope = PathEquations::Slope;
+
+  // In coordinate_paths.cpp.
+  void find_paths(const CertifiedInstant& from, const CertifiedInstant& to);
+  void find_driven_paths();
 
   void gather(const BlockBatch& batch, const PathEquations& equations);
   void add_homotopy(const BlockBatch& batch);
@@ -80,8 +112,9 @@ class PathProof {
   const Model& m_;
   std::shared_ptr<BlockSchedule> schedule_;
   std::vector<PathEquations> equations_;  // of each batch, in their order
-  CoordinatePaths paths_;
-  std::vector<double> radius_;  // of each coordinate, where the tube is proven
+  TimeSpan span_{-1, 1};
+  std::vector<CoordinatePath> paths_;  // of each coordinate
+  std::vector<double> radius_;         // of their tubes
 
   // Values of the present batch.
   std::vector<Value> states_, phi_;
