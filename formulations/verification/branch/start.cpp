@@ -79,7 +79,8 @@ bool is_lost_in_rounding(const Model& going) {
 }
 
 /// Leads the drivers from the drawing to their values at a time, but for turns that lead back.
-FollowedStep lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
+/// Returns whether it could.
+bool lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
   Model going = m;
   for (std::size_t d = 0; d < m.drivers.size(); ++d) {
     Motion& motion = going.drivers[d].motion;
@@ -87,18 +88,18 @@ FollowedStep lead_drivers(const Model& m, double time, const Turns& left_out, Fo
     motion = straight(from, motion, time, left_out.of_drivers[d]);
   }
   if (is_lost_in_rounding(going)) {
-    FollowedStep none;
-    none.out_of_tests = true;
+    found.out_of_tests = true;
     found.share = 0;
-    return none;
+    return false;
   }
-  const FollowedStep step = follow_way(going, true, found);
-  if (step.end == PathEnd::stuck && !step.out_of_tests) pass_at_start(m, going, time, found);
-  if (step.end != PathEnd::same) return step;
+  if (!follow_way(going, true, found)) {
+    if (!found.out_of_tests) pass_at_start(m, going, time, found);
+    return false;
+  }
   for (int i = 0; i < m.coordinates(); ++i) found.q[i] += turn * left_out.of_coordinates[i];
   for (const Driver& d : m.drivers)
     found.q[m.entities[d.coordinate].first] = sample(d.motion, time).position;
-  return step;
+  return true;
 }
 
 /// Brings free angles near others.
@@ -121,8 +122,7 @@ bool add_turns(const Model& m, const std::vector<double>& signs, double count,
   const std::span<const double> from = first.start_at({0, {nominal.q, {}, {}}})
                                            ? first.present().values.position
                                            : std::span<const double>(nominal.q);
-  if (follow_way(going, true, found).end != PathEnd::same || !is_back(m, from, found.q))
-    return false;
+  if (!follow_way(going, true, found) || !is_back(m, from, found.q)) return false;
   for (const Entity& e : m.entities)
     if (!e.fixed && e.kind == EntityKind::angle)
       of_coordinates[e.first] += count * std::round((found.q[e.first] - from[e.first]) / turn);
@@ -183,10 +183,8 @@ FoundStart find_start(const Model& m, double time) {
   if (!drawing.proven) {
     found.group = drawing.group;
     begin_at_drawing(at_drawing);
-    const FollowedStep way = follow_way(at_drawing, false, found);
-    if (way.end != PathEnd::same) {
+    if (!follow_way(at_drawing, false, found)) {
       found.stage = Stage::drawing;
-      found.out_of_tests = way.out_of_tests;
       return found;
     }
   }
@@ -195,16 +193,15 @@ FoundStart find_start(const Model& m, double time) {
   const Turns none{std::vector<double>(m.drivers.size()), std::vector<double>(m.coordinates())};
   std::optional<Turns> left_out;
   if (are_many) left_out = turns_that_lead_back(m, time, nominal);
-  FollowedStep way = lead_drivers(m, time, left_out.value_or(none), found);
-  if (!are_many && way.out_of_tests) {
+  bool is_reached = lead_drivers(m, time, left_out.value_or(none), found);
+  if (!are_many && found.out_of_tests) {
     left_out = turns_that_lead_back(m, time, nominal);
     if (left_out) {
       found = nominal;
-      way = lead_drivers(m, time, *left_out, found);
+      is_reached = lead_drivers(m, time, *left_out, found);
     }
   }
-  if (way.end != PathEnd::same) found.stage = Stage::drivers;
-  found.out_of_tests = way.out_of_tests;
+  if (!is_reached) found.stage = Stage::drivers;
   take_nearest_turns(m, m.estimate, found.q);
   return found;
 }

@@ -14,7 +14,7 @@ namespace desmo {
 
 /// Each round goes on from another place, or passes a change point, or is the last one; and each
 /// counts as a test at least.
-FollowedStep follow_way(const Model& m, bool may_pass, FoundStart& found) {
+bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
   std::unique_ptr<const Model> chosen;  // other equations, by which the way goes on; null: none
   auto path = std::make_unique<BranchPath>(m);
   const auto model = [&]() -> const Model& { return chosen ? *chosen : m; };
@@ -58,12 +58,11 @@ FollowedStep follow_way(const Model& m, bool may_pass, FoundStart& found) {
     if (!begun) break;
     found.passed.push_back(point->time);
   }
-  step.tests = tests;
-  step.out_of_tests = step.end == PathEnd::stuck && tests >= BranchPath::max_tests;
+  found.out_of_tests = step.end == PathEnd::stuck && tests >= BranchPath::max_tests;
   if (begun) found.group = step.group;
   // The last step may have ended with digits to correct.
   if (step.end == PathEnd::same && path->start_at({1, {found.q, {}, {}}})) take_positions();
-  return step;
+  return step.end == PathEnd::same;
 }
 
 }  // namespace desmo
