@@ -13,7 +13,6 @@
 
 #include "cases/mechanism/motion.h"
 #include "formulations/base/per_level.h"
-#include "formulations/verification/certificate/lane_numbers.h"
 
 namespace desmo::compensated_test {
 namespace {
@@ -174,25 +173,6 @@ TEST(Compensated, HoldsWhatMotionsAreInExactArithmetic) {
       compare(z.acceleration, exact.acceleration, worst.acceleration);
     }
   for (const Level level : all_levels) EXPECT_GT(worst[level], 0.05);
-}
-
-TEST(LaneNumbers, AreTransposedAndMasked) {
-  LaneNumbers a, b, c, d;
-  for (int k = 0; k < 4; ++k) a.set(k, k), b.set(k, 4 + k), c.set(k, 8 + k), d.set(k, 12 + k);
-  transpose(a, b, c, d);
-  for (int k = 0; k < 4; ++k) {
-    EXPECT_EQ(a[k], 4 * k);
-    EXPECT_EQ(b[k], 4 * k + 1);
-    EXPECT_EQ(c[k], 4 * k + 2);
-    EXPECT_EQ(d[k], 4 * k + 3);
-  }
-  LaneNumbers broken(1);
-  broken.set(2, NAN);
-  broken.set(3, INFINITY);
-  const LaneMask finite = is_finite(broken);
-  EXPECT_TRUE(finite[0] && finite[1] && !finite[2] && !finite[3]);
-  EXPECT_TRUE(less(broken, 2)[0] && !less(broken, 2)[2] && (!finite).any());
-  EXPECT_EQ(select(finite, broken, -1)[2], -1);
 }
 
 }  // namespace

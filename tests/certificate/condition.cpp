@@ -58,15 +58,6 @@ TEST(CertifiedCondition, GrowsTowardsADeadPoint) {
   }
 }
 
-TEST(CertifiedCondition, IsInfiniteAtADeadPoint) {
-  const Model m = locking_four_bar(Polynomial{{dead_point}});
-  const std::vector<double> zero(m.coordinates());
-  const Certificate c =
-      certified(m, {.time = 0, .q = m.estimate, .qd = zero, .qdd = zero, .remainder = {}});
-  EXPECT_TRUE(std::isinf(c.condition));
-  EXPECT_EQ(m.groups[c.worst_conditioned].name, "dyad1/SG-I");
-}
-
 /// Neither the unit of length nor the mechanism's size counts.
 TEST(CertifiedCondition, DoesNotDependOnTheUnitOfLength) {
   const Scene scene = library_scene("andrews");

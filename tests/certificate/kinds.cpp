@@ -227,19 +227,5 @@ TYPED_TEST(KindInIntervals, HasResidualsWithoutRounding) {
   }
 }
 
-TYPED_TEST(KindInIntervals, IsHomogeneousButForAConstantWhereLinear) {
-  if constexpr (TypeParam::linear) {  // Φ̇ is Φ − Φ(0) of the velocities, as BlockEquations has it
-    std::mt19937 generator(1);
-    const Sample<TypeParam> s(generator, {0, 1, 0});
-    const auto rates = residual<TypeParam, Wide>(s.exact_qd, s.exact_c);
-    const auto exact = residual<TypeParam, Jet<Wide>>(
-        moving<TypeParam, Wide>(s.exact_q, s.exact_qd, s.exact_qdd), resting(s.exact_c));
-    const typename Sample<TypeParam>::template Values<Wide> origin{};
-    const auto constant = residual<TypeParam, Wide>(origin, s.exact_c);
-    for (std::size_t r = 0; r < rates.size(); ++r)
-      EXPECT_LT(abs(rates[r] - constant[r] - exact[r].first), 1e-30);
-  }
-}
-
 }  // namespace
 }  // namespace desmo::interval_kinds_test

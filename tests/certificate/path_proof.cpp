@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <numbers>
 
 #include "formulations/parts/groupwise/double_solution.h"
 #include "formulations/verification/certificate/certificate.h"
@@ -131,40 +130,6 @@ TEST(PathProof, TakesTheLevelOfEachCoordinate) {
     }
   }
   EXPECT_GT(odd, 0);
-}
-
-/// A crank that oscillates: drivers turn back within these steps, which polynomials in time hold.
-TEST(PathProof, HoldsDriversThatTurnBack) {
-  Model m = make_model(library_scene("slider_crank"));
-  m.drivers[0].motion = HarmonicSum{.mean = 0.7, .terms = {{0.3, 2 * std::numbers::pi, 0}}};
-  const Tally t = prove_steps(m, {0.24, 0.74}, 0.02, 3);
-  EXPECT_EQ(t.proven, 2);
-}
-
-TEST(PathProof, HoldsAtLateTimes) {
-  Model m = make_model(library_scene("slider_crank"));
-  m.drivers[0].motion = Polynomial{{0, 10.473}};
-  const Tally t = prove_steps(m, {1e6, 1e6 + 0.125, 1e6 + 0.5}, 1.0 / 64, 1);
-  EXPECT_EQ(t.proven, 3);
-}
-
-/// An angle that is a whole turn off satisfies all equations, but no path leads there.
-TEST(PathProof, RefusesWholeTurns) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
-    const Model m = make_model(scene);
-    const double t = scene.grid.start;
-    std::vector<ReferenceInstant> solved = double_solution(m, std::vector{t, t + 0.01});
-    const std::vector<bool> driven = independent_coordinates(m);
-    for (const Entity& e : m.entities) {
-      if (e.kind != EntityKind::angle || e.fixed || driven[e.first]) continue;
-      std::vector<ReferenceInstant> turned = solved;
-      turned[1].q[e.first] += 2 * std::numbers::pi;
-      const Certified at(m, turned);
-      EXPECT_FALSE(PathProof(m, Certifier(m)).prove(at(0), at(1)).proven)
-          << l.name << ' ' << e.name;
-    }
-  }
 }
 
 /// A step that contains a knot is none of one cubic.

@@ -10,9 +10,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "formulations/formulation.h"
 #include "formulations/parts/groupwise/double_solution.h"
-#include "formulations/variants.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
@@ -136,57 +134,6 @@ TEST(Refinement, FindsPositionsThatAreFarOff) {
   for (const Level level : all_levels) EXPECT_LE(errors.share[level], 2);
 }
 
-TEST(Refinement, HoldsUpToADeadPoint) {
-  for (const double distance : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
-    const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
-    const auto exact = reference_solution(m, std::array{0.0}, Precision::quadruple);
-    const auto solved = double_solution(m, std::array{0.0});
-    Refinement refinement(m);
-    const RefinedInstant& r = refinement.refine(instant_of(solved.front()));
-    EXPECT_TRUE(r.proven) << distance;
-    Errors().add(m, r, exact.front(), make_scales(m, exact), 1);
-  }
-}
-
-/// Receives the last instant of a run.
-class Last final : public Observer {
- public:
-  Flow observe(const Instant& i) noexcept override {
-    instant = {
-        i.time, {i.q.begin(), i.q.end()}, {i.qd.begin(), i.qd.end()}, {i.qdd.begin(), i.qdd.end()}};
-    return Flow::go_on;
-  }
-  ReferenceInstant instant;
-};
-
-TEST(Refinement, MakesAllFormulationsEqual) {
-  for (const char* name : {"slider_crank", "double_wishbone"}) {
-    const Scene scene = library_scene(name);
-    const Model m = make_model(scene);
-    const TimeGrid grid{scene.grid.start, scene.grid.step, 5, 1};
-    const double end = grid.time(4);
-    const std::vector<double> times{grid.start, end};
-    const Reference reference = make_reference(m, times);
-    Refinement refinement(m);
-    for (const char* id :
-         {"global_automatic_klu", "group_automatic_lapack", "block_automatic_eigen"})
-      for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-12}) {
-        Settings settings;
-        settings.tolerance = tolerance;
-        const auto formulation = make_formulation(find_variant(id), m, settings);
-        Last last;
-        ASSERT_TRUE(formulation->run(grid, {Level::acceleration}, last).ok());
-        const RefinedInstant& r = refinement.refine(instant_of(last.instant));
-        ASSERT_TRUE(r.proven) << name << ' ' << id << ' ' << tolerance;
-        Errors errors;
-        errors.add(m, r, reference.instants.back(), reference.scales,
-                   ConditionNumber(m)(r.instant.q));
-        for (const Level level : all_levels)
-          EXPECT_LE(errors.share[level], 1) << name << ' ' << id << ' ' << tolerance;
-      }
-  }
-}
-
 /// Velocities are rounding of the drivers there, which no pass makes smaller.
 TEST(Refinement, CorrectsPositionsWhereAMotionRests) {
   Model m = make_model(library_scene("slider_crank"));
@@ -205,10 +152,6 @@ TEST(ProofFailure, SaysWhy) {
     EXPECT_EQ(c.proven, c.failure == ProofFailure::none);
     return c.failure;
   };
-  const Model locked = locking_four_bar(Polynomial{{dead_point}});
-  const std::vector<double> zero(locked.coordinates());
-  EXPECT_EQ(failure_of(locked, {0, locked.estimate, zero, zero}), ProofFailure::singular);
-
   const Model m = make_model(library_scene("slider_crank"));
   ReferenceInstant s = double_solution(m, std::array{0.1}).front();
   EXPECT_EQ(failure_of(m, s), ProofFailure::none);

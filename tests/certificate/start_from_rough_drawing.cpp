@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 #include <random>
 #include <vector>
 
@@ -44,37 +43,6 @@ TEST(StartFromRoughDrawing, TakesARoughDrawingForWhatItIsNearest) {
       EXPECT_EQ(found.stage, Stage::reached) << part;
       EXPECT_LT(position_distance(m, found.q, drawn.q), 1e-12) << part;
     }
-}
-
-/// Random starts of the three cylinders: the answer is that of short steps, or a blocked way.
-TEST(StartFromRoughDrawing, FollowsARoughDrawingToAnyStart) {
-  const Model m = excavator();
-  const Model drawn = [&] {  // as it closes
-    Model closed = m;
-    const FoundStart found = find_start(held_at(m, drawn_drivers(m)), 0);
-    EXPECT_EQ(found.stage, Stage::reached);
-    closed.estimate = found.q;
-    return closed;
-  }();
-  std::mt19937 generator(5);
-  std::uniform_real_distribution<double> boom(1.0, 2.2), arm(0.9, 2.2), bucket(1.0, 1.9);
-  int reached = 0, blocked = 0;
-  for (int i = 0; i < (DESMO_SANITIZED ? 4 : 80); ++i) {
-    const std::vector<double> to{boom(generator), arm(generator), bucket(generator)};
-    const FoundStart found = find_start(held_at(m, to), 0);
-    (found.stage == Stage::reached ? reached : blocked)++;
-    if (found.stage == Stage::reached) {
-      const std::vector<double> right = in_short_steps(drawn, to, 0.005);
-      ASSERT_FALSE(right.empty());
-      EXPECT_LT(position_distance(m, found.q, right), 1e-9)
-          << to[0] << ' ' << to[1] << ' ' << to[2];
-    } else {
-      EXPECT_EQ(found.stage, Stage::drivers);
-      EXPECT_FALSE(has_way(drawn, to)) << to[0] << ' ' << to[1] << ' ' << to[2];
-    }
-  }
-  std::cout << reached << " reached, " << blocked << " blocked\n";
-  EXPECT_GT(reached, DESMO_SANITIZED ? 0 : 30);
 }
 
 /// Along the homotopy Φ, Φ̇ and Φ̈ are (1 − λ) Φ₀, −Φ₀ and 0.
