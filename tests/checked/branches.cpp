@@ -222,37 +222,6 @@ TEST(Branches, AreUnknownAfterATurnOutOfReach) {
 
 // ---- small parts that large ones carry ----
 
-/// Returns a four-bar with links of 60 mm at the end of an arm [m] that turns [rad/s].
-Scene on_arm(double arm, double rate) {
-  Scene scene = four_bar_on_arm("60 mm on an arm of 10 km");
-  for (Mechanism::Point& p : scene.mechanism.points)
-    if (p.name != "O") p.position[0] += arm - 1e4;
-  scene.motions[0] = Polynomial{{0, rate}};
-  return scene;
-}
-
-/// A step moves the arm by many links. Assembled from there, they may be their mirror image.
-TEST(CarriedParts, StayOnTheirBranch) {
-  for (const double arm : {1e2, 1e4})
-    for (const double rate : {0.1, 0.01}) {
-      const Scene scene = on_arm(arm, rate);
-      const Model m = make_model(scene);
-      const int b = m.coordinate("B.x"), c = m.coordinate("C.x"), d = m.coordinate("D.x");
-      for (const char* id :
-           {"global_automatic_klu", "group_automatic_eigen", "group_symbolic_explicit",
-            "block_automatic_eigen", "block_symbolic_inlined"}) {
-        const CheckedRows r = solve_checked(m, scene.grid, id);
-        EXPECT_EQ(r.summary.outcome(), Outcome::converged) << id << ", " << arm << " m, " << rate;
-        for (const CheckedRow& row : r.rows) {
-          const std::vector<double>& q = row.values.position;
-          const double across =
-              (q[d] - q[b]) * (q[c + 1] - q[b + 1]) - (q[d + 1] - q[b + 1]) * (q[c] - q[b]);
-          EXPECT_GT(across, 0) << id << ", " << arm << " m, " << row.time;
-        }
-      }
-    }
-}
-
 /// The whole equation of a distance vanishes where its points meet, though no unknown moves fast.
 TEST(CarriedParts, MayAllButMeet) {
   std::vector<std::pair<Scene, TimeGrid>> motions{{scene_file("boom"), {0.45, 0.001, 81}}};
@@ -275,48 +244,6 @@ TEST(CarriedParts, MayAllButMeet) {
 }
 
 // ---- starts ----
-
-std::vector<std::string> names() {
-  std::vector<std::string> result;
-  for (const LibraryMechanism& l : library()) result.emplace_back(l.name);
-  return result;
-}
-
-std::string test_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
-
-class FarStarts : public testing::TestWithParam<std::string> {};
-
-/// Takes whole turns by which angles differ from the exact ones.
-void take_turns(const Model& m, CheckedRow& row, const ReferenceInstant& exact) {
-  for (const Entity& e : m.entities) {
-    if (e.fixed || e.kind != EntityKind::angle) continue;
-    double& angle = row.values.position[e.first];
-    const double turns = std::round((angle - exact.q[e.first]) / (2 * pi));
-    if (turns == 0) continue;
-    EXPECT_NEAR(angle - 2 * pi * turns, exact.q[e.first], 1e-13) << e.name;
-    angle = exact.q[e.first];
-    row.radius.position[e.first] = INFINITY;  // 2π has been rounded
-  }
-}
-
-/// A start far from the drawing is where the motion that begins there comes to, but for whole turns
-/// of angles that are not driven: those are the nearest to the drawing.
-TEST_P(FarStarts, LieOnTheBranchOfTheDrawing) {
-  const Scene scene = library_scene(GetParam());
-  const Model m = make_model(scene);
-  const Reference reference = make_reference(m, sampled(scene.grid, DESMO_SANITIZED ? 2 : 9));
-  for (const char* id :
-       {"global_automatic_klu", "block_automatic_lapack", "group_symbolic_explicit"})
-    for (const ReferenceInstant& exact : reference.instants) {
-      CheckedRows r = solve_checked(m, {exact.time, scene.grid.step, 2}, id);
-      EXPECT_EQ(r.summary.outcome(), Outcome::converged) << describe(r.summary, m);
-      ASSERT_FALSE(r.rows.empty());
-      take_turns(m, r.rows[0], exact);
-      EXPECT_EQ(expect_within_radii(m, r.rows, {&exact, 1}), 1) << id << ", " << exact.time;
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Library, FarStarts, testing::ValuesIn(names()), test_name);
 
 /// An assembly in one go ends elsewhere or nowhere.
 TEST(Start, IsLedFromTheDrawingWhereNoAssemblyFindsIt) {

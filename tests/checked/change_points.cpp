@@ -75,33 +75,6 @@ TEST(ChangePoints, ArePassedWhateverIsAskedForAndHoweverStepsAreTaken) {
       }
 }
 
-/// The way from the drawing leads to the point, from which the motion goes on: from 90° at once, or
-/// later, or back to where it came from.
-TEST(ChangePoints, MayBeWhereTheMotionStarts) {
-  Model m = make_model(scene_file("scott_russell"));
-  const int x = m.coordinate("C.x");
-  const std::vector<Motion> motions{Polynomial{{pi / 2, 0.5}}, Polynomial{{pi / 2, -0.5}},
-                                    Polynomial{{pi / 2, 0, 0, 0.25}},
-                                    Polynomial{{pi / 2, 0, -0.5}}};
-  for (const char* id : {"global_automatic_klu", "block_automatic_lapack"})
-    for (const Motion& motion : motions) {
-      m.drivers[0].motion = motion;
-      const CheckedRows r = solve_checked(m, {0, 1. / 16, 33}, id);
-      SCOPED_TRACE(id + std::to_string(&motion - motions.data()) + describe(r.summary, m));
-      EXPECT_EQ(r.summary.outcome(), Outcome::degraded);
-      ASSERT_EQ(r.rows.size(), 33u);
-      for (const CheckedRow& row : r.rows) {
-        const MotionSample<double> theta = sample(motion, row.time);
-        const bool starts = row.time == 0;
-        EXPECT_EQ(row.flag.has_value(), starts) << row.time;
-        if (starts) EXPECT_EQ(row.flag->kind, RowFlag::Kind::on_point);
-        EXPECT_NEAR(row.values.position[x], 2 * std::cos(theta.position), starts ? 1e-7 : 1e-12);
-        if (starts) continue;
-        EXPECT_NEAR(row.values.velocity[x], -2 * theta.velocity * std::sin(theta.position), 1e-9);
-      }
-    }
-}
-
 /// Expects the rocker of a parallelogram to stay parallel to its crank.
 CheckedSummary expect_parallel(const Motion& crank, const TimeGrid& grid, const char* id) {
   SCOPED_TRACE(id);
@@ -117,25 +90,6 @@ CheckedSummary expect_parallel(const Motion& crank, const TimeGrid& grid, const 
           << row.time;
   }
   return r.summary;
-}
-
-TEST(ChangePoints, AreCounted) {
-  for (const char* id : {"global_automatic_klu", "group_symbolic_inlined/guess:quadratic",
-                         "group_symbolic_explicit/stride:4"}) {
-    // Two turns from 60° on pass 180°, 360°, 540° and 720°.
-    const CheckedSummary s = expect_parallel(Polynomial{{pi / 3, 4 * pi}}, {0, 0.003, 334}, id);
-    EXPECT_EQ(s.outcome(), Outcome::degraded);
-    EXPECT_EQ(s.crossings, 4) << id;
-    EXPECT_EQ(s.flagged, 4) << id;
-  }
-}
-
-/// Where drivers rest or turn back on a change point, all continuations look alike in time.
-TEST(ChangePoints, ArePassedWhereDriversRestThere) {
-  for (const Motion& crank :
-       {Motion(Polynomial{{pi, 0, 0, 1}}), Motion(Polynomial{{pi - 0.5, 0, 0.5}})})
-    for (const char* id : {"global_automatic_klu", "block_automatic_lapack"})
-      EXPECT_NE(expect_parallel(crank, {-0.9, 1. / 16, 32}, id).outcome(), Outcome::failed);
 }
 
 /// The way back leads past the point again.
@@ -157,14 +111,6 @@ TEST(ChangePoints, AreNotWhereAMotionTurnsBackNextToThem) {
     EXPECT_EQ(s.outcome(), Outcome::converged) << left;
     EXPECT_GT(s.condition, 0.1 / left);
   }
-}
-
-/// A million-th next to it, the condition is told.
-TEST(ChangePoints, ShowInTheConditionNextToThem) {
-  const CheckedSummary s = expect_parallel(Polynomial{{pi - 1e-6, 1}}, {-2.5, 1. / 128, 321},
-                                           "global_automatic_klu/guess:hermite5");
-  EXPECT_NE(s.outcome(), Outcome::failed);
-  EXPECT_GT(s.condition, 1e6);
 }
 
 /// Bennett's linkage, drawn on the other side of where the equations that are kept for that drawing

@@ -113,15 +113,6 @@ void expect_radii(const Known& known, const std::string& id) {
                     r.summary.radius[level] * r.summary.scales.of(e.kind, level) * (1 + 1e-15));
 }
 
-TEST(Radii, HoldInTheLibrary) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
-    const Known known(make_model(scene), tested(scene.grid), DESMO_SANITIZED ? 3 : 14);
-    for (const char* id : {"global_automatic_klu/stride:16", "group_symbolic_explicit"})
-      expect_radii(known, id);
-  }
-}
-
 TEST(Radii, HoldNextToADeadPoint) {
   for (double distance = 1e-2; distance > 0.9e-10; distance /= 100) {
     const Known known(locking_four_bar(Polynomial{{dead_point - distance, -1}}),
@@ -137,20 +128,6 @@ TEST(Radii, HoldWherePivotsAreThoseOfAnotherPosition) {
   const Known known(make_model(scene), scene.grid, DESMO_SANITIZED ? 21 : 201);
   for (const char* id : {"global_automatic_klu", "group_automatic_klu", "block_automatic_klu"})
     expect_radii(known, id);
-}
-
-/// Lengths that are stated and not drawn: the motion is that of the file.
-TEST(Radii, CountFromTheLengthsInTheFile) {
-  const Model m = make_model(scene_file("proof_stated_lengths"));
-  const int x = m.coordinate("C.x"), y = m.coordinate("C.y");
-  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
-    const CheckedRows r = solve_checked(m, {0, 1, 2}, id);
-    ASSERT_EQ(r.summary.outcome(), Outcome::converged);
-    const auto& [values, radius] = std::pair(r.rows[1].values.position, r.rows[1].radius.position);
-    EXPECT_LE(std::abs(values[x] - 1.408005679416214059625115756580L), radius[x]);
-    EXPECT_LE(std::abs(values[y] - 0.508280406620575479142128766490L), radius[y]);
-    EXPECT_LE(radius[x], 1e-15);
-  }
 }
 
 /// Returns the numbers of a text.

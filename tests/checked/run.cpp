@@ -11,6 +11,7 @@
 
 #include "formulations/model/plan.h"
 #include "formulations/verification/reference/reference.h"
+#include "formulations/verification/run/assembly_error.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/checked/rows.h"
 #include "tests/dead_point.h"
@@ -124,19 +125,6 @@ TEST(CheckedRun, ProvesSamplesAndThePathBetweenThem) {
                                       {.mode = CheckMode::sample, .sample = 4});
   EXPECT_EQ(r.summary.outcome(), Outcome::converged);
   for (const CheckedRow& row : r.rows) EXPECT_FALSE(row.radius.position.empty()) << row.time;
-}
-
-TEST(CheckedRun, FailsAtASingularPosition) {
-  const Model m = locking_four_bar(Polynomial{{dead_point - 0.25, 1}});
-  for (const char* id : ids) {
-    const CheckedSummary s = solve_checked(m, {0, 0.25, 2}, id).summary;
-    if (s.outcome() == Outcome::degraded) continue;  // rounding may put it at either side
-    EXPECT_EQ(s.outcome(), Outcome::failed) << id;
-    EXPECT_EQ(s.instants, 1) << id;
-    EXPECT_NEAR(s.time, 0.25, 1e-12) << id;
-    ASSERT_GE(s.group, 0) << id;
-    EXPECT_EQ(m.groups[s.group].name, "dyad1/SG-I") << id;
-  }
 }
 
 /// A crank that swings up to its dead point but for a little, and back.

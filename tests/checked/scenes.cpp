@@ -109,10 +109,6 @@ const Asked asked[] = {
      .first_flag = RowFlag::Kind::crossing,
      .answers = {{0, "o", 90 * degree}, {-1, "o", (90 + 1080 * 0.999) * degree}}},
     {.scene = "drawn_at_dead_centre", .outcome = Outcome::failed},
-    {.scene = "excavator_rough_drawing",
-     .answers = {{0, "L.x", 5.20201505293},
-                 {0, "L.y", 3.93970578587},
-                 {0, "phi_bucket", 2.57954545505}}},
     // A third crank that is 2e-7 too long: 2e-7 (1 - cos 2.6) at the end.
     {.scene = "contradicting_crank",
      .outcome = Outcome::degraded,
