@@ -22,7 +22,7 @@ set(reference_h formulations/verification/condition.h formulations/verification/
 set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbers/derived.h
   formulations/base/live_row.h formulations/base/modelling.h formulations/base/output.h formulations/base/per_level.h
   formulations/base/reference_instant.h formulations/model/misfit.h formulations/model/scales.h
-  formulations/verification/run/assembly_error.h formulations/verification/run/check_options.h
+  formulations/verification/run/check_options.h
   formulations/verification/run/table_lock.h
   formulations/verification/branch/followed_step.h formulations/verification/branch/start.h)
 

@@ -48,7 +48,7 @@ struct Dyad {
 
 /// A dyad as block of two equations: its coordinates are 2 k and 2 k + 1, its centres are fixed.
 BlockBatch::Member member(int k, const Dyad& dyad) {
-  BlockBatch::Member made{{}, 0, k, 2 * k, Level::acceleration, {2 * k, 2 * k + 1}};
+  BlockBatch::Member made{{}, 0, k, Level::acceleration, {2 * k, 2 * k + 1}};
   BlockShape& s = made.block.shape;
   s.unknowns = 2;
   s.linear = false;

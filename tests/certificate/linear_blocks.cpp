@@ -44,7 +44,7 @@ class Block {
              .constants = {e.c.begin(), e.c.end()},
              .group = part.groups[0]});
     }
-    BlockBatch::Member made{shaped_block(m, part), 0, 0, 0, Level::acceleration, {}};
+    BlockBatch::Member made{shaped_block(m, part), 0, 0, Level::acceleration, {}};
     made.rows = made.block.coordinates;
     batch_.emplace(std::vector{made}, std::vector<double>(m.coordinates(), 1), 0);
     errors_.position.rows.resize(m.coordinates());

@@ -25,7 +25,7 @@ inline BlockBatch::Member product_of_vectors(double c) {
     m.add(EntityKind::vector, name, std::array<double, 3>{}, group);
   m.add({"product", kind_index<Dot<3>>(), {0, 1}, {c}, group});
   const PartDefinition part{.groups = {group}, .unknowns = {0}, .equations = {{0, 0}}};
-  return {shaped_block(m, part), group, 0, 0, Level::acceleration, {0, 1, 2, 3, 4, 5}};
+  return {shaped_block(m, part), group, 0, Level::acceleration, {0, 1, 2, 3, 4, 5}};
 }
 
 /// A proof about that block alone. Rows of its tables are u₁ u₂ u₃ v₁ v₂ v₃. With symbols, it is in

@@ -14,7 +14,7 @@ namespace desmo::cli {
 
 namespace {
 
-std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m,
+std::string assembly_error_text(const std::optional<Misfit>& d, const Model& m,
                                 const DisplayUnits& units) {
   if (!d || d->constraint < 0 || !std::isfinite(d->amount)) return "";
   return "; at best " + off_by(d->constraint, d->amount, d->is_length, m, units);

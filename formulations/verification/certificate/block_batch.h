@@ -18,7 +18,6 @@ struct BlockBatch {
     ShapedBlock block;
     GroupId group;
     int order;              ///< position among all blocks in solution order
-    int first_unknown;      ///< its lowest coordinate
     Level solved;           ///< level up to which it is solved
     std::vector<int> rows;  ///< row of each column in ErrorTable
   };

@@ -78,8 +78,8 @@ class Builder {
 
   /// Returns a block with its rows; those of its coordinates where no others are given.
   BlockBatch::Member member(const PartDefinition& part, const std::vector<int>& row) {
-    BlockBatch::Member made{shaped_block(m_, part), part.groups.front(), order_++,
-                            part.unknowns.front(),  Level::acceleration, {}};
+    BlockBatch::Member made{
+        shaped_block(m_, part), part.groups.front(), order_++, Level::acceleration, {}};
     for (const int i : made.block.coordinates) made.rows.push_back(row.empty() ? i : row[i]);
     if (!up_to_.empty()) {
       made.solved = Level::position;

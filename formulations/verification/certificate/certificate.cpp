@@ -141,7 +141,6 @@ Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* 
           first_failure = member.order;
           result.proven = false;
           result.group = member.group;
-          result.coordinate = member.first_unknown;
           result.failure = proof_.failure(lane);
           if (result.failure != ProofFailure::singular) continue;
           result.condition = INFINITY;

@@ -36,10 +36,9 @@ struct BlockSchedule;
 /// the branch that is meant is not part of the proof.
 struct Certificate {
   bool proven = false;
-  /// First irreducible block without a proof: its structural group and its first unknown;
-  /// no_position where all are proven.
+  /// Structural group of the first irreducible block without a proof; no_position where all are
+  /// proven.
   GroupId group = no_position;
-  int coordinate = no_position;
   ProofFailure failure = ProofFailure::none;  ///< of that block
   /// Condition number of the worst block at the delivered position, and its structural group. It is
   /// like ConditionNumber (condition.h), but of the block alone, with characteristic lengths in

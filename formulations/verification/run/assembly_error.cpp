@@ -67,8 +67,8 @@ bool holds(const DenseGroup& group, const std::vector<double>& state, const Sett
 
 }  // namespace
 
-std::optional<AssemblyError> find_assembly_error(const Model& m, std::vector<double> state,
-                                                 const Settings& settings) {
+std::optional<Misfit> find_assembly_error(const Model& m, std::vector<double> state,
+                                          const Settings& settings) {
   const Magnitudes magnitudes(m);
   for (const PartDefinition& definition : make_partition(m, Partition::group)) {
     const DenseGroup group(m, definition, magnitudes);
@@ -82,8 +82,7 @@ std::optional<AssemblyError> find_assembly_error(const Model& m, std::vector<dou
     const int row = worst_row(group.weights().cwiseProduct(group.residual(nearest)));
     const Equation& worst = definition.equations[row];
     const double residual = group.residual(nearest)[row];
-    return AssemblyError{misfit_of(m, worst.constraint, worst.row, residual, nearest),
-                         m.constraints[worst.constraint].group};
+    return misfit_of(m, worst.constraint, worst.row, residual, nearest);
   }
   return {};
 }

@@ -9,18 +9,13 @@
 
 namespace desmo {
 
-/// Closure error of a group that cannot be assembled: the misfit of its worst satisfied equation,
-/// at the position that satisfies all best.
-struct AssemblyError : Misfit {
-  GroupId group = no_position;
-};
-
-/// Returns the assembly error of the first group that cannot be assembled; nothing when all groups
-/// can be, even in a singular position. Levenberg and Marquardt's method minimises the group's
-/// equations, each over its magnitude, in least squares. It allocates: keep it out of timed code.
+/// Returns the assembly error of the first group that cannot be assembled: the misfit of its worst
+/// satisfied equation, at the position that satisfies all best. Nothing when all groups can be,
+/// even in a singular position. Levenberg and Marquardt's method minimises the group's equations,
+/// each over its magnitude, in least squares. It allocates: keep it out of timed code.
 /// - state: the last instant solved, with the drivers of the instant that failed; the start
 /// - settings: its tolerance decides whether a group is assembled
-std::optional<AssemblyError> find_assembly_error(const Model& model, std::vector<double> state,
-                                                 const Settings& settings);
+std::optional<Misfit> find_assembly_error(const Model& model, std::vector<double> state,
+                                          const Settings& settings);
 
 }  // namespace desmo

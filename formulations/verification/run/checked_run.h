@@ -12,7 +12,6 @@
 #include "formulations/model/scales.h"
 #include "formulations/verification/branch/start.h"
 #include "formulations/verification/certificate/certificate.h"
-#include "formulations/verification/run/assembly_error.h"
 #include "formulations/verification/run/check_options.h"
 #include "formulations/verification/run/table_lock.h"
 
@@ -83,10 +82,10 @@ struct CheckedInstant {
 /// Interval in which a mechanism could not be assembled. Its ends are accurate to 1e-9 s or, where
 /// that is more, to what rounding of time and of the drivers leaves.
 struct Gap {
-  double from, to;  ///< [s]
-  bool ends;        ///< false: the interval lasts until the end of the run
-  Summary failure;  ///< failure at the interval's first grid instant
-  std::optional<AssemblyError> assembly_error;
+  double from, to;                       ///< [s]
+  bool ends;                             ///< false: the interval lasts until the end of the run
+  Summary failure;                       ///< failure at the interval's first grid instant
+  std::optional<Misfit> assembly_error;  ///< as in CheckedSummary
 };
 
 /// Summary of a checked run: counts, flags and gaps. outcome() says whether its answers may be
@@ -98,13 +97,14 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
   std::optional<RowFlag> first_flag{};
   long crossings = 0;  ///< change points that rows or steps are flagged for
   std::optional<RowFlag> first_crossing{};
-  std::optional<Misfit> misfit{};                 ///< the largest
-  PerLevel<double> radius{};                      ///< largest of proven rows, relative to `scales`
-  Scales scales{};                                ///< of the motion
-  double condition = 0;                           ///< largest of the rows
-  std::optional<AssemblyError> assembly_error{};  ///< on failure, where no position was found
-  std::optional<TableLock> table_lock{};          ///< on failure, where a table is concerned
-  std::vector<Gap> gaps{};                        ///< after which the run went on
+  std::optional<Misfit> misfit{};  ///< the largest
+  PerLevel<double> radius{};       ///< largest of proven rows, relative to `scales`
+  Scales scales{};                 ///< of the motion
+  double condition = 0;            ///< largest of the rows
+  /// On failure, where no position was found: of the equation that closes worst, at best.
+  std::optional<Misfit> assembly_error{};
+  std::optional<TableLock> table_lock{};  ///< on failure, where a table is concerned
+  std::vector<Gap> gaps{};                ///< after which the run went on
 
   bool ok() const { return status == Status::solved; }  ///< no failure but those in `gaps`
   Outcome outcome() const {

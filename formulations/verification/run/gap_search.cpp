@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "formulations/verification/run/assembly_error.h"
+
 namespace desmo {
 
 namespace {
@@ -23,7 +25,7 @@ double last_solved(Formulation& formulation, double good, double bad) {
 
 }  // namespace
 
-std::optional<AssemblyError> assembly_error_at(const Formulation& formulation, double time) {
+std::optional<Misfit> assembly_error_at(const Formulation& formulation, double time) {
   const Model& m = formulation.model();
   std::vector<double> state = m.state_of(formulation.q());
   for (const Driver& d : m.drivers)

@@ -9,7 +9,7 @@ namespace desmo {
 
 /// Returns the assembly error at a time [s] at which a formulation could not be assembled. The
 /// search begins at the formulation's positions.
-std::optional<AssemblyError> assembly_error_at(const Formulation& formulation, double time);
+std::optional<Misfit> assembly_error_at(const Formulation& formulation, double time);
 
 /// A gap and the first grid instant after it, or the number of instants.
 struct FoundGap {

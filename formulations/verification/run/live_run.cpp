@@ -7,6 +7,7 @@
 
 #include "formulations/motion/diagnosis.h"
 #include "formulations/motion/internals.h"
+#include "formulations/verification/run/assembly_error.h"
 #include "formulations/verification/run/follower.h"
 #include "formulations/verification/run/relative_radius.h"
 #include "formulations/verification/run/row_motions.h"

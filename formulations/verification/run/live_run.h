@@ -130,7 +130,7 @@ class LiveRun {
   struct Obstacle {
     GroupId group = no_position;   ///< group that could not be solved, if known
     int constraint = no_position;  ///< constraint most concerned, if known
-    std::optional<AssemblyError> assembly_error;
+    std::optional<Misfit> assembly_error;
     std::optional<TableLock> table_lock{};
   };
   /// Finds what kept the row that failed last from being solved. Allocates, and takes long.
