@@ -13,6 +13,7 @@
 #include "cases/io/files.h"
 #include "formulations/verification/run/live_run.h"
 #include "tests/checked/rows.h"
+#include "tests/everything.h"
 #include "tests/wheel.h"
 
 namespace desmo::tables_test {
@@ -173,22 +174,15 @@ TEST(CouplingsByTable, LockWhereTheirTableHasAnExtremum) {
 
 /// Returns w of each row, as a run delivers it.
 std::vector<double> wheel_angles(const Wheel& wheel, CheckMode mode) {
-  struct Angles final : Observer {
-    explicit Angles(int i) : w(i) {}
-    Flow observe(const Instant& i) noexcept override {
-      all.push_back(i.q[w]);
-      return Flow::go_on;
-    }
-    int w;
-    std::vector<double> all;
-  };
   const Scene scene = wheel.scene();
   const Model m = make_model(scene);
-  Angles angles(m.coordinate("w"));
+  Everything rows(scene.grid.instants);
   const Configuration c = parse_id("group_automatic_lapack/tolerance:1e-6");  // of w, so large
   const auto f = make_formulation(*c.variant, m, c.settings);
-  EXPECT_TRUE(run_checked(*f, scene.grid, {}, angles, {.mode = mode}).ok());
-  return angles.all;
+  EXPECT_TRUE(run_checked(*f, scene.grid, {}, rows, {.mode = mode}).ok());
+  std::vector<double> angles;
+  for (const std::vector<double>& q : rows.all) angles.push_back(q.at(m.coordinate("w")));
+  return angles;
 }
 
 /// Where turns lead back, none of them is made: neither on the way from the drawing nor by a run
