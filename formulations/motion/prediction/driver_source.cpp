@@ -18,17 +18,16 @@ void write_drivers(const Model& m, double t, State& state) {
 }
 
 DriverSource::DriverSource(const Model& m, std::span<const int> in_row)
-    : in_row_(m.state_size()), motions_({}), live_({}) {
+    : in_row_(m.state_size()), motions_({}) {
   const PlacedMotions all = driver_motions(m);
   std::vector<const Motion*> sampled;
   std::vector<int> driver(m.state_size());  // of each coordinate
   for (std::size_t i = 0; i < all.places.size(); ++i) driver[all.places[i]] = static_cast<int>(i);
-  std::vector<LiveDrivers::Place> places;
   std::vector<int> place(m.state_size(), -1);
   const auto add = [&](int coordinate) {
     place[coordinate] = static_cast<int>(sampled.size());
     sampled.push_back(all.motions[driver[coordinate]]);
-    places.push_back({driver[coordinate], coordinate});
+    numbers_.push_back({driver[coordinate], coordinate});
   };
   for (const int coordinate : in_row) {
     add(coordinate);
@@ -40,7 +39,34 @@ DriverSource::DriverSource(const Model& m, std::span<const int> in_row)
   }
   written_ = drivers_;
   motions_ = MotionsAhead(std::move(sampled));
-  live_ = LiveDrivers(std::move(places));
+  const std::size_t size = whole_lines(numbers_.size());
+  for (LaneState* row : {&live_, &between_}) row->resize(size);
+  from_.resize(size);
+}
+
+void DriverSource::hand_in(const LiveRow& row, double start, const State& from) {
+  const auto copy = [&](std::span<const double> values, LaneValues& to) {
+    for (std::size_t k = 0; k < numbers_.size(); ++k)
+      to[k] = values.empty() ? 0 : values[numbers_[k].driver];
+  };
+  copy(row.z, live_.q);
+  copy(row.zd, live_.qd);
+  copy(row.zdd, live_.qdd);
+  for (std::size_t k = 0; k < numbers_.size(); ++k) from_[k] = from.q[numbers_[k].coordinate];
+  live_time_ = row.time;
+  start_ = start;
+  is_live_ = true;
+}
+
+MotionRow DriverSource::live_row(double t) {
+  if (t == live_time_) return {live_.q.data(), live_.qd.data(), live_.qdd.data()};
+  const double whole = live_time_ - start_, share = (t - start_) / whole;
+  for (std::size_t k = 0; k < numbers_.size(); ++k) {
+    const double way = live_.q[k] - from_[k];
+    between_.q[k] = from_[k] + share * way;
+    between_.qd[k] = way / whole;
+  }
+  return {between_.q.data(), between_.qd.data(), between_.qdd.data()};
 }
 
 void DriverSource::write_all(State& state) const {

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
+#include "formulations/base/lane_values.h"
+#include "formulations/base/live_row.h"
 #include "formulations/base/state.h"
 #include "formulations/model/model.h"
-#include "formulations/motion/prediction/live_drivers.h"
 #include "formulations/motion/prediction/motions_ahead.h"
 
 namespace desmo {
@@ -28,16 +29,16 @@ class DriverSource {
   /// one by one.
   void expect(const TimeGrid& grid) { motions_.expect(grid); }
 
-  /// Takes values in place of the motions until hand_back(); see LiveDrivers.
-  void hand_in(const LiveRow& row, double start, const State& from) {
-    live_.hand_in(row, start, from);
-  }
-  void hand_back() { live_.hand_back(); }
-  bool is_live() const { return live_.is_handed_in(); }
+  /// Takes values in place of the motions until hand_back(). At other times than the row's own,
+  /// drivers go straight to it at constant rates. start, from: time [s] and positions of the last
+  /// instant, from where they go.
+  void hand_in(const LiveRow& row, double start, const State& from);
+  void hand_back() { is_live_ = false; }
+  bool is_live() const { return is_live_; }
 
   /// Samples all drivers at time t [s] and writes to the state those that are read there.
   const MotionRow& sample(double t, State& state) {
-    row_ = live_.is_handed_in() ? live_.at(t) : motions_(t);
+    row_ = is_live_ ? live_row(t) : motions_(t);
     write(written_, state);
     return row_;
   }
@@ -53,6 +54,11 @@ class DriverSource {
   struct Driven {
     int coordinate, place;  // its place in the row
   };
+  /// A number of the row: its driver (position in Model::drivers) and coordinate.
+  struct Number {
+    int driver, coordinate;
+  };
+  MotionRow live_row(double t);
   void write(std::span<const Driven> drivers, State& state) const {
     for (const auto& [coordinate, place] : drivers) {
       state.q[coordinate] = row_.z[place];
@@ -65,8 +71,13 @@ class DriverSource {
   std::vector<Driven> drivers_;
   std::vector<Driven> written_;  // by sample()
   MotionsAhead motions_;
-  LiveDrivers live_;
   MotionRow row_{};
+  // Values that are handed in, for their own time and for others.
+  std::vector<Number> numbers_;
+  LaneState live_, between_;
+  LaneValues from_;
+  double live_time_ = 0, start_ = 0;  // s
+  bool is_live_ = false;
 };
 
 }  // namespace desmo
