@@ -39,16 +39,11 @@ struct Along : NonlinearKind<D> {
 
 /// Planar point p at a constant distance, to the left when positive, from the line through o along
 /// the unit vector u: u × (p − o) − c = 0. Operands u, o, p; c = {distance}.
-struct Offset : NonlinearKind<1> {
+struct Offset : MeasuredForm<Offset> {
   static constexpr std::string_view name = "offset";
   static constexpr std::array operand_sizes{2, 2, 2};
-  static constexpr int constants = 1, entries = 6;
+  static constexpr int entries = 6;
 
-  template <class S>
-  static void residual(const S* const* x, const S* c, S* phi) {
-    const auto s = vec::difference<2>(x[1], x[2]);
-    phi[0] = vec::cross(x[0], s.data()) - c[0];
-  }
   template <class S>
   static void measure(const S* const* x, S* c) {
     const auto s = vec::difference<2>(x[1], x[2]);
@@ -63,11 +58,6 @@ struct Offset : NonlinearKind<1> {
     entry(0, 1, 1, -x[0][0]);
     entry(0, 2, 0, -x[0][1]);
     entry(0, 2, 1, x[0][0]);
-  }
-  template <class S>
-  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    const auto s = vec::difference<2>(v[1], v[2]);
-    gamma[0] = S(2) * vec::cross(v[0], s.data());
   }
 };
 

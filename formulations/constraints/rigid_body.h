@@ -12,16 +12,11 @@ namespace desmo {
 
 /// Points a, b at constant distance: ‖b − a‖² − L² = 0.   c = {L²}
 template <int D>
-struct Length : NonlinearKind<1> {
+struct Length : MeasuredForm<Length<D>> {
   static constexpr std::string_view name = D == 2 ? "length2" : "length3";
   static constexpr std::array operand_sizes{D, D};
-  static constexpr int constants = 1, entries = 2 * D;
+  static constexpr int entries = 2 * D;
 
-  template <class S>
-  static void residual(const S* const* x, const S* c, S* phi) {
-    const auto s = vec::difference<D>(x[0], x[1]);
-    phi[0] = vec::dot<D>(s.data(), s.data()) - c[0];
-  }
   template <class S>
   static void measure(const S* const* x, S* c) {
     const auto s = vec::difference<D>(x[0], x[1]);
@@ -34,11 +29,6 @@ struct Length : NonlinearKind<1> {
       entry(0, 0, i, -d);
       entry(0, 1, i, d);
     }
-  }
-  template <class S>
-  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    const auto s = vec::difference<D>(v[0], v[1]);
-    gamma[0] = S(2) * vec::dot<D>(s.data(), s.data());
   }
 };
 
@@ -65,15 +55,11 @@ struct Unit : NonlinearKind<1> {
 
 /// Vectors u, v at a constant angle: u·v − c = 0.   c = {cosine of the angle}
 template <int D>
-struct Dot : NonlinearKind<1> {
+struct Dot : MeasuredForm<Dot<D>> {
   static constexpr std::string_view name = D == 2 ? "dot2" : "dot3";
   static constexpr std::array operand_sizes{D, D};
-  static constexpr int constants = 1, entries = 2 * D;
+  static constexpr int entries = 2 * D;
 
-  template <class S>
-  static void residual(const S* const* x, const S* c, S* phi) {
-    phi[0] = vec::dot<D>(x[0], x[1]) - c[0];
-  }
   template <class S>
   static void measure(const S* const* x, S* c) {
     c[0] = vec::dot<D>(x[0], x[1]);
@@ -85,24 +71,15 @@ struct Dot : NonlinearKind<1> {
       entry(0, 1, i, x[0][i]);
     }
   }
-  template <class S>
-  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    gamma[0] = S(2) * vec::dot<D>(v[0], v[1]);
-  }
 };
 
 /// Vector u and points a, b with constant projection: u·(b − a) − c = 0.   c = {projection}
 template <int D>
-struct Projection : NonlinearKind<1> {
+struct Projection : MeasuredForm<Projection<D>> {
   static constexpr std::string_view name = D == 2 ? "projection2" : "projection3";
   static constexpr std::array operand_sizes{D, D, D};
-  static constexpr int constants = 1, entries = 3 * D;
+  static constexpr int entries = 3 * D;
 
-  template <class S>
-  static void residual(const S* const* x, const S* c, S* phi) {
-    const auto s = vec::difference<D>(x[1], x[2]);
-    phi[0] = vec::dot<D>(x[0], s.data()) - c[0];
-  }
   template <class S>
   static void measure(const S* const* x, S* c) {
     const auto s = vec::difference<D>(x[1], x[2]);
@@ -115,11 +92,6 @@ struct Projection : NonlinearKind<1> {
       entry(0, 1, i, -x[0][i]);
       entry(0, 2, i, x[0][i]);
     }
-  }
-  template <class S>
-  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    const auto s = vec::difference<D>(v[1], v[2]);
-    gamma[0] = S(2) * vec::dot<D>(v[0], s.data());
   }
 };
 

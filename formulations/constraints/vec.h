@@ -93,4 +93,24 @@ struct NonlinearKind {
   static constexpr bool linear = false;
 };
 
+/// The common part of kinds that keep a quadratic form of their operands constant: f − c = 0, where
+/// f is what Kind::measure() writes.
+template <class Kind>
+struct MeasuredForm : NonlinearKind<1> {
+  static constexpr int constants = 1;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    S form;
+    Kind::measure(x, &form);
+    phi[0] = form - c[0];
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    S form;
+    Kind::measure(v, &form);
+    gamma[0] = S(2) * form;
+  }
+};
+
 }  // namespace desmo
