@@ -36,6 +36,9 @@ struct Entity {
   bool internal = false;  ///< serves the model alone: the mechanism has nothing of that name
 };
 
+/// The source of an equation. Earlier values are preferred when equations are selected.
+enum class Origin { ground, coordinate, joint, body };
+
 /// A constraint: a kind applied to entities, with its dimensions.
 struct Constraint {
   std::string name;
@@ -54,6 +57,7 @@ struct Constraint {
   /// Φ₀ of each row in Newton's homotopy Φ(q, t) = (1 − t) Φ₀; empty: Φ(q, t) = 0. Only proofs use
   /// it.
   std::vector<double> initial_residual{};
+  Origin origin = Origin::ground;  ///< in the mechanism; only the selection of equations reads it
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are

@@ -22,17 +22,16 @@ ModellingResult model_mechanism(const Mechanism& d, const std::vector<Motion>& m
                                 std::to_string(drivers) + " drivers");
   const RigidBodies rigid = find_rigid_bodies(d);
   const Structure structure = find_structure(d, rigid);
-  CandidateEquations candidates = make_candidate_equations(d, rigid, structure, motions, modelling);
+  ModellingResult result{make_candidate_equations(d, rigid, structure, motions, modelling), {}};
+  Model& m = result.model;
 
-  const std::size_t constant = candidates.model.groups.size() - structure.groups.size();
+  const std::size_t constant = m.groups.size() - structure.groups.size();
   std::vector<int> surplus(constant, 0);
   for (const StructuralGroup& g : structure.groups) surplus.push_back(g.restrictions - g.freedoms);
-  ModellingResult result;
-  result.left_out = leave_out_dependent(candidates, surplus);
+  result.left_out = leave_out_dependent(m, surplus);
   result.idle = find_idle_freedoms(d, rigid);
-  result.model = std::move(candidates.model);
-  keep_derivations(result.model);
-  validate(result.model);
+  keep_derivations(m);
+  validate(m);
   return result;
 }
 

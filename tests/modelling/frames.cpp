@@ -57,13 +57,12 @@ TEST(Frame, LetsJointsKeepNothingOfTheDrawing) {
       const RigidBodies rigid = find_rigid_bodies(d);
       const Structure together = dimension == 2 ? Structure{{{{1, 2}, {}}}, {-1, 0, 0}}
                                                 : Structure{{{{1, 2, 3}, {}}}, {-1, 0, 0, 0}};
-      const CandidateEquations all = make_candidate_equations(d, rigid, together, {});
+      const Model all = make_candidate_equations(d, rigid, together, {});
       int found = 0;
-      for (std::size_t c = 0; c < all.origins.size(); ++c)
-        if (all.origins[c] == Origin::joint) {
+      for (const Constraint& c : all.constraints)
+        if (c.origin == Origin::joint) {
           ++found;
-          EXPECT_EQ(all.model.constraints[c].constants[0].value == 0, has_frames)
-              << all.model.constraints[c].name;
+          EXPECT_EQ(c.constants[0].value == 0, has_frames) << c.name;
         }
       EXPECT_EQ(found, dimension);
     }

@@ -6,17 +6,9 @@
 
 namespace desmo {
 
-/// The source of a candidate equation. Earlier values are preferred when equations are selected.
-enum class Origin { ground, coordinate, joint, body };
-
-/// A model with all constraint equations that its mechanism gives rise to; some may depend on
-/// others.
-struct CandidateEquations {
-  Model model;                  ///< constraints in group order
-  std::vector<Origin> origins;  ///< source of each constraint
-};
-
-/// Makes coordinates (see make_coordinates) and candidate equations (García de Jalón & Bayo, 1994):
+/// Makes a model with all constraint equations that its mechanism gives rise to, in group order;
+/// some may depend on others. It has coordinates (see make_coordinates) and these candidate
+/// equations (García de Jalón & Bayo, 1994):
 /// - bodies: constant products of the basis, linear relations for other points and vectors;
 /// - joints: an angle between vectors or an offset from a line; shared points and vectors need no
 ///   equation;
@@ -28,9 +20,8 @@ struct CandidateEquations {
 /// driven coordinate, in order. What is linear in the basis of a body is a derivation, unless
 /// coordinates are natural. Throws std::invalid_argument, naming the coordinate, when a
 /// coordinate cannot be modelled.
-CandidateEquations make_candidate_equations(const Mechanism& mechanism, const RigidBodies& rigid,
-                                            const Structure& structure,
-                                            const std::vector<Motion>& motions,
-                                            Modelling modelling = Modelling::natural);
+Model make_candidate_equations(const Mechanism& mechanism, const RigidBodies& rigid,
+                               const Structure& structure, const std::vector<Motion>& motions,
+                               Modelling modelling = Modelling::natural);
 
 }  // namespace desmo

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -25,7 +24,7 @@ double max_coordinate(const Points& points, Position position = {}) {
 }
 
 template <int D>
-CandidateEquations write_all(EquationWriter& w) {
+Model write_all(EquationWriter& w) {
   write_body_equations<D>(w);
   if (w.framed) write_cut_joints<D>(w);
   write_joint_equations(w);
@@ -93,22 +92,11 @@ std::string EquationWriter::text(const Mechanism::Direction& d) const {
                      : mechanism.vectors[d.vector].name;
 }
 
-CandidateEquations EquationWriter::release() {
-  Model& m = coordinates_.model;
-  std::vector<int> order(origins_.size());
-  std::iota(order.begin(), order.end(), 0);
+Model EquationWriter::release() {
   // So far, only equations between constants are left out. They come last.
-  std::ranges::stable_sort(order, {}, [&m](int c) {
-    return std::pair(m.constraints[c].group, m.constraints[c].left_out != 0);
-  });
-  std::vector<Constraint> constraints;
-  std::vector<Origin> origins;
-  for (const int c : order) {
-    constraints.push_back(std::move(m.constraints[c]));
-    origins.push_back(origins_[c]);
-  }
-  m.constraints = std::move(constraints);
-  return {std::move(m), std::move(origins)};
+  std::ranges::stable_sort(coordinates_.model.constraints, {},
+                           [](const Constraint& c) { return std::pair(c.group, c.left_out != 0); });
+  return std::move(coordinates_.model);
 }
 
 void EquationWriter::constrain(Origin origin, std::string name, int kind,
@@ -120,6 +108,7 @@ void EquationWriter::constrain(Origin origin, std::string name, int kind,
                   {dimensions.begin(), dimensions.end()},
                   no_position};
   made.derives = derives;
+  made.origin = origin;
   for (const EntityId e : operands)
     made.group = std::max(made.group, coordinates_.model.entities.at(e).group);
   if (made.group < 0) {
@@ -129,7 +118,6 @@ void EquationWriter::constrain(Origin origin, std::string name, int kind,
     made.left_out = (1u << rows(made)) - 1;
   }
   coordinates_.model.add(std::move(made));
-  origins_.push_back(origin);
 }
 
 double reach_of(const Mechanism& d) {
@@ -166,9 +154,8 @@ void mark_internal(Coordinates& coordinates, const Mechanism& d) {
 
 /// Makes the candidates of a mechanism to which points and vectors may have been added after those
 /// of `d`.
-CandidateEquations make_candidates(const Mechanism& drawn, const RigidBodies& rigid,
-                                   const Structure& structure, const std::vector<Motion>& motions,
-                                   Modelling modelling, const Mechanism& d) {
+Model make_candidates(const Mechanism& drawn, const RigidBodies& rigid, const Structure& structure,
+                      const std::vector<Motion>& motions, Modelling modelling, const Mechanism& d) {
   const std::optional<FramedMechanism> changed =
       has_frames(modelling) ? put_frames(drawn, rigid, structure, modelling)
                             : with_plane_normals(drawn, rigid);
@@ -178,17 +165,16 @@ CandidateEquations make_candidates(const Mechanism& drawn, const RigidBodies& ri
   mark_internal(coordinates, d);
   EquationWriter w(mechanism, bodies, std::move(coordinates),
                    has_frames(modelling) ? &*changed : nullptr);
-  CandidateEquations candidates = d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
-  keep_derivations(candidates.model);
-  return candidates;
+  Model model = d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
+  keep_derivations(model);
+  return model;
 }
 
 }  // namespace
 
-CandidateEquations make_candidate_equations(const Mechanism& d, const RigidBodies& rigid,
-                                            const Structure& structure,
-                                            const std::vector<Motion>& motions,
-                                            Modelling modelling) {
+Model make_candidate_equations(const Mechanism& d, const RigidBodies& rigid,
+                               const Structure& structure, const std::vector<Motion>& motions,
+                               Modelling modelling) {
   if (const auto drawn = with_lines_as_drawn(d, rigid))
     return make_candidates(*drawn, find_rigid_bodies(*drawn), structure, motions, modelling, d);
   return make_candidates(d, rigid, structure, motions, modelling, d);

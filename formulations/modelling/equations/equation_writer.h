@@ -76,8 +76,8 @@ class EquationWriter {
   /// Returns the text of a direction in equation names: "v" or "P-Q".
   std::string text(const Mechanism::Direction& direction) const;
 
-  /// Returns all candidates in group order; leaves the writer empty.
-  CandidateEquations release();
+  /// Returns the model with all candidates in group order; leaves the writer empty.
+  Model release();
 
  private:
   /// Returns whether a direction, or the points of a line, are fixed.
@@ -85,7 +85,6 @@ class EquationWriter {
 
   using Key = std::array<int, 3>;
   Coordinates coordinates_;
-  std::vector<Origin> origins_;  // source of each constraint
   double farthest_;              // reach, nominally or in a body's own frame
   GroupId group_ = no_position;  // of equations between constants
   struct Product {

@@ -165,15 +165,13 @@ std::vector<LeftOut> constant_equations(const Model& m) {
 
 }  // namespace
 
-std::vector<LeftOut> leave_out_dependent(CandidateEquations& candidates,
-                                         const std::vector<int>& surplus) {
-  Model& m = candidates.model;
+std::vector<LeftOut> leave_out_dependent(Model& m, const std::vector<int>& surplus) {
   std::vector<LeftOut> left_out = constant_equations(m);
   std::vector<GroupSystem> systems = group_systems(m);
   for (GroupSystem& s : systems) s.redundant = surplus[s.group] > 0;
   Linearisers linearisers(m);
   const SampledPositions positions = assemble_positions(m, systems, linearisers);
-  RowSelector selector(candidates, positions, linearisers);
+  RowSelector selector(m, positions, linearisers);
   for (GroupSystem& s : systems) {
     SelectedRows selected = selector.select(s);
     std::optional<Contradiction> contradiction;

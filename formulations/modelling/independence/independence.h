@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "formulations/modelling/equations/candidates.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo {
@@ -24,7 +23,6 @@ namespace desmo {
 /// - a group is under-constrained,
 /// - a group cannot follow its drivers (too many drivers, or constraints that contradict each other
 ///   by more than 1e-4 of its size).
-std::vector<LeftOut> leave_out_dependent(CandidateEquations& candidates,
-                                         const std::vector<int>& surplus);
+std::vector<LeftOut> leave_out_dependent(Model& candidates, const std::vector<int>& surplus);
 
 }  // namespace desmo

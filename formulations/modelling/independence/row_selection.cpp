@@ -54,13 +54,9 @@ bool make_scalar(Constraint& constraint) {
 
 }  // namespace
 
-RowSelector::RowSelector(CandidateEquations& candidates, const SampledPositions& positions,
+RowSelector::RowSelector(Model& candidates, const SampledPositions& positions,
                          Linearisers& linearisers)
-    : m_(candidates.model),
-      origins_(candidates.origins),
-      positions_(positions),
-      linearisers_(linearisers),
-      moves_(m_.state_size()) {
+    : m_(candidates), positions_(positions), linearisers_(linearisers), moves_(m_.state_size()) {
   for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
     std::fill_n(moves_.begin() + m_.state_index(e), m_.entities[e].size, !m_.is_at_rest(e));
 }
@@ -136,7 +132,7 @@ std::vector<int> RowSelector::preference(const GroupSystem& s) const {
     std::vector<int> entries(rows(constraint), 0);
     visit_incidence(m_, constraint, [&](int row, int state) { entries[row] += moves_[state]; });
     for (const int n : entries)
-      ranks.emplace_back(constraint.derives < 0, !is_linear(constraint), n, origins_[c],
+      ranks.emplace_back(constraint.derives < 0, !is_linear(constraint), n, constraint.origin,
                          static_cast<int>(ranks.size()));
   }
   std::ranges::sort(ranks);

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "formulations/modelling/equations/candidates.h"
 #include "formulations/modelling/independence/sampled_positions.h"
 
 namespace desmo {
@@ -20,8 +19,7 @@ struct SelectedRows {
 class RowSelector {
  public:
   /// Stores references: all arguments must outlive the selector.
-  RowSelector(CandidateEquations& candidates, const SampledPositions& positions,
-              Linearisers& linearisers);
+  RowSelector(Model& candidates, const SampledPositions& positions, Linearisers& linearisers);
 
   SelectedRows select(const GroupSystem& system);
 
@@ -35,7 +33,6 @@ class RowSelector {
   bool shorten_definitions(const GroupSystem& system, const std::vector<bool>& taken);
 
   Model& m_;
-  const std::vector<Origin>& origins_;  // source of each constraint
   const SampledPositions& positions_;
   Linearisers& linearisers_;
   std::vector<bool> moves_;  // whether each component of the state moves
