@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "cases/mechanism/formatted.h"
@@ -32,57 +33,48 @@ std::string shortest(double value) {
 struct Suffix {
   std::string_view key;
   std::string values;  ///< for messages
-  /// The value; empty where it is the paper's.
   std::function<std::string(const Settings&)> print;
   /// False when there is no such value.
   std::function<bool(std::string_view, Settings&)> parse;
 };
 
-/// A setting that is one of a few, the first of them the paper's.
+/// Returns the suffix of a setting that is one of a few.
 template <class Choice>
 Suffix choice(std::string_view key, Choice Settings::*setting,
               const std::vector<std::string_view>& names) {
-  return {key, joined(names),
-          [=](const Settings& s) {
-            const auto i = static_cast<std::size_t>(s.*setting);
-            return i == 0 ? std::string() : std::string(names[i]);
-          },
+  return {
+      key, joined(names),
+      [=](const Settings& s) { return std::string(names[static_cast<std::size_t>(s.*setting)]); },
+      [=](std::string_view text, Settings& s) {
+        const auto found = std::ranges::find(names, text);
+        if (found == names.end()) return false;
+        s.*setting = static_cast<Choice>(found - names.begin());
+        return true;
+      }};
+}
+
+Suffix number(std::string_view key, std::string values, int Settings::*setting,
+              const std::function<bool(int)>& is_offered) {
+  return {key, std::move(values), [=](const Settings& s) { return std::to_string(s.*setting); },
           [=](std::string_view text, Settings& s) {
-            for (std::size_t i = 0; i < names.size(); ++i)
-              if (names[i] == text) {
-                s.*setting = static_cast<Choice>(i);
-                return true;
-              }
-            return false;
+            return parse_number(text, s.*setting) && is_offered(s.*setting);
           }};
 }
 
-Suffix whole_number(std::string_view key, int Settings::*number, int largest) {
-  return {key, "a whole number from 1 to " + std::to_string(largest),
-          [=](const Settings& s) {
-            return s.*number == Settings{}.*number ? std::string() : std::to_string(s.*number);
-          },
-          [=](std::string_view text, Settings& s) {
-            return parse_number(text, s.*number) && s.*number >= 1 && s.*number <= largest;
-          }};
+Suffix whole_number(std::string_view key, int Settings::*setting, int largest) {
+  return number(key, "a whole number from 1 to " + std::to_string(largest), setting,
+                [=](int n) { return n >= 1 && n <= largest; });
 }
 
 /// Returns the suffix of a number of lanes.
-Suffix at_once(std::string_view key, int Settings::*count) {
-  return {
-      key, joined(lane_counts, [](int lanes) { return std::to_string(lanes); }),
-      [=](const Settings& s) { return s.*count == 1 ? std::string() : std::to_string(s.*count); },
-      [=](std::string_view text, Settings& s) {
-        return parse_number(text, s.*count) &&
-               (s.*count == 1 || std::ranges::count(lane_counts, s.*count) > 0);
-      }};
+Suffix at_once(std::string_view key, int Settings::*setting) {
+  return number(key, joined(lane_counts, [](int lanes) { return std::to_string(lanes); }), setting,
+                [](int n) { return n == 1 || std::ranges::count(lane_counts, n) > 0; });
 }
 
 Suffix tolerance() {
   return {"tolerance", "a number above 0, such as 1e-6",
-          [](const Settings& s) {
-            return s.tolerance == Settings{}.tolerance ? std::string() : shortest(s.tolerance);
-          },
+          [](const Settings& s) { return shortest(s.tolerance); },
           [](std::string_view text, Settings& s) {
             return parse_number(text, s.tolerance) && s.tolerance > 0 && std::isfinite(s.tolerance);
           }};
@@ -131,7 +123,7 @@ void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
 std::string id_with(const Variant& v, const Settings& settings) {
   std::string id = v.id;
   for (const Suffix& suffix : suffixes())
-    if (const std::string value = suffix.print(settings); !value.empty())
+    if (const std::string value = suffix.print(settings); value != suffix.print({}))
       id += "/" + std::string(suffix.key) + ":" + value;
   return id;
 }
