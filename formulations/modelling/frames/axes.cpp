@@ -93,6 +93,32 @@ std::pair<int, int> AxisMaker::find_or_add_normals(int body, int vector) {
   return at->second = {first, find_or_add_axis(body, cross(u, n), "normal")};
 }
 
+Exact AxisMaker::nearest_to_normal(int body, const Exact& axis) const {
+  Exact best{};
+  double least = 2;
+  for (const Mechanism::Direction& d : framed_.rigid.list[body].basis.directions) {
+    const Exact u = unit(own(body, d));
+    if (const double along = std::abs(dot(u, axis).value); along < least - 1e-9) {
+      least = along;
+      best = u;
+    }
+  }
+  return best;
+}
+
+bool AxisMaker::measures_turn(const Mechanism::Coordinate& a, int parent, int body,
+                              int axis) const {
+  if (!carries(framed_.rigid, body, a.of)) return false;
+  if (!a.from.is_given()) return parent == 0;
+  if (!carries(framed_.rigid, parent, a.from)) return false;
+  if (framed_.mechanism.dimension == 2) return true;
+  if (!carries(framed_.rigid, parent, a.towards) || a.from.is_line() || a.towards.is_line())
+    return false;
+  const Exact u = own(parent, axis), f = own(parent, a.from), g = own(parent, a.towards);
+  return are_normal(u, f) && are_normal(u, g) && are_normal(f, g) &&
+         are_normal(own(body, axis), unit(own(body, a.of)));
+}
+
 void AxisMaker::add_normal(int body) {
   auto& directions = framed_.rigid.list[body].basis.directions;
   const int normal = add_vector(body, own_axes(body)[2], "normal");

@@ -9,7 +9,6 @@
 #include "cases/numbers/space.h"
 #include "formulations/modelling/coordinates/placement.h"
 #include "formulations/modelling/frames/axes.h"
-#include "formulations/modelling/frames/declared_variables.h"
 
 namespace desmo {
 
@@ -25,9 +24,9 @@ class FramePlanner {
       : framed_(framed),
         d_(framed.mechanism),
         rigid_(framed.rigid),
+        structure_(structure),
         placement_(place_entities(d_, rigid_, structure, false)),
         axes_(framed),
-        declared_(framed, axes_, structure, placement_),
         is_plane_(d_.dimension == 2),
         orientation_(rigid_.list.size()) {}
 
@@ -91,7 +90,8 @@ class FramePlanner {
 
   void plan_travel(int r, const Mechanism::Joint& j) {
     DerivedFrame& frame = framed_.frames[r];
-    frame.travel = declared_.travel(r, j);
+    frame.travel =
+        declared(r, [&](const Mechanism::Coordinate& c) { return is_distance_of(j, c); });
     const Vec& from = d_.points[j.points[0]].position;
     const Vec& to = d_.points[j.points[1]].position;
     using nominal::operator-;
@@ -101,7 +101,7 @@ class FramePlanner {
   void turn_in_plane(int r) {
     DerivedFrame& frame = framed_.frames[r];
     const int parent = framed_.tree.hanging[r].parent;
-    frame.angle = declared_.angle(r, Mechanism::none);
+    frame.angle = declared_angle(r, Mechanism::none);
     Direction lead = rigid_.list[r].basis.directions.front(), from;
     if (frame.angle >= 0) {
       lead = d_.coordinates[frame.angle].of;
@@ -123,7 +123,7 @@ class FramePlanner {
   void turn_about(int r, int u) {
     DerivedFrame& frame = framed_.frames[r];
     const int parent = framed_.tree.hanging[r].parent;
-    frame.angle = declared_.angle(r, u);
+    frame.angle = declared_angle(r, u);
     const Exact axis = axes_.own(r, u);
     Exact lead;
     if (frame.angle >= 0) {
@@ -133,7 +133,7 @@ class FramePlanner {
       frame.towards = c.towards.vector;
       frame.opposite = c.opposite;
     } else {
-      lead = nearest_to_normal(r, axis);
+      lead = axes_.nearest_to_normal(r, axis);
       std::tie(frame.from, frame.towards) = axes_.find_or_add_normals(parent, u);
     }
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
@@ -150,7 +150,7 @@ class FramePlanner {
     const int a = j.vectors[hanging.is_first ? 1 : 0], b = j.vectors[hanging.is_first ? 0 : 1];
     std::tie(frame.from, frame.towards) = axes_.find_or_add_normals(hanging.parent, a);
     const Exact axis = axes_.own(r, b);
-    Exact lead = nearest_to_normal(r, axis);
+    Exact lead = axes_.nearest_to_normal(r, axis);
     if (!are_normal(lead, axis)) lead = unit(across(lead, axis));
     frame.axes = {axes_.find_or_add_axis(r, lead, "x"),
                   axes_.find_or_add_axis(r, cross(axis, lead), "y"),
@@ -198,18 +198,22 @@ class FramePlanner {
     return axes;
   }
 
-  /// Returns the direction of a body's basis that is least along another.
-  Exact nearest_to_normal(int r, const Exact& axis) const {
-    Exact best{};
-    double least = 2;
-    for (const Direction& d : rigid_.list[r].basis.directions) {
-      const Exact u = unit(axes_.own(r, d));
-      if (const double along = std::abs(dot(u, axis).value); along < least - 1e-9) {
-        least = along;
-        best = u;
-      }
-    }
-    return best;
+  /// Returns the first declared coordinate that can be a variable of a body, since the same group
+  /// finds it, and measures what its tree joint varies; none: there is none.
+  template <class Measures>
+  int declared(int r, const Measures& measures) const {
+    for (int c = 0; c < static_cast<int>(d_.coordinates.size()); ++c)
+      if (placement_.of(d_.coordinates[c]) == structure_.of_body[r] && measures(d_.coordinates[c]))
+        return c;
+    return Mechanism::none;
+  }
+
+  /// Returns the declared angle about the axis of a tree joint. axis: none in the plane.
+  int declared_angle(int r, int axis) const {
+    const int parent = framed_.tree.hanging[r].parent;
+    return declared(r, [&](const Mechanism::Coordinate& c) {
+      return c.type == Mechanism::CoordinateType::angle && axes_.measures_turn(c, parent, r, axis);
+    });
   }
 
   const Vec& direction(int vector) const { return d_.vectors[vector].direction; }
@@ -217,9 +221,9 @@ class FramePlanner {
   FramedMechanism& framed_;
   Mechanism& d_;
   RigidBodies& rigid_;
+  const Structure& structure_;
   Placement placement_;
   AxisMaker axes_;
-  DeclaredVariables declared_;
   bool is_plane_;
   std::vector<int> orientation_;  // first body with the same axes
 };
