@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <numeric>
 #include <random>
@@ -18,10 +19,9 @@ class DenseSolver final : public LinearSolver {
  public:
   DenseSolver(const Pattern& pattern, Eigen::MatrixXd& seen) : pattern_(pattern), seen_(seen) {}
   bool factor(const double* values) override {
-    seen_ = Eigen::MatrixXd::Zero(pattern_.n, pattern_.n);
-    for (int j = 0; j < pattern_.n; ++j)
-      for (int k = pattern_.column_start[j]; k < pattern_.column_start[j + 1]; ++k)
-        seen_(pattern_.row[k], j) = values[k];
+    seen_ = Eigen::Map<const Eigen::SparseMatrix<double>>(
+        pattern_.n, pattern_.n, pattern_.dependent_entries(), pattern_.column_start.data(),
+        pattern_.row.data(), values);
     lu_.compute(seen_);
     return true;
   }
@@ -68,15 +68,11 @@ struct System {
     pattern.n = n;
     pattern.unknowns.resize(n);
     std::iota(pattern.unknowns.begin(), pattern.unknowns.end(), 0);
-    pattern.column_start.push_back(0);
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i)
-        if (a(i, j) != 0) {
-          pattern.row.push_back(i);
-          values.push_back(a(i, j));
-        }
-      pattern.column_start.push_back(static_cast<int>(pattern.row.size()));
-    }
+    const Eigen::SparseMatrix<double> sparse = a.sparseView();
+    const auto entries = sparse.nonZeros();
+    pattern.column_start.assign(sparse.outerIndexPtr(), sparse.outerIndexPtr() + n + 1);
+    pattern.row.assign(sparse.innerIndexPtr(), sparse.innerIndexPtr() + entries);
+    values.assign(sparse.valuePtr(), sparse.valuePtr() + entries);
   }
 };
 

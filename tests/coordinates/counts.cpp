@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/io/files.h"
@@ -93,32 +95,15 @@ TEST(Coordinates, HangBodiesOnFreeOnes) {
   EXPECT_EQ(solved(make_model(scene, Modelling::reference), Partition::global), Counts{6});
 }
 
-/// What slides beside its line keeps its distance from it, so that the joint is cut.
+/// What rounding leaves beside a line is on it. What slides beside it by three times as much as may
+/// be taken for rounding keeps its distance, so that the joint is cut.
 TEST(Coordinates, KeepWhatSlidesBesideItsLineThere) {
-  const Scene scene = parse_scene(R"({"format": "desmo-scene", "version": 1, "mechanism":
-    {"format": "desmo-mechanism", "version": 1, "name": "offset", "dimension": 2,
-     "points": {"A": [0, 0.1], "C": [1.5, -0.2]}, "vectors": {"u": [1, 0]},
-     "ground": {"points": ["A"], "vectors": ["u"]}, "bodies": {"slider": {"points": ["C"], "vectors": ["u"]}},
-     "joints": [{"type": "prismatic", "bodies": ["ground", "slider"], "points": ["A", "C"], "vectors": ["u"]}],
-     "coordinates": {"cx": {"component": "C", "axis": "x"}}, "drivers": ["cx"]},
-    "motion": {"cx": {"type": "polynomial", "coefficients": [1.5, 1]}},
-    "time": {"end": 1, "step": 0.1}})",
-                                  "offset", {});
-  for (const Modelling kind : {Modelling::basis, Modelling::reference, Modelling::relative}) {
-    const Model m = make_model(scene, kind);
-    const auto f =
-        make_formulation(find_variant("group_automatic_lapack"), m, {.coordinates = kind});
-    ASSERT_TRUE(f->assemble(0.5).ok());
-    EXPECT_NEAR(f->value("C.x"), 2, 1e-12);
-    EXPECT_NEAR(f->value("C.y"), -0.2, 1e-12) << static_cast<int>(kind);
-  }
-}
-
-/// What rounding leaves beside a line is on it; what slides beside it by three times as much as may
-/// be taken for rounding is not moved there.
-TEST(Coordinates, TellWhatSlidesBesideItsLineFromRounding) {
-  for (const double share : {1. / 3, 3.}) {
-    const double off = share * 1e-12 * 5;  // of the size, 3 by 4
+  constexpr double rounding = 1e-12 * 5;  // of the size, 3 by 4
+  for (const auto& [kind, off] : {std::pair{Modelling::basis, 0.3},
+                                  {Modelling::reference, 0.3},
+                                  {Modelling::relative, 0.3},
+                                  {Modelling::relative, 3 * rounding},
+                                  {Modelling::relative, rounding / 3}}) {
     MechanismBuilder d("beside", 2);
     const int A = d.point("A", {0, 0, 0}), B = d.point("B", {0, 4, 0}),
               C = d.point("C", {3, off, 0});
@@ -128,11 +113,13 @@ TEST(Coordinates, TellWhatSlidesBesideItsLineFromRounding) {
     d.joint(Mechanism::JointType::prismatic, MechanismBuilder::ground, slider, {A, C}, {u});
     d.component("x", C, 0).driven = true;
     const Scene scene{"beside", d.release(), {Polynomial{{3, 1}}}, {0, 0.1, 11}, {}, {}};
-    const Model m = make_model(scene, Modelling::relative);
-    const auto f = make_formulation(find_variant("group_automatic_lapack"), m,
-                                    {.coordinates = Modelling::relative});
+    const Model m = make_model(scene, kind);
+    const auto f =
+        make_formulation(find_variant("group_automatic_lapack"), m, {.coordinates = kind});
     ASSERT_TRUE(f->assemble(0.5).ok());
-    EXPECT_NEAR(f->value("C.y"), share > 1 ? off : 0, off / 10) << share;
+    EXPECT_NEAR(f->value("C.x"), 3.5, 1e-12);
+    EXPECT_NEAR(f->value("C.y"), off > rounding ? off : 0, std::min(off / 10, 1e-11))
+        << name_of(kind) << ", " << off;
   }
 }
 
