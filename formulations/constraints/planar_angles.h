@@ -144,13 +144,13 @@ struct AngleOperands {
     else
       return direction<2, from_line>(x + first_of_e);
   }
-  /// Returns ‖d‖/‖e‖. Vectors have length 1.
+  /// Measures ‖d‖/‖e‖. Vectors have length 1.
   template <class S>
-  static S ratio(const S* const* x) {
+  static void measure(const S* const* x, S* c) {
     const auto length = [](bool line, const std::array<S, 2>& u) {
       return line ? norm<2>(u.data()) : S(1);
     };
-    return length(of_line, d(x)) / length(from_line, e(x));
+    c[0] = length(of_line, d(x)) / length(from_line, e(x));
   }
 };
 
@@ -177,10 +177,6 @@ struct PlanarTurn : NonlinearKind<2>, vec::AngleOperands<between> {
     const auto d = Operands::d(x);
     const auto f = turn(Operands::e(x));
     for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
-  }
-  template <class S>
-  static void measure(const S* const* x, S* c) {
-    c[0] = Operands::ratio(x);
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {

@@ -124,10 +124,6 @@ struct PlanarBearingFrom : NonlinearKind<1>, vec::AngleOperands<between> {
   static void residual(const S* const* x, const S* c, S* phi) {
     phi[0] = parallel(x, vec::ScaledRotation<S>(c[0], x[theta][0])).residual();
   }
-  template <class S>
-  static void measure(const S* const* x, S* c) {
-    c[0] = Operands::ratio(x);
-  }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
     constexpr int e = Operands::first_of_e;
