@@ -13,10 +13,10 @@ namespace {
 
 /// Returns the speed-up of a key; nothing for the reference itself, or without one.
 std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& key,
-                                   const Timing& timing) {
-  const auto reference = group.timings.find(reference_of(key));
-  if (reference == group.timings.end() || reference->first == key) return std::nullopt;
-  return measured_speed_up(reference->second.time, timing.time).speed_up;
+                                   const Measurement& variant) {
+  const auto reference = group.measurements.find(reference_of(key));
+  if (reference == group.measurements.end() || reference->first == key) return std::nullopt;
+  return measured_speed_up(measured(*reference->second), measured(variant)).speed_up;
 }
 
 /// Keys of the points of accuracy that stand beside another machine's: of thousands those in front
@@ -46,11 +46,11 @@ std::vector<Table> speed_ups_of_both(const Record& first, const Record& second) 
                                             {"first_date", first.date.substr(0, 10)},
                                             {"second", second.machine.cpu},
                                             {"second_date", second.date.substr(0, 10)}});
-    for (const auto& [key, one] : a[i].timings) {
-      const auto other = b[i].timings.find(key);
-      if (other == b[i].timings.end()) continue;
+    for (const auto& [key, one] : a[i].measurements) {
+      const auto other = b[i].measurements.find(key);
+      if (other == b[i].measurements.end()) continue;
       if (key.id.find("/step:") != key.id.npos && !in_front.contains(key)) continue;
-      const auto x = speed_up_of(a[i], key, one), y = speed_up_of(b[i], key, other->second);
+      const auto x = speed_up_of(a[i], key, *one), y = speed_up_of(b[i], key, *other->second);
       if (x && y)
         table.rows.push_back(
             {key.case_name, key.coordinates, key.id, ratio_entry(*x), ratio_entry(*y)});

@@ -54,7 +54,7 @@ void check_pairs(const CheckRecord& check, const RecordValue& root) {
 }
 
 // Its answers are right, whether it was timed or not.
-bool is_sound(const MeasuredCandidate& candidate) {
+bool is_sound(const Measurement& candidate) {
   return candidate.status != Status::failed && candidate.verification;
 }
 

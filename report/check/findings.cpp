@@ -28,7 +28,7 @@ Pass first_pass(const CheckRecord& check) {
   Pass pass;
   if (!check.base) return pass;
   for (const auto& [key, head] : check.head.candidates)
-    if (const MeasuredCandidate& base = check.base->candidates.at(key);
+    if (const Measurement& base = check.base->candidates.at(key);
         base.status == Status::ok && head.status == Status::ok)
       pass[name_of(key)] = {base.time.seconds, head.time.seconds};
   if (!pass.empty()) pass[control_name] = check.control;

@@ -39,7 +39,7 @@ Point read_point(const RecordValue& node) {
   if (point.status != Status::ok) return point;
   point.error = read_errors(node["error"]);
   point.iterations_per_step = node["iterations_per_step"].not_negative();
-  point.seconds_per_step = read_cpu_seconds(node["time_per_step"]);
+  point.time = read_step_time(node["time_per_step"]);
   if (!point.error.position) fail(point, "the positions found are beyond all measure");
   return point;
 }

@@ -29,7 +29,7 @@ TimedSize read_entry(const RecordValue& node, const RecordSettings& settings) {
   entry.iterations_per_step = node["iterations_per_step"].not_negative();
   entry.state_bytes = node["state_bytes"].positive();
   entry.bytes = node.maybe("bytes", &RecordValue::positive);
-  entry.seconds_per_step = read_cpu_seconds(node["time_per_step"]);
+  entry.time = read_step_time(node["time_per_step"]);
   if (settings.allowed) fail(entry, excess(*entry.verification, allowed_of(entry, settings)));
   return entry;
 }

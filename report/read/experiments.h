@@ -37,22 +37,21 @@ struct PointKey {
   auto operator<=>(const PointKey&) const = default;
 };
 
-/// A configuration tried: ok, failed or not applicable.
-struct Point : TimedStep {
+/// A step of a configuration tried: ok, failed or not applicable.
+struct Point : Measurement {
   Configuration configuration;
   MaxErrors error;  ///< relative; of position always when ok
 };
 
 // ---- size: time against size ----
 
-/// A formulation at one size of a case: ok or failed.
-struct TimedSize : TimedStep {
+/// A step of a formulation at one size of a case: ok, then with verification, or failed.
+struct TimedSize : Measurement {
   std::int64_t unknowns = 0;
   double tolerance = 0;
   std::string checked_against;  ///< "quadruple", "double": the reference's precision; when ok
-  std::optional<LevelNumbers> verification;  ///< always when ok
-  double state_bytes = 0;                    ///< q, q', q''
-  std::optional<double> bytes;               ///< memory that the formulation keeps
+  double state_bytes = 0;       ///< q, q', q''
+  std::optional<double> bytes;  ///< memory that the formulation keeps
 };
 
 // ---- modelling: the same in other coordinates ----

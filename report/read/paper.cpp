@@ -18,9 +18,9 @@ double read_setup(const RecordValue& time) {
 }
 
 /// Reads what requests have, too. Times of a wrong answer are not times.
-MeasuredCandidate read_solved(const RecordValue& node, const RecordSettings& settings,
-                              std::string_view id) {
-  MeasuredCandidate candidate{
+Measurement read_solved(const RecordValue& node, const RecordSettings& settings,
+                        std::string_view id) {
+  Measurement candidate{
       .status = read_status(node["status"]),
       .message = node.maybe("message", &RecordValue::text).value_or(""),
       .origin = {node.maybe("machine", &RecordValue::text),
@@ -31,9 +31,9 @@ MeasuredCandidate read_solved(const RecordValue& node, const RecordSettings& set
   return candidate;
 }
 
-MeasuredCandidate read_candidate(const RecordValue& node, const RecordSettings& settings,
-                                 std::string_view id) {
-  MeasuredCandidate candidate = read_solved(node, settings, id);
+Measurement read_candidate(const RecordValue& node, const RecordSettings& settings,
+                           std::string_view id) {
+  Measurement candidate = read_solved(node, settings, id);
   candidate.setup_seconds = node.maybe("setup_time", read_setup);
   if (const auto checked = node.find("verification"))
     candidate.verification = read_levels(*checked, &RecordValue::not_negative);
@@ -47,35 +47,36 @@ MeasuredRequest read_request(const RecordValue& node, const RecordSettings& sett
   const CandidateKey key = read_key(node);
   const RecordValue level = node["level"];
   level.one_of({"position", "velocity", "acceleration"});
-  MeasuredRequest request{.key = key,
-                          .name = node["request"].name(),
-                          .title = node["title"].text(),
-                          .level = level.text(),
-                          .unknowns = node["unknowns"].integer(1),
-                          .all_unknowns = node["all_unknowns"].integer(1),
-                          .solved = read_solved(node, settings, key.id)};
+  MeasuredRequest request{read_solved(node, settings, key.id),
+                          key,
+                          node["request"].name(),
+                          node["title"].text(),
+                          level.text(),
+                          node["unknowns"].integer(1),
+                          node["all_unknowns"].integer(1)};
   if (request.unknowns > request.all_unknowns)
     node["unknowns"].complain("more unknowns than the whole mechanism has");
-  if (request.solved.status != Status::ok) return request;
+  if (request.status != Status::ok) return request;
   const RecordValue verification = node["verification"];
   if (!settings.allowed) return request;
   const auto difference = [&](const char* name) {  // only the levels asked were compared
     return verification.maybe(name, &RecordValue::not_negative).value_or(0);
   };
-  fail(request.solved, excess({verification["position"].not_negative(), difference("velocity"),
-                               difference("acceleration")},
-                              *settings.allowed));
+  fail(request, excess({verification["position"].not_negative(), difference("velocity"),
+                        difference("acceleration")},
+                       *settings.allowed));
   return request;
 }
 
 Peer read_peer(const RecordValue& node, const RecordSettings& settings) {
-  return {.key = {read_case_size(node), "peer:" + node["peer"].name()},
-          .name = node["peer"].name(),
-          .library = node["library"].text(),
-          .library_version = node["library_version"].text(),
-          .method = node["method"].text(),
-          .guess = node["guess"].name(),
-          .solved = read_candidate(node, settings, "a peer")};
+  const std::string name = node["peer"].name();
+  return {read_candidate(node, settings, "a peer"),
+          {read_case_size(node), "peer:" + name},
+          name,
+          node["library"].text(),
+          node["library_version"].text(),
+          node["method"].text(),
+          node["guess"].name()};
 }
 
 Profile read_profile(const RecordValue& node) {

@@ -73,9 +73,8 @@ auto read_levels(const RecordValue& node, const Read& read) {
 /// does.
 std::string excess(const LevelNumbers& found, const LevelNumbers& allowed);
 
-/// Turn something into a failure that has no time. An empty reason leaves it as it is.
-void fail(MeasuredCandidate& candidate, std::string reason);
-void fail(TimedStep& step, std::string reason);
+/// Turns something into a failure that has no time. An empty reason leaves it as it is.
+void fail(Measurement& measurement, std::string reason);
 
 /// Throws InputError when the clock of a time is another; `what` is measured by it.
 void require_clock(const RecordValue& time, Clock clock, std::string_view what);
@@ -84,7 +83,7 @@ void require_clock(const RecordValue& time, Clock clock, std::string_view what);
 /// clock its timing windows, where the settings have some.
 Time read_time(const RecordValue& node, const RecordSettings& settings, std::string_view id);
 
-/// Reads the samples of a time that has to be of the CPU clock, at least one.
-std::vector<double> read_cpu_seconds(const RecordValue& node);
+/// Reads the time of a step, which has to be of the CPU clock.
+Time read_step_time(const RecordValue& node);
 
 }  // namespace desmo::report

@@ -98,10 +98,10 @@ std::vector<NamedMeasurement> measurements(const Record& record) {
   for (const auto* candidates : {&record.candidates, &record.wall_candidates})
     for (const auto& [key, candidate] : *candidates) all.emplace_back(key, &candidate);
   for (const MeasuredRequest& request : record.requests) {
-    all.emplace_back(request.key, &request.solved);
+    all.emplace_back(request.key, &request);
     all.back().first.id += "/request:" + request.name;
   }
-  for (const Peer& peer : record.peers) all.emplace_back(peer.key, &peer.solved);
+  for (const Peer& peer : record.peers) all.emplace_back(peer.key, &peer);
   return all;
 }
 

@@ -62,17 +62,6 @@ inline std::string name_of(const CandidateKey& key) {
   return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id;
 }
 
-struct MeasuredCandidate {
-  Status status = Status::not_run;
-  std::string message;  ///< why it failed or was not run
-  Origin origin;
-  Time time = {};  ///< of the whole analysis; has samples when ok only
-  /// Largest absolute differences from the reference; always when ok.
-  std::optional<LevelNumbers> verification = {};
-  std::optional<double> setup_seconds = {};
-  std::optional<double> iterations_per_step;
-};
-
 /// Phases of a step, in the order of a Profile.
 inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
                                    "solve",    "right_hand_sides", "rest"};
@@ -81,25 +70,23 @@ inline constexpr std::array phases{"residual", "jacobian",         "factorisatio
 /// passes.
 using Profile = std::array<double, phases.size()>;
 
-/// A formulation that solves only what is asked.
-struct MeasuredRequest {
+/// A formulation that solves only what is asked; without verification.
+struct MeasuredRequest : Measurement {
   CandidateKey key;   ///< the formulation, and the candidate that solves everything with it
   std::string name;   ///< unique for a candidate
   std::string title;  ///< the request in words
   std::string level;  ///< "position", "velocity", "acceleration"
   std::int64_t unknowns = 0;
   std::int64_t all_unknowns = 0;  ///< of the whole mechanism
-  MeasuredCandidate solved;       ///< without verification
 };
 
 /// Another library, or code written by hand, that solves a case at a size; with its name each once.
-struct Peer {
+struct Peer : Measurement {
   CandidateKey key;  ///< its id is "peer:<name>"
   std::string name;
   std::string library, library_version;
   std::string method;  ///< how it is used, in a sentence
   std::string guess;   ///< "previous", "quadratic": as in the ids of ours
-  MeasuredCandidate solved;
 };
 
 struct Record {
@@ -114,8 +101,8 @@ struct Record {
   RecordSettings settings;
   std::vector<std::pair<std::string, std::string>> provenance;  ///< all of the head, as text
   // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
-  std::map<CandidateKey, MeasuredCandidate> candidates;  ///< CPU clock
-  std::map<CandidateKey, MeasuredCandidate> wall_candidates;
+  std::map<CandidateKey, Measurement> candidates;  ///< CPU clock; verified when ok
+  std::map<CandidateKey, Measurement> wall_candidates;
   std::map<CandidateKey, Profile> profiles;
   std::vector<MeasuredRequest> requests;  ///< CPU clock, others are left out; in the record's order
   std::vector<Peer> peers;                ///< CPU clock; in the record's order
@@ -135,7 +122,7 @@ struct Record {
 };
 
 /// A candidate, request or peer with its key; it stands in the record.
-using NamedMeasurement = std::pair<CandidateKey, const MeasuredCandidate*>;
+using NamedMeasurement = std::pair<CandidateKey, const Measurement*>;
 
 /// Returns all of the paper's experiment: candidates by the CPU clock and by the wall clock, then
 /// requests, then peers. The id of a request ends in "/request:<name>", a peer's is "peer:<name>".

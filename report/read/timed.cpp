@@ -103,9 +103,9 @@ Time read_time(const RecordValue& node, const RecordSettings& settings, std::str
   return time;
 }
 
-std::vector<double> read_cpu_seconds(const RecordValue& node) {
+Time read_step_time(const RecordValue& node) {
   require_clock(node, Clock::cpu, "a step");
-  return read_samples(node["seconds"]);
+  return {Clock::cpu, read_samples(node["seconds"]), {}};
 }
 
 Status read_status(const RecordValue& node) {
@@ -125,18 +125,11 @@ std::string excess(const LevelNumbers& found, const LevelNumbers& allowed) {
   return text;
 }
 
-void fail(MeasuredCandidate& candidate, std::string reason) {
+void fail(Measurement& measurement, std::string reason) {
   if (reason.empty()) return;
-  candidate.status = Status::failed;
-  candidate.message = std::move(reason);
-  candidate.time = {};
-}
-
-void fail(TimedStep& step, std::string reason) {
-  if (reason.empty()) return;
-  step.status = Status::failed;
-  step.message = std::move(reason);
-  step.seconds_per_step.clear();
+  measurement.status = Status::failed;
+  measurement.message = std::move(reason);
+  measurement.time = {};
 }
 
 }  // namespace desmo::report

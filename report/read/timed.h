@@ -49,14 +49,6 @@ inline bool is_by_wall(std::string_view id) {
 
 enum class Status { ok, failed, not_run, not_applicable };
 
-/// A step that was timed in one way.
-struct TimedStep {
-  Status status = Status::failed;
-  std::string message;  ///< why it has no time
-  double iterations_per_step = 0;
-  std::vector<double> seconds_per_step;  ///< samples of CPU time; never empty when ok, else always
-};
-
 /// A value for each level.
 template <class Value>
 struct PerLevel {
@@ -69,6 +61,18 @@ struct Origin {
   std::optional<std::string> machine;  ///< CPU that it was measured on
   std::optional<std::string> model;    ///< digest of the mechanism
   std::optional<std::string> results;  ///< digest of the answers, rounded to what is allowed
+};
+
+/// Something that was to be timed: an analysis, or a step of one.
+struct Measurement {
+  Status status = Status::not_run;
+  std::string message;  ///< why it has no time
+  Origin origin = {};
+  Time time = {};  ///< has samples when ok only
+  /// Largest absolute differences from the reference.
+  std::optional<LevelNumbers> verification = {};
+  std::optional<double> setup_seconds = {};
+  std::optional<double> iterations_per_step = {};
 };
 
 }  // namespace desmo::report

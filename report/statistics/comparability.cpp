@@ -6,24 +6,17 @@
 
 #include "report/statistics/variants.h"
 #include "report/text/digits.h"
-#include "report/text/document.h"
 
 namespace desmo::report {
 namespace {
 
 const CandidateKey& timing_key(const CandidateKey& key) { return key; }
 
-/// Returns the times of a step of all sizes or points: those that are "ok" have samples.
+/// Returns the steps of all sizes or points.
 template <class Entries>
-std::map<CandidateKey, Timing> timings_of(const Entries& entries) {
-  std::map<CandidateKey, Timing> all;
-  for (const auto& [key, entry] : entries) {
-    Measured& time = all[timing_key(key)].time;
-    if (entry.seconds_per_step.empty())
-      time.mark = failed_mark;
-    else
-      time.seconds = summarise(entry.seconds_per_step);
-  }
+Measurements steps_of(const Entries& entries) {
+  Measurements all;
+  for (const auto& [key, entry] : entries) all[timing_key(key)] = &entry;
   return all;
 }
 
@@ -36,12 +29,12 @@ CandidateKey timing_key(const PointKey& point) {
 }
 
 std::vector<TimedGroup> timed_groups(const Record& record) {
-  return {{"machines", "CPU seconds", timings(record, Clock::cpu)},
-          {"machines_wall", "Wall-clock seconds", timings(record, Clock::wall)},
-          {"machines_growth", "CPU seconds of a step, growth", timings_of(record.growth)},
+  return {{"machines", "CPU seconds", measurements_by(Clock::cpu, record)},
+          {"machines_wall", "Wall-clock seconds", measurements_by(Clock::wall, record)},
+          {"machines_growth", "CPU seconds of a step, growth", steps_of(record.growth)},
           {"machines_break_even", "CPU seconds of a step, dense and sparse",
-           timings_of(record.break_even)},
-          {"machines_accuracy", "CPU seconds of a step, accuracy", timings_of(record.points)}};
+           steps_of(record.break_even)},
+          {"machines_accuracy", "CPU seconds of a step, accuracy", steps_of(record.points)}};
 }
 
 CandidateKey reference_of(const CandidateKey& key) {
@@ -98,10 +91,12 @@ void compare_settings(Comparison& all, const RecordSettings& a, const RecordSett
 // Compares candidates that have a time on both sides. Peers have no digest, since they find other
 // coordinates.
 void compare_timings(Comparison& all, const TimedGroup& a, const TimedGroup& b) {
-  for (const auto& [key, one] : a.timings) {
-    const auto other = b.timings.find(key);
-    if (other == b.timings.end() || !one.time.seconds || !other->second.time.seconds) continue;
-    const Origin &first = one.origin, &second = other->second.origin;
+  for (const auto& [key, one] : a.measurements) {
+    const auto other = b.measurements.find(key);
+    if (other == b.measurements.end() || one->status != Status::ok ||
+        other->second->status != Status::ok)
+      continue;
+    const Origin &first = one->origin, &second = other->second->origin;
     const std::string place = key.case_name + "/" + std::to_string(key.coordinates);
     if (first.model || second.model)
       all.require_same("model of " + place, first.model, second.model);
@@ -121,7 +116,7 @@ void compare_measured(Comparison& all, const Record& first, const Record& second
   const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
   for (std::size_t i = 0; i < a.size(); ++i) {
     compare_timings(all, a[i], b[i]);
-    shared = shared || share_a_key(a[i].timings, b[i].timings);
+    shared = shared || share_a_key(a[i].measurements, b[i].measurements);
   }
   if (!shared) all.differ("measurements in common", "none", "none");
 }

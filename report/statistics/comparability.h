@@ -29,7 +29,7 @@ std::vector<Difference> different_work_reasons(const Record& first, const Record
 struct TimedGroup {
   std::string name;  ///< of its table
   std::string what;  ///< "CPU seconds", "wall-clock seconds of several threads"
-  std::map<CandidateKey, Timing> timings;
+  Measurements measurements;
 };
 
 /// Returns the key of a point of accuracy among times: the motion is a part of its id.

@@ -16,7 +16,7 @@ std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries) {
     curve.id = key.id;
     if (entry.status == Status::ok)
       curve.points.push_back(
-          {key.coordinates, &entry, *std::ranges::min_element(entry.seconds_per_step)});
+          {key.coordinates, &entry, *std::ranges::min_element(entry.time.seconds)});
     else
       curve.failed = true;
   }

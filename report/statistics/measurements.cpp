@@ -16,18 +16,17 @@ Measured measured(const Record& record, const CandidateKey& key) {
   return measured(candidate->second);
 }
 
-Measured measured(const MeasuredCandidate& candidate) {
+Measured measured(const Measurement& candidate) {
   if (candidate.status != Status::ok)
     return {std::nullopt, candidate.status == Status::failed ? failed_mark : not_run_mark};
   const Time& time = candidate.time;
   return {summarise(time.seconds, time.windows), {}, time.clock};
 }
 
-std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
-  std::map<CandidateKey, Timing> all;
+Measurements measurements_by(Clock clock, const Record& record) {
+  Measurements all;
   for (const auto& [key, candidate] : measurements(record))
-    if (is_by_wall(key.id) == (clock == Clock::wall))
-      all[key] = {measured(*candidate), remark(*candidate), candidate->origin};
+    if (is_by_wall(key.id) == (clock == Clock::wall)) all[key] = candidate;
   return all;
 }
 
@@ -127,7 +126,7 @@ std::set<std::string> recorded_cases(const Record& record) {
   return cases;
 }
 
-std::string remark(const MeasuredCandidate& candidate) {
+std::string remark(const Measurement& candidate) {
   if (candidate.status == Status::ok) return {};
   return candidate.message.empty() ? sentence("common.no_reason") : candidate.message;
 }

@@ -24,17 +24,13 @@ struct Measured {
 
 /// The time of a candidate that the CPU clock measured.
 Measured measured(const Record& record, const CandidateKey& key);
-Measured measured(const MeasuredCandidate& candidate);
+Measured measured(const Measurement& candidate);
 
-/// The time of a candidate, request or peer, and a remark where there is none.
-struct Timing {
-  Measured time;
-  std::string remark;  ///< why there is no time; empty when there is one
-  Origin origin;
-};
+/// Measurements by their keys; they stand in the record.
+using Measurements = std::map<CandidateKey, const Measurement*>;
 
-/// Returns all that was to be timed by a clock, with the keys of measurements().
-std::map<CandidateKey, Timing> timings(const Record& record, Clock clock);
+/// Returns all of measurements() that was to be timed by a clock.
+Measurements measurements_by(Clock clock, const Record& record);
 
 /// The speed-up of one candidate over another, or the mark of the one that has no number.
 struct MeasuredSpeedUp {
@@ -91,6 +87,6 @@ std::vector<std::string_view> recorded_families(const Record& record,
 std::set<std::string> recorded_cases(const Record& record);
 
 /// Says why there is no time; empty when there is one.
-std::string remark(const MeasuredCandidate& candidate);
+std::string remark(const Measurement& candidate);
 
 }  // namespace desmo::report

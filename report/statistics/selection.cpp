@@ -42,13 +42,11 @@ bool is_solved(const NamedPoint& point) { return point.second.status == Status::
 
 double position_error(const NamedPoint& point) { return *point.second.error.position; }
 
-double step_seconds(const NamedPoint& point) {
-  return std::ranges::min(point.second.seconds_per_step);
-}
+double step_seconds(const NamedPoint& point) { return std::ranges::min(point.second.time.seconds); }
 
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
-  return speed_up(summarise_step(reference.second.seconds_per_step),
-                  summarise_step(variant.second.seconds_per_step));
+  return speed_up(summarise_step(reference.second.time.seconds),
+                  summarise_step(variant.second.time.seconds));
 }
 
 const NamedPoint* cheapest(const Points& points, double max_error,

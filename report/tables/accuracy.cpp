@@ -18,7 +18,7 @@ double max_floor(const Record& record) {
 
 /// Returns the time of a step of a point; null: the mark of what is missing.
 Entry point_time_entry(const NamedPoint* point) {
-  return point ? step_time_entry(point->second.seconds_per_step) : note_entry(missing_mark);
+  return point ? step_time_entry(point->second.time.seconds) : note_entry(missing_mark);
 }
 
 /// Returns a speed-up with its interval; null: the mark of what is missing.
@@ -99,12 +99,12 @@ void add_case(Table& table, const SeriesKey& series, const Points& points) {
   const auto add = [&](const std::string& guess, const std::string& update,
                        const NamedPoint* best) {
     const Point* const point = best ? &best->second : nullptr;
-    table.rows.push_back(
-        {series.case_name, series.coordinates, guess, update,
-         point ? stop_of(point->configuration) : sentence("costs.no_stop"),
-         error_entry(point ? point->error.position : std::nullopt),
-         number_entry(point ? std::optional(point->iterations_per_step) : std::nullopt, 3),
-         point_time_entry(best), step_ratio_entry(paper, best), step_ratio_entry(stopped, best)});
+    table.rows.push_back({series.case_name, series.coordinates, guess, update,
+                          point ? stop_of(point->configuration) : sentence("costs.no_stop"),
+                          error_entry(point ? point->error.position : std::nullopt),
+                          number_entry(point ? point->iterations_per_step : std::nullopt, 3),
+                          point_time_entry(best), step_ratio_entry(paper, best),
+                          step_ratio_entry(stopped, best)});
   };
   for (const std::string& guess : guesses_of(points))
     for (const char* update : updates)

@@ -42,7 +42,7 @@ Entry instant_entry(const Record& record, const Measured& measured, int signific
   return number_entry(microseconds, significant);
 }
 
-void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate) {
+void add_errors(std::vector<Entry>& row, const Measurement& candidate) {
   const auto& checked = candidate.verification;
   for (double LevelNumbers::*level :
        {&LevelNumbers::position, &LevelNumbers::velocity, &LevelNumbers::acceleration})

@@ -41,7 +41,7 @@ Entry seconds_entry(const Measured& measured, Spread spread = Spread::half_range
 Entry instant_entry(const Record& record, const Measured& measured, int significant = 4);
 
 /// Adds the errors of position, velocity and acceleration to a row.
-void add_errors(std::vector<Entry>& row, const MeasuredCandidate& candidate);
+void add_errors(std::vector<Entry>& row, const Measurement& candidate);
 
 /// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, with inconclusive_mark where the interval is
 /// too wide; "1" of fewer than three repetitions; or the mark. with_percent: "1.24 [1.21, 1.27]

@@ -43,7 +43,7 @@ Table formulations_at(const Record& record, const CaseSize& place) {
       timed_words(record, {{"case", place.case_name}, {"coordinates", place.coordinates}}));
   const auto reference = papers_reference(record, place);
   for (const CandidateKey& key : ordered_keys(record, place)) {
-    const MeasuredCandidate& candidate = record.candidates.at(key);
+    const Measurement& candidate = record.candidates.at(key);
     const Measured time = measured(candidate);
     std::vector<Entry> row{key.id,
                            seconds_entry(time, Spread::range),
@@ -97,22 +97,23 @@ Place place_of(const CandidateKey& key) {
 
 Section threads(const Record& record) {
   Section section = headed_section("threads_section");
-  const std::map<CandidateKey, Timing> all = timings(record, Clock::wall);
+  const Measurements all = measurements_by(Clock::wall, record);
   std::map<std::string, std::map<Place, CandidateKey>> cases;
-  for (const auto& [key, timing] : all) cases[key.case_name][place_of(key)] = key;
+  for (const auto& [key, candidate] : all) cases[key.case_name][place_of(key)] = key;
   for (const auto& [name, places] : cases) {
     Table table = headed_table("threads", timed_words(record, {{"case", name}}));
     for (const auto& [place, key] : places) {
       const auto& [coordinates, delivered, analysis, threads] = place;
-      const Timing& timing = all.at(key);
+      const Measurement& candidate = *all.at(key);
+      const Measured time = measured(candidate);
       const auto one = all.find(reference_of(key));
-      table.rows.push_back({coordinates, delivered, analysis, threads, seconds_entry(timing.time),
-                            instant_entry(record, timing.time),
+      table.rows.push_back({coordinates, delivered, analysis, threads, seconds_entry(time),
+                            instant_entry(record, time),
                             one == all.end() ? note_entry(sentence("threads.alone"))
                             : one->first == key
                                 ? reference_entry()
-                                : ratio_entry(measured_speed_up(one->second.time, timing.time)),
-                            timing.remark});
+                                : ratio_entry(measured_speed_up(measured(*one->second), time)),
+                            remark(candidate)});
     }
     section.tables.push_back(std::move(table));
   }

@@ -69,8 +69,8 @@ Entry ratio_in(const Record& record, const std::string& case_name,
     const ModelledTime *reference = find(record, {case_name, n}, id_in(pair.reference, kind)),
                        *variant = find(record, {case_name, n}, id_in(pair.variant, kind));
     if (!reference || !variant) return note_entry(missing_mark);
-    found.push_back(speed_up(summarise_step(reference->seconds_per_step),
-                             summarise_step(variant->seconds_per_step)));
+    found.push_back(
+        speed_up(summarise_step(reference->time.seconds), summarise_step(variant->time.seconds)));
   }
   return ratio_entry(mean(found));
 }
@@ -98,7 +98,7 @@ Table all_times(const Record& record) {
                            key.coordinates};
     if (entry.status == Status::ok) {
       row.insert(row.end(),
-                 {step_time_entry(entry.seconds_per_step), entry.unknowns, count_of(entry.entries),
+                 {step_time_entry(entry.time.seconds), entry.unknowns, count_of(entry.entries),
                   count_of(entry.condensation), number_entry(entry.condition, 2),
                   number_entry(entry.iterations_per_step, 3),
                   error_entry(entry.verification->position), ""});
@@ -116,7 +116,7 @@ Table all_times(const Record& record) {
 std::optional<double> time_in(const Record& record, const CaseSize& place, std::string_view id,
                               std::string_view kind) {
   const ModelledTime* entry = find(record, place, id_in(id, kind));
-  return entry ? std::optional(std::ranges::min(entry->seconds_per_step)) : std::nullopt;
+  return entry ? std::optional(std::ranges::min(entry->time.seconds)) : std::nullopt;
 }
 
 /// Returns the times of a step in each kind of coordinates, over a unit [s] if that is known.

@@ -41,7 +41,7 @@ std::string found(const Record& record, const std::string& case_name, const Peer
   std::vector<PeerRatio> ratios;
   for (const auto& [place, peers] : all)  // sizes ascend
     for (const Peer* peer : peers) {
-      const Measured time = measured(peer->solved);
+      const Measured time = measured(*peer);
       const std::optional<CandidateKey> ours = ours_with(record, *peer).fastest;
       if (!ours || !time.seconds) continue;
       if (place.first > size) ratios.clear();
@@ -69,7 +69,7 @@ Entry peer_ratio_entry(const Record& record, const std::optional<CandidateKey>& 
 }
 
 void add_solver(Table& table, const Record& record, const Ours& ours, const CandidateKey& key,
-                const std::string& name, const MeasuredCandidate& candidate) {
+                const std::string& name, const Measurement& candidate) {
   const Measured time = measured(candidate);
   std::vector<Entry> row{
       key.coordinates,
@@ -104,8 +104,7 @@ Section peers(const Record& record) {
     Table table = headed_table("peers_case", timed_words(record, {{"case", name}}));
     for (const auto& [place, peers] : places) {
       const Ours ours = ours_with(record, *peers.front());
-      for (const Peer* peer : peers)
-        add_solver(table, record, ours, peer->key, peer->name, peer->solved);
+      for (const Peer* peer : peers) add_solver(table, record, ours, peer->key, peer->name, *peer);
       for (const CandidateKey& key : ours.all)
         add_solver(table, record, ours, key, key.id, record.candidates.at(key));
     }

@@ -140,10 +140,10 @@ Section limitations(const Record& record) {
 std::vector<std::string> failures(const Record& record) {
   std::vector<std::string> lines;
   for (const Clock clock : {Clock::cpu, Clock::wall})
-    for (const auto& [key, timing] : timings(record, clock))
-      if (timing.time.mark == failed_mark)
-        lines.push_back(
-            sentence("failures.line", {{"candidate", name_of(key)}, {"reason", timing.remark}}));
+    for (const auto& [key, candidate] : measurements_by(clock, record))
+      if (candidate->status == Status::failed)
+        lines.push_back(sentence("failures.line",
+                                 {{"candidate", name_of(key)}, {"reason", remark(*candidate)}}));
   return lines;
 }
 

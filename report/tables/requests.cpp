@@ -17,9 +17,8 @@ Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
 std::vector<Entry> row_of(const Record& record, const MeasuredRequest& like,
                           const MeasuredRequest* request) {
   const auto whole = record.candidates.find(like.key);
-  const MeasuredCandidate* solved = request                            ? &request->solved
-                                    : whole != record.candidates.end() ? &whole->second
-                                                                       : nullptr;
+  const Measurement* solved = whole == record.candidates.end() ? nullptr : &whole->second;
+  if (request) solved = request;
   const Measured all = measured(record, like.key), time = request ? measured(*solved) : all;
   return {request ? request->title : "everything",
           request ? request->level : "acceleration",
@@ -40,7 +39,7 @@ std::string found(const Record& record, const std::vector<const MeasuredRequest*
   const MeasuredRequest* best = nullptr;
   for (const MeasuredRequest* request : asked) {
     const auto ratio =
-        measured_speed_up(measured(record, request->key), measured(request->solved)).speed_up;
+        measured_speed_up(measured(record, request->key), measured(*request)).speed_up;
     if (!ratio) continue;
     if (!least || ratio->value < least->value) least = ratio;
     if (!most || ratio->value > most->value) most = ratio, best = request;

@@ -21,7 +21,7 @@ TEST(PointsReader, AnAnswerThatIsNoNumberIsAFailure) {
   const Point point = record_from(json).points.at({truck_series, "global_automatic_klu"});
   EXPECT_EQ(point.status, Status::failed);
   EXPECT_EQ(point.message, "the positions found are beyond all measure");
-  EXPECT_TRUE(point.seconds_per_step.empty());
+  EXPECT_TRUE(point.time.seconds.empty());
 }
 
 TEST(PointsReader, NamesThePlaceOfWhatIsWrong) {

@@ -163,7 +163,7 @@ TEST(RecordReader, FailsTheCellThatExceedsWhatIsAllowed) {
   EXPECT_EQ(record_from(json).candidates.at(key).status, Status::ok);
   candidate["verification"]["velocity"] = 2e-6;
   candidate["verification"]["acceleration"] = 1;
-  const MeasuredCandidate failed = record_from(json).candidates.at(key);
+  const Measurement failed = record_from(json).candidates.at(key);
   EXPECT_EQ(failed.status, Status::failed);
   EXPECT_TRUE(failed.time.seconds.empty());
   EXPECT_EQ(failed.message,

@@ -37,7 +37,7 @@ TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
   const std::vector<double> seconds = candidate["time"]["seconds"];
   const Record record = record_from(json);
   ASSERT_EQ(record.wall_candidates.size(), 1u);
-  const MeasuredCandidate& several = record.wall_candidates.begin()->second;
+  const Measurement& several = record.wall_candidates.begin()->second;
   EXPECT_EQ(several.time.seconds, seconds);
   ASSERT_EQ(several.time.windows.samples.size(), seconds.size());
   for (std::size_t r = 0; r < seconds.size(); ++r)

@@ -15,7 +15,7 @@ TEST(Sizes, OfWrongAnswersHaveNoTime) {
   size["verification"]["velocity"] = 2e-8;
   EXPECT_EQ(read().status, Status::failed);
   EXPECT_EQ(read().message, "velocity differs by 2e-08, 1e-08 is allowed");
-  EXPECT_TRUE(read().seconds_per_step.empty());
+  EXPECT_TRUE(read().time.seconds.empty());
   // With a larger tolerance it may differ more.
   size["tolerance"] = 3 * json["record"]["settings"]["tolerance"].get<double>();
   EXPECT_EQ(read().status, Status::ok);
