@@ -12,12 +12,10 @@ namespace desmo::report {
 namespace {
 
 std::vector<Section> paper_sections(const Record& record) {
-  Section times = headed_section("times");
-  times.tables = {figure_of_times(record)};
   return {answer(record),
           paper_tables(record),
           every_formulation(record),
-          std::move(times),
+          headed_section("times", {}, {figure_of_times(record)}),
           threads(record),
           requests(record),
           checks(record),
@@ -69,9 +67,7 @@ Document make_report(const Record& record, const std::vector<const Record*>& bes
   if (others.tables.empty()) others.paragraphs = {sentence("machines_section.none")};
   if (!beside.empty()) add(std::move(others), sentence("machines_section.chapter"));
   const std::string about = sentence("about.chapter");
-  Section measured = headed_section("measured");
-  measured.tables = {provenance(record)};
-  add(std::move(measured), about);
+  add(headed_section("measured", {}, {provenance(record)}), about);
   add(limitations(record), about);
   add({headed_section("failures").title, failures(record), {}}, about);
   return document;

@@ -162,15 +162,14 @@ Section accuracy_front(const Record& record) {
 }  // namespace
 
 std::vector<Section> accuracy_sections(const Record& record) {
-  Section others = headed_section("speed_for_accuracy"), costs = headed_section("costs"),
-          reuse = headed_section("guesses"), varied = headed_section("table2_varied");
+  Section others = headed_section("speed_for_accuracy");
   std::vector<SeriesKey> drawn = drawn_series(record);
   drawn.pop_back();  // it stands in front
   for (const SeriesKey& series : drawn) others.tables.push_back(work_precision(record, series));
-  costs.tables = {accuracy_costs(record)};
-  reuse.tables = {guesses(record)};
-  varied.tables = {sensitivity(record)};
-  return {accuracy_front(record), others, costs, reuse, varied};
+  return {accuracy_front(record), std::move(others),
+          headed_section("costs", {}, {accuracy_costs(record)}),
+          headed_section("guesses", {}, {guesses(record)}),
+          headed_section("table2_varied", {}, {sensitivity(record)})};
 }
 
 }  // namespace desmo::report

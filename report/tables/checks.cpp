@@ -47,7 +47,6 @@ Price price_of(const Record& record, const Measured& bare, const Measured& check
 }  // namespace
 
 Section checks(const Record& record) {
-  Section section = headed_section("checks_section");
   const std::int64_t windows = record.settings.windows.value_or(1);
   Table table = headed_table("checks", timed_words(record, {{"windows", windows}}));
   for (const auto& [key, candidate] : record.candidates) {
@@ -63,8 +62,7 @@ Section checks(const Record& record) {
                           number_entry(price.step, 2), number_entry(price.share, 2),
                           number_entry(price.start, 2), remark(candidate)});
   }
-  section.tables = {std::move(table)};
-  return section;
+  return headed_section("checks_section", {}, {std::move(table)});
 }
 
 }  // namespace desmo::report

@@ -94,10 +94,6 @@ std::vector<Section> extremes_sections(const Record& record) {
                           {"tried", std::ssize(all) - count(all, Verdict::not_applicable)},
                           {"expected", count(all, Verdict::as_expected)},
                           {"missed", count(all, Verdict::missed)}};
-  Section front = headed_section("extremes_front", counts),
-          section = headed_section("extremes_section");
-  front.paragraphs = {
-      sentence(defects == 0 ? "extremes_front.none" : "extremes_front.defects", counts)};
   Table matrix = headed_table("extremes"), rows = headed_table("extreme_rows"),
         cases = headed_table("extreme_cases");
   for (const ExtremeRow& row : record.extreme_rows) {
@@ -115,9 +111,13 @@ std::vector<Section> extremes_sections(const Record& record) {
     add_verdicts(cases.rows.back(), results);
     cases.rows.back().push_back(example(results));
   }
-  front.tables = {std::move(matrix), excerpt(rows, headed_table("extremes_in_short"))};
-  section.tables = {std::move(rows), std::move(cases)};
-  return {front, section};
+  Section front =
+      headed_section("extremes_front", counts,
+                     {std::move(matrix), excerpt(rows, headed_table("extremes_in_short"))});
+  front.paragraphs = {
+      sentence(defects == 0 ? "extremes_front.none" : "extremes_front.defects", counts)};
+  return {std::move(front),
+          headed_section("extremes_section", {}, {std::move(rows), std::move(cases)})};
 }
 
 }  // namespace desmo::report

@@ -63,8 +63,8 @@ std::vector<Section> instructions_sections(const Record& record) {
                    {"count", top[2].shown},
                    {"times", top[3].digits.empty() ? missing_mark : top[3].digits.front()},
                    {"formulations", table.rows.size()}});
-    front = headed_section("instructions_front", values);
-    front.tables = {excerpt(table, headed_table("instructions_in_short", values))};
+    front = headed_section("instructions_front", values,
+                           {excerpt(table, headed_table("instructions_in_short", values))});
   }
   return {front, section};
 }
@@ -105,16 +105,15 @@ Section history_section(const History& history) {
   }
   std::vector<double> changes{0};  // of each candidate since its first; none is no change
   for (const auto& [candidate, count] : last) changes.push_back(count / first[candidate] - 1);
-  Section section = headed_section(
+  return headed_section(
       "history_section",
       {{"commits", history.points.size()},
        {"candidates", history.candidates.size()},
        {"fewer", std::ranges::count_if(changes, [](double change) { return change < 0; })},
        {"more", std::ranges::count_if(changes, [](double change) { return change > 0; })},
        {"fall", percent_of(std::ranges::min(changes))},
-       {"rise", percent_of(std::ranges::max(changes))}});
-  section.tables = {std::move(lines), std::move(moves)};
-  return section;
+       {"rise", percent_of(std::ranges::max(changes))}},
+      {std::move(lines), std::move(moves)});
 }
 
 }  // namespace desmo::report

@@ -98,8 +98,9 @@ Table headed_table(std::string_view block, const TextValues& values) {
   return table;
 }
 
-Section headed_section(std::string_view block, const TextValues& values) {
-  Section section{.title = {}, .paragraphs = {}, .tables = {}};
+Section headed_section(std::string_view block, const TextValues& values,
+                       std::vector<Table> tables) {
+  Section section{.title = {}, .paragraphs = {}, .tables = std::move(tables)};
   for (const auto& [word, text] : block_named(block)) {
     if (word == "title") section.title = filled(text, values);
     if (word == "paragraph") section.paragraphs.push_back(filled(text, values));

@@ -34,7 +34,8 @@ std::string sentence(std::string_view name, const TextValues& values = {});
 /// Returns a table without rows: name, title, notes (but for empty ones) and columns of a block.
 Table headed_table(std::string_view block, const TextValues& values = {});
 
-/// Returns a section without tables: title, paragraphs, definitions and numbers of a block.
-Section headed_section(std::string_view block, const TextValues& values = {});
+/// Returns a section of tables: title, paragraphs, definitions and numbers of a block.
+Section headed_section(std::string_view block, const TextValues& values = {},
+                       std::vector<Table> tables = {});
 
 }  // namespace desmo::report
