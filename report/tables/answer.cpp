@@ -69,21 +69,18 @@ TextValues words_of(const Record& record) {
   return timed_words(record, {{"case", place.case_name}, {"coordinates", place.coordinates}});
 }
 
-/// Speed-ups of a formulation over the fastest global_automatic_<sparse>: with the same guess and
-/// tolerance, and with the paper's settings.
-struct BestSpeedUps {
-  std::optional<SpeedUp> like_for_like, papers_settings;
-};
-
 /// Finds the fastest formulation by groups or blocks with the guess and the tolerance of the
 /// fastest global reference. side_by_side: "lanes", "segments", or "" for neither.
-std::optional<BestSpeedUps> best_generated(const Record& record, std::string_view side_by_side) {
+std::optional<CandidateKey> best_generated(const Record& record, std::string_view side_by_side) {
   const std::optional<CandidateKey> reference = best_reference(record);
   if (!reference) return std::nullopt;
-  const auto key = generated_like(record, *parse_configuration(reference->id), side_by_side);
+  return generated_like(record, *parse_configuration(reference->id), side_by_side);
+}
+
+/// Returns the speed-up over the reference with the same guess and tolerance; nothing of nothing.
+std::optional<SpeedUp> like_for_like(const Record& record, const std::optional<CandidateKey>& key) {
   if (!key) return std::nullopt;
-  return BestSpeedUps{measured_speed_up(record, reference_like(record, *key), *key).speed_up,
-                      measured_speed_up(record, papers_reference(record), *key).speed_up};
+  return measured_speed_up(record, reference_like(record, *key), *key).speed_up;
 }
 
 /// Lists the references and the best formulations with the paper's settings and with the best.
@@ -93,12 +90,10 @@ Table best_formulations(const Record& record) {
   add_row(table, record, "global, paper's settings", paper);
   add_row(table, record, "generated elimination, paper's settings", generated_like(record, {}, ""));
   if (best && best != paper) {
-    const Configuration like = *parse_configuration(best->id);
     add_row(table, record, "global, best settings", best);
-    add_row(table, record, "generated elimination, best settings",
-            generated_like(record, like, ""));
-    add_row(table, record, "the same, in lanes", generated_like(record, like, "lanes"));
-    add_row(table, record, "the same, in segments", generated_like(record, like, "segments"));
+    add_row(table, record, "generated elimination, best settings", best_generated(record, ""));
+    add_row(table, record, "the same, in lanes", best_generated(record, "lanes"));
+    add_row(table, record, "the same, in segments", best_generated(record, "segments"));
   }
   if (!paper) {  // the last column has nothing to divide by
     table.columns.pop_back();
@@ -141,8 +136,8 @@ std::string list(const std::vector<Mean>& means) {
 bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };
-  const std::optional<BestSpeedUps> best = best_generated(record, "");
-  return !means.empty() && best && best->like_for_like && best->like_for_like->value > 1 &&
+  const std::optional<SpeedUp> gain = like_for_like(record, best_generated(record, ""));
+  return !means.empty() && gain && gain->value > 1 &&
          value(*std::ranges::max_element(means, {}, value)) >=
              1.5 * value(*std::ranges::min_element(means, {}, value));
 }
@@ -155,15 +150,15 @@ TextValues what_gains(const Record& record) {
   for (const auto& [way, kind, clause] : {std::array{"scalar", "", ""},
                                           {"lanes", "lanes", "lanes_too"},
                                           {"segments", "segments", "segments_too"}}) {
-    const std::optional<BestSpeedUps> best = best_generated(record, kind);
-    const bool is_measured = best && best->like_for_like;
-    const TextValue times(way, is_measured ? two_digits(best->like_for_like->value) : missing_mark);
+    const std::optional<CandidateKey> best = best_generated(record, kind);
+    const std::optional<SpeedUp> gain = like_for_like(record, best);
+    const TextValue times(way, gain ? two_digits(gain->value) : missing_mark);
     values.push_back(times);
     if (*clause)
-      values.emplace_back(clause,
-                          is_measured ? sentence(std::string("answer.") + clause, {times}) : "");
-    if (is_measured && best->papers_settings)
-      over_paper.push_back(two_digits(best->papers_settings->value));
+      values.emplace_back(clause, gain ? sentence(std::string("answer.") + clause, {times}) : "");
+    if (!gain) continue;
+    if (const auto over = measured_speed_up(record, papers_reference(record), *best).speed_up)
+      over_paper.push_back(two_digits(over->value));
   }
   const TextValue ratios("ratios", in_a_row(over_paper));
   values.emplace_back("paper_too",
@@ -185,8 +180,8 @@ std::size_t least_repetitions(const Record& record) {
 }  // namespace
 
 Section answer(const Record& record) {
-  Section section = headed_section("answer");
-  section.tables = {figure_of_speed_ups(record), best_formulations(record)};
+  Section section =
+      headed_section("answer", {}, {figure_of_speed_ups(record), best_formulations(record)});
   const auto say = [&](const char* name, const TextValues& values = {}) {
     section.paragraphs.push_back(sentence(std::string("answer.") + name, values));
   };
