@@ -1,19 +1,14 @@
 #include <algorithm>
 
 #include "report/check/check_record.h"
+#include "report/read/readers.h"
 #include "report/read/record_file.h"
 
 namespace desmo::report {
 namespace {
 
-std::vector<double> read_side(const RecordValue& node) {
-  std::vector<double> samples = node.list(&RecordValue::sample);
-  if (samples.empty()) node.complain("at least one round is needed");
-  return samples;
-}
-
 Rounds read_rounds(const RecordValue& node) {
-  Rounds rounds{read_side(node["base"]), read_side(node["head"])};
+  Rounds rounds{read_samples(node["base"]), read_samples(node["head"])};
   if (rounds.base.size() != rounds.head.size())
     node.complain("base and head differ in their number of rounds");
   return rounds;

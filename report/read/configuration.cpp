@@ -14,24 +14,18 @@ constexpr std::array<std::pair<std::string_view, std::string Configuration::*>, 
      {"iterations", &Configuration::iterations},
      {"tolerance", &Configuration::tolerance}}};
 
-void apply(Configuration& configuration, std::string_view suffix) {
+/// Adds a suffix, unless it neither has a key and a value nor is a word that is no key.
+bool add(Configuration& configuration, std::string_view suffix) {
   const std::size_t colon = suffix.find(':');
-  for (const auto& [key, setting] : settings)
-    if (suffix.substr(0, colon) == key) {
-      configuration.*setting = suffix.substr(colon + 1);
-      return;
-    }
-  configuration.others.emplace_back(suffix);
-}
-
-/// Tells whether a suffix has a key and a value, or is a word that is no key.
-bool is_complete(std::string_view suffix) {
-  const std::size_t colon = suffix.find(':');
-  if (colon == suffix.npos)
-    return !suffix.empty() && std::ranges::none_of(settings, [&](const auto& setting) {
-      return setting.first == suffix;
-    });
-  return colon > 0 && colon + 1 < suffix.size();
+  const std::string_view key = suffix.substr(0, colon);
+  const auto setting = std::ranges::find(settings, key, [](const auto& s) { return s.first; });
+  const bool is_setting = setting != settings.end(), has_value = colon + 1 < suffix.size();
+  if (key.empty() || (colon == suffix.npos ? is_setting : !has_value)) return false;
+  if (is_setting)
+    configuration.*setting->second = suffix.substr(colon + 1);
+  else
+    configuration.others.emplace_back(suffix);
+  return true;
 }
 
 }  // namespace
@@ -66,9 +60,8 @@ std::optional<Configuration> parse_configuration(std::string_view id) {
   while (slash < id.size()) {
     const std::size_t end = std::min(id.find('/', slash + 1), id.size());
     const std::string_view suffix = id.substr(slash + 1, end - slash - 1);
-    if (!is_complete(suffix) || !keys.insert(suffix.substr(0, suffix.find(':'))).second)
+    if (!add(configuration, suffix) || !keys.insert(suffix.substr(0, suffix.find(':'))).second)
       return std::nullopt;
-    apply(configuration, suffix);
     slash = end;
   }
   if (configuration.formulation.empty()) return std::nullopt;

@@ -76,6 +76,9 @@ std::string excess(const LevelNumbers& found, const LevelNumbers& allowed);
 /// Turns something into a failure that has no time. An empty reason leaves it as it is.
 void fail(Measurement& measurement, std::string reason);
 
+/// Reads samples of a time, at least one.
+std::vector<double> read_samples(const RecordValue& node);
+
 /// Throws InputError when the clock of a time is another; `what` is measured by it.
 void require_clock(const RecordValue& time, Clock clock, std::string_view what);
 

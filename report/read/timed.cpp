@@ -11,12 +11,6 @@
 namespace desmo::report {
 namespace {
 
-std::vector<double> read_samples(const RecordValue& node) {
-  std::vector<double> seconds = node.list(&RecordValue::sample);
-  if (seconds.empty()) node.complain("at least one sample was expected");
-  return seconds;
-}
-
 template <class Read>
 std::vector<double> read_windows(const RecordValue& node, std::size_t count, const Read& read) {
   std::vector<double> values = node.list(read);
@@ -80,6 +74,12 @@ void require_within_repetition(const RecordValue& node, const Time& time) {
 }
 
 }  // namespace
+
+std::vector<double> read_samples(const RecordValue& node) {
+  std::vector<double> seconds = node.list(&RecordValue::sample);
+  if (seconds.empty()) node.complain("at least one sample was expected");
+  return seconds;
+}
 
 void require_clock(const RecordValue& time, Clock clock, std::string_view what) {
   const RecordValue node = time["clock"];
