@@ -27,20 +27,5 @@ TEST_P(Golden, GivesTheReportItGave) {
 INSTANTIATE_TEST_SUITE_P(Records, Golden, ::testing::Values(paper, others),
                          [](const auto& name) { return name.param == paper ? "Paper" : "Others"; });
 
-TEST(GoldenRecords, HaveEverySection) {
-  const Record record = read_record(data_file(std::string(paper) + ".json"));
-  for (const bool is_empty :
-       {record.candidates.empty(), record.requests.empty(), record.profiles.empty(),
-        record.candidates.begin()->second.time.windows.samples.empty()})
-    EXPECT_FALSE(is_empty);
-  const Record other = read_record(data_file(std::string(others) + ".json"));
-  for (const bool is_empty :
-       {other.floors.empty(), other.points.empty(), other.growth.empty(), other.break_even.empty(),
-        other.instructions.empty(), other.modelled.empty(), other.extreme_rows.empty(),
-        other.extremes.empty()})
-    EXPECT_FALSE(is_empty);
-  EXPECT_FALSE(has_paper(other));
-}
-
 }  // namespace
 }  // namespace desmo::report::golden_test

@@ -1,15 +1,12 @@
 #include "report/formats/formats.h"
 
 #include <iterator>
-#include <set>
 #include <sstream>
 
 #include "tests/report/sample.h"
 
 namespace desmo::report::formats_test {
 namespace {
-
-Document complete_document() { return make_report(record_from(complete_record())); }
 
 // One table, with everything a format could stumble over.
 Document awkward() {
@@ -138,17 +135,6 @@ TEST(Terminal, NamesTheTablesItLeavesOut) {
   const std::string text = to_terminal(document);
   EXPECT_LACKS(text, "FAILED");
   EXPECT_CONTAINS(text, "In the other formats only: awkward.");
-}
-
-TEST(Formats, FileNamesAreUnique) {
-  std::set<std::string> names;
-  std::size_t count = 0;
-  for (const std::string& format : format_names())
-    for (const NewFile& file : render(complete_document(), format)) {
-      names.insert(file.file_name);
-      ++count;
-    }
-  EXPECT_EQ(names.size(), count);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ TEST(Page, RefersToNothingOutsideItself) {
   EXPECT_CONTAINS(page, "default-src 'none'");
 }
 
-TEST(Page, LinksLeadToPlacesThatExistOnce) {
-  const std::string page = page_of(requests_record());
+// A table's id is also the name of its file.
+void expect_links_to_places_that_exist_once(const std::string& page) {
   std::vector<std::string> ids = texts_between(page, " id=\"");
   const std::size_t all = ids.size();
   std::sort(ids.begin(), ids.end());
@@ -28,6 +28,11 @@ TEST(Page, LinksLeadToPlacesThatExistOnce) {
   EXPECT_GT(targets.size(), 10u);
   for (const std::string& target : targets)
     EXPECT_TRUE(std::binary_search(ids.begin(), ids.end(), target)) << target;
+}
+
+TEST(Page, LinksLeadToPlacesThatExistOnce) {
+  for (const Json& record : {requests_record(), complete_record()})
+    expect_links_to_places_that_exist_once(page_of(record));
 }
 
 // For those who hear the page: every table has a name, every candidate a row and a column with a

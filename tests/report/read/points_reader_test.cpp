@@ -68,12 +68,7 @@ TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {
   EXPECT_FALSE(parse_configuration("a_b_c/monitored/monitored"));
 }
 
-TEST(Configuration, KnowsTheIterationFromTheAlgorithm) {
-  for (const char* iteration : {"", "/guess:adams8/jacobian:step/tolerance:1e-10", "/iterations:2"})
-    EXPECT_TRUE(parse_configuration("a_b_c" + std::string(iteration))->has_papers_algorithm());
-  for (const char* algorithm :
-       {"/check:proof", "/btf:off", "/lanes:8", "/scalar:mixed", "/factorisation:per_level"})
-    EXPECT_FALSE(parse_configuration("a_b_c" + std::string(algorithm))->has_papers_algorithm());
+TEST(Configuration, KnowsThePapersAndWhatIteratesAlike) {
   EXPECT_TRUE(parse_configuration("a_b_c")->is_papers());
   EXPECT_FALSE(parse_configuration("a_b_c/tolerance:1e-6")->is_papers());
   const Configuration like = *parse_configuration("a_b_c/guess:adams8/tolerance:1e-6");
