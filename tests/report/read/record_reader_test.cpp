@@ -139,14 +139,6 @@ TEST(RecordReader, RefusesARecordOfTwoOrigins) {
   EXPECT_EQ(complaint(json), "accepted");
 }
 
-TEST(RecordReader, IgnoresTheTimesOfAFailedCell) {
-  Json json = complete_record();
-  fail_candidate(json, "four_bar", 114, "group_symbolic_inlined");
-  const Record record = record_from(json);
-  EXPECT_TRUE(
-      record.candidates.at({"four_bar", 114, "group_symbolic_inlined"}).time.seconds.empty());
-}
-
 TEST(RecordReader, RefusesAnOkCellWithoutVerification) {
   Json json = complete_record();
   json["paper"]["cells"][3].erase("verification");
