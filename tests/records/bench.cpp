@@ -133,13 +133,29 @@ TEST_F(Bench, RecordsAreReadByTheReport) {
     EXPECT_CONTAINS(text, "{\"case\":\"" + std::string(of)) << of;
   ASSERT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
   EXPECT_EQ(run(report).code, 0);
-  // With requests, with and without everything else.
-  for (const std::string filter : {"558/block_symbolic_inlined", "request:(damper|axle)$"}) {
-    ASSERT_EQ(
-        run_bench("--duration=0.02 --record=" + record + " '--benchmark_filter=" + filter + "'"),
-        0);
-    EXPECT_CONTAINS(run(report + " --all").text, "What a request costs");
-  }
+  // With requests alone.
+  ASSERT_EQ(run_bench("--duration=0.02 --record=" + record +
+                      " '--benchmark_filter=request:(damper|axle)$'"),
+            0);
+  EXPECT_CONTAINS(run(report + " --all").text, "What a request costs");
+}
+
+// With a peer, a request beside everything, and several threads and one.
+TEST_F(Bench, RecordsOfAllKindsAreReadByTheReport) {
+  const std::string record = file("record.json");
+  ASSERT_EQ(
+      run_bench("--duration=0.2 --benchmark_repetitions=3 --record=" + record +
+                " '--benchmark_filter=truck_suspension/558/(peer:tree$|global_automatic_klu"
+                "(/request:outputs)?$|group_symbolic_explicit/guess:adams8/segments:4/.*(threads|"
+                "clock))'"),
+      0);
+  for (const char* part : {"\"peers\": [", "\"requests\": [", "\"clock\":\"wall\"",
+                           "\"clock\":\"cpu\"", "/clock:wall\""})
+    EXPECT_CONTAINS(text_of(record), part);
+  const Ended report = run(DESMO_REPORT " tables " + record + " --all");
+  EXPECT_EQ(report.code, 0);
+  EXPECT_CONTAINS(report.text, "What a request costs");
+  EXPECT_LACKS(report.text, "one thread not measured");
 }
 
 TEST_F(Bench, TimesThePapersSolverWhereItsLibraryIs) {
