@@ -2,67 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <ranges>
-#include <sstream>
 
 namespace desmo::report {
 
-std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries) {
-  std::map<std::pair<std::string, std::string>, Curve> curves;  // entries of a case are by size
+Curves curves_of(const std::map<CandidateKey, TimedSize>& entries) {
+  Curves curves;
   for (const auto& [key, entry] : entries) {
     Curve& curve = curves[{key.case_name, key.id}];
-    curve.case_name = key.case_name;
-    curve.id = key.id;
     if (entry.status == Status::ok)
-      curve.points.push_back(
-          {key.coordinates, &entry, *std::ranges::min_element(entry.time.seconds)});
+      curve.points[key.coordinates] = {key.coordinates, entry.unknowns,
+                                       std::ranges::min(entry.time.seconds)};
     else
       curve.failed = true;
   }
-  std::vector<Curve> all;
-  std::ranges::move(curves | std::views::values, std::back_inserter(all));
-  return all;
+  return curves;
 }
 
 const CurvePoint* cheapest(const Curve& curve) {
-  const auto least = std::ranges::min_element(curve.points, {}, &CurvePoint::nanoseconds);
-  return least == curve.points.end() ? nullptr : &*least;
+  const auto points = curve.points | std::views::values;
+  const auto least = std::ranges::min_element(points, {}, &CurvePoint::nanoseconds);
+  return least == points.end() ? nullptr : &*least;
 }
 
 std::vector<SizeOfBoth> sizes_of_both(const Curve& first, const Curve& second) {
   std::vector<SizeOfBoth> all;
-  for (const CurvePoint& a : first.points)
-    for (const CurvePoint& b : second.points)
-      if (a.coordinates == b.coordinates)
-        all.push_back({static_cast<double>(a.entry->unknowns), std::log(a.seconds / b.seconds)});
+  for (const auto& [coordinates, a] : first.points)
+    if (const auto b = second.points.find(coordinates); b != second.points.end())
+      all.push_back({static_cast<double>(a.unknowns), std::log(a.seconds / b->second.seconds)});
   return all;
 }
 
-Curve faster_of(const Curve& a, const Curve& b) {
-  std::map<std::int64_t, CurvePoint> fastest;
-  for (const Curve* curve : {&a, &b})
-    for (const CurvePoint& point : curve->points) {
-      const auto [place, is_new] = fastest.emplace(point.coordinates, point);
-      if (!is_new && point.seconds < place->second.seconds) place->second = point;
-    }
-  Curve faster{a.case_name, a.id + " or " + b.id, {}, a.failed || b.failed};
-  for (const CurvePoint& point : fastest | std::views::values) faster.points.push_back(point);
-  return faster;
-}
-
-std::vector<Cache> data_caches(const Machine& machine) {
-  std::vector<Cache> caches;
-  for (const std::string& text : machine.caches) {
-    std::istringstream words(text);
-    std::string name, type, unit;
-    double size = 0;
-    if (words >> name >> type >> size >> unit && type != "Instruction" && unit.starts_with("KiB") &&
-        size > 0)
-      caches.push_back({name, 1024 * size});
+Curve faster_of(Curve a, const Curve& b) {
+  for (const auto& [coordinates, point] : b.points) {
+    CurvePoint& faster = a.points.try_emplace(coordinates, point).first->second;
+    if (point.seconds < faster.seconds) faster = point;
   }
-  std::ranges::stable_sort(caches, {}, &Cache::bytes);
-  return caches;
+  return a;
 }
 
 }  // namespace desmo::report

@@ -98,13 +98,6 @@ std::optional<CandidateKey> reference_like(const Record& record, const Candidate
                  [&](const Configuration& c) { return is_reference(c) && c.iterates_like(*like); });
 }
 
-std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name) {
-  std::set<std::int64_t> sizes;
-  for (const auto& [key, candidate] : record.candidates)
-    if (key.case_name == case_name) sizes.insert(key.coordinates);
-  return {sizes.begin(), sizes.end()};
-}
-
 std::vector<std::string_view> recorded_families(const Record& record, std::string_view case_name) {
   std::vector<std::string_view> families;
   for (const std::string_view family : sparse_families)
@@ -118,12 +111,6 @@ std::vector<std::string_view> recorded_families(const Record& record, std::strin
         }))
       families.push_back(family);
   return families;
-}
-
-std::set<std::string> recorded_cases(const Record& record) {
-  std::set<std::string> cases;
-  for (const auto& [key, candidate] : record.candidates) cases.insert(key.case_name);
-  return cases;
 }
 
 std::string remark(const Measurement& candidate) {

@@ -74,17 +74,19 @@ std::optional<CandidateKey> papers_reference(const Record& record, const CaseSiz
 /// Finds the fastest reference with the guess and the tolerance of a candidate.
 std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key);
 
-/// Sizes recorded for a case, in whatever state, ascending.
-std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name);
+/// Returns the sizes recorded of each case, in whatever state.
+template <class Entries>
+std::map<std::string, std::set<std::int64_t>> recorded_sizes(const Entries& entries) {
+  std::map<std::string, std::set<std::int64_t>> sizes;
+  for (const auto& [key, entry] : entries) sizes[key.case_name].insert(key.coordinates);
+  return sizes;
+}
 
 /// The sparse families that the record has one of the paper's variants of, in whatever state: of a
 /// case, or (empty) of any. No table shows a family of which the record has none, as of a build
 /// without its solver or of a scene of the user's own.
 std::vector<std::string_view> recorded_families(const Record& record,
                                                 std::string_view case_name = {});
-
-/// Returns the cases recorded, in whatever state.
-std::set<std::string> recorded_cases(const Record& record);
 
 /// Says why there is no time; empty when there is one.
 std::string remark(const Measurement& candidate);

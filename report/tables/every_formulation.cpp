@@ -64,12 +64,13 @@ Table formulations_at(const Record& record, const CaseSize& place) {
 // Other sizes than the paper's largest, or the largest there is, are details.
 Section every_formulation(const Record& record) {
   Section section = headed_section("formulations");
-  for (const std::string& name : recorded_cases(record)) {
-    const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
-    const bool published = std::ranges::count(sizes, published_sizes().back()) > 0;
+  for (const auto& [name, sizes] : recorded_sizes(record.candidates)) {
+    const std::int64_t largest_published = published_sizes().back(),
+                       shown =
+                           sizes.contains(largest_published) ? largest_published : *sizes.rbegin();
     for (const std::int64_t size : sizes) {
       section.tables.push_back(formulations_at(record, {name, size}));
-      if (size == (published ? published_sizes() : sizes).back()) continue;
+      if (size == shown) continue;
       section.tables.back().detail = true;
       section.tables.back().figure.clear();
     }

@@ -1,7 +1,6 @@
 // The paper's comparison in each kind of coordinates.
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -55,12 +54,6 @@ const ModelledTime* find(const Record& record, const CaseSize& place, const std:
                                                                               : &found->second;
 }
 
-std::map<std::string, std::set<std::int64_t>> sizes_of(const Record& record) {
-  std::map<std::string, std::set<std::int64_t>> sizes;
-  for (const auto& [key, entry] : record.modelled) sizes[key.case_name].insert(key.coordinates);
-  return sizes;
-}
-
 /// The mean over all sizes; a mark where a size has none.
 Entry ratio_in(const Record& record, const std::string& case_name,
                const std::set<std::int64_t>& sizes, const Pair& pair, std::string_view kind) {
@@ -77,7 +70,7 @@ Entry ratio_in(const Record& record, const std::string& case_name,
 
 Table ratios(const Record& record) {
   Table table = headed_table("modelling_ratios");
-  for (const auto& [case_name, sizes] : sizes_of(record))
+  for (const auto& [case_name, sizes] : recorded_sizes(record.modelled))
     for (const Pair& pair : pairs) {
       std::vector<Entry> row{case_name, std::string(pair.question)};
       for (const char* kind : kinds) row.push_back(ratio_in(record, case_name, sizes, pair, kind));
@@ -172,11 +165,8 @@ std::vector<Section> modelling_sections(const Record& record) {
                           {"klu", ratio("group, dense, over global KLU")},
                           {"in_groups", ratio("in groups, dense over KLU")},
                           {"generated", in_all_kinds(times_of(record, last, generated, natural))}};
-  Section front = headed_section("modelling_front", values),
-          section = headed_section("modelling_section");
-  front.tables = {in_short(record)};
-  section.tables = {std::move(found), all_times(record)};
-  return {front, section};
+  return {headed_section("modelling_front", values, {in_short(record)}),
+          headed_section("modelling_section", {}, {std::move(found), all_times(record)})};
 }
 
 }  // namespace desmo::report

@@ -124,7 +124,7 @@ Section limitations(const Record& record) {
   const bool is_paper = has_paper(record), ma27 = std::ranges::count(families, papers_own) > 0;
   say(!ma27 && !(is_paper && families.empty()), "without_ma27");
   say(ma27, "with_ma27");
-  say(!is_paper || recorded_cases(record).contains(std::string(truck_case)), "truck");
+  say(!is_paper || recorded_sizes(record.candidates).contains(std::string(truck_case)), "truck");
   say(true, "machines");
   say(!is_first_look(repetitions_of(record)), "intervals");
   say(true, "errors");

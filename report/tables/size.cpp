@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
+#include <sstream>
 
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
@@ -42,15 +42,14 @@ Entry break_even_entry(const Curve& dense, const Curve& sparse) {
 
 /// Shows from how many unknowns on sparse matrices pay.
 Section dense_or_sparse(const Record& record) {
-  std::map<std::string, std::map<std::string, Curve>> cases;  // curves by formulation
-  for (Curve& curve : curves_of(record.break_even))
-    cases[curve.case_name][curve.id] = std::move(curve);
+  Curves curves = curves_of(record.break_even);
   Table table = headed_table("break_even");
-  for (auto& [name, curves] : cases) {
-    const Curve &lapack = curves["global_automatic_lapack"],
-                &eigen = curves["global_automatic_eigen"], faster = faster_of(lapack, eigen);
+  for (const auto& [name, sizes] : recorded_sizes(record.break_even)) {
+    const Curve &lapack = curves[{name, "global_automatic_lapack"}],
+                &eigen = curves[{name, "global_automatic_eigen"}],
+                faster = faster_of(lapack, eigen);
     for (const std::string_view family : sparse_families) {
-      const Curve& sparse = curves["global_automatic_" + std::string(family)];
+      const Curve& sparse = curves[{name, "global_automatic_" + std::string(family)}];
       if (sparse.points.empty()) continue;
       table.rows.push_back({name, std::string(family), break_even_entry(lapack, sparse),
                             break_even_entry(eigen, sparse), break_even_entry(faster, sparse),
@@ -60,7 +59,7 @@ Section dense_or_sparse(const Record& record) {
   std::vector<double> found;
   for (const auto& row : table.rows)
     if (row[4].has_number()) found.push_back(std::stod(row[4].digits.front()));
-  Section section = headed_section("break_even_section");
+  Section section = headed_section("break_even_section", {}, {std::move(table)});
   if (!found.empty()) {
     const std::string least = write_fixed(std::ranges::min(found), 0),
                       most = write_fixed(std::ranges::max(found), 0);
@@ -68,7 +67,6 @@ Section dense_or_sparse(const Record& record) {
     section.paragraphs = {sentence("break_even_section.found", range)};
     section.numbers = {sentence("break_even_section.range", range)};
   }
-  section.tables.push_back(std::move(table));
   return section;
 }
 
@@ -80,9 +78,9 @@ bool is_linear(double slope) { return min_linear <= slope && slope <= max_linear
 struct Fit {
   explicit Fit(const Curve& curve) {
     std::vector<double> sizes, seconds;
-    for (const CurvePoint& point : curve.points)
-      if (point.coordinates <= max_linear_coordinates) {
-        sizes.push_back(static_cast<double>(point.coordinates));
+    for (const auto& [coordinates, point] : curve.points)
+      if (coordinates <= max_linear_coordinates) {
+        sizes.push_back(static_cast<double>(coordinates));
         seconds.push_back(point.seconds);
       }
     count = sizes.size();
@@ -113,18 +111,35 @@ Entry cost_entry(const CurvePoint& point) {
                   {write_significant(point.nanoseconds(), 3), std::to_string(point.coordinates)});
 }
 
-Table exponents(const std::vector<Curve>& curves) {
+Table exponents(const Curves& curves) {
   Table table = headed_table("growth_exponents");
-  for (const Curve& curve : curves) {
-    std::vector<Entry> row{curve.case_name, curve.id, slope_entry(curve)};
+  for (const auto& [key, curve] : curves) {
+    std::vector<Entry> row{key.first, key.second, slope_entry(curve)};
     if (const CurvePoint* const least = cheapest(curve)) {
+      const CurvePoint& largest = curve.points.rbegin()->second;
       row.push_back(cost_entry(*least));
-      row.push_back(number_entry(curve.points.back().nanoseconds() / least->nanoseconds(), 3));
+      row.push_back(number_entry(largest.nanoseconds() / least->nanoseconds(), 3));
     }
     row.resize(table.columns.size(), note_entry(missing_mark));
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+/// Returns the caches that hold data, smallest first: their names and KiB. They are read from texts
+/// such as "L2 Unified 1024 KiB, shared by 1"; others are left out.
+std::vector<std::pair<std::string, double>> data_caches(const Machine& machine) {
+  std::vector<std::pair<std::string, double>> caches;
+  for (const std::string& text : machine.caches) {
+    std::istringstream words(text);
+    std::string name, type, unit;
+    double size = 0;
+    if (words >> name >> type >> size >> unit && type != "Instruction" && unit.starts_with("KiB") &&
+        size > 0)
+      caches.emplace_back(name + " " + write_shortest(size) + " KiB", size);
+  }
+  std::ranges::stable_sort(caches, {}, [](const auto& cache) { return cache.second; });
+  return caches;
 }
 
 /// Returns the data of the figure of growth: a row for each case, formulation and size.
@@ -133,9 +148,7 @@ Table growth_data(const Record& record) {
   const auto kibibytes = [](std::optional<double> bytes) {
     return number_entry(bytes ? std::optional(*bytes / 1024) : std::nullopt, 4);
   };
-  for (const Cache& cache : data_caches(record.machine))
-    table.lines.emplace_back(cache.name + " " + write_shortest(cache.bytes / 1024) + " KiB",
-                             cache.bytes / 1024);
+  table.lines = data_caches(record.machine);
   for (const auto& [key, entry] : record.growth) {
     std::vector<Entry> row{key.case_name, key.id, key.coordinates};
     if (entry.status == Status::ok) {
@@ -158,10 +171,10 @@ Table growth_data(const Record& record) {
 
 /// Shows whether growth is linear, and up to where.
 Section growth(const Record& record) {
-  const std::vector<Curve> curves = curves_of(record.growth);
+  const Curves curves = curves_of(record.growth);
   std::size_t fitted = 0, linear = 0;
   std::optional<double> least;  // cost of a coordinate [ns]
-  for (const Curve& curve : curves) {
+  for (const auto& [key, curve] : curves) {
     if (const CurvePoint* const point = cheapest(curve))
       least = std::min(least.value_or(point->nanoseconds()), point->nanoseconds());
     if (const auto slope = Fit(curve).slope) {
@@ -169,11 +182,10 @@ Section growth(const Record& record) {
       linear += is_linear(slope->value);
     }
   }
-  Section section = headed_section(
+  return headed_section(
       "growth_section",
-      {{"linear", linear}, {"fitted", fitted}, {"least", number_entry(least, 3).shown}});
-  section.tables = {growth_data(record), exponents(curves)};
-  return section;
+      {{"linear", linear}, {"fitted", fitted}, {"least", number_entry(least, 3).shown}},
+      {growth_data(record), exponents(curves)});
 }
 
 }  // namespace
@@ -181,7 +193,7 @@ Section growth(const Record& record) {
 /// Brings to the front what the sections found: sentences, numbers, figures, and few rows.
 std::vector<Section> size_sections(const Record& record) {
   std::vector<Section> sections{headed_section("size")};
-  const auto add = [&](Section section, const char* in_short, const auto& keep) {
+  const auto add = [&](Section section, const char* in_short, bool only_last_case) {
     Section& front = sections.front();
     std::ranges::move(section.paragraphs, std::back_inserter(front.paragraphs));
     std::ranges::move(section.numbers, std::back_inserter(front.numbers));
@@ -190,17 +202,14 @@ std::vector<Section> size_sections(const Record& record) {
       front.tables.push_back(std::move(section.tables.front()));
       section.tables.erase(section.tables.begin());
     }
-    front.tables.push_back(excerpt(section.tables.front(), headed_table(in_short), keep));
+    const Table& table = section.tables.front();
+    front.tables.push_back(excerpt(table, headed_table(in_short), [&](const auto& row) {
+      return !only_last_case || is_of_last_case(table, row);
+    }));
     sections.push_back(std::move(section));
   };
-  if (!record.growth.empty()) {
-    Section section = growth(record);
-    const Table slopes = section.tables.back();
-    add(std::move(section), "growth_in_short",
-        [&](const auto& row) { return is_of_last_case(slopes, row); });
-  }
-  if (!record.break_even.empty())
-    add(dense_or_sparse(record), "break_even_in_short", [](const auto&) { return true; });
+  if (!record.growth.empty()) add(growth(record), "growth_in_short", true);
+  if (!record.break_even.empty()) add(dense_or_sparse(record), "break_even_in_short", false);
   return sections;
 }
 
