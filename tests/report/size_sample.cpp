@@ -11,8 +11,8 @@ Json counted(const std::string& case_name, const std::string& id, int instructio
           {"steps", 50},       {"tool", "valgrind-0.0, glibc 0.0"}};
 }
 
-}  // namespace
-
+/// Returns an element of `growth` or `break_even` of status "ok". microseconds: its smallest
+/// sample.
 Json timed_size(const std::string& case_name, int coordinates, const std::string& id,
                 double microseconds) {
   return {{"case", case_name},
@@ -28,6 +28,8 @@ Json timed_size(const std::string& case_name, int coordinates, const std::string
           {"bytes", 100 * coordinates},
           {"time_per_step", step_time(microseconds)}};
 }
+
+}  // namespace
 
 Json sizes_record() {
   Json record = empty_record();

@@ -5,10 +5,6 @@
 
 namespace desmo::report {
 
-/// Returns an element of `growth` or `crossing` of status "ok". microseconds: its smallest sample.
-Json timed_size(const std::string& case_name, int coordinates, const std::string& id,
-                double microseconds);
-
 /// Returns a record of made-up numbers on a machine with L1 10 KiB and L2 100 KiB.
 /// - `growth`: group_symbolic_explicit costs 10 ns per coordinate (of 100 bytes) up to 1000
 ///   coordinates, 15 ns at 10 000, 20 ns at 100 000; global_automatic_klu grows with the square.

@@ -1,7 +1,5 @@
 // Times of a record: their clocks, samples and timing windows.
 
-#include <numeric>
-
 #include "report/statistics/statistics.h"
 #include "tests/report/sample.h"
 
@@ -56,18 +54,6 @@ TEST(TimeReader, RefusesWindowsThatAreNotAll) {
   Json json = record;
   json["paper"]["cells"][3]["time"].erase("windows");
   EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time: the key 'windows' is missing");
-}
-
-TEST(TimeReader, ReadsTheSamplesOfWindows) {
-  const Record record = record_from(with_samples_of_windows(requests_record()));
-  for (const auto& [key, candidate] : record.candidates) {
-    EXPECT_EQ(candidate.time.windows.samples.size(), candidate.time.seconds.size()) << key.id;
-    if (candidate.status != Status::ok) continue;
-    EXPECT_EQ(candidate.time.windows.updates.size(), 25u);
-    EXPECT_EQ(std::accumulate(candidate.time.windows.instants.begin(),
-                              candidate.time.windows.instants.end(), 0.0),
-              static_cast<double>(record.settings.instants));
-  }
 }
 
 TEST(TimeReader, RefusesSamplesOfWindowsThatDoNotBelongTogether) {
