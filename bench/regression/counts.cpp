@@ -32,9 +32,9 @@ bool exists(const Side& side, const std::string& name) {
          bench::usage_error;
 }
 
-/// Returns the place of a name in the history's cells. Adds one that is missing.
+/// Returns the place of a name in the history's candidates. Adds one that is missing.
 std::size_t place_of(const std::string& name, Json& history) {
-  Json& known = history["cells"];
+  Json& known = history["candidates"];
   const std::size_t place = std::find(known.begin(), known.end(), name) - known.begin();
   if (place == known.size()) {
     known.push_back(name);
@@ -60,8 +60,8 @@ std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
 void add_point(Json& history, const Side& programs, const Commit& commit,
                const std::vector<std::string>& names) {
   if (history.empty())
-    history = {{"schema", 1}, {"cells", Json::array()}, {"points", Json::array()}};
-  if (history.value("schema", Json()) != 1)
+    history = {{"schema", 2}, {"candidates", Json::array()}, {"points", Json::array()}};
+  if (history.value("schema", Json()) != 2)
     throw std::runtime_error("the file to add to is not a history");
   std::vector<std::string> counted;
   for (const std::string& name : names) {
@@ -70,7 +70,7 @@ void add_point(Json& history, const Side& programs, const Commit& commit,
   }
   const std::vector<std::int64_t> counts = count_all(counted, {programs});
 
-  Json instructions(history["cells"].size(), nullptr);
+  Json instructions(history["candidates"].size(), nullptr);
   for (std::size_t i = 0; i < counted.size(); ++i)
     instructions[place_of(counted[i], history)] = counts[i];
   const Json point = {{"commit", commit.name},
@@ -86,7 +86,9 @@ void add_point(Json& history, const Side& programs, const Commit& commit,
 }
 
 std::string text_of(const Json& history) {
-  std::string text = "{\"schema\":1,\"cells\":" + history["cells"].dump() + ",\n\"points\":[", end;
+  std::string text = "{\"schema\":2,\"candidates\":" + history["candidates"].dump() +
+                     ",\n\"points\":[",
+              end;
   for (const Json& point : history["points"]) {
     text += end + "\n" + point.dump();
     end = ",";

@@ -98,7 +98,7 @@ Json verified(const std::vector<Side>& sides, const Names& names) {
 /// lacks cannot be compared.
 Names sound(Names sound, const Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
-    for (const Json& candidate : check[side.name]["paper"]["cells"])
+    for (const Json& candidate : check[side.name]["paper"]["candidates"])
       if (candidate["status"] != "ok") std::erase(sound, name_of(candidate));
   return sound;
 }
@@ -113,7 +113,7 @@ void add_times(Json& check, const std::string& pass, const Times& times) {
   }
   for (const auto& [side, seconds] : times.at(control_name)) {
     for (const double s : seconds) check[control_name][side].push_back(s);
-    for (Json& candidate : check[side]["paper"]["cells"]) {
+    for (Json& candidate : check[side]["paper"]["candidates"]) {
       const auto timed = times.find(name_of(candidate));
       if (timed == times.end()) continue;
       candidate["time"]["clock"] = "cpu";
@@ -125,7 +125,7 @@ void add_times(Json& check, const std::string& pass, const Times& times) {
 /// Marks what is right and was not timed, for whatever reason.
 void mark_untimed(Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
-    for (Json& candidate : check[side.name]["paper"]["cells"]) {
+    for (Json& candidate : check[side.name]["paper"]["candidates"]) {
       if (candidate["status"] != "ok" || candidate.contains("time")) continue;
       candidate["status"] = "not_run";
       candidate["message"] = "verified, not timed";

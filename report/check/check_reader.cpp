@@ -59,7 +59,7 @@ void check_complete(const CheckRecord& check, const RecordValue& root) {
   const RecordValue head = root["head"];
   const bool timed = root.find(control_name).has_value();
   if (check.head.candidates.empty())
-    head["paper"]["cells"].complain("at least one candidate is needed");
+    head["paper"]["candidates"].complain("at least one candidate is needed");
   if (!timed && !check.work) root.complain("nothing was measured: neither times nor work");
   for (const auto& [key, candidate] : check.head.candidates) {
     const std::string name = name_of(key);

@@ -6,8 +6,8 @@ namespace desmo::report {
 
 History read_history(const std::filesystem::path& file) {
   return read_document(read_record_text(file), file.string(), [](const RecordValue& root) {
-    if (root["schema"].integer(0) != 1) root["schema"].complain("only schema 1 is read");
-    History history{root["cells"].list(&RecordValue::text), {}};
+    if (root["schema"].integer(0) != 2) root["schema"].complain("only schema 2 is read");
+    History history{root["candidates"].list(&RecordValue::text), {}};
     history.points = root["points"].list([&](const RecordValue& node) {
       const RecordValue counts = node["instructions"];
       HistoryPoint point{node["commit"].text(),
@@ -21,7 +21,7 @@ History read_history(const std::filesystem::path& file) {
                 ? std::optional<std::int64_t>(static_cast<std::int64_t>(count.positive()))
                 : std::nullopt);
       if (point.instructions.size() != history.candidates.size())
-        counts.complain("as many as cells were expected");
+        counts.complain("as many as candidates were expected");
       return point;
     });
     return history;

@@ -20,7 +20,7 @@ struct History {
   std::vector<HistoryPoint> points;  ///< oldest first
 };
 
-/// Reads {"schema": 1, "cells", "points": [{"commit", "date", "subject", "compiler",
+/// Reads {"schema": 2, "candidates", "points": [{"commit", "date", "subject", "compiler",
 /// "instructions"}]}. Throws InputError, naming file and place, and UnreadableRecord.
 History read_history(const std::filesystem::path& file);
 

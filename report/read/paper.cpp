@@ -38,7 +38,7 @@ Measurement read_candidate(const RecordValue& node, const RecordSettings& settin
   if (const auto checked = node.find("verification"))
     candidate.verification = read_levels(*checked, &RecordValue::not_negative);
   if (candidate.status != Status::ok) return candidate;
-  if (!candidate.verification) node.complain("an \"ok\" cell needs \"verification\"");
+  if (!candidate.verification) node.complain("an \"ok\" candidate needs \"verification\"");
   if (settings.allowed) fail(candidate, excess(*candidate.verification, *settings.allowed));
   return candidate;
 }
@@ -97,11 +97,12 @@ CandidateKey read_key(const RecordValue& node) { return {read_case_size(node), n
 
 void read_paper(Record& record, const RecordValue& experiment) {
   const RecordSettings& settings = record.settings;
-  read_each(experiment, "cells", [&](const RecordValue& node) {
-    const CandidateKey key = read_key(node);
-    add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
-             read_candidate(node, settings, key.id), name_of(key));
-  });
+  for (const char* list : {"candidates", "cells"})  // as schema 2 calls them
+    read_each(experiment, list, [&](const RecordValue& node) {
+      const CandidateKey key = read_key(node);
+      add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
+               read_candidate(node, settings, key.id), name_of(key));
+    });
   std::set<std::pair<CandidateKey, std::string>> seen;
   read_each(experiment, "requests", [&](const RecordValue& node) {
     MeasuredRequest request = read_request(node, settings);

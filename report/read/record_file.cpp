@@ -77,10 +77,10 @@ void check_schema(const RecordValue& root, const std::string& name) {
   const std::optional<Version> version = parse_version(text);
   if (!version) node.complain("\"" + text + "\" is not a version, as " + schema_version);
   const int major = version->front(), known = known_version.front();
-  if (major == known) return;
+  if (major == known || major == known - 1) return;
   try {
-    node.complain("schema version " + text + ", and this program reads " + std::to_string(known) +
-                  ".x; " +
+    node.complain("schema version " + text + ", and this program reads " +
+                  std::to_string(known - 1) + ".x and " + std::to_string(known) + ".x; " +
                   (major > known ? "update desmo and build it again"
                                  : "measure it anew (bench/run, bench/check --renew-baseline), or "
                                    "read it with desmo_report of the commit that it names"));

@@ -10,9 +10,9 @@
 
 namespace desmo::report {
 
-/// The schema version that is known in full. Others of its major version are read, too;
-/// CHANGELOG.md says what they promise.
-inline constexpr const char* schema_version = "2.1.0";
+/// The schema version that is known in full. Others of its major version and of the one before are
+/// read, too; CHANGELOG.md says what they promise.
+inline constexpr const char* schema_version = "3.0.0";
 
 // Results files that cannot be read throw InputError, whose message names file and place.
 
@@ -50,7 +50,8 @@ auto read_document(std::string_view text, const std::string& file, const Read& r
 }
 
 /// Throws InputError when a document is not of this schema or its version is none (2.0.0), and
-/// UnsupportedVersion, with what to do, when it has another major version than schema_version.
+/// UnsupportedVersion, with what to do, when its major version is neither schema_version's nor the
+/// one before.
 void check_schema(const RecordValue& root, const std::string& name);
 
 /// Returns a note when a version that check_schema() accepts is newer than schema_version; empty

@@ -22,10 +22,10 @@ class OwnScene : public InFolder {
                scene.string() + "' " + flags);
   }
   /// Returns what the record says of a formulation; null where it says nothing.
-  Json cell(const std::string& id) const {
+  Json candidate(const std::string& id) const {
     const Json record_of_run = Json::parse(text_of(record()));
-    for (const Json& cell : record_of_run["paper"]["cells"])
-      if (cell["id"] == id) return cell;
+    for (const Json& candidate : record_of_run["paper"]["candidates"])
+      if (candidate["id"] == id) return candidate;
     return {};
   }
   std::string record() const { return file("record.json"); }
@@ -42,7 +42,7 @@ TEST_F(OwnScene, IsVerifiedAndTimedInEveryFormulation) {
        {"global_automatic_klu", "global_symbolic_klu", "group_symbolic_klu",
         "group_symbolic_inlined", "block_symbolic_explicit", "group_symbolic_explicit/check:proof",
         "group_symbolic_explicit/guess:adams8/lanes:4/tolerance:1e-10"}) {
-    const Json found = cell(id);
+    const Json found = candidate(id);
     ASSERT_FALSE(found.is_null()) << id;
     EXPECT_EQ(found["case"], "slider_crank");
     EXPECT_EQ(found["status"], "ok") << id << ": " << found.value("message", "");
@@ -59,10 +59,11 @@ TEST_F(OwnScene, IsNotRunWhereThereIsNoCodeForIt) {
   const Ended ended =
       measure(slider_crank_, "'--filter=group_.*_(eigen|inlined)$'", "CXX=/nonexistent/compiler");
   EXPECT_EQ(ended.code, 0) << ended.text;
-  EXPECT_EQ(cell("group_automatic_eigen")["status"], "ok");
+  EXPECT_EQ(candidate("group_automatic_eigen")["status"], "ok");
   for (const char* id : {"group_symbolic_eigen", "group_symbolic_inlined"}) {
-    EXPECT_EQ(cell(id)["status"], "not_run") << id;
-    EXPECT_CONTAINS(cell(id).value("message", ""), "CXX=/nonexistent/compiler") << cell(id);
+    EXPECT_EQ(candidate(id)["status"], "not_run") << id;
+    EXPECT_CONTAINS(candidate(id).value("message", ""), "CXX=/nonexistent/compiler")
+        << candidate(id);
   }
 }
 
@@ -71,7 +72,7 @@ TEST_F(OwnScene, HasNoTimeWhereItIsWrong) {
   const Ended ended =
       measure(slider_crank_, "--step=0.1 --formulation=" + id + " '--filter=" + id + "$'");
   EXPECT_EQ(ended.code, 1) << ended.text;
-  EXPECT_EQ(cell(id)["status"], "failed");
+  EXPECT_EQ(candidate(id)["status"], "failed");
   EXPECT_CONTAINS(ended.text, "differs from the reference");
 }
 

@@ -137,8 +137,8 @@ TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
   ASSERT_EQ(add("c", "2026-03-01T00:00:00Z", name + " " + lacking), 0) << err_;
   ASSERT_EQ(add("b", "2026-02-01T00:00:00Z", name + " " + other), 0) << err_;
   const Json history = Json::parse(text("history.json"));
-  EXPECT_EQ(history["schema"], 1);
-  EXPECT_EQ(history["cells"], (Json{name, lacking, other}));
+  EXPECT_EQ(history["schema"], 2);
+  EXPECT_EQ(history["candidates"], (Json{name, lacking, other}));
   std::string order;
   for (const Json& point : history["points"]) order += point["commit"].get<std::string>();
   EXPECT_EQ(order, "abc");
@@ -189,18 +189,19 @@ TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
   ASSERT_EQ(check("measure " + file("results.json") + " --no-work --candidate " + name), 0) << err_;
   EXPECT_CONTAINS(err_, "rounds of 1 candidates");
   EXPECT_LE(verdict(), 3) << out_;
-  EXPECT_EQ(results()["head"]["paper"]["cells"][0]["time"]["seconds"].size(), 25u);
+  EXPECT_EQ(results()["head"]["paper"]["candidates"][0]["time"]["seconds"].size(), 25u);
   EXPECT_EQ(results()["control"]["base"].size(), 25u);
   ASSERT_EQ(check("more " + file("results.json") + " first " + name), 0) << err_;
   ASSERT_EQ(check("more " + file("results.json") + " second " + name), 0) << err_;
   const Json json = results();
   for (const char* side : {"base", "head"}) {
-    EXPECT_EQ(json[side]["paper"]["cells"][0]["time"]["seconds"].size(), 50u);
+    EXPECT_EQ(json[side]["paper"]["candidates"][0]["time"]["seconds"].size(), 50u);
     EXPECT_EQ(json["control"][side].size(), 50u);
     EXPECT_EQ(json["second"][name][side].size(), 25u);
     EXPECT_EQ(json["second"]["control"][side].size(), 25u);
   }
-  EXPECT_NE(json["base"]["paper"]["cells"][0]["time"], json["head"]["paper"]["cells"][0]["time"]);
+  EXPECT_NE(json["base"]["paper"]["candidates"][0]["time"],
+            json["head"]["paper"]["candidates"][0]["time"]);
   EXPECT_LE(verdict(), 3) << err_;
 }
 

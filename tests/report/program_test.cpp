@@ -39,7 +39,7 @@ TEST_F(Program, EndsWithACodeAndSaysWhatIsWrong) {
                     failing = write("failed.json", failed.dump()),
                     truncated = write("truncated.json", read_text(whole).substr(0, 28669)),
                     unknown = write("unknown_version.json",
-                                    changed(complete_record(), "/schema_version", "3.0.0").dump());
+                                    changed(complete_record(), "/schema_version", "4.0.0").dump());
   struct Ended {
     std::string arguments;
     int code;
@@ -63,7 +63,7 @@ TEST_F(Program, EndsWithACodeAndSaysWhatIsWrong) {
            {data + "no_such.json", 65, "no_such.json: there is no such file"},
            {"tables " + truncated, 65, "truncated.json: line 135, column 230: "},
            {"tables " + unknown + " --out " + (folder_ / "out").string(), 65,
-            "unknown_version.json: /schema_version: schema version 3.0.0, and this program reads "
+            "unknown_version.json: /schema_version: schema version 4.0.0, and this program reads "
             "2.x"},
            {complete + "--out " + file, 74, file},
            {complete + "--out /proc/nowhere", 74, "/proc/nowhere"},
@@ -115,7 +115,7 @@ TEST_F(Program, WritesEveryFormatTwiceTheSame) {
 
 TEST_F(Program, TheOrderOfCellsDoesNotMatter) {
   Json json = complete_record();
-  std::reverse(json["paper"]["cells"].begin(), json["paper"]["cells"].end());
+  std::reverse(json["paper"]["candidates"].begin(), json["paper"]["candidates"].end());
   EXPECT_EQ(tables("complete.json"), 0);
   const std::string printed = out_;
   EXPECT_EQ(tables(write("reversed.json", json.dump())), 0);
@@ -130,11 +130,11 @@ TEST_F(Program, WritesOnlyTheChosenFormats) {
 
 TEST_F(Program, ReadsANewerMinorVersionWithANote) {
   Json json = complete_record();
-  json["schema_version"] = "2.2.0";
+  json["schema_version"] = "3.2.0";
   const std::string file = write("newer.json", json.dump());
   EXPECT_EQ(tables(file, "--table best --format csv"), 0);
   EXPECT_EQ(err_, "desmo_report: note: " + file +
-                      ": The file has schema version 2.2.0, this program knows 2.1.0: what the "
+                      ": The file has schema version 3.2.0, this program knows 3.0.0: what the "
                       "newer version adds is not shown.\n");
 }
 

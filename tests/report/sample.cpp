@@ -30,7 +30,13 @@ bool says(const std::vector<std::string>& texts, const std::string& part) {
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
 Json requests_record() { return Json::parse(read_text(data_file("requests.json"))); }
-Json origins_record() { return Json::parse(read_text(data_file(origins))); }
+Json origins_record() {
+  Json record = Json::parse(read_text(data_file(origins)));
+  record["schema_version"] = "3.0.0";
+  record["paper"]["candidates"] = record["paper"]["cells"];
+  record["paper"].erase("cells");
+  return record;
+}
 
 Json levels(double position, double velocity, double acceleration) {
   return {{"position", position}, {"velocity", velocity}, {"acceleration", acceleration}};
@@ -57,7 +63,7 @@ namespace {
 /// Calls `change` with the time of everything in the paper's experiment that has one.
 template <class Change>
 void for_each_time(Json& record, const Change& change) {
-  for (const char* list : {"cells", "requests", "peers"})
+  for (const char* list : {"candidates", "requests", "peers"})
     if (record["paper"].contains(list))
       for (Json& timed : record["paper"][list])
         if (timed.contains("time")) change(timed["time"]);
@@ -104,24 +110,25 @@ namespace {
 
 std::size_t position(const Json& record, const std::string& case_name, int coordinates,
                      const std::string& id) {
-  const Json& candidates = record["paper"]["cells"];
+  const Json& candidates = record["paper"]["candidates"];
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (candidates[i]["case"] == case_name && candidates[i]["coordinates"] == coordinates &&
         candidates[i]["id"] == id)
       return i;
-  throw std::runtime_error("no cell " + case_name + "/" + std::to_string(coordinates) + "/" + id);
+  throw std::runtime_error("no candidate " + case_name + "/" + std::to_string(coordinates) + "/" +
+                           id);
 }
 
 }  // namespace
 
 Json& candidate_of(Json& record, const std::string& case_name, int coordinates,
                    const std::string& id) {
-  return record["paper"]["cells"][position(record, case_name, coordinates, id)];
+  return record["paper"]["candidates"][position(record, case_name, coordinates, id)];
 }
 
 void erase_candidate(Json& record, const std::string& case_name, int coordinates,
                      const std::string& id) {
-  record["paper"]["cells"].erase(position(record, case_name, coordinates, id));
+  record["paper"]["candidates"].erase(position(record, case_name, coordinates, id));
 }
 
 void fail(Json& measurement) {
@@ -136,11 +143,11 @@ void fail_candidate(Json& record, const std::string& case_name, int coordinates,
 
 void erase_family(Json& record, const std::string& family) {
   Json kept = Json::array();
-  for (const Json& candidate : record["paper"]["cells"]) {
+  for (const Json& candidate : record["paper"]["candidates"]) {
     const std::string id = candidate["id"];
     if (!id.substr(0, id.find('/')).ends_with("_" + family)) kept.push_back(candidate);
   }
-  record["paper"]["cells"] = kept;
+  record["paper"]["candidates"] = kept;
 }
 
 void set_motion(Json& record, double duration, double step) {

@@ -36,7 +36,7 @@ Json complete_record();
 inline constexpr const char* origins = "golden/2.0.0.json";
 Json origins_record();
 
-/// Returns a record with another value at a place, "/paper/cells/0/status".
+/// Returns a record with another value at a place, "/paper/candidates/0/status".
 Json changed(Json record, const std::string& place, const Json& value);
 
 /// Returns the record with timing windows: the smallest sample of each time is divided into windows

@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 
 /// A history of one candidate.
 std::string history(const std::vector<Json>& instructions) {
-  Json json{{"schema", 1}, {"cells", {"a"}}};
+  Json json{{"schema", 2}, {"candidates", {"a"}}};
   for (const Json& count : instructions)
     json["points"].push_back({{"commit", "1"},
                               {"date", "2026-01-01T00:00:00Z"},
@@ -100,10 +100,10 @@ TEST_F(Program, WritesASiteOfAllRecords) {
        {"<td>Other CPU</td>", ">The paper's experiment</a>", "<li>fewer instructions: 0 of 1</li>"})
     EXPECT_CONTAINS(index, part);
   EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 4);
-  write("results/history.json", R"({"schema": 2})");
+  write("results/history.json", R"({"schema": 1})");
   fs::remove_all(out);
   EXPECT_EQ(report(command), 65);
-  EXPECT_CONTAINS(err_, "history.json: /schema: only schema 1 is read");
+  EXPECT_CONTAINS(err_, "history.json: /schema: only schema 2 is read");
   EXPECT_FALSE(fs::exists(out));
 }
 

@@ -62,7 +62,7 @@ Summary CaseCandidate::run(Formulation& formulation, Observer& observer) const {
 void CaseCandidate::add_to(nlohmann::ordered_json& lists) const {
   const nlohmann::ordered_json key = {
       {"case", case_name()}, {"coordinates", coordinates()}, {"id", id()}};
-  lists["cells"].push_back(with_measurement(key, *this));
+  lists["candidates"].push_back(with_measurement(key, *this));
   if (!phases_ || !is_verified()) return;
   nlohmann::ordered_json seconds, profile = key;
   for (int p = 0; p < phase_count; ++p) seconds[phase_names[p]] = phases_->seconds[p];

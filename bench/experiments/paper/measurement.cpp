@@ -108,7 +108,7 @@ int worth_repeating(const Candidate& candidate) {
 
 Json lists_of(const std::vector<Candidate*>& candidates) {
   Json lists;
-  for (const char* list : {"cells", "profiles", "requests"}) lists[list] = Json::array();
+  for (const char* list : {"candidates", "profiles", "requests"}) lists[list] = Json::array();
   for (const Candidate* candidate : candidates) candidate->add_to(lists);
   return lists;
 }

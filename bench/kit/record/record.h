@@ -13,7 +13,7 @@
 namespace desmo::bench {
 
 /// Version of results/record.schema.json and results/check.schema.json that is written.
-inline constexpr const char* schema_version = "2.1.0";
+inline constexpr const char* schema_version = "3.0.0";
 
 /// A record under way: begun before anything is measured, so that an unusable path is known then,
 /// and written once all is.

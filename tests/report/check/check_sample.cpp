@@ -20,7 +20,7 @@ Json side(int stride) {
   for (const char* list : {"profiles", "structure", "requests"}) record["paper"].erase(list);
   Json candidates = Json::array();
   double middle = 0.001;
-  for (const Json& candidate : record["paper"]["cells"]) {
+  for (const Json& candidate : record["paper"]["candidates"]) {
     const std::string id = candidate["id"];
     const bool wanted = candidate["case"] == truck && candidate["coordinates"] == 114 &&
                         (id == "global_automatic_klu" || id == "group_symbolic_klu" ||
@@ -29,7 +29,7 @@ Json side(int stride) {
     candidates.push_back(candidate);
     candidates.back()["time"] = {{"clock", "cpu"}, {"seconds", times(middle *= 0.7, stride)}};
   }
-  record["paper"]["cells"] = candidates;
+  record["paper"]["candidates"] = candidates;
   return record;
 }
 
@@ -40,13 +40,13 @@ Json& candidate_named(Json& record, const std::string& name) {
 }  // namespace
 
 Json check_sample() {
-  Json check = {{"schema", "desmo-check"}, {"schema_version", "2.0.0"}};
+  Json check = {{"schema", "desmo-check"}, {"schema_version", "3.0.0"}};
   check["settings"] = {{"seed", 1}, {"turns", 3}, {"repetitions", 2}};
   check["base"] = side(7);
   check["head"] = side(11);
   check["control"] = {{"base", times(1e-4, 7)}, {"head", times(1e-4, 11)}};
   check["work"] = {{"tool", "valgrind-3.19.0"}, {"steps", 100}, {"iterations", 3}};
-  for (const Json& candidate : check["head"]["paper"]["cells"])
+  for (const Json& candidate : check["head"]["paper"]["candidates"])
     check["work"]["instructions"]["truck_suspension/114/" + candidate["id"].get<std::string>()] = {
         {"base", 1'000'000}, {"head", 1'000'000}};
   return check;
@@ -84,7 +84,7 @@ void leave_out(Json& check, const std::string& side, const std::string& name) {
 void take_no_times(Json& check) {
   check.erase("control");
   for (const char* side : {"base", "head"})
-    for (Json& candidate : check[side]["paper"]["cells"]) {
+    for (Json& candidate : check[side]["paper"]["candidates"]) {
       candidate["status"] = "not_run";
       candidate["message"] = "verified, not timed";
       candidate.erase("time");

@@ -47,7 +47,7 @@ TEST(Check, JudgesTimesByBothPasses) {
 // The median alone does not make an alarm: its interval has to agree.
 TEST(Check, AMedianWithoutItsIntervalIsTooNoisy) {
   Json check = check_sample();
-  for (Json& candidate : check["head"]["paper"]["cells"]) {
+  for (Json& candidate : check["head"]["paper"]["candidates"]) {
     if (candidate["id"] != "group_symbolic_klu") continue;
     int round = 0;  // 13 rounds 8 % slower, 12 unchanged
     for (Json& seconds : candidate["time"]["seconds"])
@@ -137,7 +137,7 @@ TEST(Check, WorkAloneIsACheck) {
 TEST(Check, ACellOfTheBaselineThatHeadHasNotIsInvalid) {
   const CheckRecord baseline = check_from(one_tree_sample());
   Json now = one_tree_sample();
-  now["head"]["paper"]["cells"].erase(0);
+  now["head"]["paper"]["candidates"].erase(0);
   const CheckRecord check = check_from(now);
   const CheckOutcome j = compare_sides(check, &baseline);
   EXPECT_EQ(j.verdict, CheckVerdict::invalid);
@@ -152,7 +152,7 @@ TEST(Check, InstructionsAreComparedWithABaselineOfAnotherProcessor) {
   now["head"]["record"]["machine"]["cpu"] = "other";
   now["head"]["record"]["blas"]["core"] = "other";
   now["head"]["record"]["libraries"]["lapack"] = "OpenBLAS 0.3.21 for another core";
-  for (Json& candidate : now["head"]["paper"]["cells"]) candidate["machine"] = "other";
+  for (Json& candidate : now["head"]["paper"]["candidates"]) candidate["machine"] = "other";
   EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, CheckVerdict::pass);
   now["work"]["instructions"][watched]["head"] = 1'020'000;
   const CheckOutcome j = compare_sides(check_from(now), &baseline);
@@ -177,15 +177,16 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
   Json check = check_sample();
   confirm(check, watched, 1);
   const std::vector<std::pair<std::string, std::vector<Json>>> spoilt{
-      {"another number of rounds", {removed("/head/paper/cells/0/time/seconds/0")}},
+      {"another number of rounds", {removed("/head/paper/candidates/0/time/seconds/0")}},
       {"differ in their number of rounds", {removed("/second/" + name + "/base/0")}},
       {"/second: the control is missing", {removed("/second/control")}},
       {"the key 'base' is missing", {removed("/base"), removed("/control/base")}},
-      {"/base: the candidate", {removed("/base/paper/cells/0")}},
-      {"/head: the candidate", {removed("/head/paper/cells/0")}},
+      {"/base: the candidate", {removed("/base/paper/candidates/0")}},
+      {"/head: the candidate", {removed("/head/paper/candidates/0")}},
       {"the key 'control' is missing", {removed("/control")}},
       {"/head: nothing was measured",
-       {changed("/base/paper/cells", Json::array()), changed("/head/paper/cells", Json::array())}},
+       {changed("/base/paper/candidates", Json::array()),
+        changed("/head/paper/candidates", Json::array())}},
       {"/work/instructions: the candidate truck", {changed("/work/instructions", Json::object())}},
       {"a whole number", {changed("/work/instructions/" + name + "/head", 0.5)}},
       {"/control/head/0", {changed("/control/head/0", -1)}},

@@ -14,13 +14,14 @@ TEST(RecordReader, RefusesWhatIsNotJson) {
   EXPECT_CONTAINS(complaint(std::string("[1]")), "top level: is a list; give an object");
 }
 
-TEST(RecordReader, ReadsOneMajorVersionAndSaysWhatToDoWithOthers) {
-  EXPECT_EQ(complaint(changed(complete_record(), "/schema_version", "3.0.0")),
-            "/schema_version: schema version 3.0.0, and this program reads 2.x; update desmo and "
-            "build it again");
-  const Json old{{"schema", "desmo-results"}, {"version", "1.10.0"}, {"cells", Json::array()}};
+TEST(RecordReader, ReadsTwoMajorVersionsAndSaysWhatToDoWithOthers) {
+  EXPECT_EQ(
+      complaint(changed(complete_record(), "/schema_version", "4.0.0")),
+      "/schema_version: schema version 4.0.0, and this program reads 2.x and 3.x; update desmo and "
+      "build it again");
+  const Json old{{"schema", "desmo-results"}, {"version", "1.10.0"}, {"candidates", Json::array()}};
   EXPECT_EQ(complaint(old),
-            "/version: schema version 1.10.0, and this program reads 2.x; measure it anew "
+            "/version: schema version 1.10.0, and this program reads 2.x and 3.x; measure it anew "
             "(bench/run, bench/check --renew-baseline), or read it with desmo_report of the commit "
             "that it names");
   EXPECT_THROW(record_from(old), UnsupportedVersion);
@@ -31,14 +32,14 @@ TEST(RecordReader, ReadsANewerMinorVersionWithANote) {
   Json json = complete_record();
   EXPECT_EQ(note_on_version(record_from(json).version), "");
   const std::string expected = to_csv(table_of(json, "best"));
-  for (const char* version : {"2.1.1", "2.7.0", "2.10.3"}) {
+  for (const char* version : {"3.0.1", "3.7.0", "3.10.3"}) {
     json["schema_version"] = version;
-    json["paper"]["cells"][0]["added"] = {{"key", 1}};
+    json["paper"]["candidates"][0]["added"] = {{"key", 1}};
     json["another experiment"] = Json::array();
     EXPECT_EQ(to_csv(table_of(json, "best")), expected);
     const Record record = record_from(json);
     const std::string note =
-        "schema version " + std::string(version) + ", this program knows 2.1.0";
+        "schema version " + std::string(version) + ", this program knows 3.0.0";
     EXPECT_CONTAINS(note_on_version(record.version), note);
     EXPECT_CONTAINS(to_markdown(make_report(record)), note);
   }
@@ -51,8 +52,8 @@ TEST(RecordReader, NamesTheMissingKey) {
            {"", "record"},
            {"/record/settings", "instants"},
            {"/record/settings/allowed", "velocity"},
-           {"/paper/cells/3", "time"},
-           {"/paper/cells/3/time", "clock"},
+           {"/paper/candidates/3", "time"},
+           {"/paper/candidates/3/time", "clock"},
            {"/paper/profiles/1/time_per_step/phases", "solve"}}) {
     Json json = complete_record();
     json[Json::json_pointer(place)].erase(key);
@@ -71,20 +72,20 @@ TEST(RecordReader, RefusesWrongTypesAndValues) {
       {"/record/settings/instants", 0, ": must be a whole number from 1"},
       {"/record/settings/tolerance", -1, ": is negative"},
       {"/record/settings/allowed/velocity", 0, ": "},
-      {"/paper/cells", Json::object(), ": is an object; give a list"},
-      {"/paper/cells", Json::array(), "top level: nothing was measured"},
-      {"/paper/cells/0/coordinates", 18446744073709551615u, ": "},
-      {"/paper/cells/0/status", "great", ": \"great\" is none of"},
-      {"/paper/cells/0/case", "../escape", ": \"../escape\" is not a name"},
-      {"/paper/cells/0/verification/position", -1, ": is negative"},
-      {"/paper/cells/0/iterations_per_step", 1e200, "number is too large"},
-      {"/paper/cells/-", complete_record()["paper"]["cells"][0],
+      {"/paper/candidates", Json::object(), ": is an object; give a list"},
+      {"/paper/candidates", Json::array(), "top level: nothing was measured"},
+      {"/paper/candidates/0/coordinates", 18446744073709551615u, ": "},
+      {"/paper/candidates/0/status", "great", ": \"great\" is none of"},
+      {"/paper/candidates/0/case", "../escape", ": \"../escape\" is not a name"},
+      {"/paper/candidates/0/verification/position", -1, ": is negative"},
+      {"/paper/candidates/0/iterations_per_step", 1e200, "number is too large"},
+      {"/paper/candidates/-", complete_record()["paper"]["candidates"][0],
        "truck_suspension/114/global_automatic_cholmod is given twice"},
       {"/paper/profiles/-", complete_record()["paper"]["profiles"][0],
        "/paper/profiles/3: truck_suspension/558/"}};
   for (const std::string digest : {"", "12ab", "G"})
     refusals.push_back(
-        {"/paper/cells/0/model", digest, ": \"" + digest + "\" is not a SHA-256 digest"});
+        {"/paper/candidates/0/model", digest, ": \"" + digest + "\" is not a SHA-256 digest"});
   for (const std::string date :
        {"", "yesterday", "2026-11-21", "2026-13-01T00:00:00Z", "2026-11-21T24:00:00Z",
         "2026-11-21T17:48:47", "2026-11-21 17:48:47Z", "2026-11-21T-1:48:47Z",
@@ -97,14 +98,14 @@ TEST(RecordReader, RefusesWrongTypesAndValues) {
   for (const std::string version : {"", "2", "2.0", "2.0.0.0", "2.0.0-beta", "2..0", "2.0.",
                                     " 2.0.0", "2.-1.0", "99999999999.0.0", "two"})
     refusals.push_back(
-        {"/schema_version", version, ": \"" + version + "\" is not a version, as 2.1.0"});
+        {"/schema_version", version, ": \"" + version + "\" is not a version, as 3.0.0"});
   expect_refusals(complete_record(), refusals);
 }
 
 TEST(RecordReader, ReadsWhatIsUnusual) {
   for (const auto& [json, place, value] :
        {std::tuple(complete_record(), "/record/date", Json("2028-02-29T23:59:60Z")),
-        {requests_record(), "/paper/cells", Json::array()}})  // requests alone are something
+        {requests_record(), "/paper/candidates", Json::array()}})  // requests alone are something
     EXPECT_EQ(complaint(changed(json, place, value)), "accepted");
 }
 
@@ -129,21 +130,22 @@ TEST(RecordReader, RefusesARecordOfTwoOrigins) {
   const std::string other(64, 'f');
   expect_refusals(
       origins_record(),
-      {{"/paper/cells/1/machine", "Other CPU", "measured on \"Other CPU\", the record on \""},
+      {{"/paper/candidates/1/machine", "Other CPU", "measured on \"Other CPU\", the record on \""},
        {"/paper/requests/0/machine", "Other CPU", "/request:damper: measured on"},
-       {"/paper/cells/1/model", other, " solves another model than "},
-       {"/paper/cells/1/results", other, " has other results than "}});
-  Json json = changed(origins_record(), "/paper/cells/1/results", other);
+       {"/paper/candidates/1/model", other, " solves another model than "},
+       {"/paper/candidates/1/results", other, " has other results than "}});
+  Json json = changed(origins_record(), "/paper/candidates/1/results", other);
   EXPECT_THROW(record_from(json), MixedRecord);
-  json["paper"]["cells"][1]["status"] = "failed";  // then they are expected to differ
+  json["paper"]["candidates"][1]["status"] = "failed";  // then they are expected to differ
   EXPECT_EQ(complaint(json), "accepted");
 }
 
 TEST(RecordReader, RefusesAnOkCellWithoutVerification) {
   Json json = complete_record();
-  json["paper"]["cells"][3].erase("verification");
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/3: an \"ok\" cell needs \"verification\"");
-  json["paper"]["cells"][3]["status"] = "failed";
+  json["paper"]["candidates"][3].erase("verification");
+  EXPECT_CONTAINS(complaint(json),
+                  "/paper/candidates/3: an \"ok\" candidate needs \"verification\"");
+  json["paper"]["candidates"][3]["status"] = "failed";
   EXPECT_EQ(complaint(json), "accepted");
 }
 

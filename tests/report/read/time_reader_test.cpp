@@ -8,16 +8,17 @@ namespace {
 
 TEST(TimeReader, RefusesAClockThatIsNotTheFormulations) {
   Json json = complete_record();
-  json["paper"]["cells"][2]["time"]["clock"] = "sundial";
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/clock: \"sundial\" is none of \"cpu\"");
-  json["paper"]["cells"][2]["time"]["clock"] = "wall";
+  json["paper"]["candidates"][2]["time"]["clock"] = "sundial";
+  EXPECT_CONTAINS(complaint(json),
+                  "/paper/candidates/2/time/clock: \"sundial\" is none of \"cpu\"");
+  json["paper"]["candidates"][2]["time"]["clock"] = "wall";
   EXPECT_CONTAINS(complaint(json), " is measured by \"cpu\"");
-  const std::string id = json["paper"]["cells"][2]["id"];
+  const std::string id = json["paper"]["candidates"][2]["id"];
   for (const char* suffix : {"/threads:2", "/clock:wall"}) {
-    json["paper"]["cells"][2]["id"] = id + suffix;
-    json["paper"]["cells"][2]["time"]["clock"] = "cpu";
+    json["paper"]["candidates"][2]["id"] = id + suffix;
+    json["paper"]["candidates"][2]["time"]["clock"] = "cpu";
     EXPECT_CONTAINS(complaint(json), suffix + std::string(" is measured by \"wall\""));
-    json["paper"]["cells"][2]["time"]["clock"] = "wall";
+    json["paper"]["candidates"][2]["time"]["clock"] = "wall";
     const Record record = record_from(json);
     EXPECT_EQ(record.wall_candidates.size(), 1u);
     EXPECT_EQ(record.wall_candidates.begin()->second.time.clock, Clock::wall);
@@ -27,7 +28,7 @@ TEST(TimeReader, RefusesAClockThatIsNotTheFormulations) {
 
 TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
   Json json = with_windows(complete_record());
-  Json& candidate = json["paper"]["cells"][3];
+  Json& candidate = json["paper"]["candidates"][3];
   candidate["id"] = candidate["id"].get<std::string>() + "/threads:2";
   candidate["threads"] = 2;
   candidate["time"]["clock"] = "wall";
@@ -45,20 +46,20 @@ TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
 
 TEST(TimeReader, RefusesWindowsThatAreNotAll) {
   const Json record = with_windows(complete_record());
-  const std::string windows = "/paper/cells/3/time/windows";
+  const std::string windows = "/paper/candidates/3/time/windows";
   expect_refusals(record, {{windows + "/least", std::vector(24, 1e-6), ": 24 windows of 25"},
                            {windows, Json::object(), ": the key 'least'"},
                            {windows + "/least/7", 0, ": "},
                            {windows + "/least/7", 100, windows + ": together they are longer than"},
                            {"/record/settings/windows", 1, ": must be a whole number from 2"}});
   Json json = record;
-  json["paper"]["cells"][3]["time"].erase("windows");
-  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time: the key 'windows' is missing");
+  json["paper"]["candidates"][3]["time"].erase("windows");
+  EXPECT_CONTAINS(complaint(json), "/paper/candidates/3/time: the key 'windows' is missing");
 }
 
 TEST(TimeReader, RefusesSamplesOfWindowsThatDoNotBelongTogether) {
   const Json record = with_samples_of_windows(complete_record());
-  const std::string windows = "/paper/cells/3/time/windows";
+  const std::string windows = "/paper/candidates/3/time/windows";
   const Json samples = record[Json::json_pointer(windows + "/samples")];
   expect_refusals(record, {{windows + "/samples/0", std::vector(24, 1e-6), ": 24 windows of 25"},
                            {windows + "/updates/-", 1, windows + "/updates: 26 windows of 25"},
@@ -69,9 +70,9 @@ TEST(TimeReader, RefusesSamplesOfWindowsThatDoNotBelongTogether) {
 
 TEST(TimeReader, RefusesSamplesThatAreNoTimes) {
   std::vector<Refusal> refusals{
-      {"/paper/cells/2/time/seconds", Json::array(), ": at least one sample"}};
+      {"/paper/candidates/2/time/seconds", Json::array(), ": at least one sample"}};
   for (const char* sample : {"0", "-0.1", "1e-30", "1e30", "\"0.1\"", "null", "[0.1]"})
-    refusals.push_back({"/paper/cells/2/time/seconds/1", Json::parse(sample), ": "});
+    refusals.push_back({"/paper/candidates/2/time/seconds/1", Json::parse(sample), ": "});
   expect_refusals(complete_record(), refusals);
 }
 

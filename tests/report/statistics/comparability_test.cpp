@@ -21,7 +21,7 @@ TEST(Comparability, TwoRunsOfOneMachineAndBuildAreComparable) {
   other["record"]["commit"] = "another";
   other["record"]["build"]["binary"] = std::string(64, 'b');
   other["record"]["machine"]["load_before"] = {5, 5, 5};
-  other["paper"]["cells"][0]["time"]["seconds"][0] = 1;
+  other["paper"]["candidates"][0]["time"]["seconds"][0] = 1;
   EXPECT_EQ(reasons(origins_record(), other), Names{});
 }
 
@@ -51,7 +51,7 @@ TEST(Comparability, NamesEveryPartOfTheKeyThatDiffers) {
 }
 
 TEST(Comparability, AnotherMachineModelOrResultIsNamedOnce) {
-  const Json record = origins_record(), candidate = record["paper"]["cells"][0];
+  const Json record = origins_record(), candidate = record["paper"]["candidates"][0];
   const std::string place = candidate["case"].get<std::string>() + "/" +
                             std::to_string(candidate["coordinates"].get<int>());
   const auto reasons_with_other = [&](const Json& value, const std::string& other) {
@@ -66,8 +66,8 @@ TEST(Comparability, AnotherMachineModelOrResultIsNamedOnce) {
 
 TEST(Comparability, WhatOnlyOneRecordsIsNotTheSame) {
   Json other = origins_record();
-  const std::string results = other["paper"]["cells"][0]["results"];
-  other["paper"]["cells"][0].erase("results");
+  const std::string results = other["paper"]["candidates"][0]["results"];
+  other["paper"]["candidates"][0].erase("results");
   const auto found = incomparable_reasons(record_from(origins_record()), record_from(other));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(found[0].what.starts_with("results of ")) << found[0].what;
@@ -77,7 +77,7 @@ TEST(Comparability, WhatOnlyOneRecordsIsNotTheSame) {
 
 /// Peers find other coordinates: no digest is no difference.
 TEST(Comparability, APeerWithoutDigestIsNoDifference) {
-  Json json = origins_record(), peer = json["paper"]["cells"][0];
+  Json json = origins_record(), peer = json["paper"]["candidates"][0];
   peer.erase("results");
   peer.update({{"peer", "tree"},
                {"library", "none"},
@@ -90,7 +90,7 @@ TEST(Comparability, APeerWithoutDigestIsNoDifference) {
 
 TEST(Comparability, WithoutACellInCommonThereIsNothingToCompare) {
   Json other = origins_record();
-  for (Json& candidate : other["paper"]["cells"])
+  for (Json& candidate : other["paper"]["candidates"])
     candidate["id"] = "other_" + candidate["id"].get<std::string>();
   for (Json& request : other["paper"]["requests"]) request["request"] = "other";
   EXPECT_EQ(reasons(origins_record(), other), Names{"measurements in common"});

@@ -22,7 +22,7 @@ Json checked_record() {
     first = false;
   }
   for (Json& sample : checked["time"]["seconds"]) sample = sample.get<double>() + more;
-  json["paper"]["cells"].push_back(checked);
+  json["paper"]["candidates"].push_back(checked);
   return json;
 }
 

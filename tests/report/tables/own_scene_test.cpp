@@ -10,13 +10,13 @@ namespace {
 /// The truck's largest size under another name.
 Json scene_record() {
   Json json = complete_record(), kept = Json::array();
-  for (Json& candidate : json["paper"]["cells"])
+  for (Json& candidate : json["paper"]["candidates"])
     if (candidate["case"] == truck && candidate["coordinates"] == 558) {
       candidate["case"] = "slider_crank";
       candidate["coordinates"] = 9;
       kept.push_back(candidate);
     }
-  json["paper"] = {{"cells", kept}};
+  json["paper"] = {{"candidates", kept}};
   return json;
 }
 
@@ -45,7 +45,7 @@ TEST(OwnScene, BeginsWithWhatGains) {
 
 TEST(OwnScene, WithoutAnyTimeSaysSo) {
   Json json = scene_record();
-  for (Json& candidate : json["paper"]["cells"]) fail(candidate);
+  for (Json& candidate : json["paper"]["candidates"]) fail(candidate);
   const Document document = make_report(record_from(json));
   EXPECT_EQ(document.sections.front().paragraphs.at(0),
             "No formulation that solves everything has a time on one thread.");

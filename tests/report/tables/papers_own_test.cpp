@@ -11,12 +11,12 @@ namespace {
 Json record_with_ma27() {
   Json json = complete_record();
   Json more = Json::array();
-  for (Json candidate : json["paper"]["cells"])
+  for (Json candidate : json["paper"]["candidates"])
     if (std::string id = candidate["id"]; id.ends_with("_umfpack")) {
       candidate["id"] = id.replace(id.size() - 7, 7, papers_own);
       more.push_back(std::move(candidate));
     }
-  for (Json& candidate : more) json["paper"]["cells"].push_back(std::move(candidate));
+  for (Json& candidate : more) json["paper"]["candidates"].push_back(std::move(candidate));
   json["record"]["libraries"]["ma27"] = "libcoinhsl.so.2.2.5";
   return json;
 }

@@ -142,7 +142,7 @@ TEST(PapersTables, AverageOverThePapersSizes) {
     Json extra = candidate_of(json, truck, 558, id);
     extra["coordinates"] = 1113;
     extra["time"]["seconds"] = {seconds};
-    json["paper"]["cells"].push_back(extra);
+    json["paper"]["candidates"].push_back(extra);
   }
   fail_candidate(json, truck, 225, "group_symbolic_cholmod");
   expect_shown(json,

@@ -25,7 +25,8 @@ Json threads_record() {
   by_wall["time"]["clock"] = "wall";
   Json several = timed(by_wall, std::string(hermite_lanes) + "/threads:2", 0.03);
   several["threads"] = 2;
-  for (const Json& candidate : {one, several, by_wall}) json["paper"]["cells"].push_back(candidate);
+  for (const Json& candidate : {one, several, by_wall})
+    json["paper"]["candidates"].push_back(candidate);
   return json;
 }
 
@@ -45,7 +46,7 @@ TEST(Threads, StandInATableOfTheWallClockAlone) {
 
 TEST(Threads, HaveNoRatioOverCpuTime) {
   Json json = threads_record();
-  json["paper"]["cells"].erase(json["paper"]["cells"].size() - 1);
+  json["paper"]["candidates"].erase(json["paper"]["candidates"].size() - 1);
   const Table table = table_of(json, "threads_truck_suspension");
   expect_row(table, {"114", "everything", hermite_lanes, "2"},
              {{"times one thread", "one thread not measured"}});
