@@ -123,7 +123,7 @@ void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
 std::string id_with(const Variant& v, const Settings& settings) {
   std::string id = v.id;
   for (const Suffix& suffix : suffixes())
-    if (const std::string value = suffix.print(settings); value != suffix.print({}))
+    if (const std::string value = suffix.print(settings); value != suffix.print({}))  // the paper's
       id += "/" + std::string(suffix.key) + ":" + value;
   return id;
 }

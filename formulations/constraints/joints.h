@@ -39,7 +39,7 @@ struct Along : NonlinearKind<D> {
 
 /// Planar point p at a constant distance, to the left when positive, from the line through o along
 /// the unit vector u: u × (p − o) − c = 0. Operands u, o, p; c = {distance}.
-struct Offset : MeasuredForm<Offset> {
+struct Offset : QuadraticForm<Offset> {
   static constexpr std::string_view name = "offset";
   static constexpr std::array operand_sizes{2, 2, 2};
   static constexpr int entries = 6;

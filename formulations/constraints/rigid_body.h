@@ -12,7 +12,7 @@ namespace desmo {
 
 /// Points a, b at constant distance: ‖b − a‖² − L² = 0.   c = {L²}
 template <int D>
-struct Length : MeasuredForm<Length<D>> {
+struct Length : QuadraticForm<Length<D>> {
   static constexpr std::string_view name = D == 2 ? "length2" : "length3";
   static constexpr std::array operand_sizes{D, D};
   static constexpr int entries = 2 * D;
@@ -55,7 +55,7 @@ struct Unit : NonlinearKind<1> {
 
 /// Vectors u, v at a constant angle: u·v − c = 0.   c = {cosine of the angle}
 template <int D>
-struct Dot : MeasuredForm<Dot<D>> {
+struct Dot : QuadraticForm<Dot<D>> {
   static constexpr std::string_view name = D == 2 ? "dot2" : "dot3";
   static constexpr std::array operand_sizes{D, D};
   static constexpr int entries = 2 * D;
@@ -75,7 +75,7 @@ struct Dot : MeasuredForm<Dot<D>> {
 
 /// Vector u and points a, b with constant projection: u·(b − a) − c = 0.   c = {projection}
 template <int D>
-struct Projection : MeasuredForm<Projection<D>> {
+struct Projection : QuadraticForm<Projection<D>> {
   static constexpr std::string_view name = D == 2 ? "projection2" : "projection3";
   static constexpr std::array operand_sizes{D, D, D};
   static constexpr int entries = 3 * D;

@@ -93,10 +93,10 @@ struct NonlinearKind {
   static constexpr bool linear = false;
 };
 
-/// The common part of kinds that keep a quadratic form of their operands constant: f − c = 0, where
-/// f is what Kind::measure() writes.
+/// The common part of kinds that keep a quadratic form of their operands constant: f(q) − c = 0,
+/// so that Φ̇_q q̇ = 2 f(q̇). Kind::measure() writes f, with +, − and * alone.
 template <class Kind>
-struct MeasuredForm : NonlinearKind<1> {
+struct QuadraticForm : NonlinearKind<1> {
   static constexpr int constants = 1;
 
   template <class S>

@@ -37,7 +37,7 @@ struct Entity {
 };
 
 /// The source of an equation. Earlier values are preferred when equations are selected.
-enum class Origin { ground, coordinate, joint, body };
+enum class EquationSource { ground, coordinate, joint, body };
 
 /// A constraint: a kind applied to entities, with its dimensions.
 struct Constraint {
@@ -57,7 +57,8 @@ struct Constraint {
   /// Φ₀ of each row in Newton's homotopy Φ(q, t) = (1 − t) Φ₀; empty: Φ(q, t) = 0. Only proofs use
   /// it.
   std::vector<double> initial_residual{};
-  Origin origin = Origin::ground;  ///< in the mechanism; only the selection of equations reads it
+  EquationSource source =
+      EquationSource::ground;  ///< in the mechanism; only the selection of equations reads it
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are

@@ -60,7 +60,7 @@ TEST(Frame, LetsJointsKeepNothingOfTheDrawing) {
       const Model all = make_candidate_equations(d, rigid, together, {});
       int found = 0;
       for (const Constraint& c : all.constraints)
-        if (c.origin == Origin::joint) {
+        if (c.source == EquationSource::joint) {
           ++found;
           EXPECT_EQ(c.constants[0].value == 0, has_frames) << c.name;
         }

@@ -25,7 +25,8 @@ struct Relation {
 void relate_in_plane(EquationWriter& w, const Relation& r) {
   const Basis& basis = r.body.basis;
   if (basis.directions.empty())  // a second name for the same place
-    return w.derive<Rigid<2, 0>>(Origin::body, r.name, {r.target, w.point(basis.origin)}, {});
+    return w.derive<Rigid<2, 0>>(EquationSource::body, r.name, {r.target, w.point(basis.origin)},
+                                 {});
   const Direction& d = basis.directions.front();
   const double length = nominal::norm(BodyDrawing<double>{w.mechanism}.direction(r.body, d));
   // Seen from the origin, all four kinds measure the same.
@@ -35,16 +36,16 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
       });
   if (r.is_point() && d.is_line())
     w.derive<PlanarRelation<PlanarTarget::point, DirectionOf::line>>(
-        Origin::body, r.name, {r.target, w.point(d.from), w.point(d.to)}, c);
+        EquationSource::body, r.name, {r.target, w.point(d.from), w.point(d.to)}, c);
   else if (r.is_point())
     w.derive<PlanarRelation<PlanarTarget::point, DirectionOf::vector>>(
-        Origin::body, r.name, {r.target, w.point(basis.origin), w.vector(d.vector)}, c);
+        EquationSource::body, r.name, {r.target, w.point(basis.origin), w.vector(d.vector)}, c);
   else if (d.is_line())
     w.derive<PlanarRelation<PlanarTarget::vector, DirectionOf::line>>(
-        Origin::body, r.name, {r.target, w.point(d.from), w.point(d.to)}, c);
+        EquationSource::body, r.name, {r.target, w.point(d.from), w.point(d.to)}, c);
   else
     w.derive<PlanarRelation<PlanarTarget::vector, DirectionOf::vector>>(
-        Origin::body, r.name, {r.target, w.vector(d.vector)}, c);
+        EquationSource::body, r.name, {r.target, w.vector(d.vector)}, c);
 }
 
 /// Writes a relation in space. A line ends at the sum of itself and the origin, so that its term is
@@ -73,7 +74,7 @@ void relate_in_space(EquationWriter& w, const Relation& r) {
   }
   if (r.is_point() && !has_lines) {
     terms.insert(terms.begin(), {r.target, w.point(basis.origin)});
-    return w.derive(Origin::body, r.name, rigid[coefficients.size()], terms, coefficients);
+    return w.derive(EquationSource::body, r.name, rigid[coefficients.size()], terms, coefficients);
   }
   if (!is_rounding(of_origin.value, 1)) {
     terms.insert(terms.begin(), w.point(basis.origin));
@@ -81,7 +82,7 @@ void relate_in_space(EquationWriter& w, const Relation& r) {
   }
   if (terms.empty()) return;
   terms.insert(terms.begin(), r.target);
-  w.derive(Origin::body, r.name, combination[coefficients.size() - 1], terms, coefficients);
+  w.derive(EquationSource::body, r.name, combination[coefficients.size() - 1], terms, coefficients);
 }
 
 void relate(EquationWriter& w, const Relation& r) {
@@ -108,8 +109,8 @@ void hold_ground_vectors(EquationWriter& w) {
     if (w.coordinates().model.entities[w.vector(v)].fixed) continue;
     const Mechanism::Vector& vector = w.mechanism.vectors[v];
     const EntityId held = w.add_fixed_vector("ground: " + vector.name, vector);
-    w.constrain<Rigid<D, 0>>(Origin::ground, vector.name + " on the ground", {w.vector(v), held},
-                             {});
+    w.constrain<Rigid<D, 0>>(EquationSource::ground, vector.name + " on the ground",
+                             {w.vector(v), held}, {});
   }
 }
 
@@ -121,19 +122,20 @@ void keep_product_of_two(EquationWriter& w, const std::string& name, const Rigid
     return std::array{drawing.direction(body, a), drawing.direction(body, b)};
   };
   if (a.is_line()) {  // both from the same point: the distance of their ends says the same
-    w.constrain<Length<3>>(Origin::body, name + w.text({-1, a.to, b.to}) + " length",
+    w.constrain<Length<3>>(EquationSource::body, name + w.text({-1, a.to, b.to}) + " length",
                            {w.point(a.to), w.point(b.to)},
                            measured<Length<3>>(w.mechanism, 0, both));
   } else if (b.is_line()) {
     w.constrain<Projection<3>>(
-        Origin::body, product_name, {w.vector(a.vector), w.point(b.from), w.point(b.to)},
+        EquationSource::body, product_name, {w.vector(a.vector), w.point(b.from), w.point(b.to)},
         measured<Projection<3>>(w.mechanism, reach_of(w.mechanism, body, w.reach),
                                 [&](const auto& drawing) {
                                   return std::array{drawing.direction(body, a), drawing.origin(),
                                                     drawing.direction(body, b)};
                                 }));
   } else {
-    w.constrain<Dot<3>>(Origin::body, product_name, {w.vector(a.vector), w.vector(b.vector)},
+    w.constrain<Dot<3>>(EquationSource::body, product_name,
+                        {w.vector(a.vector), w.vector(b.vector)},
                         measured<Dot<3>>(w.mechanism, 1, both));
   }
 }
@@ -149,9 +151,10 @@ void keep_product(EquationWriter& w, const std::string& name, const RigidBody& b
   const double magnitude = rounded(a) * nominal::norm(y) + rounded(b) * nominal::norm(x);
   if (!w.note_product(a, b, dot(x, y), magnitude)) return;
   if (!a.is_line() && a.vector == b.vector)
-    return w.constrain<Unit<D>>(Origin::body, name + w.text(a) + " unit", {w.vector(a.vector)}, {});
+    return w.constrain<Unit<D>>(EquationSource::body, name + w.text(a) + " unit",
+                                {w.vector(a.vector)}, {});
   if (a.is_line() && a.to == b.to)
-    return w.constrain<Length<D>>(Origin::body, name + w.text(a) + " length",
+    return w.constrain<Length<D>>(EquationSource::body, name + w.text(a) + " length",
                                   {w.point(a.from), w.point(a.to)},
                                   measured<Length<D>>(w.mechanism, 0, [&](const auto& drawn) {
                                     return std::array{drawn.origin(), drawn.direction(body, a)};
@@ -164,7 +167,7 @@ void keep_along(EquationWriter& w, const std::string& name, const RigidBody& bod
   const Mechanism::Vector& vector = w.mechanism.vectors[v];
   const auto& [from, to] = *vector.along;
   const Direction line{-1, from, to};
-  w.constrain<Rigid<D, 1>>(Origin::body, name + vector.name + " along " + w.text(line),
+  w.constrain<Rigid<D, 1>>(EquationSource::body, name + vector.name + " along " + w.text(line),
                            {w.point(to), w.point(from), w.vector(v)},
                            measured<Rigid<D, 1>>(w.mechanism, 0, [&](const auto& drawing) {
                              return std::array{drawing.direction(body, line), drawing.origin()};

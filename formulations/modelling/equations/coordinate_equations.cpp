@@ -25,14 +25,14 @@ struct Definition {
   template <class Kind>
   void as(const std::array<EntityId, Kind::operand_sizes.size()>& operands,
           const std::array<Derived, Kind::constants>& dimensions = {}) const {
-    writer.constrain<Kind>(Origin::coordinate, coordinate.name + ": definition", operands,
+    writer.constrain<Kind>(EquationSource::coordinate, coordinate.name + ": definition", operands,
                            dimensions);
   }
   /// Writes it as what the coordinate, the last operand, is derived by, where bodies have frames.
   template <class Kind>
   void derived_as(const std::array<EntityId, Kind::operand_sizes.size()>& operands) const {
     if (!writer.framed) return as<Kind>(operands);
-    writer.derive<Kind>(Origin::coordinate, coordinate.name + ": definition", operands, {},
+    writer.derive<Kind>(EquationSource::coordinate, coordinate.name + ": definition", operands, {},
                         static_cast<int>(operands.size()) - 1);
   }
 };

@@ -33,7 +33,7 @@ void constrain(EquationWriter& w, const Mechanism::Coupling& coupling, int kind,
   std::vector<EntityId> operands;
   for (const Mechanism::Coupling::Term& term : coupling.terms)
     operands.push_back(w.coordinates().coordinates[term.coordinate]);
-  w.constrain(Origin::joint, coupling.name + ": coupling", kind, operands, dimensions);
+  w.constrain(EquationSource::joint, coupling.name + ": coupling", kind, operands, dimensions);
 }
 
 void write_sum(EquationWriter& w, const Mechanism::Coupling& coupling) {

@@ -99,7 +99,7 @@ Model EquationWriter::release() {
   return std::move(coordinates_.model);
 }
 
-void EquationWriter::constrain(Origin origin, std::string name, int kind,
+void EquationWriter::constrain(EquationSource source, std::string name, int kind,
                                std::span<const EntityId> operands,
                                std::span<const Derived> dimensions, int derives) {
   Constraint made{std::move(name),
@@ -108,7 +108,7 @@ void EquationWriter::constrain(Origin origin, std::string name, int kind,
                   {dimensions.begin(), dimensions.end()},
                   no_position};
   made.derives = derives;
-  made.origin = origin;
+  made.source = source;
   for (const EntityId e : operands)
     made.group = std::max(made.group, coordinates_.model.entities.at(e).group);
   if (made.group < 0) {

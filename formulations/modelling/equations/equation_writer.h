@@ -45,25 +45,26 @@ class EquationWriter {
   /// Adds an equation of a kind, by its position, to the last group that solves for one of its
   /// operands. When all operands are fixed, adds nothing where it holds; where it does not, adds it
   /// to the group of what begin() was told, and leaves it out.
-  void constrain(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
-                 std::span<const Derived> dimensions, int derives = no_position);
+  void constrain(EquationSource source, std::string name, int kind,
+                 std::span<const EntityId> operands, std::span<const Derived> dimensions,
+                 int derives = no_position);
   template <class Kind>
-  void constrain(Origin origin, std::string name,
+  void constrain(EquationSource source, std::string name,
                  const std::array<EntityId, Kind::operand_sizes.size()>& operands,
                  const std::array<Derived, Kind::constants>& dimensions) {
-    constrain(origin, std::move(name), kind_index<Kind>(), operands, dimensions);
+    constrain(source, std::move(name), kind_index<Kind>(), operands, dimensions);
   }
   /// Adds an equation that is explicit in an operand: a derivation, unless coordinates are natural.
-  void derive(Origin origin, std::string name, int kind, std::span<const EntityId> operands,
+  void derive(EquationSource source, std::string name, int kind, std::span<const EntityId> operands,
               std::span<const Derived> dimensions, int operand = 0) {
-    constrain(origin, std::move(name), kind, operands, dimensions,
+    constrain(source, std::move(name), kind, operands, dimensions,
               coordinates_.model.modelling == Modelling::natural ? no_position : operand);
   }
   template <class Kind>
-  void derive(Origin origin, std::string name,
+  void derive(EquationSource source, std::string name,
               const std::array<EntityId, Kind::operand_sizes.size()>& operands,
               const std::array<Derived, Kind::constants>& dimensions, int operand = 0) {
-    derive(origin, std::move(name), kind_index<Kind>(), operands, dimensions, operand);
+    derive(source, std::move(name), kind_index<Kind>(), operands, dimensions, operand);
   }
 
   /// Records the first scalar product of two directions. Returns whether this one needs an

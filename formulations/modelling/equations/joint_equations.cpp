@@ -20,7 +20,7 @@ std::array<Derived, Kind::constants> kept(const EquationWriter& w, const Mechani
 template <class Kind>
 void keep_off(EquationWriter& w, const Mechanism::Joint& j, const char* what) {
   const int u = j.vectors[0], p = j.points[0], q = j.points[1];
-  w.constrain<Kind>(Origin::joint, j.name + what, {w.vector(u), w.point(p), w.point(q)},
+  w.constrain<Kind>(EquationSource::joint, j.name + what, {w.vector(u), w.point(p), w.point(q)},
                     kept<Kind>(w, j, w.reach, [&](const auto& drawing) {
                       return std::array{drawing.vector(u), drawing.point(p), drawing.point(q)};
                     }));
@@ -33,7 +33,7 @@ void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
     return std::array{drawing.vector(a.vector), drawing.vector(b.vector)};
   });
   if (w.note_product(a, b, product[0].value, 2))
-    w.constrain<Dot<3>>(Origin::joint, j.name + ": " + w.text(a) + " with " + w.text(b),
+    w.constrain<Dot<3>>(EquationSource::joint, j.name + ": " + w.text(a) + " with " + w.text(b),
                         {w.vector(a.vector), w.vector(b.vector)}, product);
 }
 

@@ -44,8 +44,8 @@ class AxisMaker {
   /// Returns the direction of a body's basis that is least along another.
   Exact nearest_to_normal(int body, const Exact& axis) const;
 
-  /// Returns whether an angle of a body is the turn of its tree joint: it is measured from
-  /// directions of the parent and, in space, all its directions are normal to the axis, a vector.
+  /// Returns whether an angle is the turn of a body's tree joint: it goes from directions that the
+  /// parent carries to one that the body carries. In space all are normal to the axis, a vector.
   bool measures_turn(const Mechanism::Coordinate& angle, int parent, int body, int axis) const;
 
   /// Adds the normal of the first two directions of a body's basis, as a third one.

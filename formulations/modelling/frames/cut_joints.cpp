@@ -81,12 +81,12 @@ void plan_cut_joints(FramedMechanism& framed, AxisMaker& axes, const std::vector
 template <int D>
 void write_cut_joints(EquationWriter& w) {
   for (const auto& [vector, normal] : w.framed->vectors)
-    w.constrain<Dot<D>>(Origin::joint, w.text({vector}) + " with " + w.text({normal}),
+    w.constrain<Dot<D>>(EquationSource::joint, w.text({vector}) + " with " + w.text({normal}),
                         {w.vector(vector), w.vector(normal)}, {Derived(0)});
   for (const auto& [joint, normal] : w.framed->lines) {
     const Mechanism::Joint& j = w.mechanism.joints[joint];
     w.begin(w.rigid.of_body[j.bodies[0]], w.rigid.of_body[j.bodies[1]]);
-    w.constrain<Projection<D>>(Origin::joint, j.name + ": off along " + w.text({normal}),
+    w.constrain<Projection<D>>(EquationSource::joint, j.name + ": off along " + w.text({normal}),
                                {w.vector(normal), w.point(j.points[0]), w.point(j.points[1])},
                                {Derived(0)});
   }

@@ -81,7 +81,7 @@ class FrameWriter {
   void orient(const std::array<int, 3>& parent) {
     const EntityId e =
         w_.add_variable(EntityKind::orientation, name_ + "/orientation", frame_.orientation, r_);
-    w_.constrain<Unit<4>>(Origin::body, name_ + ": orientation norm", {e}, {});
+    w_.constrain<Unit<4>>(EquationSource::body, name_ + ": orientation norm", {e}, {});
     if (!joint_) {
       derive<EulerAxis<0>>("x", {axis(0), e}, {});
       derive<EulerAxis<1>>("y", {axis(1), e}, {});
@@ -108,7 +108,7 @@ class FrameWriter {
     const int operand = points[0] == own ? 0 : 1;
     points[operand] = frame_.origin;
     w_.derive<Along<D>>(
-        Origin::joint, joint_->name + ": origin",
+        EquationSource::joint, joint_->name + ": origin",
         {w_.point(points[0]), w_.point(points[1]), w_.vector(joint_->vectors[0]), travel}, {},
         operand);
   }
@@ -124,7 +124,7 @@ class FrameWriter {
   template <class Kind>
   void derive(const char* what, const std::array<EntityId, Kind::operand_sizes.size()>& operands,
               const std::array<Derived, Kind::constants>& dimensions) {
-    w_.derive<Kind>(Origin::body, name_ + ": " + what, operands, dimensions);
+    w_.derive<Kind>(EquationSource::body, name_ + ": " + what, operands, dimensions);
   }
 
   EquationWriter& w_;

@@ -10,11 +10,11 @@ namespace desmo {
 /// many equations as unknowns. LeftOutEquations checks those left out.
 ///
 /// Equations are selected in this order: derivations first, then linear ones, then by number of
-/// entries, by Origin, by position. An equation is left out if its gradient by the group's unknowns
-/// depends on those selected before. Rank may be lower at a special position. Therefore the nominal
-/// and two perturbed positions are assembled, and the one of highest rank decides. In a group that
-/// closes only to the digits of its file, equations depend that differ by no more. A definition of
-/// several equations with only one selected is replaced by its ScalarDefinition.
+/// entries, by EquationSource, by position. An equation is left out if its gradient by the group's
+/// unknowns depends on those selected before. Rank may be lower at a special position. Therefore
+/// the nominal and two perturbed positions are assembled, and the one of highest rank decides. In a
+/// group that closes only to the digits of its file, equations depend that differ by no more. A
+/// definition of several equations with only one selected is replaced by its ScalarDefinition.
 ///
 /// surplus: for each group, restrictions minus freedoms.
 /// Throws std::invalid_argument, naming group, bodies and equations, when

@@ -125,14 +125,14 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
 
 /// Returns rows in the order in which they are taken.
 std::vector<int> RowSelector::preference(const GroupSystem& s) const {
-  using Rank = std::tuple<bool, bool, int, Origin, int>;
+  using Rank = std::tuple<bool, bool, int, EquationSource, int>;
   std::vector<Rank> ranks;
   for (int c = s.first_constraint; c < s.end_constraint; ++c) {
     const Constraint& constraint = m_.constraints[c];
     std::vector<int> entries(rows(constraint), 0);
     visit_incidence(m_, constraint, [&](int row, int state) { entries[row] += moves_[state]; });
     for (const int n : entries)
-      ranks.emplace_back(constraint.derives < 0, !is_linear(constraint), n, constraint.origin,
+      ranks.emplace_back(constraint.derives < 0, !is_linear(constraint), n, constraint.source,
                          static_cast<int>(ranks.size()));
   }
   std::ranges::sort(ranks);

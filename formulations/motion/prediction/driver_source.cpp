@@ -27,7 +27,7 @@ DriverSource::DriverSource(const Model& m, std::span<const int> in_row)
   const auto add = [&](int coordinate) {
     place[coordinate] = static_cast<int>(sampled.size());
     sampled.push_back(all.motions[driver[coordinate]]);
-    numbers_.push_back({driver[coordinate], coordinate});
+    handed_in_.push_back({driver[coordinate], coordinate});
   };
   for (const int coordinate : in_row) {
     add(coordinate);
@@ -39,20 +39,20 @@ DriverSource::DriverSource(const Model& m, std::span<const int> in_row)
   }
   written_ = drivers_;
   motions_ = MotionsAhead(std::move(sampled));
-  const std::size_t size = whole_lines(numbers_.size());
+  const std::size_t size = whole_lines(handed_in_.size());
   for (LaneState* row : {&live_, &between_}) row->resize(size);
   from_.resize(size);
 }
 
 void DriverSource::hand_in(const LiveRow& row, double start, const State& from) {
   const auto copy = [&](std::span<const double> values, LaneValues& to) {
-    for (std::size_t k = 0; k < numbers_.size(); ++k)
-      to[k] = values.empty() ? 0 : values[numbers_[k].driver];
+    for (std::size_t k = 0; k < handed_in_.size(); ++k)
+      to[k] = values.empty() ? 0 : values[handed_in_[k].driver];
   };
   copy(row.z, live_.q);
   copy(row.zd, live_.qd);
   copy(row.zdd, live_.qdd);
-  for (std::size_t k = 0; k < numbers_.size(); ++k) from_[k] = from.q[numbers_[k].coordinate];
+  for (std::size_t k = 0; k < handed_in_.size(); ++k) from_[k] = from.q[handed_in_[k].coordinate];
   live_time_ = row.time;
   start_ = start;
   is_live_ = true;
@@ -61,7 +61,7 @@ void DriverSource::hand_in(const LiveRow& row, double start, const State& from) 
 MotionRow DriverSource::live_row(double t) {
   if (t == live_time_) return {live_.q.data(), live_.qd.data(), live_.qdd.data()};
   const double whole = live_time_ - start_, share = (t - start_) / whole;
-  for (std::size_t k = 0; k < numbers_.size(); ++k) {
+  for (std::size_t k = 0; k < handed_in_.size(); ++k) {
     const double way = live_.q[k] - from_[k];
     between_.q[k] = from_[k] + share * way;
     between_.qd[k] = way / whole;

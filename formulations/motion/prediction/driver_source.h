@@ -54,9 +54,9 @@ class DriverSource {
   struct Driven {
     int coordinate, place;  // its place in the row
   };
-  /// A number of the row: its driver (position in Model::drivers) and coordinate.
-  struct Number {
-    int driver, coordinate;
+  /// A place in the row that is handed in.
+  struct HandedIn {
+    int driver, coordinate;  // position in Model::drivers, in the state
   };
   MotionRow live_row(double t);
   void write(std::span<const Driven> drivers, State& state) const {
@@ -72,10 +72,9 @@ class DriverSource {
   std::vector<Driven> written_;  // by sample()
   MotionsAhead motions_;
   MotionRow row_{};
-  // Values that are handed in, for their own time and for others.
-  std::vector<Number> numbers_;
-  LaneState live_, between_;
-  LaneValues from_;
+  std::vector<HandedIn> handed_in_;   // by place in the row
+  LaneState live_, between_;          // at their own time; at another one, by live_row()
+  LaneValues from_;                   // positions at start_, from where drivers go straight
   double live_time_ = 0, start_ = 0;  // s
   bool is_live_ = false;
 };
