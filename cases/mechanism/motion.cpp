@@ -130,7 +130,7 @@ std::vector<std::array<T, 4>> interpolated(const std::vector<double>& times,
 }
 
 /// Returns the first double that is not before a time: the one that is that time, if there is one.
-double first_from(const Derived& time) {
+double rounded_up(const Derived& time) {
   const auto [value, correction, radius] = time.rounded();
   return correction > radius ? std::nextafter(value, std::numeric_limits<double>::infinity())
                              : value;
@@ -175,8 +175,8 @@ Spline make_spline(const Trapezoid& of) {
   const bool is_triangle = (v * v).value >= (a * s).value;
   const Derived up = is_triangle ? sqrt(s / a) : v / a;
   const Derived end = Derived(of.start) + (is_triangle ? up * 2 : up + s / v);
-  const double steady = first_from(Derived(of.start) + up),
-               brakes = is_triangle ? steady : first_from(end - up), rests = first_from(end);
+  const double steady = rounded_up(Derived(of.start) + up),
+               brakes = is_triangle ? steady : rounded_up(end - up), rests = rounded_up(end);
   if (!(of.start < steady && brakes < rests && std::isfinite(rests)) ||
       (!is_triangle && !(steady < brakes)))
     throw std::invalid_argument("the times at which it changes cannot be told apart");

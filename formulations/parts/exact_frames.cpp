@@ -68,15 +68,16 @@ ExactFrames::Level ExactFrames::make_level(const Model& m,
 }
 
 void ExactFrames::residual(const Equations&, double* q, Eigen::VectorXd& phi) {
+  double zero = 0;  // no number, where something derived is none
   for (const Level& level : levels_) {
     level.equations->residual(q, residual_.data());
-    for (const auto& [place, row, inverse] : level.derived) q[place] -= inverse * residual_[row];
+    for (const auto& [place, row, inverse] : level.derived) {
+      q[place] -= inverse * residual_[row];
+      zero += q[place] - q[place];
+    }
   }
   closures_->residual(q, residual_.data());
-  double of_derivations = 0;  // or no number, where something derived is none
-  for (const Level& level : levels_)
-    for (const DerivedUnknown& d : level.derived) of_derivations += q[d.place] - q[d.place];
-  phi.setConstant(of_derivations);
+  phi.setConstant(zero);
   for (std::size_t c = 0; c < closure_row_.size(); ++c) phi[closure_row_[c]] = residual_[c];
 }
 

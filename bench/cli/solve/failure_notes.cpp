@@ -45,9 +45,12 @@ Reason table_reason(const CheckedSummary& s, const Model& m, const DisplayUnits&
 bool measures_no_distance(const Model& m, int constraint) {
   if (constraint < 0) return false;
   const Constraint& c = m.constraints[constraint];
-  const Entity& measured = m.entities[c.operands.back()];
-  return constraint_kind_name(c.kind).starts_with("distance") && !measured.fixed &&
-         m.estimate[measured.first] == 0;
+  const std::vector<double> drawn = m.state_of(m.estimate);
+  const auto position = [&](EntityId point) {
+    return std::span(drawn).subspan(m.state_index(point), m.entities[point].size);
+  };
+  return constraint_kind_name(c.kind).starts_with("distance") &&
+         std::ranges::equal(position(c.operands[0]), position(c.operands[1]));
 }
 
 /// Returns why no position was found. is_start: the failed instant is the first, so that no step

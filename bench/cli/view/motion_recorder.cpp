@@ -111,15 +111,16 @@ void MotionRecorder::flag(const RowFlag& f, int index) {
                                                             : Flag::Kind::unproven;
   const double from = passes ? std::max(f.after, grid_.start) : f.time,
                to = passes ? std::min(f.before, grid_.time(grid_.instants - 1)) : f.time;
-  for (auto& [last_row, place] : lasting_) {
+  for (auto& [last_row, place, group] : lasting_) {
     Flag& last = flags_[place];
-    if (last_row + 1 != index || last.kind != kind || (passes && last.from != from)) continue;
+    if (last_row + 1 != index || last.kind != kind || group != f.group) continue;
+    if (passes && last.from != from) continue;
     last.to = to;
     last_row = index;
     return;
   }
   std::erase_if(lasting_, [&](const Lasting& l) { return l.last_row + 1 < index; });
-  lasting_.push_back({index, flags_.size()});
+  lasting_.push_back({index, flags_.size(), f.group});
   flags_.push_back({kind, from, to, flag_text(f, model_, units_)});
 }
 

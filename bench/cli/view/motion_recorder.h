@@ -64,6 +64,7 @@ class MotionRecorder final : public Observer {
   struct Lasting {
     int last_row;
     std::size_t place;  // among the flags
+    GroupId group;
   };
 
   const Model& model_;

@@ -64,7 +64,7 @@ Line BodyFrames::find_line(const Mechanism::Direction& d) {
 
 bool BodyFrames::tells_turn(int body) const {
   const int r = rigid_.of_body[body];
-  return r == 0 || rigid_.list[r].basis.directions.size() >= enough();
+  return r == 0 || rigid_.list[r].basis.directions.size() >= directions_needed();
 }
 
 BodyFrame BodyFrames::find_frame(int body) {
@@ -75,11 +75,12 @@ BodyFrame BodyFrames::find_frame(int body) {
   if (!tells_turn(body))
     throw std::invalid_argument("request: the points and vectors of body '" + d_.bodies[body].name +
                                 "' do not tell how it is turned; give it another" +
-                                (enough() == 2 ? " that is not in line with them" : "") +
+                                (directions_needed() == 2 ? " that is not in line with them" : "") +
                                 ", or ask for an angle or a vector");
-  for (std::size_t k = 0; k < enough(); ++k) result.lines.push_back(find_line(directions[k]));
+  for (std::size_t k = 0; k < directions_needed(); ++k)
+    result.lines.push_back(find_line(directions[k]));
   const Vector u = drawn(body, directions[0]);
-  result.drawn = enough() == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
+  result.drawn = directions_needed() == 2 ? frame_of(u, drawn(body, directions[1])) : frame_of(u);
   return result;
 }
 

@@ -70,7 +70,7 @@ class BodyFrames {
  private:
   Operand find_operand(const std::string& name);
   /// Returns how many directions tell how a body is turned.
-  std::size_t enough() const { return d_.dimension == 2 ? 1 : 2; }
+  std::size_t directions_needed() const { return d_.dimension == 2 ? 1 : 2; }
 
   const Mechanism& d_;
   const Model& m_;

@@ -1,6 +1,7 @@
 #include "formulations/verification/certificate/block_shape.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include "formulations/constraints/constraints.h"
@@ -27,6 +28,7 @@ class Builder {
       const Constraint& c = m_.constraints[e.constraint];
       block_.slack.push_back(c.slack.empty() ? 0 : c.slack[e.row]);
       if (!c.initial_residual.empty()) block_.initial.push_back(c.initial_residual[e.row]);
+      assert(block_.initial.empty() || block_.initial.size() == block_.slack.size());
     }
     return std::move(block_);
   }
