@@ -24,6 +24,7 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"
 #include "tests/flaps.h"
+#include "tests/mechanisms.h"
 #include "tests/overconstrained.h"
 
 namespace desmo::left_out_equations_test {
@@ -54,6 +55,15 @@ Found find(const Scene& scene) {
   const Model m = make_model(scene);
   EXPECT_TRUE(LeftOutEquations(m).any()) << scene.mechanism.name;
   return find(m, sampled(scene.grid, scene.grid.instants));
+}
+
+TEST(LeftOutEquations, HoldInTheCasesAndTheLibrary) {
+  for (const auto& [m, grid] : every_motion()) {
+    const Found found = find(m, sampled(grid, std::min(grid.instants, DESMO_SANITIZED ? 5 : 60)));
+    EXPECT_EQ(found.flagged, 0) << m.name << ": " << found.largest.amount << " of "
+                                << m.constraints[std::max(0, found.largest.constraint)].name;
+    EXPECT_EQ(found.proven, found.instants) << m.name;
+  }
 }
 
 TEST(LeftOutEquations, HoldWhereALinkageClosesBeforeRounding) {

@@ -134,6 +134,18 @@ TEST(Refinement, FindsPositionsThatAreFarOff) {
   for (const Level level : all_levels) EXPECT_LE(errors.share[level], 2);
 }
 
+TEST(Refinement, HoldsUpToADeadPoint) {
+  for (const double distance : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
+    const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
+    const auto exact = reference_solution(m, std::array{0.0}, Precision::quadruple);
+    const auto solved = double_solution(m, std::array{0.0});
+    Refinement refinement(m);
+    const RefinedInstant& r = refinement.refine(instant_of(solved.front()));
+    EXPECT_TRUE(r.proven) << distance;
+    Errors().add(m, r, exact.front(), make_scales(m, exact), 1);
+  }
+}
+
 /// Velocities are rounding of the drivers there, which no pass makes smaller.
 TEST(Refinement, CorrectsPositionsWhereAMotionRests) {
   Model m = make_model(library_scene("slider_crank"));

@@ -90,6 +90,12 @@ constexpr const char* ids[] = {"group_automatic_lapack", "global_automatic_klu"}
 
 class IndependentMechanisms : public testing::TestWithParam<Both> {};
 
+/// Returns whether a motion leaves the point at once from where it starts.
+bool leaves_point(const Motion& motion, const TimeGrid& grid) {
+  const auto angle = [&](int i) { return sample(motion, grid.time(i)).position; };
+  return angle(0) == pi && std::abs(angle(1) - pi) > 1e-6;
+}
+
 /// Returns the place of a row's flag, the worst first.
 int rank(const CheckedRow& row) {
   constexpr std::array worst_first{unproven, branch, on_point, crossing, misfit};
@@ -125,6 +131,10 @@ TEST_P(IndependentMechanisms, AreFollowedAsIfEachStoodAlone) {
         for (const auto& [bars, alone, motion] :
              {std::tuple(&first, &a.rows[i], &theta), std::tuple(&second, &b.rows[i], &alpha)}) {
           const bool is_on_point = alone->flag && alone->flag->kind == on_point;
+          if (leaves_point(*motion, grid)) {
+            EXPECT_EQ(alone->flag.has_value(), i == 0) << row.time;
+            EXPECT_EQ(is_on_point, i == 0) << row.time;
+          }
           bars->expect_right(both, row, sample(*motion, row.time).position,
                              is_on_point ? 1e-7
                              : is_sample ? 1e-9

@@ -10,10 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "cases/io/files.h"
 #include "formulations/id.h"
 #include "formulations/verification/run/live_run.h"
 #include "tests/checked/rows.h"
 #include "tests/dead_point.h"
+#include "tests/flaps.h"
 #include "tests/lanes_here.h"
 #include "tests/mechanisms.h"
 #include "tests/overconstrained.h"
@@ -120,6 +122,19 @@ TEST(LiveRun, FlagsRowsWhoseEquationsContradictEachOther) {
       EXPECT_GT(s.flag->misfit->amount, 1e-11);
       EXPECT_LT(s.flag->misfit->amount, 2e-7);
     }
+  }
+}
+
+/// A body's own shape is longer than its hinge on the ground.
+TEST(LiveRun, FlagsRowsOfAShapeThatDoesNotFitTheGround) {
+  const Model m = make_model(parse_scene(flaps(1, 4e-7), "flaps.json", ""));
+  const auto f = make_formulation(find_variant("group_automatic_lapack"), m);
+  LiveRun run(*f);
+  for (int i = 0; i < 3; ++i) {
+    const LiveSummary s = run.step(Row(m, 0.02 * i));
+    ASSERT_TRUE(s.flag) << i;
+    EXPECT_EQ(s.flag->kind, RowFlag::Kind::misfit);
+    EXPECT_NEAR(s.flag->misfit->amount, 4e-7, 1e-10);
   }
 }
 

@@ -162,6 +162,23 @@ TEST_F(LockingRun, DoesNotDeliverASingularPosition) {
   EXPECT_EQ(step(2, dead_point - 0.05).outcome(), Outcome::converged);
 }
 
+/// Near the dead point radii grow as the inverse distance does, and its powers.
+TEST_F(LockingRun, SaysWhatConditioningLeaves) {
+  ASSERT_EQ(step(0, dead_point - 0.1, 1).outcome(), Outcome::converged);
+  const LiveSummary near = step(0.1, dead_point - 1e-6, 1);
+  EXPECT_EQ(near.outcome(), Outcome::converged) << describe(near, m);
+  EXPECT_GT(near.condition, 1e3);
+  EXPECT_GT(near.path.sub_steps, 3);
+}
+
+TEST_F(LockingRun, StartsOnTheBranchOfTheDrawing) {
+  for (const double angle : {-0.95 * dead_point, 0.99 * dead_point, 0.0}) {
+    run.restart();
+    EXPECT_EQ(step(0, angle).outcome(), Outcome::converged) << angle;
+    expect_good_row(0, angle);
+  }
+}
+
 class PositionsAlone : public LockingRun {
  protected:
   PositionsAlone() : LockingRun({.level = Level::position}) {}

@@ -101,6 +101,17 @@ TEST_F(Cli, NamesTheGroupsThatAreNotChecked) {
   expect_said(1, "solve scene.json --check mechanism --strict", "group 'SG-II' (rod, slider)");
 }
 
+/// A four-bar of stated lengths, drawn roughly. In 40 digits C(1) is (1.408005679416214059625…,
+/// 0.508280406620575479142…) for the lengths of the file; for their rounded squares 1.6e-14 off.
+TEST_F(Cli, DeliversTheMotionOfTheFileWhereItIsProven) {
+  const std::string scene = DESMO_SOURCE_DIR "/tests/checked/scenes/proof_stated_lengths.json";
+  for (const char* id : {"block_symbolic_inlined", "global_automatic_klu/tolerance:1e-6"}) {
+    ASSERT_EQ(desmo("solve " + scene + " --formulation " + id), 0) << err_;
+    EXPECT_EQ(lines().back(), "1,1.4080056794162141,0.5082804066205755") << id;
+    EXPECT_TRUE(says("accuracy: 2 of 2 rows proven; ")) << err_ << id;  // near a dead point
+  }
+}
+
 /// What lies between two solved instants is not lost with a stride, nor does a gap end before it
 /// begins.
 TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {

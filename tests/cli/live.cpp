@@ -109,6 +109,12 @@ TEST_F(Cli, ReadsRowsAfterAByteOrderMark) {
   }
 }
 
+TEST_F(Cli, SaysWhatBoundsOfRowsAreRelativeTo) {
+  write("rows", "0 0 180 0\n0.5 90 180 0\n");
+  expect_said(0, "solve slider_crank --drivers rows",
+              "; relative to 200 mm or 57.3 deg, 157 mm/s or 180 deg/s, ");
+}
+
 /// It locks beyond 36.9 degrees, so no way leads from the drawing to the first row.
 TEST_F(Cli, SaysOfARowThatFailsWhatWasDegradedBefore) {
   write("locks.json", locks);

@@ -122,5 +122,15 @@ TEST_F(Cli, SaysThatADistanceIsDrawnAtZero) {
   EXPECT_EQ(desmo("solve apart.json --no-compile"), 0) << err_;
 }
 
+TEST_F(Cli, ReadsScenesFromStandardInput) {
+  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"));
+  ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
+  const std::string expected = out_;
+  ASSERT_EQ(desmo("solve - --quiet <scene.json"), 0) << err_;
+  EXPECT_EQ(out_, expected);
+  ASSERT_EQ(desmo("solve - --quiet -o - <scene.json"), 0) << err_;
+  EXPECT_EQ(out_, expected);
+}
+
 }  // namespace
 }  // namespace desmo::solving_test
