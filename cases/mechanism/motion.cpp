@@ -186,7 +186,7 @@ Spline make_spline(const Trapezoid& of) {
     for (Derived& c : piece) c = (is_back ? -c : c).rounded();
     spline.add(knot, piece);
   };
-  const Derived half = a / 2, left = end - brakes;
+  const Derived half = a / 2, left = (end - brakes).rounded();
   add(of.start - (rests - of.start), {});  // the outer knots do not matter
   add(of.start, {0, 0, half, 0});
   if (!is_triangle) add(steady, {v * (Derived(steady) - of.start) - v * up / 2, v, 0, 0});

@@ -151,9 +151,16 @@ TEST_P(IndependentMechanisms, AreFollowedAsIfEachStoodAlone) {
     }
 }
 
-/// The way from the drawing to the first mechanism is blocked; the other one rests on its point.
+/// The first mechanism locks on the way from its drawing to 5.2 rad; the other one rests on its
+/// point.
 TEST(IndependentMechanism, WithoutRatesIsSaidBesideAWorseFlag) {
-  const Model m = model_of(Polynomial{{5.2, 0.3}}, stays);
+  Scene scene = scene_file("two_parallelograms");
+  scene.motions = {Polynomial{{5.2, 0.3}}, stays};
+  for (Mechanism::Point& p : scene.mechanism.points) {
+    if (p.name == "C") p.position = {0.036, 0.012, 0};
+    if (p.name == "D") p.position = {0.042, 0, 0};
+  }
+  const Model m = make_model(scene);
   const int on = m.coordinate("K.x"), off = m.coordinate("C.x");
   RowCount rows;
   CheckOptions options;
