@@ -65,9 +65,8 @@ class DrawnStart {
   static constexpr double turn = 2 * std::numbers::pi;
   /// Change of drivers in a step, and correction of its prediction, in nominal magnitudes.
   static constexpr double max_change = 0.1;
-  static constexpr double max_turns = 4;       // that are made unless all count; of more, none
-  static constexpr double settled = 1e-9;      // correction after which nothing is in doubt
-  static constexpr double min_step = 0x1p-40;  // of the whole way
+  static constexpr double max_turns = 4;   // that are made unless all count; of more, none
+  static constexpr double settled = 1e-9;  // correction after which nothing is in doubt
 
   /// Returns how many whole turns an angle is `off` [rad]. Half a turn counts as none.
   static double whole_turns(double off) { return std::round(off / turn * (1 - 0x1p-40)); }
@@ -79,8 +78,8 @@ class DrawnStart {
     std::vector<double> last = solver_.q(), slope(last.size(), 0);
     double done = 0, step = max_step;
     while (done < 1) {
-      if (step < min_step) return false;
       const double next = done + step < 1 ? done + step : 1;
+      if (next == done) return false;
       std::vector<double> predicted = last;
       for (std::size_t i = 0; i < last.size(); ++i) predicted[i] += (next - done) * slope[i];
       solver_.place(predicted);
@@ -98,11 +97,11 @@ class DrawnStart {
     return true;
   }
 
+  /// Returns whether each correction is at most a quarter of the one before, until one settles.
   bool contracts() {
-    constexpr int max_corrections = 20;
     double limit = max_change;
     try {
-      for (int i = 0; i < max_corrections; ++i) {
+      while (true) {
         const double correction = solver_.correct_positions();
         if (!(correction <= limit)) return false;
         if (correction <= settled) return true;

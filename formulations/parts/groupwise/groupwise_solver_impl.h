@@ -58,7 +58,7 @@ void GroupwiseSolver<S>::solve_rates() {
 template <class S>
 void GroupwiseSolver<S>::solve_positions(std::size_t part, double t) {
   Settling<S> settled;
-  for (int iteration = 0; iteration < 50; ++iteration)
+  for (int iteration = 0; iteration < settled.max_corrections; ++iteration)
     if (settled(correct(part))) return;
   throw std::runtime_error(m_.name + ", group '" + m_.groups[parts_[part].groups.front()].name +
                            "': no reference solution at t = " + std::to_string(t) + " s");

@@ -12,6 +12,10 @@ namespace desmo {
 template <class S>
 class Settling {
  public:
+  /// Number of corrections: iteration < max_corrections. From a drawing the first ones may grow;
+  /// where there is no solution they never settle.
+  static constexpr int max_corrections = 50;
+
   /// Takes the relative size of a correction just made. Returns whether it was the last useful one.
   bool operator()(double correction) {
     const bool stagnates = correction < std::sqrt(epsilon) && correction > last_correction_ / 2;

@@ -63,7 +63,7 @@ void GlobalSolver<S>::solve_positions(double t) {
   time_ = t;
   this->drive_to(t);
   Settling<S> settled;
-  for (int iteration = 0; iteration < 50; ++iteration)
+  for (int iteration = 0; iteration < settled.max_corrections; ++iteration)
     if (settled(correct_positions())) return;
   throw std::runtime_error(m_.name + ": no global reference solution at t = " + std::to_string(t) +
                            " s");
