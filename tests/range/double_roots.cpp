@@ -63,6 +63,26 @@ TEST(DoubleRoots, OfAParallelogramWhoseCrankTurnsBackInLine) {
   }
 }
 
+TEST(DoubleRoots, AreInterpolatedFromPointsNeitherTooNearNorTooFar) {
+  const TwoFourBars bars;
+  const auto are_right = [&](double factor) {
+    RangeLimits limits;
+    limits.sample_determinant *= factor;
+    bool all = true;
+    for (const double start : {bars.in_line() - 0.5, bars.in_line() + 0.01, bars.in_line() + 2.0}) {
+      const Model m = bars.model(start);
+      const DriverRange r = find_range(m, solved_start(m), 0, limits);
+      const double root = bars.in_line() + (start < bars.in_line() ? 0 : 2 * pi);
+      all = all && r.up.stop == RangeStop::full_turn && r.change_points.size() == 1 &&
+            std::abs(r.change_points[0].value - root) <= 1e-9;
+    }
+    return all;
+  };
+  EXPECT_TRUE(are_right(1));
+  EXPECT_FALSE(are_right(0.1));
+  EXPECT_FALSE(are_right(10));
+}
+
 TEST(DoubleRoots, AreNoneWhereTheDeterminantStaysAway) {
   const TwoFourBars bars;
   for (const double too_long : {1e-2, 1e-4, 1e-6, 1e-12})

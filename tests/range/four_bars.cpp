@@ -12,37 +12,15 @@
 #include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/range/driver_range.h"
+#include "tests/range/four_bar.h"
 #include "tests/range/solved_start.h"
 
 namespace desmo::four_bar_range_test {
 namespace {
 
+using range_test::four_bar, range_test::Links;
+
 constexpr double pi = std::numbers::pi;
-
-struct Links {
-  double crank, coupler, rocker, ground;
-
-  /// Returns the crank's angle where crank pin and pivot are so far apart.
-  double angle_at(double distance) const {
-    return std::acos((crank * crank + ground * ground - distance * distance) /
-                     (2 * crank * ground));
-  }
-};
-
-/// A four-bar with its crank at an angle; several if pivots are at the same place.
-Model four_bar(const Links& links, double start, int side = 1, double unit = 1, int dyads = 1) {
-  MechanismBuilder builder("four_bar", 2);
-  builder.set_length_unit("1");
-  for (int i = 0; i < dyads; ++i) {
-    DyadChain chain{.crank = unit * links.crank, .start = start, .dyads = {}};
-    chain.prefix = std::to_string(i);
-    chain.dyads.push_back(closed_dyad(crank_pin(chain), {unit * links.ground, 0, 0},
-                                      unit * links.coupler, unit * links.rocker, side));
-    add(builder, chain);
-  }
-  std::vector<Motion> motions(dyads, Polynomial{{start}});
-  return model_mechanism(builder.release(), motions).model;
-}
 
 DriverRange range_of(const Model& m) { return find_range(m, solved_start(m), 0); }
 

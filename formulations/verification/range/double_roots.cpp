@@ -10,13 +10,7 @@
 
 namespace desmo {
 
-namespace {
-
 using Point = SolutionCurve::Point;
-
-constexpr double touching = 1e-5;  // a distance in which a determinant counts as zero, scaled
-
-}  // namespace
 
 std::optional<ChangePoint> DoubleRootSearch::add(const Point& point, const Determinants& there,
                                                  double length) {
@@ -35,14 +29,12 @@ std::optional<ChangePoint> DoubleRootSearch::add(const Point& point, const Deter
   return found;
 }
 
-/// Returns whether the middle of three points lies near a line through the outer ones, one of them
-/// with its sign changed.
+/// Returns whether the middle of three points is nearer to a line through the outer ones with the
+/// sign of one changed than to the line without.
 bool DoubleRootSearch::may_have_root(int block) const {
-  constexpr double bent = 0.3;
   const double a = last_[0].root(block), b = last_[1].root(block), c = last_[2].root(block),
-               share = last_[1].length / (last_[1].length + last_[2].length),
-               line = share * c - (1 - share) * a;
-  return b <= a && b <= c && std::min(std::abs(b - line), std::abs(b + line)) < bent * (a + c);
+               share = last_[1].length / (last_[1].length + last_[2].length);
+  return b <= a && b <= c && b < std::max(share * c, (1 - share) * a);
 }
 
 /// Returns √|det| a distance from the middle point; 0 where no position is found.
@@ -53,9 +45,9 @@ double DoubleRootSearch::root_at(int block, double distance) {
 }
 
 /// Returns the distance from the middle point at which a determinant is least, by Brent's method.
-/// It is off by 2⁻¹² of itself and 2⁻¹⁴, which the distances that value_of_root() looks at exceed.
+/// It is off by less than the distances that value_of_root() looks at.
 double DoubleRootSearch::least(int block) {
-  constexpr int bits = 14;
+  const int bits = 3 - std::ilogb(curve_.limits().double_root_distance());
   const double end = last_[2].length;
   // The search begins at the end, whose value is known: a single step may not lead so far.
   const auto root = [&](double distance) {
@@ -67,28 +59,25 @@ double DoubleRootSearch::least(int block) {
 /// Returns the driver's value where √|det| with a sign on either side vanishes, if det does: both
 /// interpolated from around, as positions next to a singular one are not well known.
 std::optional<double> DoubleRootSearch::value_of_root(int block, double about) {
-  for (const double wide : {1e-2, 2e-3}) {
-    std::vector<double> distances, roots, determinants, values;
-    for (const int i : {-3, -2, -1, 1, 2, 3}) {
-      const double distance = about + i * wide;
-      const std::optional<Point> p = curve_.step(last_[1].point, distance);
-      const Determinants there = p ? determinants_.at(p->state) : Determinants{};
-      if (there.empty()) break;
-      if (there.signs[block] != last_[1].determinants.signs[block]) break;  // another branch
-      determinants.push_back(std::exp(there.logs[block]));
-      roots.push_back(std::copysign(std::sqrt(determinants.back()), i));
-      distances.push_back(distance);
-      values.push_back(curve_.value(*p));
-    }
-    if (values.size() < 6) continue;
-    const double there = interpolated(roots, distances, 0),
-                 determinant = interpolated(distances, determinants, there);
-    const double edge = determinants[2] + determinants[3];
-    if (std::abs(there - about) < wide &&
-        std::abs(determinant) < edge * (touching / wide) * (touching / wide))
-      return interpolated(roots, values, 0);
+  const double apart = curve_.limits().double_root_distance();
+  std::vector<double> distances, roots, determinants, values;
+  for (const int i : {-3, -2, -1, 1, 2, 3}) {
+    const double distance = about + i * apart;
+    const std::optional<Point> p = curve_.step(last_[1].point, distance);
+    const Determinants there = p ? determinants_.at(p->state) : Determinants{};
+    if (there.empty()) return {};
+    if (there.signs[block] != last_[1].determinants.signs[block]) return {};  // another branch
+    determinants.push_back(std::exp(there.logs[block]));
+    roots.push_back(std::copysign(std::sqrt(determinants.back()), i));
+    distances.push_back(distance);
+    values.push_back(curve_.value(*p));
   }
-  return {};
+  const double there = interpolated(roots, distances, 0),
+               determinant = interpolated(distances, determinants, there),
+               edge = determinants[2] + determinants[3],
+               zero = curve_.limits().locking_arc() / apart;  // that far from a root it is none
+  if (!(std::abs(there - about) < apart && std::abs(determinant) < edge * zero * zero)) return {};
+  return interpolated(roots, values, 0);
 }
 
 }  // namespace desmo

@@ -13,7 +13,8 @@
 
 namespace desmo {
 
-DriverRange find_range(const Model& model, std::span<const double> q, int driver) {
+DriverRange find_range(const Model& model, std::span<const double> q, int driver,
+                       const RangeLimits& limits) {
   if (std::ssize(q) != model.coordinates())
     throw std::invalid_argument("find_range: q has " + std::to_string(q.size()) +
                                 " values; the model has " + std::to_string(model.coordinates()) +
@@ -26,7 +27,7 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
   const std::unique_ptr<const Model> chosen = with_chosen_equations(model, q);
   const Model& m = chosen ? *chosen : model;
   std::vector<double> state = m.state_of(q);
-  SolutionCurve curve(m, driver);
+  SolutionCurve curve(m, driver, limits);
   DriverRange range;
   range.start = state[m.entities[m.drivers[driver].coordinate].first];
   const auto require = [&](bool is_right, const char* what) {
@@ -45,16 +46,14 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
     return range;
   }
   // At a dead point the driver has no direction: a little further it has.
-  constexpr double beside = 1e-6;
-  if (start && std::abs(start->speed()) < max_resting_speed) {
-    start = curve.step(*start, beside);
+  if (start && std::abs(start->speed()) < half_digits) {
+    start = curve.step(*start, limits.max_crossing_step);
     if (start && start->speed() < 0) start = SolutionCurve::reversed(*std::move(start));
   }
-  require(
-      start && std::abs(curve.value(*start) - range.start) <= DriverSweep::accuracy * curve.scale(),
-      "no position was found");
+  require(start && std::abs(curve.value(*start) - range.start) <= limits.accuracy * curve.scale(),
+          "no position was found");
 
-  DriverSweep up(m, driver, *start, 1), down(m, driver, *start, -1);
+  DriverSweep up(m, driver, limits, *start, 1), down(m, driver, limits, *start, -1);
   range.up = up.run();
   if (range.up.stop == RangeStop::full_turn) {
     range.down = range.up;
@@ -64,17 +63,17 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
   }
   for (const auto& [sweep, end] : {std::pair(&up, &range.up), std::pair(&down, &range.down)})
     if (end->stop == RangeStop::dead_point &&
-        std::abs(end->value - range.start) < DriverSweep::accuracy * curve.scale())
+        std::abs(end->value - range.start) < limits.accuracy * curve.scale())
       range.other_branch = sweep->run_after_dead_point();
   for (const DriverSweep* sweep : {&down, &up})
     range.change_points.insert(range.change_points.end(), sweep->change_points().begin(),
                                sweep->change_points().end());
   for (ChangePoint& c : range.change_points)  // no digit of such a value means anything
-    if (std::abs(c.value) < DriverSweep::accuracy * curve.scale()) c.value = 0;
+    if (std::abs(c.value) < limits.accuracy * curve.scale()) c.value = 0;
   std::ranges::sort(range.change_points, {}, &ChangePoint::value);
   // A double root next to an end of a turn is found at both.
   const auto is_double = [&](const ChangePoint& c, double value) {
-    return c.is_double && std::abs(c.value - value) < DriverSweep::same * curve.scale();
+    return c.is_double && std::abs(c.value - value) < limits.accuracy * curve.scale();
   };
   const auto [rest, last] = std::ranges::unique(
       range.change_points,

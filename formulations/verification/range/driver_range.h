@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formulations/model/model.h"
+#include "formulations/verification/range/range_limits.h"
 
 namespace desmo {
 
@@ -70,6 +71,7 @@ struct DriverRange {
 ///
 /// It belongs to verification, since it needs determinants of irreducible blocks and the check of
 /// branches. Not for timed code: it allocates.
-DriverRange find_range(const Model& model, std::span<const double> q, int driver);
+DriverRange find_range(const Model& model, std::span<const double> q, int driver,
+                       const RangeLimits& limits = {});
 
 }  // namespace desmo

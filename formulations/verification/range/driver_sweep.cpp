@@ -19,13 +19,6 @@ namespace desmo {
 
 namespace {
 
-constexpr double max_step = 0.1, min_step = 1e-10;  // largest change, scaled
-/// Step from a start or a crossing, where nothing is known of the curve beyond.
-constexpr double first_step = max_step / 8;
-/// A sign that changes in such a step has done so at a crossing, not by a jump across a gap.
-constexpr double crossing_step = 1e-6;
-constexpr int max_steps = 100'000;  // tried
-
 /// Returns whether a driver is a distance between two points, whose equation holds for its
 /// negative, too.
 bool is_positive(const Model& m, EntityId driver) {
@@ -38,9 +31,11 @@ bool is_positive(const Model& m, EntityId driver) {
 
 }  // namespace
 
-DriverSweep::DriverSweep(const Model& m, int driver, Point start, double direction)
-    : driver_(driver),
-      followed_(std::make_unique<Followed>(m, driver)),
+DriverSweep::DriverSweep(const Model& m, int driver, const RangeLimits& limits, Point start,
+                         double direction)
+    : limits_(limits),
+      driver_(driver),
+      followed_(std::make_unique<Followed>(m, driver, limits)),
       start_(std::move(start)),
       direction_(direction) {}
 
@@ -50,7 +45,7 @@ bool DriverSweep::choose_equations(Point& point) {
   auto chosen = with_chosen_equations(
       model(), std::span(point.state).first(static_cast<std::size_t>(model().coordinates())));
   if (!chosen) return false;
-  auto other = std::make_unique<Followed>(*chosen, driver_);
+  auto other = std::make_unique<Followed>(*chosen, driver_, limits_);
   other->own = std::move(chosen);
   if (other->curve.unknowns() != curve().unknowns()) return false;
   std::optional<Point> same_point = other->curve.at(point, curve().value(point));
@@ -84,7 +79,7 @@ bool DriverSweep::is_start(const Point& point) const {
     double change = point.state[i] - start_.state[i];
     if (model().entities[owner[i]].kind == EntityKind::angle)
       change = std::remainder(change, 2 * std::numbers::pi);
-    if (!(std::abs(change) <= same * curve().scale(static_cast<int>(j)))) return false;
+    if (!(std::abs(change) <= limits_.accuracy * curve().scale(static_cast<int>(j)))) return false;
   }
   return true;
 }
@@ -96,8 +91,8 @@ RangeEnd DriverSweep::end(RangeStop stop, const Point& point) const {
 
 /// Returns the end at the last point that is reached: several loops lock there, or nobody knows.
 RangeEnd DriverSweep::stuck_at(const Point& point, const EarlierPoint& far) {
-  if (const std::optional<Point> before = curve().step(far.point, far.arc - locking_arc))
-    if (auto lock = find_joint_lock(model(), curve(), *before, point, direction_, accuracy))
+  if (const std::optional<Point> before = curve().step(far.point, far.arc - limits_.locking_arc()))
+    if (auto lock = find_joint_lock(model(), curve(), *before, point, direction_))
       return *std::move(lock);
   return end(RangeStop::not_reached, point);
 }
@@ -128,9 +123,8 @@ std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point&
 void DriverSweep::look_for_double_root(const Point& next, const Determinants& there,
                                        double length) {
   if (const std::optional<ChangePoint> root = followed_->double_roots.add(next, there, length))
-    if (direction_ * (root->value - curve().value(start_)) > -same * curve().scale() &&
-        (change_points_.empty() ||
-         std::abs(change_points_.back().value - root->value) > same * curve().scale()))
+    if (direction_ * (root->value - curve().value(start_)) > -limits_.accuracy * curve().scale() &&
+        (change_points_.empty() || !is_same(change_points_.back().value, root->value)))
       change_points_.push_back(*root);
 }
 
@@ -148,7 +142,7 @@ void DriverSweep::look_beyond(const Point& point, const Determinants& here, doub
 std::optional<RangeEnd> DriverSweep::add_crossing(const EarlierPoint& before, double length,
                                                   const std::vector<int>& changed) {
   const double value = find_crossing(curve(), before, length, changed.size());
-  if (is_positive(model(), driven()) && std::abs(value) < same * curve().scale())
+  if (is_positive(model(), driven()) && is_same(value, 0))
     return RangeEnd{.stop = RangeStop::zero_length};
   change_points_.push_back(
       {value, changed.empty() ? no_position : followed_->determinants.group(changed.front())});
@@ -166,26 +160,26 @@ std::optional<RangeEnd> DriverSweep::run_after_dead_point() {
 }
 
 RangeEnd DriverSweep::run_from(Point point) {
-  double length = first_step;
+  double length = limits_.max_step;
   followed_->double_roots.restart();
   Determinants before = determinants(point);
   look_beyond(point, before, -length);
   if (!before.empty()) look_for_double_root(point, before, length);
   double since = 0;         // the last point that was looked at
   EarlierPoint far{point};  // the last one from which more than a locking_arc was gone
-  for (int step = 0; step < max_steps; ++step) {
-    const auto again = [&] { return (length /= 2) > min_step; };
+  for (int step = 0; step < limits_.max_steps; ++step) {
+    const auto again = [&] { return (length /= 2) > limits_.accuracy; };
     std::optional<Point> next = curve().step(point, length);
     if (!next && again()) continue;
     // Rounding decides so near to a crossing, and may turn a step back; from further away the curve
     // leads across it.
     bool is_across = false;
-    if (length <= crossing_step && (!next || forward(*next) <= 0)) {
-      std::optional<Point> across = curve().step(far.point, far.arc + crossing_step);
+    if (length <= limits_.max_crossing_step && (!next || forward(*next) <= 0)) {
+      std::optional<Point> across = curve().step(far.point, far.arc + limits_.max_crossing_step);
       is_across = across && forward(*across) > 0;
       if (is_across) {
         next = std::move(across);
-        length = far.arc + crossing_step;
+        length = far.arc + limits_.max_crossing_step;
         point = std::exchange(far, {far.point, 0}).point;
       }
     }
@@ -193,7 +187,7 @@ RangeEnd DriverSweep::run_from(Point point) {
     const bool turns = forward(*next) <= 0;
     // Signs of B do not change at a dead point: a step across a gap is not one.
     if (turns && next->sign == point.sign)
-      if (auto dead = find_dead_point(model(), curve(), point, far, length, direction_, accuracy)) {
+      if (auto dead = find_dead_point(model(), curve(), point, far, length, direction_)) {
         turned_ = std::move(dead->after);
         return std::move(dead->end);
       }
@@ -205,7 +199,7 @@ RangeEnd DriverSweep::run_from(Point point) {
     const std::vector<int> changed = before.changed(after);
     const bool crosses = next->sign != point.sign || !changed.empty();
     if (crosses) {
-      if (length > crossing_step && !is_across) {
+      if (length > limits_.max_crossing_step && !is_across) {
         length /= 2;
         continue;
       }
@@ -224,14 +218,14 @@ RangeEnd DriverSweep::run_from(Point point) {
       return *std::move(turned);
     }
     if (!after.empty()) before = after;
-    if (length > locking_arc) far = {point, 0};
+    if (length > limits_.locking_arc()) far = {point, 0};
     far.arc += length;
     point = *std::move(next);
     if (choose_equations(point)) {
       before = determinants(point);
       followed_->double_roots.restart();
     }
-    length = crosses ? first_step : std::min(max_step, 1.5 * length);
+    length = crosses ? limits_.max_step : std::min(limits_.max_step, 2 * length);
   }
   return end(RangeStop::not_reached, point);
 }

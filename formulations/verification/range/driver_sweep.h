@@ -17,11 +17,9 @@ namespace desmo {
 class DriverSweep {
  public:
   using Point = SolutionCurve::Point;
-  static constexpr double accuracy = 1e-9;  ///< of values, scaled
-  static constexpr double same = 1e-7;      ///< of two positions, scaled
 
   /// start: on the model's curve for that driver. The model must outlive the sweep.
-  DriverSweep(const Model& m, int driver, Point start, double direction);
+  DriverSweep(const Model& m, int driver, const RangeLimits& limits, Point start, double direction);
 
   /// Sweeps from the start. Returns where it ends, and why.
   RangeEnd run();
@@ -43,12 +41,17 @@ class DriverSweep {
   bool is_start(const Point& point) const;
   std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
   bool choose_equations(Point& point);
+  /// Returns whether two values of the driver are one.
+  bool is_same(double a, double b) const {
+    return std::abs(a - b) < limits_.accuracy * curve().scale();
+  }
   RangeEnd end(RangeStop stop, const Point& point) const;
   RangeEnd stuck_at(const Point& point, const EarlierPoint& far);
 
   /// A curve by the equations that a model keeps.
   struct Followed {
-    Followed(const Model& m, int driver) : model(m), curve(m, driver) {}
+    Followed(const Model& m, int driver, const RangeLimits& limits)
+        : model(m), curve(m, driver, limits) {}
 
     std::unique_ptr<const Model> own{};  // where it is not the sweep's
     const Model& model;
@@ -61,6 +64,7 @@ class DriverSweep {
   SolutionCurve& curve() const { return followed_->curve; }
   EntityId driven() const { return model().drivers[driver_].coordinate; }
 
+  const RangeLimits limits_;
   int driver_;  // position in Model::drivers
   std::unique_ptr<Followed> followed_;
   Point start_;

@@ -16,8 +16,6 @@ using Eigen::MatrixXd;
 /// Finds small singular values as well as large ones.
 using Decomposition = Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner>;
 
-constexpr double moves = 1e-5;  // of the largest change of a component
-
 /// Returns Φ_φ of a block, scaled.
 MatrixXd scaled_jacobian(const Model& m, const PartDefinition& block,
                          std::span<const double> lengths, std::span<const double> state) {
@@ -60,7 +58,8 @@ LockedLoops find_locked_loops(const Model& m, const SolutionCurve& curve,
     // Norms of rows do not depend on the basis, which is any where several values are equal.
     const Eigen::VectorXd change = here.matrixV().rightCols(nullity).rowwise().norm();
     for (Eigen::Index j = 0; j < n; ++j)
-      if (change[j] > moves * change.maxCoeff()) add(locked.moving, owner[block.unknowns[j]]);
+      if (change[j] > curve.limits().locking_arc() * change.maxCoeff())
+        add(locked.moving, owner[block.unknowns[j]]);
   }
   return locked;
 }
@@ -72,7 +71,7 @@ LockedLoops first_locked_loop(const Model& m, const SolutionCurve& curve,
   for (const PartDefinition& block : curve.blocks()) {
     for (const int i : block.unknowns) {
       const auto j = std::ranges::lower_bound(curve.unknowns(), i) - curve.unknowns().begin();
-      if (std::abs(point.tangent[j]) > moves) add(locked.moving, owner[i]);
+      if (std::abs(point.tangent[j]) > curve.limits().locking_arc()) add(locked.moving, owner[i]);
     }
     if (locked.moving.empty()) continue;
     locked.groups = {block.groups.front()};

@@ -14,13 +14,10 @@ struct LockedLoops {
   double left = 0;  ///< what is left of the arc up to the dead point, over all of it; below 1/2
 };
 
-/// Arc (scaled) within which loops lock together: their values of the driver differ by about its
-/// square, which is the accuracy of values.
-inline constexpr double locking_arc = 3e-5;
-
 /// Names the loops that lock at the end of the last arc of a curve: towards a lock a singular value
 /// of its block's Φ_φ falls like the distance, so that it more than halves there. Rows are divided
-/// by their sums, columns multiplied by characteristic lengths. Dense in each block.
+/// by their sums, columns multiplied by characteristic lengths. Components of null vectors are
+/// known to a locking_arc. Dense in each block.
 /// - before: a locking_arc from the point
 /// - point: next to the dead point
 LockedLoops find_locked_loops(const Model& model, const SolutionCurve& curve,

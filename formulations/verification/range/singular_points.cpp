@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -14,18 +15,17 @@ namespace {
 
 using Point = SolutionCurve::Point;
 
-constexpr double margin = 1.2;  // of extended distances
+constexpr double u = std::numeric_limits<double>::epsilon();
 
 /// Names the loops that lock, and the equations that hold them.
 void name_culprits(SolutionCurve& curve, LockedLoops locked, const Point& point, double direction,
                    RangeEnd& e) {
-  constexpr double holds = 1e-6;
   e.groups = std::move(locked.groups);
   e.moving = std::move(locked.moving);
   const auto [forces, rounding] = curve.forces(point);
   e.beyond += direction * rounding;
   for (std::size_t c = 0; c < forces.size(); ++c)
-    if (forces[c] > holds) e.constraints.push_back(static_cast<int>(c));
+    if (forces[c] > curve.limits().locking_arc()) e.constraints.push_back(static_cast<int>(c));
   std::ranges::stable_sort(e.constraints, std::greater{}, [&forces](int c) { return forces[c]; });
 }
 
@@ -39,15 +39,14 @@ bool turns_twice(const SolutionCurve& curve, const Point& from, const Point& to,
 }
 
 std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, const Point& from,
-                                         const EarlierPoint& far, double length, double direction,
-                                         double accuracy) {
+                                         const EarlierPoint& far, double length, double direction) {
   const auto forward = [&](const Point& p) { return direction * p.speed(); };
   Point low = from;
   std::optional<Point> high = curve.step(from, length);
   double at_low = 0, at_high = length;
   double weight_low = forward(low), weight_high = -forward(*high);  // Illinois' method
-  for (int i = 0;
-       i < 100 && forward(low) > max_resting_speed && -forward(*high) > max_resting_speed; ++i) {
+  // The driver's speed falls between both, so neither end is farther off than at its own speed.
+  while (std::min(forward(low), -forward(*high)) * (at_high - at_low) > u) {
     const double at = at_low + (at_high - at_low) * weight_low / (weight_low + weight_high);
     std::optional<Point> middle = curve.step(from, at);
     if (!middle) return {};
@@ -61,21 +60,20 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
     }
   }
   const auto reached = [&](const Point& p) { return direction * curve.value(p); };
-  // The driver's speed falls between both, so neither end is farther off than at its own speed.
   const auto farther = [&](const Point& p) {
     const double along = p.tangent.dot(from.tangent) / from.tangent.squaredNorm();
-    return margin * (at_high - at_low) * curve.scale() * std::abs(p.speed()) / along;
+    return (at_high - at_low) * curve.scale() * std::abs(p.speed()) / along;
   };
   const double most = std::min(reached(low) + farther(low), reached(*high) + farther(*high));
   const Point& last = reached(low) > reached(*high) ? low : *high;
   RangeEnd e{.stop = RangeStop::dead_point, .value = curve.value(last)};
   e.beyond = direction * std::max(most, reached(last));
-  if (!(std::abs(e.beyond - e.value) < accuracy * curve.scale())) return {};
+  if (!(std::abs(e.beyond - e.value) < curve.limits().accuracy * curve.scale())) return {};
   const bool is_low = forward(low) < -forward(*high);
   const Point& nearest = is_low ? low : *high;
   const LockedLoops first = first_locked_loop(m, curve, nearest);
   const std::optional<Point> before =
-      curve.step(far.point, far.arc + (is_low ? at_low : at_high) - locking_arc);
+      curve.step(far.point, far.arc + (is_low ? at_low : at_high) - curve.limits().locking_arc());
   LockedLoops all = before ? find_locked_loops(m, curve, *before, nearest) : first;
   // Rounding may hide the singular values; the tangent then tells of one loop at least.
   const bool is_seen = std::ranges::find(all.groups, first.groups.front()) != all.groups.end();
@@ -84,7 +82,8 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
 }
 
 std::optional<RangeEnd> find_joint_lock(const Model& m, SolutionCurve& curve, const Point& before,
-                                        const Point& last, double direction, double accuracy) {
+                                        const Point& last, double direction) {
+  const double locking_arc = curve.limits().locking_arc();
   const double speed = direction * before.speed(),
                mean = direction * (curve.value(last) - curve.value(before)) / curve.scale() /
                       locking_arc;
@@ -97,8 +96,8 @@ std::optional<RangeEnd> find_joint_lock(const Model& m, SolutionCurve& curve, co
   if (locked.moving.empty()) return {};
   const double left = locked.left;
   name_culprits(curve, std::move(locked), end, direction, e);
-  const double beyond = margin * (left * speed) * (2 * left * locking_arc);
-  if (!(beyond < accuracy)) return {};
+  const double beyond = (left * speed) * (2 * left * locking_arc);
+  if (!(beyond < curve.limits().accuracy)) return {};
   e.beyond += direction * beyond * curve.scale();
   return e;
 }
@@ -116,13 +115,13 @@ double interpolated(std::span<const double> xs, std::span<const double> ys, doub
 
 double find_crossing(SolutionCurve& curve, const EarlierPoint& before, double length,
                      std::size_t blocks) {
-  constexpr double wide = 1e-4;
+  const double apart = curve.limits().crossing_distance();
   std::vector<double> determinants, values;
   const Point& from = before.point;
   const double arc = before.arc + length;
   for (const auto& [nearest, side] : {std::pair(0.0, -1.0), std::pair(arc, 1.0)})
-    for (const double distance : {wide, 2 * wide})
-      if (const std::optional<Point> p = curve.step(from, nearest + side * distance)) {
+    for (const int i : {1, 2})
+      if (const std::optional<Point> p = curve.step(from, nearest + side * i * apart)) {
         determinants.push_back(side *
                                std::exp((p->log_determinant - from.log_determinant) /
                                         static_cast<double>(std::max<std::size_t>(1, blocks))));

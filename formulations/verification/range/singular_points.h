@@ -10,10 +10,6 @@
 
 namespace desmo {
 
-/// Largest speed along a curve (SolutionCurve::Point::speed) at which a driver rests. The
-/// driver's value there is off that at the dead point by about the square, far below rounding.
-inline constexpr double max_resting_speed = 1e-9;
-
 /// Dead point of a curve, and a point beyond it.
 struct DeadPoint {
   RangeEnd end;
@@ -33,19 +29,18 @@ bool turns_twice(const SolutionCurve& curve, const SolutionCurve::Point& from,
 
 /// Finds the dead point in a step at whose end the driver goes back. The driver's value is
 /// stationary there, so it is known far better than the position. Returns nothing where it cannot
-/// be bracketed to `accuracy` (scaled). direction: of the driver before, 1 or −1.
+/// be bracketed to the accuracy. direction: of the driver before, 1 or −1.
 std::optional<DeadPoint> find_dead_point(const Model& model, SolutionCurve& curve,
                                          const SolutionCurve::Point& from, const EarlierPoint& far,
-                                         double length, double direction, double accuracy);
+                                         double length, double direction);
 
 /// Finds the dead point just beyond the last point to which a curve can be followed, where several
 /// loops lock at once: curves cross there, and det B vanishes, too. The driver's speed and singular
 /// values of Φ_φ fall like the distance. Returns nothing where they do not, or the driver's value
-/// is not known to `accuracy` (scaled). before: a locking_arc from the last point.
+/// is not known to the accuracy. before: a locking_arc from the last point.
 std::optional<RangeEnd> find_joint_lock(const Model& model, SolutionCurve& curve,
                                         const SolutionCurve::Point& before,
-                                        const SolutionCurve::Point& last, double direction,
-                                        double accuracy);
+                                        const SolutionCurve::Point& last, double direction);
 
 /// Returns at x Lagrange's polynomial through points (xs, ys).
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x);

@@ -34,8 +34,9 @@ Eigen::VectorXd scaled_to_one(Eigen::VectorXd v) { return v / v.cwiseAbs().maxCo
 
 }  // namespace
 
-SolutionCurve::SolutionCurve(const Model& m, int driver)
-    : system_(m),
+SolutionCurve::SolutionCurve(const Model& m, int driver, const RangeLimits& limits)
+    : limits_(limits),
+      system_(m),
       driver_(m.entities[m.drivers[driver].coordinate].first),
       column_(m.state_size(), -1),
       row_(system_.rows(), -1),
@@ -103,14 +104,11 @@ void SolutionCurve::move(std::vector<double>& state, double factor,
 }
 
 /// Solves Φ = 0 in the plane through the state across the border. Fails where the first correction
-/// is larger than trusted, or corrections do not shrink at once.
+/// is larger than `max_first`, or a later one than half of the one before.
 bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& border,
-                            double trusted) {
-  constexpr int max_iterations = 12;
+                            double max_first) {
   Settling<double> settled;
-  double before = 2 * trusted;
-  for (int iteration = 0; iteration < max_iterations; ++iteration) {
-    if (!factor(state, border)) return false;
+  for (double max = max_first; factor(state, border);) {
     system_.residual<double>(state, phi_);
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size() + 1);
     for (std::size_t r = 0; r < row_.size(); ++r)
@@ -120,8 +118,8 @@ bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& b
     const double largest = change.cwiseAbs().maxCoeff();
     if (!std::isfinite(largest)) return false;
     if (settled(largest)) return true;
-    if (largest > before / 2) return false;
-    before = largest;
+    if (largest > max) return false;
+    max = largest / 2;
   }
   return false;
 }
@@ -141,7 +139,6 @@ std::optional<SolutionCurve::Point> SolutionCurve::settle(std::vector<double> st
 }
 
 std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> state) {
-  constexpr double least_speed = 1e-5, parallel = 1e-6;
   crosses_ = false;
   const double value = state[driver_];
   std::optional<Point> point = settle(state, any_direction(size() + 1, 0));
@@ -152,35 +149,29 @@ std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> sta
   }
   // Two tangents where one was expected: a crossing, to rounding.
   const Eigen::VectorXd a = point->tangent.normalized(), b = other->tangent.normalized();
-  crosses_ = (a - a.dot(b) * b).norm() > parallel;
-  Eigen::VectorXd border = point->tangent;
-  const bool keeps_value = std::abs(point->speed()) > least_speed;
-  if (keeps_value) border = along_driver();
+  crosses_ = (a - a.dot(b) * b).norm() > half_digits;
   if (crosses_) return point;
-  if (!correct(state, border, INFINITY)) return {};
-  if (keeps_value) state[driver_] = value;
+  if (!correct(state, point->tangent, limits_.max_step)) return {};
   point = settle(std::move(state), point->tangent);
+  // Next to a dead point there may be none with all digits of the value.
+  if (std::optional<Point> exact = point ? at(*point, value) : point) point = std::move(exact);
   if (point && point->speed() < 0) *point = reversed(*std::move(point));
   return point;
 }
 
 std::optional<SolutionCurve::Point> SolutionCurve::step(const Point& from, double length) {
-  constexpr double trusted = 0.3, max_turn = 0.1;  // of the step; 1 − cos of the tangent's angle
   std::vector<double> state = from.state;
   move(state, length, from.tangent);
-  if (!correct(state, from.tangent, trusted * std::abs(length))) return {};
-  std::optional<Point> point = settle(std::move(state), from.tangent);
-  if (point && from.tangent.normalized().dot(point->tangent.normalized()) < 1 - max_turn) return {};
-  return point;
+  if (!correct(state, from.tangent, limits_.max_correction * std::abs(length))) return {};
+  return settle(std::move(state), from.tangent);
 }
 
 std::optional<SolutionCurve::Point> SolutionCurve::at(const Point& from, double value) {
-  constexpr double trusted = 0.1;
   std::vector<double> state = from.state;
   const double change = (value - state[driver_]) / scale();
   move(state, change / from.speed(), from.tangent);
   state[driver_] = value;
-  if (!correct(state, along_driver(), trusted)) return {};
+  if (!correct(state, along_driver(), limits_.max_step)) return {};
   state[driver_] = value;
   return settle(std::move(state), from.tangent);
 }

@@ -8,6 +8,7 @@
 
 #include "formulations/model/model.h"
 #include "formulations/model/partition.h"
+#include "formulations/verification/range/range_limits.h"
 #include "formulations/verification/reference/whole_system.h"
 
 namespace desmo {
@@ -35,7 +36,7 @@ class SolutionCurve {
   };
 
   /// driver: position in Model::drivers. The model must outlive the curve.
-  SolutionCurve(const Model& model, int driver);
+  SolutionCurve(const Model& model, int driver, const RangeLimits& limits);
   ~SolutionCurve();
 
   /// Returns whether no unknown depends on the driver.
@@ -68,6 +69,7 @@ class SolutionCurve {
   /// singular.
   Forces forces(const Point& point);
 
+  const RangeLimits& limits() const { return limits_; }
   double value(const Point& point) const { return point.state[driver_]; }
   double scale() const { return scale_.back(); }                  ///< of the driver
   const std::vector<int>& unknowns() const { return unknowns_; }  ///< coordinates, ascending
@@ -83,9 +85,10 @@ class SolutionCurve {
   Eigen::VectorXd along_driver() const { return Eigen::VectorXd::Unit(size() + 1, size()); }
   void move(std::vector<double>& state, double factor, const Eigen::VectorXd& change) const;
   bool factor(std::span<const double> state, const Eigen::VectorXd& border);
-  bool correct(std::vector<double>& state, const Eigen::VectorXd& border, double trusted);
+  bool correct(std::vector<double>& state, const Eigen::VectorXd& border, double max_first);
   std::optional<Point> settle(std::vector<double> state, const Eigen::VectorXd& along);
 
+  const RangeLimits limits_;
   WholeSystem system_;
   int driver_;  // its component of the state
   std::vector<int> unknowns_;
