@@ -78,8 +78,8 @@ class DrawnStart {
     std::vector<double> last = solver_.q(), slope(last.size(), 0);
     double done = 0, step = max_step;
     while (done < 1) {
+      if (1 + step == 1) return false;
       const double next = done + step < 1 ? done + step : 1;
-      if (next == done) return false;
       std::vector<double> predicted = last;
       for (std::size_t i = 0; i < last.size(); ++i) predicted[i] += (next - done) * slope[i];
       solver_.place(predicted);

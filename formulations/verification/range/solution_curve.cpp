@@ -163,7 +163,11 @@ std::optional<SolutionCurve::Point> SolutionCurve::step(const Point& from, doubl
   std::vector<double> state = from.state;
   move(state, length, from.tangent);
   if (!correct(state, from.tangent, limits_.max_correction * std::abs(length))) return {};
-  return settle(std::move(state), from.tangent);
+  std::optional<Point> point = settle(std::move(state), from.tangent);
+  // Next to a crossing rounding may turn the tangent to another branch without a correction.
+  const double max_turn = 2 * limits_.max_correction;
+  if (point && !((point->tangent - from.tangent).cwiseAbs().maxCoeff() <= max_turn)) return {};
+  return point;
 }
 
 std::optional<SolutionCurve::Point> SolutionCurve::at(const Point& from, double value) {
