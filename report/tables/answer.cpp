@@ -136,8 +136,8 @@ std::string list(const std::vector<Mean>& means) {
 bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };
-  const std::optional<SpeedUp> gain = like_for_like(record, best_generated(record, ""));
-  return !means.empty() && gain && gain->value > 1 &&
+  const std::optional<SpeedUp> speed_up = like_for_like(record, best_generated(record, ""));
+  return !means.empty() && speed_up && speed_up->value > 1 &&
          value(*std::ranges::max_element(means, {}, value)) >=
              1.5 * value(*std::ranges::min_element(means, {}, value));
 }
@@ -151,12 +151,13 @@ TextValues what_gains(const Record& record) {
                                           {"lanes", "lanes", "lanes_too"},
                                           {"segments", "segments", "segments_too"}}) {
     const std::optional<CandidateKey> best = best_generated(record, kind);
-    const std::optional<SpeedUp> gain = like_for_like(record, best);
-    const TextValue times(way, gain ? two_digits(gain->value) : missing_mark);
+    const std::optional<SpeedUp> speed_up = like_for_like(record, best);
+    const TextValue times(way, speed_up ? two_digits(speed_up->value) : missing_mark);
     values.push_back(times);
     if (*clause)
-      values.emplace_back(clause, gain ? sentence(std::string("answer.") + clause, {times}) : "");
-    if (!gain) continue;
+      values.emplace_back(clause,
+                          speed_up ? sentence(std::string("answer.") + clause, {times}) : "");
+    if (!speed_up) continue;
     if (const auto over = measured_speed_up(record, papers_reference(record), *best).speed_up)
       over_paper.push_back(two_digits(over->value));
   }

@@ -65,9 +65,8 @@ Table formulations_at(const Record& record, const CaseSize& place) {
 Section every_formulation(const Record& record) {
   Section section = headed_section("formulations");
   for (const auto& [name, sizes] : recorded_sizes(record.candidates)) {
-    const std::int64_t largest_published = published_sizes().back(),
-                       shown =
-                           sizes.contains(largest_published) ? largest_published : *sizes.rbegin();
+    const std::int64_t max_published = published_sizes().back(),
+                       shown = sizes.contains(max_published) ? max_published : *sizes.rbegin();
     for (const std::int64_t size : sizes) {
       section.tables.push_back(formulations_at(record, {name, size}));
       if (size == shown) continue;

@@ -30,8 +30,9 @@ bool says(const std::vector<std::string>& texts, const std::string& part) {
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
 Json requests_record() { return Json::parse(read_text(data_file("requests.json"))); }
-Json origins_record() {
-  Json record = Json::parse(read_text(data_file(origins)));
+Json origins_record() { return in_schema_3(Json::parse(read_text(data_file(origins)))); }
+
+Json in_schema_3(Json record) {
   record["schema_version"] = "3.0.0";
   record["paper"]["candidates"] = record["paper"]["cells"];
   record["paper"].erase("cells");

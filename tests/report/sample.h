@@ -36,6 +36,9 @@ Json complete_record();
 inline constexpr const char* origins = "golden/2.0.0.json";
 Json origins_record();
 
+/// Returns a record of schema 2, with its paper's experiment, in schema 3.
+Json in_schema_3(Json record);
+
 /// Returns a record with another value at a place, "/paper/candidates/0/status".
 Json changed(Json record, const std::string& place, const Json& value);
 
