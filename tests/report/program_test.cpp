@@ -61,7 +61,7 @@ TEST_F(Program, EndsWithACodeAndSaysWhatIsWrong) {
            {complete + "--table pr0venance", 64, "; the nearest: provenance; "},
            {complete + "--beside no_such.json", 65, "no_such.json: there is no such file"},
            {data + "no_such.json", 65, "no_such.json: there is no such file"},
-           {"tables " + truncated, 65, "truncated.json: line 135, column 230: "},
+           {"tables " + truncated, 65, "truncated.json: line 135, column 225: "},
            {"tables " + unknown + " --out " + (folder_ / "out").string(), 65,
             "unknown_version.json: /schema_version: schema version 4.0.0, and this program reads "
             "2.x"},
