@@ -108,7 +108,8 @@ std::string note_on_flags(const CheckedSummary& s, const Model& m, const Display
   if (s.misfit)
     note += "accuracy: largest contradiction: " +
             off_by(s.misfit->constraint, s.misfit->amount, s.misfit->is_length, m, units) + '\n';
-  if (s.crossings > 1) note += "accuracy: " + count(s.crossings, "change point") + " met in all\n";
+  if (s.crossings > 1)
+    note += "accuracy: " + count(s.crossings, "change point") + " flagged in all\n";
   return note;
 }
 

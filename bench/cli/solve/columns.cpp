@@ -1,9 +1,10 @@
 #include "bench/cli/solve/columns.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <span>
-#include <string_view>
 
 #include "cases/io/input_error.h"
 #include "cases/mechanism/names.h"
@@ -12,7 +13,6 @@ namespace desmo::cli {
 namespace {
 
 constexpr const char* prefixes[] = {"", "d/dt ", "d2/dt2 "};
-constexpr const char* time_name = "t";
 
 DisplayUnit ratio_of(const DisplayUnit& a, const DisplayUnit& b) {
   const auto name = [](const DisplayUnit& unit) { return unit.name == "-" ? "1" : unit.name; };
@@ -20,11 +20,8 @@ DisplayUnit ratio_of(const DisplayUnit& a, const DisplayUnit& b) {
 }
 
 /// Returns what has a column of this name: "coordinate 'C.x'", "point 'C'".
-std::vector<std::string> owners_of(const std::string& name, const Mechanism& d,
-                                   const std::string& remark) {
+std::vector<std::string> owners_of(const std::string& name, const Mechanism& d) {
   std::vector<std::string> owners;
-  if (name == time_name) owners.push_back("the time");
-  if (name == remark) owners.push_back("the last column");
   const auto add = [&](const std::string& kind, const auto& list, const std::string& entity) {
     if (std::ranges::any_of(list, [&](const auto& entry) { return entry.name == entity; }))
       owners.push_back(kind + " " + desmo::in_quotes(entity));
@@ -37,20 +34,15 @@ std::vector<std::string> owners_of(const std::string& name, const Mechanism& d,
   return owners;
 }
 
-/// Throws InputError where two columns have one name.
-void require_names_of_their_own(const std::vector<Column>& columns, const Input& input,
-                                const std::string& remark) {
-  std::vector<std::string_view> names{time_name, remark};
+/// Throws InputError where two columns have one heading.
+void require_headings_of_their_own(const std::vector<Column>& columns, const Input& input) {
+  std::map<std::string, std::string> names;  // by heading
   for (const Column& c : columns)
-    if (c.order == 0) names.push_back(c.name);  // those of rates follow
-  std::ranges::sort(names);
-  const auto twice = std::ranges::adjacent_find(names);
-  if (twice == names.end()) return;
-  const std::string name(*twice);
-  throw InputError(
-      input.source + ": two columns have the name " + desmo::in_quotes(name) + ", those of " +
-      joined(owners_of(name, input.scene.mechanism, remark), std::identity{}, " and ") +
-      "; rename one of them, or leave it out of the request");
+    if (c.order == 0 && !names.emplace(c.heading(), c.name).second)  // those of rates follow
+      throw InputError(input.source + ": two columns are headed " + desmo::in_quotes(c.heading()) +
+                       ", those of " +
+                       joined(owners_of(c.name, input.scene.mechanism), std::identity{}, " and ") +
+                       "; rename one of them, or leave it out of the request");
 }
 
 }  // namespace
@@ -97,8 +89,7 @@ std::vector<Column> columns_of(const Measures& measures, int coordinates,
   return columns;
 }
 
-std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Input& input,
-                                 const std::string& remark) {
+std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Input& input) {
   std::vector<Column> columns;
   const Scene& scene = input.scene;
   const bool everything = scene.asks_for_everything();
@@ -109,7 +100,7 @@ std::vector<Column> make_columns(const Plan& plan, const Measures& measures, con
       std::ranges::copy(columns_of(plan.model, output, input.units), std::back_inserter(columns));
   std::ranges::copy(columns_of(measures, plan.model.coordinates(), input.units),
                     std::back_inserter(columns));
-  require_names_of_their_own(columns, input, remark);
+  require_headings_of_their_own(columns, input);
   return columns;
 }
 

@@ -42,9 +42,7 @@ std::vector<Column> columns_of(const Measures& measures, int coordinates,
 
 /// Entity by entity in the order asked for: positions, velocities and
 /// accelerations as far as asked; then the measures. Where everything is asked for, what never
-/// moves is left out. remark: name of a last column of words, "" for none. Throws InputError,
-/// naming the source, where two columns, the time included, have one name.
-std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Input& input,
-                                 const std::string& remark);
+/// moves is left out. Throws InputError, naming the source, where two columns have one heading.
+std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Input& input);
 
 }  // namespace desmo::cli

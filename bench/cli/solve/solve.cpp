@@ -164,15 +164,14 @@ void solve(const SolveOptions& options) {
   Measures measures(input.scene, plan.model, options.drivers.empty() ? motions : rows);
   if (options.explain) say(explain(plan, whole));
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
-  const std::string remark = !options.drivers.empty()                         ? "outcome"
-                             : options.flags || format == SeriesFormat::jsonl ? "flag"
-                                                                              : "";
   const SeriesHeading heading{format,
                               whole.name,
                               input.scene.name,
                               id_with(*chosen.variant, chosen.settings),
-                              make_columns(plan, measures, input, remark),
-                              remark,
+                              make_columns(plan, measures, input),
+                              !options.drivers.empty()                         ? "outcome"
+                              : options.flags || format == SeriesFormat::jsonl ? "flag"
+                                                                               : "",
                               options.drivers.empty() ? input.scene.grid : TimeGrid{}};
   const Task task{options, input, chosen, whole, plan, measures, heading, output, named};
   KernelTable kernels;
