@@ -85,12 +85,24 @@ std::string name_of(const Json& candidate) {
   return bench::CandidateName{candidate["case"], candidate["coordinates"], candidate["id"]}.text();
 }
 
+/// Brings a record of schema 2, which calls candidates cells, to the schema that is written.
+void bring_up_to_date(Json& record) {
+  Json& paper = record["paper"];
+  if (!paper.contains("cells")) return;
+  paper["candidates"] = paper["cells"];
+  paper.erase("cells");
+  record["schema_version"] = bench::schema_version;
+}
+
 /// Returns the record of each side, with every candidate verified.
 Json verified(const std::vector<Side>& sides, const Names& names) {
   std::vector<std::string> question{"verify", std::to_string(TimingSettings::instants)};
   question.insert(question.end(), names.begin(), names.end());
   Json records;
-  for (const Side& side : sides) records[side.name] = Json::parse(asked(side, question));
+  for (const Side& side : sides) {
+    records[side.name] = Json::parse(asked(side, question));
+    bring_up_to_date(records[side.name]);
+  }
   return records;
 }
 
