@@ -205,6 +205,24 @@ TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
   EXPECT_LE(verdict(), 3) << err_;
 }
 
+/// Trees before schema 3 write other words.
+TEST_F(Driver, ComparesWithATreeOfSchema2) {
+  fs::create_directory(file("older"));
+  write("older/desmo_probe", "#!/bin/sh\n" + programs + "/desmo_probe \"$@\" | sed " +
+                                 "'s/\"candidates\"/\"cells\"/; s/\"3\\.0\\.0\"/\"2.0.0\"/'\n");
+  fs::permissions(file("older/desmo_probe"), fs::perms::owner_all);
+  ASSERT_EQ(shell(file("older/desmo_probe") + " verify 3 " + name), 0) << err_;
+  EXPECT_CONTAINS(out_, "\"cells\"");
+  ASSERT_EQ(shell(std::string(DESMO_CHECK) + " --base " + file("older") + " --head " + programs +
+                  " measure " + file("results.json") + " --no-work --no-time --candidate " + name),
+            0)
+      << err_;
+  for (const char* side : {"base", "head"}) {
+    EXPECT_EQ(results()[side]["schema_version"], "3.0.0") << side;
+    EXPECT_EQ(results()[side]["paper"]["candidates"].size(), 1u) << side;
+  }
+}
+
 TEST_F(Driver, ErrorsNameWhatIsWrongAndLeaveNoFile) {
   EXPECT_EQ(check("measure " + file("results.json") + " --slow head:no/1/such:5"), 64);
   EXPECT_CONTAINS(err_, "no/1/such");
