@@ -14,7 +14,8 @@ constexpr std::array<std::pair<std::string_view, std::string Configuration::*>, 
      {"iterations", &Configuration::iterations},
      {"tolerance", &Configuration::tolerance}}};
 
-/// Adds a suffix, unless it neither has a key and a value nor is a word that is no key.
+/// Adds a suffix, `key:value` or a word that is no setting's key. Returns whether it is one of
+/// these.
 bool add(Configuration& configuration, std::string_view suffix) {
   const std::size_t colon = suffix.find(':');
   const std::string_view key = suffix.substr(0, colon);

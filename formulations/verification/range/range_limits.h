@@ -7,7 +7,7 @@ namespace desmo {
 
 /// Limits of find_range(). Lengths are arcs of a curve of positions, in rad or characteristic
 /// lengths (*scaled*). tests/range/limits.cpp shows what goes wrong where one is ten times smaller
-/// or larger.
+/// or larger; of max_correction, where it is smaller.
 struct RangeLimits {
   /// Accuracy of the driver's values [scaled]: an end has |beyond − value| < accuracy, and values
   /// no further apart are one. Steps end at it, too: no step is shorter.
