@@ -24,7 +24,8 @@ set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbe
   formulations/base/reference_instant.h formulations/model/misfit.h formulations/model/scales.h
   formulations/verification/run/check_options.h
   formulations/verification/run/table_lock.h
-  formulations/verification/branch/followed_step.h formulations/verification/branch/start.h)
+  formulations/verification/branch/followed_step.h formulations/verification/branch/start.h
+  formulations/verification/range/range_limits.h)
 
 set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)
 foreach(name mechanism scene files cases model settings summary observer formulation
