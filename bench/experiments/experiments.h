@@ -37,7 +37,8 @@ struct CommonHelp {
 /// Adds the options to those of an experiment; `options` must outlive them.
 void add_common(CLI::App& parser, CommonOptions& options, const CommonHelp& help);
 
-/// Refuses what is no positive number, for CLI::Option::check. Returns the message.
+/// Rejects a text that is not a positive, finite number, for CLI::Option::check. Returns the
+/// message; empty: the text is accepted.
 std::string refuse_not_positive(const std::string& text);
 
 /// Reads all arguments. Returns false after printing the help that was asked for. Throws

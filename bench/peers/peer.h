@@ -17,8 +17,8 @@ namespace desmo {
 /// interface includes no library's headers: what these need of the compiler stays in their file.
 class Peer {
  public:
-  /// The model's coordinates that the peer finds, each once, and their values. The peer solves for
-  /// coordinates of its own, from which not all of the model's need follow.
+  /// Coordinates of the model that the peer finds, each once, and their values. Some of the model's
+  /// may be missing, because they do not follow from the coordinates that the peer solves for.
   struct Answer {
     std::vector<int> coordinates;
     std::vector<double> q, qd, qdd;  ///< in the order of `coordinates`

@@ -51,7 +51,7 @@ struct NamedFiles {
   std::filesystem::path folder;
   std::vector<std::filesystem::path> read{};  ///< those that were read
 
-  /// A file that has been read.
+  /// Path and text of a file that has been read.
   struct Text {
     std::string name, text;
   };

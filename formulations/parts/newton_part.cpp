@@ -27,7 +27,7 @@ std::unique_ptr<const Equations> measured(std::unique_ptr<const Equations> equat
   return std::make_unique<ProfiledEquations>(std::move(equations), *c.profile);
 }
 
-/// Makes a solver of the part's linear systems, of what is not derived.
+/// Makes a solver of the part's linear systems. It condenses derived unknowns, if there are any.
 std::unique_ptr<LinearSolver> make_linear_solver(const PartContext& c, const Pattern& pattern,
                                                  std::span<const Derivation> derived,
                                                  const Backend& backend) {

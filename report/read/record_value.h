@@ -25,7 +25,8 @@ class RecordValue : public JsonValue {
   std::vector<RecordValue> members() const { return checked(JsonValue::members()); }
   std::vector<RecordValue> elements() const { return checked(JsonValue::elements()); }
 
-  /// Reads an optional member by one of the functions below, or by a function of this type.
+  /// Reads an optional member by a member function below, or by another function of a RecordValue.
+  /// Returns nothing where the member is missing.
   template <class Read>
   auto maybe(std::string_view key, const Read& read) const {
     const std::optional<RecordValue> member = find(key);

@@ -31,7 +31,8 @@ struct Price {
 /// Tells whether a time has too few repetitions for the small difference of two.
 bool is_of_few(const Measured& time) { return time.seconds && !time.seconds->has_interval(); }
 
-/// Takes the first of the timing windows, in which checks are prepared and begin, for the start.
+/// Returns the price of a step from all timing windows but the first, in which checks are prepared
+/// and begin. What the first one costs beyond that is the price of the start.
 Price price_of(const Record& record, const Measured& bare, const Measured& checked) {
   if (!bare.seconds || !checked.seconds) return {};
   const std::vector<double>&without = bare.seconds->windows, &with = checked.seconds->windows;

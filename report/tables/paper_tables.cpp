@@ -144,8 +144,8 @@ Table speed_ups(const Record& record, std::string_view family) {
 /// Name of the paper's own solver next to the families.
 constexpr const char* paper_solver = "MA27 (the paper)";
 
-/// Returns the name of a variant that is the same in the legends of all panels: TS-TPA_MA27 ->
-/// TS-TPA sparse.
+/// Returns the legend of a variant, which is the same in all panels: TS-TPA_MA27 -> TS-TPA sparse,
+/// TS-TPA_LAP -> TS-TPA LAPACK.
 std::string legend(const PaperVariant& variant) {
   std::string name = family_name(variant, "sparse");
   for (char& c : name)

@@ -21,8 +21,8 @@ struct Console {
   bool is_first = true;   ///< nothing was printed yet
 };
 
-/// Verifies and profiles all candidates, then lets Google Benchmark, whose flags must have been
-/// read, time the verified ones in its own order. Says on standard error what is wrong. Returns
+/// Verifies and profiles all candidates, then lets Google Benchmark time the verified ones in its
+/// own order. Its flags must have been read. Says on standard error what is wrong. Returns
 /// {"failed": whether any candidate failed, "lists": what a record says (lists_of)}.
 nlohmann::ordered_json measure(const std::vector<bench::Candidate*>& all, const Console& console,
                                bench::Progress& progress);

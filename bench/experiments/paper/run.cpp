@@ -96,7 +96,7 @@ bool is_listing(std::string_view argument) {
   return argument.starts_with("--benchmark_list_tests") && !argument.ends_with("=false");
 }
 
-/// Gives Google Benchmark its flags; false: there is one that it does not know.
+/// Gives Google Benchmark its flags. Returns false where there is one that it does not know.
 bool initialise(std::vector<std::string>& arguments) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());

@@ -106,8 +106,8 @@ std::vector<int> columns_of(const SparseRows& rows) {
 /// Factors by which a ratio may exceed its worst sample before the pivot is distrusted.
 constexpr double magnification_allowed = 1e3, cancellation_allowed = 1e6;
 
-/// A bound that ratios of that size are far from, the power of two below it: the text of the code
-/// does not change with every digit of the samples.
+/// Returns the power of two at or below allowed (1 + largest), a bound far from all samples. So the
+/// text of the code does not change with every digit of the samples.
 double bound(double allowed, double largest) {
   return std::exp2(std::floor(std::log2(allowed * (1 + largest))));
 }

@@ -22,7 +22,8 @@ struct FoundStart {
   bool out_of_tests = false;     ///< blocked: the budget of the way ended, or is far too small;
                                  ///< nothing else is known
   std::vector<double> passed{};  ///< change points that the drivers passed, as shares of their way
-  /// All coordinates: at the start where it is reached, else where the last proof was.
+  /// All coordinates: at the start where it is reached, else where the last proof was. Where
+  /// nothing was proven, they are those of the drawing.
   std::vector<double> q;
   /// The change point on which the motion begins, unproven, and its smooth continuation; null: none
   /// is known. Where it is set, the stage is `drivers`.

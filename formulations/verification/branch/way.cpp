@@ -12,8 +12,8 @@
 
 namespace desmo {
 
-/// Each round goes on from another place, or passes a change point, or is the last one; and each
-/// counts as a test at least.
+/// Rounds end: each but the last chooses other equations at a new place, or passes a change point.
+/// Each round in which a path has begun counts as one test at least.
 bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
   std::unique_ptr<const Model> chosen;  // other equations, by which the way goes on; null: none
   auto path = std::make_unique<BranchPath>(m);

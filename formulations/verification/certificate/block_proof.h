@@ -10,8 +10,8 @@
 
 namespace desmo {
 
-/// Krawczyk's test of one batch of blocks after the other. It proves that an exact solution lies
-/// within an interval about each delivered value.
+/// Krawczyk's test of blocks, one batch at a time. It proves that exactly one solution lies within
+/// intervals around the delivered values.
 class BlockProof {
  public:
   /// largest: of the batches that are to be proven.
@@ -29,8 +29,8 @@ class BlockProof {
   const LaneNumbers& condition() const { return condition_; }
 
  private:
-  /// Error bounds at one level, for each variable of a block: its inputs and, once they are
-  /// bounded, its unknowns.
+  /// Errors at one level (see ErrorTable::Row), for each variable of a block. Those of its unknowns
+  /// count once they are bounded.
   struct ErrorColumns {
     std::vector<LaneNumbers> centre, own, sum;
     std::vector<LaneNumbers> weight;  ///< own, and what rounding of a product with the error adds

@@ -50,7 +50,7 @@ LaneNumbers gap(const Quintic<LaneNumbers>& path, const LaneNumbers& first,
                 const LaneNumbers& last) {
   LaneNumbers size(0);
   for (const LaneNumbers& c : path) size += abs(c);
-  // Horner's rule rounds twice a degree; s is off by two roundings, which counts up to the degree.
+  // Horner's rule rounds twice for each degree. Two roundings of s count `degree` times at most.
   constexpr double rounding = (4 * degree + 2) * unit;
   const LaneNumbers widest = (max(first, last) + rounding * size) * (1 + 8 * unit);
   return select(is_finite(first + last), widest, INFINITY);  // max() drops what is not a number

@@ -91,7 +91,7 @@ double ErrorBasis::deviation(std::span<const double> q, int d) {
 
 void ErrorBasis::enclose() {
   find_directions();
-  // The errors are Q s for s = Q⁻¹ (G t + w), and Q⁻¹ = (QᵀQ)⁻¹ Qᵀ.
+  // The scaled errors are Q s for s = Q⁻¹ (G t + own w), and Q⁻¹ = (QᵀQ)⁻¹ Qᵀ.
   const int d = size_, n = columns_;
   double widest = 0;
   for (int s = 0; s < d; ++s) {

@@ -14,10 +14,10 @@ namespace desmo {
 /// this (Lohner, Einschließung der Lösung gewöhnlicher Anfangs- und Randwertaufgaben, 1988).
 class ErrorBasis {
  public:
-  /// Allocates for so many errors and columns of G.
+  /// Allocates for sets of at most max_errors errors and max_columns columns of G.
   ErrorBasis(int max_errors, int max_columns);
 
-  /// Begins a set of errors.
+  /// Begins a set of errors, all of which set() must then set. columns: number of columns of G.
   void start(int errors, int columns);
   /// Sets an error, of 1e-300 or more: its row of G, and its own radius.
   void set(int i, const double* generators, double own);

@@ -29,7 +29,7 @@ struct ErrorTable {
   };
 
   std::vector<Row> rows;
-  // Bounds of each coordinate, once write_bounds() was called:
+  // The next three hold a number for each coordinate, which write_bounds() writes:
   std::vector<double> radius;      ///< bounds on their errors
   std::vector<double> correction;  ///< centres of their errors; 0: unknown
   std::vector<double> rest;        ///< bounds on what corrections leave of the errors

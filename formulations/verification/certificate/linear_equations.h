@@ -26,8 +26,8 @@ struct LaneMatrix {
   }
 };
 
-/// The linear ones among the n equations of a batch: Φ = Σ factor × local state + Φ(0). Proofs
-/// about instants and about paths take them from here.
+/// Linear equations among the n of a batch: Φ = Σ factor × local state + Φ(0). Proofs about
+/// instants and proofs about paths take them from here.
 class LinearEquations {
  public:
   /// A term of an equation: factor × local state.
@@ -46,9 +46,9 @@ class LinearEquations {
   };
 
   LinearEquations() = default;
-  /// Takes the linear ones of a shape.
+  /// Takes the linear equations of a shape.
   /// - constants: of all objects
-  /// - remainders: what fixed local states lack of those in the file; 0 for others
+  /// - remainders: numbers of the file minus their doubles, for fixed local states; 0 for others
   LinearEquations(const BlockShape& shape, const std::vector<Compensated<LaneNumbers>>& constants,
                   const std::vector<Compensated<LaneNumbers>>& remainders);
 

@@ -82,8 +82,8 @@ class PathProof {
   PathProof(const PathProof&) = delete;
   PathProof& operator=(const PathProof&) = delete;
 
-  /// Proves the step between two instants of the model's motions, from.time < to.time. A step that
-  /// contains a knot of a spline has no proof, since its driver is no polynomial. Allocates
+  /// Proves the step between two instants of the model's motions, from.time < to.time. A step
+  /// across an inner knot of a spline has no proof: it would follow one piece alone. Allocates
   /// nothing.
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
 

@@ -47,7 +47,8 @@ void Preconditioner::resize(int n, int m) {
   single_.resize(n);
 }
 
-/// Finds Y with pivots that are large in their rows in all these lanes.
+/// Finds Y with pivots that these lanes share. An entry counts by its ratio to its row, in the lane
+/// where that is least.
 template <int N>
 void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
   const int n = N > 0 ? N : s.unknowns;

@@ -12,9 +12,9 @@ namespace desmo {
 
 namespace {
 
-/// Largest share of the bounds that a pass leaves while Newton's method converges. A proof of
-/// errors e needs 16 c e < 1, c e² being the next ones (curvature c). So these are less than e/16,
-/// and bounds are of second order. What falls less is rounding.
+/// Largest share of the bounds that a pass leaves while Newton's method converges. A pass takes
+/// errors e to c e² (curvature c). Their proof needs 16 c e < 1, so less than e/16 is left. Bounds
+/// are of second order in e: less than 1/256 of them is left. Bounds that fall less are rounding.
 constexpr double max_left = 1.0 / 256;
 
 constexpr int count = LaneNumbers::count;

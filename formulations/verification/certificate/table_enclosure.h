@@ -15,10 +15,10 @@ namespace desmo {
 /// Returns number k of a table (formulations/constraints/table.h) as the file means it.
 using TableNumbers = std::function<Derived(int k)>;
 
-/// Encloses a table f within a distance of an argument: Taylor's coefficients aₖ with
-/// f(at + y) = Σ aₖ yᵏ, and likewise f′ and f″, for |y| ≤ distance, each with numbers from the aₖ.
-/// Radii hold the neighbouring pieces as far as they reach. Not numbers where `at` is outside of
-/// the table; infinite where too many knots are that near.
+/// Encloses a table f by Taylor's coefficients aₖ: f(at + y) = Σ aₖ yᵏ for |y| ≤ distance. The same
+/// holds for f′ and f″; each of the three takes its own numbers from the aₖ. Radii include the
+/// neighbouring pieces within the distance. All aₖ are not numbers where `at` is outside of the
+/// table. Radii are infinite where too many knots are that near, or the distance is not finite.
 std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance);
 
 // Scalars of proofs, by lanes: their leading digits, magnitudes, and how a number is set.

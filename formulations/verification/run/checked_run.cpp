@@ -176,7 +176,7 @@ class CheckedRun final : Observer {
     }
   }
 
-  /// Finds out more of a failure.
+  /// Adds to the summary what explains a failure: the lock of a table, or the assembly error.
   void explain_failure() {
     if (summary_.status == Status::not_finite)
       summary_.table_lock =

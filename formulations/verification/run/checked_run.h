@@ -17,7 +17,7 @@
 
 namespace desmo {
 
-/// Outcome of a checked run.
+/// Outcome of a checked run, or of one row of a live run.
 enum class Outcome {
   converged,  ///< no flag, no gap
   degraded,   ///< a row is flagged, or an interval that cannot be assembled was left out

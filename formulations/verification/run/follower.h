@@ -13,7 +13,7 @@
 
 namespace desmo {
 
-/// Follower of a motion, with one choice of equations.
+/// Follower of a motion by one choice of equations: refinement, path proofs, equations left out.
 struct Follower {
   /// - chosen: equations that were chosen anew; null: the model's
   /// - model, levels: of Refinement

@@ -9,7 +9,7 @@ namespace desmo {
 
 namespace {
 
-/// To which the ends of an interval that cannot be assembled are found, s.
+/// Width [s] of the bracket in which the search for an end of a gap stops.
 constexpr double bracket = 1e-9;
 
 /// Returns the last time [s], to within `bracket`, that can be solved on the way from a good one,

@@ -17,7 +17,8 @@ struct FoundGap {
   int next;
 };
 
-/// Finds the ends of a gap. Leaves the formulation at a position near its end.
+/// Finds the ends of a gap. Leaves the formulation at a position near the gap's end. Where the grid
+/// ends first, its positions are unspecified.
 /// - failed: the grid instant that could not be assembled
 /// - failure: the summary of the run, which ended there
 FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,

@@ -11,7 +11,7 @@ namespace desmo {
 
 namespace {
 
-/// Returns a copy of a mechanism's numbers, out of those of all coordinates.
+/// Copies a mechanism's numbers to `own`, out of those of all coordinates.
 void gather(const Submodel& s, std::span<const double> all, std::vector<double>& own) {
   own.clear();
   if (all.empty()) return;

@@ -17,7 +17,7 @@ namespace desmo {
 
 struct RefinedInstant;
 
-/// Settings of a live run.
+/// Options of a live run, which hold for all its rows.
 struct LiveOptions {
   Level level = Level::acceleration;  ///< highest level that is solved and proven
   /// Level asked for of each coordinate (Plan::levels); empty: `level`. The memory must last until
