@@ -25,8 +25,8 @@ class ConditionNumber {
   double operator()(std::span<const double> q);
 
  private:
-  struct Matrices;
-  std::unique_ptr<Matrices> matrices_;
+  struct Matrix;
+  std::unique_ptr<Matrix> matrix_;
 };
 
 /// Returns the order of the relative error that conditioning allows: κ u in position, κ² u in

@@ -1,24 +1,24 @@
 #pragma once
 
-#include <memory>
+#include <span>
 #include <vector>
 
 #include "formulations/model/model.h"
 #include "formulations/parts/groupwise/reference_solver.h"
-#include "formulations/verification/reference/whole_system.h"
+#include "formulations/verification/reference/scaled_factors.h"
 
 namespace desmo {
 
-/// Solves all equations of a model at once with a sparse LU factorisation, in the scalar S
-/// (Quadruple, or double for positions alone). The residuals alone determine the result: jets
-/// evaluate Φ, Φ̇ and Φ̈, and the rates make Φ̇ and Φ̈ vanish. The constraint kinds' Jacobians only
-/// steer the iteration. The partition and the quadratic terms are not used.
+/// Solves all equations of a model at once, in the scalar S (Quadruple, or double for positions
+/// alone). The residuals alone determine the result: jets evaluate Φ, Φ̇ and Φ̈ in S, and the rates
+/// make Φ̇ and Φ̈ vanish. Sparse LU factors in double precision only steer the iteration: each
+/// correction adds the digits that conditioning leaves to a double. The partition and the quadratic
+/// terms are not used.
 template <class S>
 class GlobalSolver : public ReferenceSolver<S> {
  public:
   /// Starts at the model's initial estimate. The model must outlive the solver.
-  explicit GlobalSolver(const Model& model);
-  ~GlobalSolver();
+  explicit GlobalSolver(const Model& model) : ReferenceSolver<S>(model), factors_(model) {}
 
   /// Makes correct_positions() solve Φ = share × Φ₀. Φ₀: Φ at the first set_homotopy().
   void set_homotopy(double share);
@@ -31,23 +31,22 @@ class GlobalSolver : public ReferenceSolver<S> {
   /// singular.
   void solve_positions(double t);
 
-  /// Solves velocities and accelerations at the positions solved last. Both are linear problems:
-  /// the first pass finds q̇, the second q̈, and each later pass refines.
+  /// Solves velocities, then accelerations, at the positions solved last. Both are linear problems;
+  /// corrections refine them until only rounding is left.
   void solve_rates();
 
  private:
   using ReferenceSolver<S>::m_;
   using ReferenceSolver<S>::state_;
-  struct Linear;  // Φ_φ and its factors
 
   void factor();
-  double correct(std::vector<S>& values);
+  double correct(std::span<const S> residual, std::vector<S>& values);
+  const WholeSystem& system() const { return factors_.system(); }
 
-  WholeSystem system_;
+  ScaledFactors factors_;   // of Φ_φ at the present positions
   std::vector<S> initial_;  // Φ₀; empty: none
   double share_ = 0;        // of Φ₀
-  std::unique_ptr<Linear> linear_;
-  double time_ = 0;  // present time [s], for messages
+  double time_ = 0;         // present time [s], for messages
 };
 
 }  // namespace desmo

@@ -34,12 +34,12 @@ struct Reference {
 };
 
 /// Solves a motion twice in quadruple precision: with reference_solution(), and likewise with all
-/// equations at once (GlobalSolver). The second uses a sparse factorisation, and finds rates from
-/// the residuals alone, by jets. The two share only the constraint kinds' residuals, the motions
-/// and how an instant is set, read and corrected (ReferenceSolver). An error in the partition, in a
-/// derivative or in an elimination, or a wrong branch in one of them, shows in `floor`. Throws
-/// std::runtime_error, naming the instant, when either does not converge. ErrorMeasure (error.h)
-/// compares a run with it:
+/// equations at once (GlobalSolver). The second refines sparse factors in doubles, and finds rates
+/// from the residuals alone, by jets. The two share only the constraint kinds' residuals, the
+/// motions and how an instant is set, read and corrected (ReferenceSolver). An error in the
+/// partition, in a derivative or in an elimination, or a wrong branch in one of them, shows in
+/// `floor`. Throws std::runtime_error, naming the instant, when either does not converge.
+/// ErrorMeasure (error.h) compares a run with it:
 ///
 ///   const Reference reference = make_reference(model, times);
 ///   ErrorMeasure measure(model, reference.instants, reference.scales);
