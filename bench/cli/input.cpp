@@ -144,7 +144,7 @@ ModellingResult model_mechanism(const Input& input, Modelling modelling) {
   try {
     return desmo::model_mechanism(input.scene.mechanism, input.scene.motions, modelling);
   } catch (const ContradictionError& error) {
-    throw InputError(input.source + ": " + error.text(input.units.length));
+    throw InputError(input.source + ": " + error.text(input.units));
   } catch (const std::invalid_argument& error) {
     throw InputError(input.source + ": " + error.what());
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,32 +10,22 @@
 
 namespace desmo {
 
+/// Returns "0.02 mm"; where the unit is "1", "0.02".
+inline std::string in_unit(double amount, const DisplayUnit& unit) {
+  return formatted("%.2g", unit.from_si(amount)) + (unit.name == "1" ? "" : " " + unit.name);
+}
+
 /// Refusal of a mechanism whose constraints contradict each other or the drawing. Its text says by
-/// how much, in the unit of lengths inside or, for people, in that of their file.
+/// how much, in the units inside or, for people, in those of their file.
 class ContradictionError : public std::invalid_argument {
  public:
-  /// before, after: the text around the amount. unit: "m"; "1" where the amount is no length in a
-  /// known unit.
-  ContradictionError(std::string before, double amount, std::string after, const std::string& unit)
-      : std::invalid_argument(before + written(amount, {unit}) + after),
-        before_(std::move(before)),
-        after_(std::move(after)),
-        amount_(amount),
-        has_unit_(unit != "1") {}
+  using Text = std::function<std::string(const DisplayUnits&)>;
 
-  /// Returns the text with the amount in another unit of lengths.
-  std::string text(const DisplayUnit& length) const {
-    return has_unit_ ? before_ + written(amount_, length) + after_ : what();
-  }
+  /// written: writes the text in any units. length: unit of the model's lengths.
+  ContradictionError(Text written, const std::string& length)
+      : std::invalid_argument(written({.length = {length}})), text(std::move(written)) {}
 
- private:
-  static std::string written(double amount, const DisplayUnit& unit) {
-    return formatted("%.2g", unit.from_si(amount)) + (unit.name == "1" ? "" : " " + unit.name);
-  }
-
-  std::string before_, after_;
-  double amount_;
-  bool has_unit_;
+  const Text text;  ///< returns the text in other units
 };
 
 }  // namespace desmo

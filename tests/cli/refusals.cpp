@@ -68,6 +68,20 @@ TEST_F(Cli, SaysInTheUnitsOfTheFileHowConstraintsContradictEachOther) {
       {"type": "revolute", "bodies": ["third", "coupler"], "points": ["F"]}],
     "coordinates": {"theta": {"angle": ["A", "D"]}}, "drivers": ["theta"]})");
   expect_said(65, "inspect cranks.json", "' is off by ", " mm at best");
+  // A driver that goes 5.7 degrees asks for 2.9 of the other wheel, and for 2.3.
+  write("wheels.json", R"({"format": "desmo-mechanism", "version": 1, "name": "wheels",
+    "dimension": 2, "units": {"angle": "deg"},
+    "points": {"O": [0, 0], "P": [3, 0], "A": [1, 0], "B": [3, 1]},
+    "ground": {"points": ["O", "P"]},
+    "bodies": {"first": {"points": ["O", "A"]}, "second": {"points": ["P", "B"]}},
+    "joints": [
+      {"type": "revolute", "bodies": ["ground", "first"], "points": ["O"]},
+      {"type": "revolute", "bodies": ["ground", "second"], "points": ["P"]}],
+    "coordinates": {"a": {"angle": ["O", "A"]}, "b": {"angle": ["P", "B"]}},
+    "couplings": {"mesh": {"sum": {"a": 20, "b": 40}}, "belt": {"sum": {"a": 20, "b": 50}}},
+    "drivers": ["a"]})");
+  expect_said(65, "inspect wheels.json", "('a') moved by ", "5.7 deg, '",
+              ": coupling' is off by 0.2", " deg at best, against '");
 }
 
 TEST_F(Cli, FailedRunsNameThePlaceAndLeaveNothing) {

@@ -141,9 +141,13 @@ void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   const std::string name =
       is_of_joint ? "joint '" + c.name.substr(0, c.name.rfind('/')) : "coordinate '" + c.name;
   throw ContradictionError(
-      name + "': " + w.text(c.of) + " is not along '" + d.vectors[c.vector].name +
-          "' in the nominal position: it is off by ",
-      distance, "; draw it along that, or place one of the bodies by \"at\"", d.length_unit);
+      [text = name + "': " + w.text(c.of) + " is not along '" + d.vectors[c.vector].name +
+              "' in the nominal position: it is off by ",
+       distance](const DisplayUnits& units) {
+        return text + in_unit(distance, units.length) +
+               "; draw it along that, or place one of the bodies by \"at\"";
+      },
+      d.length_unit);
 }
 
 template <int D>

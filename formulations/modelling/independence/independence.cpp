@@ -151,10 +151,13 @@ std::vector<LeftOut> constant_equations(const Model& m) {
       const Misfit misfit = misfit_of(m, c, row, phi[row], state);
       if (!(misfit.over(lengths.own(constraint)) <= max_misfit))
         throw ContradictionError(
-            in_quotes(constraint.name) + " is off by ", misfit.amount,
-            ": the places on the ground and the shape of the body, or two shapes, contradict each "
-            "other; make them the same",
-            misfit.is_length ? m.length_unit : "1");
+            [name = in_quotes(constraint.name), misfit](const DisplayUnits& units) {
+              return name + " is off by " +
+                     in_unit(misfit.amount, misfit.is_length ? units.length : DisplayUnit{"1"}) +
+                     ": the places on the ground and the shape of the body, or two shapes, "
+                     "contradict each other; make them the same";
+            },
+            m.length_unit);
       all.back().rows.push_back(row);
       std::optional<Misfit>& largest = all.back().misfit;
       if (!largest || misfit.amount > largest->amount) largest = misfit;

@@ -48,30 +48,38 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
   return m.entities[entity_of_coordinate(m)[s.columns[largest]]].name;
 }
 
-/// Throws "…: with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best,
-/// against 'rod2/length'"
+/// Throws "…: with its drivers ('theta') moved by 0.1 rad, 'rod/length' is off by 1.2e-08 m at
+/// best, against 'rod2/length'"
 [[noreturn]] void refuse(const std::string& text, const Contradiction& c, const Model& m,
                          const GroupSystem& s) {
   const Constraint& constraint = m.constraints[c.constraint];
-  const bool is_of_length = std::ranges::any_of(
-      constraint.operands, [&](EntityId e) { return is_length(m.entities[e].kind); });
+  const auto is_of_length = [&](EntityId e) { return is_length(m.entities[e].kind); };
+  const auto is_angle = [&](EntityId e) { return m.entities[e].kind == EntityKind::angle; };
+  const bool has_length = std::ranges::any_of(constraint.operands, is_of_length),
+             has_angles = std::ranges::all_of(constraint.operands, is_angle);
   constexpr std::size_t shown = 4;
   std::string others;
   for (std::size_t i = 0; i < c.others.size() && i < shown; ++i)
     others += (i == 0 ? ", against '" : ", '") + m.constraints[c.others[i]].name + "'";
   if (c.others.size() > shown) others += ", …";
   const std::vector<EntityId> owner = entity_of_coordinate(m);
-  const bool turns =
-      std::none_of(s.columns.begin() + s.unknowns, s.columns.end(),
-                   [&](int coordinate) { return is_length(m.entities[owner[coordinate]].kind); });
-  const std::string where = text + ": with its drivers (" + driver_names(m, s) + ") moved by " +
-                            formatted("%g", c.moved) + (turns ? " rad" : " of its size") + ", '" +
-                            constraint.name + "' ";
-  if (!std::isfinite(c.amount))
-    throw std::invalid_argument(where + "has no value, one way and the other");
-  const double length = is_of_length ? CharacteristicLengths(m).of(constraint) : 1;
-  throw ContradictionError(where + "is off by ", c.amount * length, " at best" + others,
-                           is_of_length ? m.length_unit : "1");
+  const bool turns = std::none_of(s.columns.begin() + s.unknowns, s.columns.end(),
+                                  [&](int coordinate) { return is_of_length(owner[coordinate]); });
+  const double amount = c.amount * (has_length ? CharacteristicLengths(m).of(constraint) : 1);
+  const std::string moved = text + ": with its drivers (" + driver_names(m, s) + ") moved by ",
+                    what = ", '" + constraint.name + "' ";
+  throw ContradictionError(
+      [=, moved_by = c.moved](const DisplayUnits& units) {
+        const std::string where =
+            moved + in_unit(moved_by, turns ? units.angle : DisplayUnit{"of its size"}) + what;
+        if (!std::isfinite(amount)) return where + "has no value, one way and the other";
+        return where + "is off by " +
+               in_unit(amount, has_length   ? units.length
+                               : has_angles ? units.angle
+                                            : DisplayUnit{"1"}) +
+               " at best" + others;
+      },
+      m.length_unit);
 }
 
 /// Returns "rounding of its positions is 2e-06 of the shortest of its lengths"
