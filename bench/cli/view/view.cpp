@@ -10,6 +10,7 @@
 #include "bench/cli/input.h"
 #include "bench/cli/interruption.h"
 #include "bench/cli/solve/check_notes.h"
+#include "bench/cli/solve/columns.h"
 #include "bench/cli/view/drawn_entities.h"
 #include "bench/cli/view/page_data.h"
 #include "bench/cli/view/page_template.h"
@@ -79,7 +80,8 @@ void view(const ViewOptions& options) {
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
     throw CommandError(usage_error, "a terminal cannot show a page; give --output FILE.html");
   const Model model = model_mechanism(input).model;
-  outputs_of(input, model);  // refuses measures that there are not
+  const Plan plan = make_plan(model, outputs_of(input, model));
+  make_columns(plan, Measures(input.scene, plan.model), input);  // refuses what solve does
   Measures measures(input.scene, model);
   const std::size_t fitting = instants_that_fit(input, model);
   const TimeGrid& grid = input.scene.grid;
