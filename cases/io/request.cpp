@@ -21,7 +21,8 @@ class RequestReader {
         names_(d_),
         body_levels_(d_.bodies.size()),
         wanted_(scene.request),
-        measures_(scene.measures) {}
+        measures_(scene.measures),
+        patterns_(scene.patterns) {}
 
   void read(const std::vector<JsonValue>& entries) {
     for (const JsonValue& entry : entries) read_entry(entry);
@@ -44,16 +45,16 @@ class RequestReader {
           "asks for nothing; give points, vectors, angles, distances, bodies, rotations, joints, "
           "ratios or \"everything\": true");
     const auto want_kind = [&](Kind kind) {
-      return [this, kind, level](int i, bool) { want(kind, i, level); };
+      return [this, kind, level](int i, auto) { want(kind, i, level); };
     };
     names_.read(entry, names_.points, want_kind(Kind::point));
     names_.read(entry, names_.vectors, want_kind(Kind::vector));
     names_.read(entry, names_.angles, want_kind(Kind::coordinate));
     names_.read(entry, names_.distances, want_kind(Kind::coordinate));
     const auto measure_kind = [&](MeasureKind kind) {
-      return [this, kind, level](int i, bool by_pattern) { measure(kind, i, level, by_pattern); };
+      return [this, kind, level](int i, std::string_view by) { measure(kind, i, level, by); };
     };
-    names_.read(entry, names_.bodies, [&](int i, bool) { want_body(i, level); });
+    names_.read(entry, names_.bodies, [&](int i, auto) { want_body(i, level); });
     names_.read(entry, names_.rotations, measure_kind(MeasureKind::rotation));
     names_.read(entry, names_.joints, measure_kind(MeasureKind::joint));
     if (const auto ratios = entry.find("ratios")) {
@@ -78,7 +79,9 @@ class RequestReader {
     known = std::max(known, level);
   }
 
-  void measure(MeasureKind kind, int index, Level level, bool by_pattern) {
+  void measure(MeasureKind kind, int index, Level level, std::string_view pattern) {
+    const bool by_pattern = !pattern.empty();
+    if (by_pattern) patterns_.emplace(kind, pattern);
     const auto [place, is_new] = measure_places_.try_emplace({kind, index}, measures_.size());
     if (is_new)
       measures_.push_back({.kind = kind, .index = index, .level = level, .by_pattern = by_pattern});
@@ -125,6 +128,7 @@ class RequestReader {
   std::optional<Level> everything_level_;
   std::vector<RequestedEntity>& wanted_;
   std::vector<RequestedMeasure>& measures_;
+  std::set<std::pair<MeasureKind, std::string>>& patterns_;
   std::map<std::pair<Kind, int>, std::size_t> places_;                 // in wanted_
   std::map<std::pair<MeasureKind, int>, std::size_t> measure_places_;  // in measures_
   std::set<std::string> ratios_;

@@ -1,7 +1,6 @@
 #include "cases/io/requestable.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "cases/mechanism/carriers.h"
 #include "cases/mechanism/joint_forms.h"
@@ -42,8 +41,7 @@ void Requestable::read(const JsonValue& entry, const RequestKey& names, const Wa
   const auto list = entry.find(names.key);
   if (!list) return;
   if (list->is_object() && defines_in_place(names)) {
-    for (const JsonValue& defined : list->members())
-      want(names.find(defined, defined.key()), false);
+    for (const JsonValue& defined : list->members()) want(names.find(defined, defined.key()), "");
     return;
   }
   const std::vector<JsonValue> listed = list->elements();
@@ -53,11 +51,11 @@ void Requestable::read(const JsonValue& entry, const RequestKey& names, const Wa
       name.complain("defines something in a list of names; give \"" + names.key +
                     "\": {\"NAME\": …} in an entry of its own");
     if (name.text().find('*') != std::string_view::npos) {
-      for (const int i : match(name, names)) want(i, true);
+      for (const int i : match(name, names)) want(i, name.text());
     } else {
       check_kind(name, names);
       if (&names == &joints) check_joint(name);
-      want(names.find(name), false);
+      want(names.find(name), "");
     }
   }
 }

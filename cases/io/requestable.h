@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,8 +26,8 @@ class Requestable {
   /// mechanism: outlives this, and has what the request defines.
   explicit Requestable(const Mechanism& mechanism);
 
-  /// Receives the position of an entity, and whether a pattern asks for it.
-  using Want = std::function<void(int, bool)>;
+  /// Receives the position of an entity, and the pattern that asks for it; "": its name does.
+  using Want = std::function<void(int, std::string_view)>;
   /// Reads what an entry of a request lists, or has defined, under a key. Calls want() for each; of
   /// a pattern, for all that match.
   void read(const JsonValue& entry, const RequestKey& names, const Want& want);

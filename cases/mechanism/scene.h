@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/mechanism/level.h"
@@ -30,7 +32,7 @@ struct RequestedMeasure {
   Level level;                      ///< highest level requested; of a ratio: velocity
   std::string name{};               ///< of a ratio
   std::array<std::string, 2> of{};  ///< a ratio's coordinates, as Model::coordinate() knows them
-  bool by_pattern = false;          ///< a pattern asks for all of the kind that have one
+  bool by_pattern = false;          ///< only patterns ask for it, if there is one
 };
 
 /// Default limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude.
@@ -52,6 +54,8 @@ struct Scene {
   std::string formulation{};                 ///< id; empty: the program chooses
   double tolerance = default_tolerance;      ///< Settings::tolerance
   std::vector<RequestedMeasure> measures{};  ///< requested as well, without duplicates
+  /// Patterns that ask for measures of a kind; each must give one.
+  std::set<std::pair<RequestedMeasure::Kind, std::string>> patterns{};
 
   bool asks_for_everything() const { return request.empty() && measures.empty(); }
 };

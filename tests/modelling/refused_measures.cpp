@@ -13,7 +13,7 @@
 namespace desmo::measures_test {
 namespace {
 
-/// A pattern asks for all that there are.
+/// A pattern asks for all that there are, and for at least one.
 TEST(Measures, OfAPatternLeaveOutWhatHasNoTurn) {
   const auto names = [](const std::string& mechanism, const std::string& motion,
                         const std::string& request) {
@@ -26,12 +26,16 @@ TEST(Measures, OfAPatternLeaveOutWhatHasNoTurn) {
   const auto of_wishbone = [&](const std::string& request) {
     return names(R"({"library": "double_wishbone"})", "", request);
   };
-  EXPECT_EQ(of_wishbone(R"({"rotations": ["upper", "tie*"]})"),
-            "upper.rotation.x upper.rotation.y upper.rotation.z ");
+  EXPECT_EQ(of_wishbone(R"({"rotations": ["upper", "*e*r*"]})"),
+            "upper.rotation.x upper.rotation.y upper.rotation.z "
+            "lower.rotation.x lower.rotation.y lower.rotation.z ");
+  EXPECT_CONTAINS(desmo::refusal([&] { of_wishbone(R"({"rotations": ["u*", "tie_rod"]})"); }),
+                  "of body 'tie_rod' do not tell how it is turned");
   for (const char* request :
-       {R"({"rotations": ["u*", "tie_rod"]})", R"({"rotations": ["tie*"]}, {"joints": ["*"]})"})
+       {R"({"rotations": ["upper", "tie*"]})", R"({"rotations": ["*", "tie*"]})",
+        R"({"rotations": ["tie*"]}, {"joints": ["*"]})"})
     EXPECT_CONTAINS(desmo::refusal([&] { of_wishbone(request); }),
-                    "of body 'tie_rod' do not tell how it is turned");
+                    "request: the pattern 'tie*' gives nothing: the points and vectors");
   // A body of one point turns about it, nobody knows how far.
   const std::string crank(find_library("slider_crank")->mechanism),
       bob = replaced(replaced(crank, R"("slider": {)", R"("bob": {"points": ["B"]}, "slider": {)"),

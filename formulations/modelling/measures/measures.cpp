@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
-#include <map>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 
 #include "cases/mechanism/drawing.h"
 #include "cases/mechanism/joint_forms.h"
+#include "cases/mechanism/names.h"
 #include "cases/numbers/space.h"
 #include "formulations/modelling/measures/body_frames.h"
 #include "formulations/modelling/measures/rate_ratio.h"
@@ -55,17 +55,26 @@ class Builder {
     for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
       for (int i = 0; i < m_.entities[e].size; ++i)
         taken_.insert(coordinate_name(m_, e, m_.entities[e].first + i));
+    using enum RequestedMeasure::Kind;
+    auto unmet = scene.patterns;
     for (const RequestedMeasure& wanted : scene.measures) {
       bodies_.level = wanted.level;
       const std::size_t before = list.size();
-      using enum RequestedMeasure::Kind;
       if (wanted.kind == rotation && has_turn(wanted, {wanted.index})) add_rotation(wanted.index);
       if (wanted.kind == joint) add_joint(wanted);
       if (wanted.kind == ratio) add_ratio(wanted);
-      if (list.size() > before) found_.insert(wanted.kind);
+      if (list.size() == before) continue;
+      std::erase_if(unmet, [&](const auto& pattern) {
+        return pattern.first == wanted.kind &&
+               matches(pattern.second, wanted.kind == rotation ? d_.bodies[wanted.index].name
+                                                               : d_.joints[wanted.index].name);
+      });
     }
-    for (const auto& [kind, body] : turnless_)
-      if (!found_.contains(kind)) bodies_.find_frame(body);  // refuses it
+    if (!unmet.empty())
+      throw std::invalid_argument(
+          "request: the pattern " + in_quotes(unmet.begin()->second) +
+          " gives nothing: the points and vectors of the bodies do not tell how they are turned; "
+          "give them others that are not in line, or ask for angles or vectors");
   }
 
   std::vector<Measure> list;
@@ -91,13 +100,9 @@ class Builder {
 
   /// Returns whether to measure a turn between bodies: not where a pattern asks for it and one of
   /// them does not tell how it is turned.
-  bool has_turn(const RequestedMeasure& wanted, std::initializer_list<int> bodies) {
-    for (const int body : bodies)
-      if (wanted.by_pattern && !bodies_.tells_turn(body)) {
-        turnless_.try_emplace(wanted.kind, body);
-        return false;
-      }
-    return true;
+  bool has_turn(const RequestedMeasure& wanted, std::initializer_list<int> bodies) const {
+    return !wanted.by_pattern ||
+           std::ranges::all_of(bodies, [&](int body) { return bodies_.tells_turn(body); });
   }
 
   void add_joint(const RequestedMeasure& wanted) {
@@ -195,8 +200,6 @@ class Builder {
   Measures::DrivenBy driven_by_;
   BodyFrames bodies_;
   std::set<std::string> taken_;
-  std::set<RequestedMeasure::Kind> found_;
-  std::map<RequestedMeasure::Kind, int> turnless_;  // with the first body that a pattern leaves out
 };
 
 }  // namespace

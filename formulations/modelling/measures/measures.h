@@ -55,7 +55,7 @@ class Measures {
   enum class DrivenBy { motions, rows };
 
   /// Throws std::invalid_argument, naming the measure, for a body or joint whose points and vectors
-  /// do not tell its rotation (unless a pattern asks for it and for others that do), for a
+  /// do not tell its rotation (unless only patterns ask for it that match others which do), for a
   /// coordinate that is fixed, and for a name that the model has.
   Measures(const Scene& scene, const Model& model, DrivenBy driven_by = DrivenBy::motions);
 
