@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/flaps.h"
 
 namespace desmo::ranging_test {
 namespace {
@@ -84,6 +85,14 @@ TEST_F(Cli, NamesAllLoopsThatLockAtOnce) {
             (std::vector<std::string>{"spherical/arm1/rod1l", "spherical/arm1/rod1r",
                                       "spherical/arm2/rod2l", "spherical/arm2/rod2r",
                                       "spherical/arm3/rod3l", "spherical/arm3/rod3r"}));
+}
+
+/// Of positions beyond the start nothing is said.
+TEST_F(Cli, RangesSayWhichEquationsDoNotHoldAtTheStart) {
+  write("flap.json", flaps(1, 4e-7));
+  desmo("range flap.json");
+  EXPECT_TRUE(says("the equations contradict each other: 'flap1: H-K length' is off by 4.0e-07 m"))
+      << err_;
 }
 
 TEST_F(Cli, RangesNeedAStart) {
