@@ -155,6 +155,18 @@ std::string Emitter::text(int id) const {
   return {};
 }
 
+std::map<int, std::string> places_of(const RecordedPart& part,
+                                     const std::function<std::string(int input)>& place) {
+  std::map<int, std::string> places;
+  for (std::size_t i = 0; i < part.q.size(); ++i) {
+    const std::string at = place(static_cast<int>(i));
+    places[part.q[i].id()] = "q" + at;
+    places[part.qd[i].id()] = "qd" + at;
+    places[part.qdd[i].id()] = "qdd" + at;
+  }
+  return places;
+}
+
 void declare_inputs(std::ostream& out, const std::vector<Expr>& expressions,
                     const std::string& declaration, const std::map<int, std::string>& places,
                     std::set<int>& declared) {

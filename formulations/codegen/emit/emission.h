@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <ostream>
 #include <set>
@@ -8,6 +9,7 @@
 
 #include "formulations/codegen/eliminate/sums.h"
 #include "formulations/codegen/record/expression.h"
+#include "formulations/codegen/record/recording.h"
 
 namespace desmo::generate {
 
@@ -70,10 +72,15 @@ class Emitter {
   mutable ArrivalTimes arrival_;  // caches what it computes
 };
 
+/// Returns the text that reads each position and rate of a part from arrays q, qd and qdd, by node.
+/// place: returns what follows the array's name for an input of the part, as "[in[3]]"
+std::map<int, std::string> places_of(const RecordedPart& part,
+                                     const std::function<std::string(int input)>& place);
+
 /// Declares the inputs that expressions read, in graph order: those that have a place and are not
 /// `declared` yet, to which it adds them.
 /// - declaration: what stands before a name, as "const double"
-/// - places: text that reads an input, by its node, as "q[in[3]]"
+/// - places: text that reads an input, by its node, as "q[in[3]]" (places_of())
 void declare_inputs(std::ostream& out, const std::vector<Expr>& expressions,
                     const std::string& declaration, const std::map<int, std::string>& places,
                     std::set<int>& declared);

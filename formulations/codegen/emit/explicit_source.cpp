@@ -125,7 +125,8 @@ ExplicitPlan::ExplicitPlan(const PartType& its_type, const RecordedPart& its_par
     : type(its_type),
       part(its_part),
       order(explicit_order(type, part)),
-      motion(differentiate(part, order)) {
+      motion(differentiate(part, order)),
+      places(places_of(part, [this](int input) { return place(type, input); })) {
   for (const OrderSection& s : order) {
     Expr sum = 0;
     for (std::size_t r = 0; r < s.residuals.size(); ++r) {
@@ -135,12 +136,6 @@ ExplicitPlan::ExplicitPlan(const PartType& its_type, const RecordedPart& its_par
     residual2.push_back(sum);
     for (const Definition& d : s.definitions)
       roots.insert(roots.end(), d.form.roots.begin(), d.form.roots.end());
-  }
-  for (std::size_t i = 0; i < type.inputs.size(); ++i) {
-    const std::string at = place(type, static_cast<int>(i));
-    places[part.q[i].id()] = "q" + at;
-    places[part.qd[i].id()] = "qd" + at;
-    places[part.qdd[i].id()] = "qdd" + at;
   }
 }
 

@@ -39,14 +39,8 @@ class KernelWriter {
         type_(type),
         g_(group),
         unknowns_(unknowns_of(type)),
-        orders_(eliminations(jacobian_rows(), orders, first_samples)) {
-    for (std::size_t i = 0; i < type_.inputs.size(); ++i) {
-      const std::string place = "[in[" + std::to_string(i) + "]]";
-      source_[g_.q[i].id()] = "q" + place;
-      source_[g_.qd[i].id()] = "qd" + place;
-      source_[g_.qdd[i].id()] = "qdd" + place;
-    }
-  }
+        orders_(eliminations(jacobian_rows(), orders, first_samples)),
+        places_(places_of(g_, [](int input) { return "[in[" + std::to_string(input) + "]]"; })) {}
 
   void entries(const char* list, const std::vector<RecordedEntry>& entries) {
     out_ << "constexpr std::array<KernelEntry, " << entries.size() << "> " << list << "{{\n";
@@ -197,7 +191,7 @@ class KernelWriter {
   void close() { out_ << "}\n\n"; }
 
   void load(const Expressions& expressions, const char* declaration) {
-    declare_inputs(out_, expressions, declaration, source_, loaded_);
+    declare_inputs(out_, expressions, declaration, places_, loaded_);
   }
 
   Emitter begin(const Expressions& outputs) {
@@ -215,8 +209,8 @@ class KernelWriter {
   const RecordedPart& g_;
   const std::vector<int> unknowns_;  // inputs, by column
   std::vector<Elimination> orders_;
-  std::map<int, std::string> source_;  // where an input is read from
-  std::set<int> loaded_;               // inputs declared in the function being written
+  const std::map<int, std::string> places_;
+  std::set<int> loaded_;  // inputs declared in the function being written
 };
 
 }  // namespace
