@@ -116,7 +116,7 @@ class Differentiator {
     for (const Definition& d : s.definitions) {
       const Vector x = d.form.rates(rates, level);
       for (std::size_t i = 0; i < x.size(); ++i) rates.set(level, part_.q[d.unknowns[i]], x[i]);
-      all.insert(all.end(), x.begin(), x.end());
+      append(all, x);
     }
     return all;
   }

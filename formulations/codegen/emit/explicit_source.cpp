@@ -115,10 +115,6 @@ void write_lists(std::ostream& out, const ExplicitPlan& plan) {
   write_list(out, "unknowns", unknowns);
 }
 
-void append(std::vector<Expr>& all, const std::vector<Expr>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 }  // namespace
 
 ExplicitPlan::ExplicitPlan(const PartType& its_type, const RecordedPart& its_part)

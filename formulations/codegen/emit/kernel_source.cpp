@@ -15,12 +15,6 @@ namespace {
 
 using Expressions = std::vector<Expr>;
 
-Expressions concatenate(std::initializer_list<Expressions> lists) {
-  Expressions all;
-  for (const Expressions& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
-}
-
 Expressions values_of(const std::vector<RecordedEntry>& entries) {
   Expressions result;
   for (const RecordedEntry& e : entries) result.push_back(e.value);
@@ -97,7 +91,8 @@ class KernelWriter {
       const Expr weighted = Expr::node(Graph::current().input(name, unsampled)) * g_.phi[r];
       norm2 = norm2 + weighted * weighted;
     }
-    const Expressions all = concatenate({{norm2}, step});
+    Expressions all{norm2};
+    append(all, step);
 
     open("InlinedResult " + name_of("position", order) +
          "(double* q, const int* in, const double* c, const double* weight,\n"
@@ -133,7 +128,8 @@ class KernelWriter {
     const Monitors monitors{{}, elimination.monitors()};
     // Velocities of the unknowns become expressions of the known, and enter γ as such.
     const Expressions velocity = elimination.solve(known_product(g_.qd));
-    const Expressions watched = monitored(monitors);
+    Expressions first = monitored(monitors);
+    append(first, velocity);
     Expressions acceleration_right = known_product(g_.qdd);
     for (int r = 0; r < type_.rows(); ++r)
       acceleration_right[r] = acceleration_right[r] - g_.gamma[r];
@@ -141,9 +137,10 @@ class KernelWriter {
 
     open("bool " + name_of("rates", order) +
          "(const double* q, double* qd, double* qdd, const int* in, const double* c)");
-    const Expressions first = concatenate({watched, velocity});
     load(first, "const double");
-    Emitter emitter(out_, "  ", concatenate({watched, velocity, acceleration}));
+    Expressions all = first;
+    append(all, acceleration);
+    Emitter emitter(out_, "  ", all);
     emitter.prepare(first);
     out_ << "  if (!(" << all_of(conditions(emitter, monitors)) << ")) return "
          << (is_last(order) ? "false" : name_of("rates", order + 1) + "(q, qd, qdd, in, c)")

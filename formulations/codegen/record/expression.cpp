@@ -208,6 +208,10 @@ int Graph::binary(Op op, int a, int b) {
   return find_or_add(op, a, b);
 }
 
+void append(std::vector<Expr>& all, const std::vector<Expr>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 std::vector<Expr> moving_inputs(Expr e) {
   std::set<int> seen;
   collect(e.id(), seen);

@@ -134,6 +134,9 @@ class Expr {
   int id_;
 };
 
+/// Adds expressions to the end of a list.
+void append(std::vector<Expr>& all, const std::vector<Expr>& more);
+
 /// Returns the positions and rates that an expression reads (not its dimensions), ascending by
 /// node.
 std::vector<Expr> moving_inputs(Expr e);
