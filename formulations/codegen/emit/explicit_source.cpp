@@ -14,11 +14,8 @@ namespace {
 
 /// Returns the weight that makes a residual of some equations a number without unit.
 Expr weight(const std::vector<int>& rows) {
-  Graph& graph = Graph::current();
-  const std::vector<double> unsampled(Expr(1).samples().size(), 1.0);
   Expr product = 1;
-  for (const int r : rows)
-    product = product * Expr::node(graph.input("w[" + std::to_string(r) + "]", unsampled));
+  for (const int r : rows) product = product * weight_input("w[" + std::to_string(r) + "]");
   return product;
 }
 

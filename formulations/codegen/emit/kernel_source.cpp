@@ -84,11 +84,9 @@ class KernelWriter {
 
   void position(std::size_t order) {
     const Expressions step = orders_[order].solve(g_.phi);
-    const std::vector<double> unsampled(Graph::current().samples(g_.phi.front().id()).size(), 1.0);
     Expr norm2 = 0;
     for (int r = 0; r < type_.rows(); ++r) {
-      const std::string name = "weight[" + std::to_string(r) + "]";
-      const Expr weighted = Expr::node(Graph::current().input(name, unsampled)) * g_.phi[r];
+      const Expr weighted = weight_input("weight[" + std::to_string(r) + "]") * g_.phi[r];
       norm2 = norm2 + weighted * weighted;
     }
     Expressions all{norm2};

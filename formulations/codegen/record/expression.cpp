@@ -208,6 +208,11 @@ int Graph::binary(Op op, int a, int b) {
   return find_or_add(op, a, b);
 }
 
+Expr weight_input(std::string name) {
+  Graph& graph = Graph::current();
+  return Expr::node(graph.input(std::move(name), std::vector<double>(graph.sample_count(), 1.0)));
+}
+
 void append(std::vector<Expr>& all, const std::vector<Expr>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }

@@ -134,6 +134,10 @@ class Expr {
   int id_;
 };
 
+/// Returns a new input of the current graph that is 1 at every sample point. It serves as a weight,
+/// on which no pivot depends.
+Expr weight_input(std::string name);
+
 /// Adds expressions to the end of a list.
 void append(std::vector<Expr>& all, const std::vector<Expr>& more);
 
