@@ -69,16 +69,13 @@ LiveRun::~LiveRun() = default;
 
 RowFault LiveRun::fault_of(const LiveRow& row) const {
   if (!std::isfinite(row.time)) return RowFault::not_finite;
-  const auto fault = [&](std::span<const double> values, Level level) {
-    if (level > options_.level) return RowFault::none;
-    return values.size() != tried_.size() ? RowFault::wrong_size
-           : std::ranges::all_of(values, [](double x) { return std::isfinite(x); })
-               ? RowFault::none
-               : RowFault::not_finite;
-  };
-  for (const RowFault f : {fault(row.z, Level::position), fault(row.zd, Level::velocity),
-                           fault(row.zdd, Level::acceleration)})
-    if (f != RowFault::none) return f;
+  const PerLevel<std::span<const double>> values{row.z, row.zd, row.zdd};
+  for (const Level level : all_levels) {
+    if (level > options_.level) break;
+    if (values[level].size() != tried_.size()) return RowFault::wrong_size;
+    if (!std::ranges::all_of(values[level], [](double x) { return std::isfinite(x); }))
+      return RowFault::not_finite;
+  }
   return has_position_ && row.time <= time_ ? RowFault::time_not_later : RowFault::none;
 }
 
