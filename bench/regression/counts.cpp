@@ -1,6 +1,7 @@
 #include "bench/regression/counts.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -25,6 +26,19 @@ std::vector<std::string> steps_command(const Side& side, const std::string& name
           std::to_string(name == side.slowed ? side.percent : 0)};
 }
 
+/// Returns the instructions of candidate i on side j at i × sides + j.
+std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
+                                    const std::vector<Side>& sides) {
+  std::vector<std::int64_t> instructions(names.size() * sides.size());
+  bench::count_on_all_cores(instructions.size(), [&](std::size_t i) {
+    const Side& side = sides[i % sides.size()];
+    const std::string& name = names[i / sides.size()];
+    instructions[i] = bench::count_steps(name + " in " + side.name,
+                                         steps_command(side, name, CountingSettings::steps));
+  });
+  return instructions;
+}
+
 /// Tells whether the side's desmo_steps knows the candidate: it refuses others as wrong usage.
 bool exists(const Side& side, const std::string& name) {
   std::string output;
@@ -45,16 +59,15 @@ std::size_t place_of(const std::string& name, Json& history) {
 
 }  // namespace
 
-std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
-                                    const std::vector<Side>& sides) {
-  std::vector<std::int64_t> instructions(names.size() * sides.size());
-  bench::count_on_all_cores(instructions.size(), [&](std::size_t i) {
-    const Side& side = sides[i % sides.size()];
-    const std::string& name = names[i / sides.size()];
-    instructions[i] = bench::count_steps(name + " in " + side.name,
-                                         steps_command(side, name, CountingSettings::steps));
-  });
-  return instructions;
+Json counted_work(const std::vector<std::string>& names, const std::vector<Side>& sides) {
+  const std::vector<std::int64_t> instructions = count_all(names, sides);
+  Json counts;
+  for (std::size_t i = 0; i < instructions.size(); ++i)
+    counts[names[i / sides.size()]][sides[i % sides.size()].name] = instructions[i];
+  return {{"tool", bench::counting_tool()},
+          {"steps", CountingSettings::steps - CountingSettings::uncounted_steps},
+          {"iterations", CountingSettings::iterations},
+          {"instructions", counts}};
 }
 
 void add_point(Json& history, const Side& programs, const Commit& commit,

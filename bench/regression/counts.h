@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -9,10 +8,10 @@
 
 namespace desmo::regression {
 
-/// Returns the instructions of a fixed number of steps with a fixed number of iterations: those of
-/// candidate i on side j at i × sides + j. Throws std::runtime_error, naming the candidate, when
-/// they cannot be counted.
-std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
+/// Counts the instructions of a fixed number of steps with a fixed number of iterations, of each
+/// candidate on each side. Returns them as `work` of a results file. Throws std::runtime_error,
+/// naming the candidate, when they cannot be counted.
+nlohmann::ordered_json counted_work(const std::vector<std::string>& names,
                                     const std::vector<Side>& sides);
 
 /// A commit whose instructions are counted.

@@ -18,7 +18,6 @@
 #include "bench/kit/candidate_name.h"
 #include "bench/kit/exit_codes.h"
 #include "bench/kit/options.h"
-#include "bench/kit/process/callgrind.h"
 #include "bench/kit/record/record.h"
 #include "bench/regression/counts.h"
 #include "bench/regression/rounds.h"
@@ -144,17 +143,6 @@ void mark_untimed(Json& check, const std::vector<Side>& sides) {
     }
 }
 
-Json counted(const Names& names, const std::vector<Side>& sides) {
-  const std::vector<std::int64_t> instructions = count_all(names, sides);
-  Json counts;
-  for (std::size_t i = 0; i < instructions.size(); ++i)
-    counts[names[i / sides.size()]][sides[i % sides.size()].name] = instructions[i];
-  return {{"tool", bench::counting_tool()},
-          {"steps", CountingSettings::steps - CountingSettings::uncounted_steps},
-          {"iterations", CountingSettings::iterations},
-          {"instructions", counts}};
-}
-
 Json load(const std::string& path) {
   std::ifstream in(path);
   try {
@@ -184,7 +172,7 @@ void measure(const Options& o) {
   if (!o.slow.empty()) check["settings"]["slowed"] = o.slow;
   check.update(verified(sides, chosen));
   const Names names = sound(chosen, check, sides);
-  if (o.work) check["work"] = counted(names, sides);
+  if (o.work) check["work"] = counted_work(names, sides);
   if (o.time) add_times(check, "first", time_rounds(sides, names, TimingSettings::rounds, o.seed));
   mark_untimed(check, sides);
   save(check.dump() + '\n', o.file);
