@@ -11,7 +11,6 @@
 
 #include "formulations/model/plan.h"
 #include "formulations/verification/reference/reference.h"
-#include "formulations/verification/run/assembly_error.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/checked/rows.h"
 #include "tests/dead_point.h"
@@ -181,98 +180,6 @@ TEST(CheckedRun, StrictEndsAtTheFirstRowThatIsFlagged) {
     EXPECT_NEAR(r.summary.first_flag->time, 1e-3 * static_cast<double>(r.rows.size()), 1e-9);
     EXPECT_TRUE(describe(r.summary, m).starts_with("refused: ")) << describe(r.summary, m);
   }
-}
-
-// ---- intervals that cannot be assembled ----
-
-/// A crank that is told to swing 0.1 rad beyond its dead point, of 0.6 rad.
-const Model overswinging =
-    locking_four_bar(HarmonicSum{dead_point - 0.5, {{0.6, 2 * std::numbers::pi, 0}}});
-const double locked = std::asin(0.5 / 0.6) / (2 * std::numbers::pi);  // until 0.5 s less that
-constexpr TimeGrid swing{0, 0.01, 101};
-
-TEST(Gaps, EndARunThatSaysByHowMuchItLacks) {
-  const Model& m = overswinging;
-  const CheckedSummary s = solve_checked(m, swing, "group_symbolic_inlined").summary;
-  EXPECT_EQ(s.outcome(), Outcome::failed);
-  EXPECT_EQ(s.time, 0.16);
-  ASSERT_TRUE(s.assembly_error);
-  EXPECT_TRUE(s.assembly_error->is_length);
-  EXPECT_TRUE(m.constraints[s.assembly_error->constraint].name.starts_with("dyad1/"));
-  // Coupler and rocker lack what is between the pin of the crank and 9 from the pivot.
-  const double theta = sample(m.drivers[0].motion, s.time).position;
-  const double lacking = std::hypot(8 - 2 * std::cos(theta), 2 * std::sin(theta)) - 9;
-  EXPECT_GT(s.assembly_error->amount, lacking / 5);
-  EXPECT_LT(s.assembly_error->amount, lacking);
-}
-
-TEST(Gaps, ArePassedAndLeadBackToTheBranchOfTheDrawing) {
-  const Model& m = overswinging;
-  for (const std::string id :
-       {"global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit",
-        "global_automatic_klu/stride:2", "group_symbolic_explicit/stride:16"}) {
-    const CheckedRows r = solve_checked(m, swing, id, Level::acceleration, {.past_failures = true});
-    EXPECT_EQ(r.summary.outcome(), Outcome::degraded) << id;
-    EXPECT_EQ(r.summary.flagged, 0) << id << ": " << describe(r.summary, m);
-    ASSERT_EQ(r.summary.gaps.size(), 1u) << id;
-    const Gap& gap = r.summary.gaps.front();
-    EXPECT_TRUE(gap.ends);
-    EXPECT_NEAR(gap.from, locked, 2e-9) << id;
-    EXPECT_NEAR(gap.to, 0.5 - locked, 2e-9) << id;
-    // A step is halved 24 times, and no more: each time costs a solution.
-    const double halved = std::ldexp(swing.step, -24);
-    EXPECT_NEAR(std::remainder(gap.from - 0.15, halved), 0, halved / 100) << id;
-    EXPECT_GT(std::abs(std::remainder(gap.from - 0.15, 8 * halved)), halved / 100) << id;
-    EXPECT_EQ(m.groups[gap.failure.group].name, "dyad1/SG-I");
-    auto row = r.rows.begin();
-    int interpolated = 0;
-    for (int i = 0; i < swing.instants; ++i) {
-      const double t = swing.time(i);
-      if (t > locked && t < 0.5 - locked) continue;
-      ASSERT_NE(row, r.rows.end()) << id;
-      EXPECT_EQ(row->time, t) << id;
-      const std::vector<double> exact =
-          locking_four_bar(Polynomial{{sample(m.drivers[0].motion, t).position}}).estimate;
-      for (int k = 0; k < m.coordinates(); ++k)
-        EXPECT_NEAR(row->values.position[k], exact[k], 1e-9) << id << ", " << t;
-      interpolated += row->interpolated;
-      EXPECT_TRUE(t < locked || !row->interpolated) << id << ", " << t;
-      ++row;
-    }
-    EXPECT_EQ(interpolated > 0, id.ends_with("stride:2"));  // the longer one fails at its first end
-    EXPECT_EQ(row, r.rows.end()) << id;
-  }
-}
-
-TEST(Gaps, MayLastUntilTheEnd) {
-  const CheckedSummary s = solve_checked(overswinging, {0, 0.01, 30}, "block_automatic_lapack",
-                                         Level::position, {.past_failures = true})
-                               .summary;
-  EXPECT_EQ(s.outcome(), Outcome::degraded);
-  ASSERT_EQ(s.gaps.size(), 1u);
-  EXPECT_FALSE(s.gaps[0].ends);
-  EXPECT_EQ(s.instants, 16);
-}
-
-/// Ends are as accurate as time is, where its rounding is more than 1e-9 s.
-TEST(Gaps, AreFoundAtLateTimes) {
-  const double start = std::numbers::pi / 3;
-  for (const double late : {1e5, 1e6, 1e9}) {
-    Model m = locking_four_bar();
-    m.drivers[0].motion = Polynomial{{start - late, 1}};
-    const CheckedSummary s = solve_checked(m, {late, 0.5, 13}, "group_symbolic_inlined",
-                                           Level::acceleration, {.past_failures = true})
-                                 .summary;
-    ASSERT_EQ(s.gaps.size(), 1u) << late;
-    const double rounding = 2e-9 + 4 * late * 0x1p-53;
-    EXPECT_NEAR(s.gaps[0].from - late, dead_point - start, rounding) << late;
-    EXPECT_NEAR(s.gaps[0].to - late, 2 * std::numbers::pi - dead_point - start, rounding) << late;
-  }
-}
-
-TEST(Gaps, AreNotWhereAPositionExists) {
-  const Model m = locking_four_bar(Polynomial{{dead_point}});
-  EXPECT_FALSE(find_assembly_error(m, m.state_of(m.estimate), {}));
 }
 
 }  // namespace
