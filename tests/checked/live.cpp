@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -13,8 +13,8 @@
 #include "cases/io/files.h"
 #include "formulations/id.h"
 #include "formulations/verification/run/live_run.h"
+#include "tests/checked/driver_row.h"
 #include "tests/checked/rows.h"
-#include "tests/dead_point.h"
 #include "tests/flaps.h"
 #include "tests/lanes_here.h"
 #include "tests/mechanisms.h"
@@ -22,20 +22,6 @@
 
 namespace desmo::live_rows_test {
 namespace {
-
-/// Values of the drivers of a model at a time.
-struct Row {
-  double time;
-  std::vector<double> z, zd, zdd;
-
-  Row(const Model& m, double t) : time(t) {
-    for (const Driver& d : m.drivers) {
-      const MotionSample<double> s = sample(d.motion, t);
-      z.push_back(s.position), zd.push_back(s.velocity), zdd.push_back(s.acceleration);
-    }
-  }
-  operator LiveRow() const { return {time, z, zd, zdd}; }
-};
 
 std::vector<std::string> ids() {
   std::vector<std::string> all{"global_automatic_klu", "group_automatic_lapack",
@@ -56,7 +42,7 @@ TEST(LiveRun, AnswersAreWithinTheirRadii) {
       LiveRun run(*f);
       const bool is_first = first.position.empty();
       for (int i = 0; i < std::min(grid.instants, DESMO_SANITIZED ? 3 : 40); ++i) {
-        const LiveSummary s = run.step(Row(m, grid.time(i)));
+        const LiveSummary s = run.step(DriverRow(m, grid.time(i)));
         ASSERT_EQ(s.outcome(), Outcome::converged) << describe(s, m);
         EXPECT_GE(s.condition, 1);
         EXPECT_EQ(s.path.end == PathEnd::same, i > 0);
@@ -115,7 +101,7 @@ TEST(LiveRun, FlagsRowsWhoseEquationsContradictEachOther) {
     const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
     LiveRun run(*f);
     for (int i = 0; i < 5; ++i) {
-      const LiveSummary s = run.step(Row(m, 0.02 * i));
+      const LiveSummary s = run.step(DriverRow(m, 0.02 * i));
       EXPECT_EQ(s.outcome(), i > 0 && longer > 0 ? Outcome::degraded : Outcome::converged) << i;
       if (!s.flag) continue;
       EXPECT_EQ(s.flag->kind, RowFlag::Kind::misfit);
@@ -131,7 +117,7 @@ TEST(LiveRun, FlagsRowsOfAShapeThatDoesNotFitTheGround) {
   const auto f = make_formulation(find_variant("group_automatic_lapack"), m);
   LiveRun run(*f);
   for (int i = 0; i < 3; ++i) {
-    const LiveSummary s = run.step(Row(m, 0.02 * i));
+    const LiveSummary s = run.step(DriverRow(m, 0.02 * i));
     ASSERT_TRUE(s.flag) << i;
     EXPECT_EQ(s.flag->kind, RowFlag::Kind::misfit);
     EXPECT_NEAR(s.flag->misfit->amount, 4e-7, 1e-10);
@@ -143,81 +129,11 @@ TEST(LiveRun, StartsAtRest) {
   for (const auto& [m, grid] : every_motion()) {
     const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
     LiveRun run(*f);
-    Row row(m, grid.start);
+    DriverRow row(m, grid.start);
     for (auto* rates : {&row.zd, &row.zdd}) std::ranges::fill(*rates, 0.0);
     const LiveSummary s = run.step(row);
     EXPECT_EQ(s.outcome(), Outcome::converged) << m.name << ": " << describe(s, m);
     EXPECT_EQ(s.radius.velocity, 0) << m.name;
-  }
-}
-
-/// The scales that radii are relative to are the caller's.
-TEST(LiveOptions, ScaleTheRadii) {
-  const Model m = four_bar_model(3);
-  const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
-  const auto radius = [&](const LiveOptions& options) {
-    LiveRun run(*f, options);
-    return run.step(Row(m, 0.1)).radius;
-  };
-  const PerLevel<double> one = radius({.scales = Scales{{1, 1, 1}, {1, 1, 1}}}),
-                         ten = radius({.scales = Scales{{1, 10, 100}, {1, 10, 100}}});
-  EXPECT_NEAR(one.velocity / ten.velocity, 10, 1e-9);
-  EXPECT_NEAR(one.acceleration / ten.acceleration, 100, 1e-9);
-  EXPECT_THROW(radius({.scales = Scales{}}), std::invalid_argument);
-  for (const CheckMode mode : {CheckMode::sample, CheckMode::mechanism})
-    EXPECT_THROW(radius({.check = mode}), std::invalid_argument);
-  // Positions alone need no rates.
-  LiveRun run(*f, {.level = Level::position});
-  const Row row(m, 0.1);
-  EXPECT_EQ(run.step({.time = 0, .z = row.z}).outcome(), Outcome::converged);
-  EXPECT_TRUE(run.qd().empty());
-  EXPECT_THROW(LiveRun(*f, {.levels = std::array{Level::position}}), std::invalid_argument);
-}
-
-/// A radius of half a scale leaves no digit. The caller's scales are such that this row's radius is
-/// a fifth of one, or all of it.
-TEST(LiveOptions, TellWhichRadiiLeaveNoDigit) {
-  const Model m = four_bar_model(3);
-  const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
-  const auto step = [&](double scale) {
-    const PerLevel<double> scales{scale, 1, 1};
-    LiveRun run(*f, {.level = Level::position, .scales = Scales{scales, scales}});
-    return run.step(Row(m, 0.1));
-  };
-  const double radius = step(1).radius.position;
-  for (const double share : {0.2, 1.}) {
-    const LiveSummary s = step(radius / share);
-    EXPECT_NEAR(s.radius.position, share, 1e-9);
-    EXPECT_EQ(s.outcome(), share < 0.5 ? Outcome::converged : Outcome::degraded) << share;
-    if (s.flag) EXPECT_EQ(s.flag->kind, RowFlag::Kind::unproven);
-  }
-}
-
-/// Velocities alone go along the cubic.
-TEST(LiveRun, AnswersRowsUpToVelocities) {
-  for (const auto& [m, grid] : every_motion()) {
-    const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
-    LiveRun run(*f, {.level = Level::velocity});
-    for (int i = 0; i < (DESMO_SANITIZED ? 3 : 20); ++i) {
-      const Row row(m, grid.time(i));
-      const LiveSummary s = run.step({row.time, row.z, row.zd});
-      ASSERT_EQ(s.outcome(), Outcome::converged) << m.name << ": " << describe(s, m);
-      EXPECT_LE(s.path.sub_steps, 2) << m.name;
-      EXPECT_LT(s.radius.velocity, 1e-9);
-    }
-  }
-}
-
-/// Positions that others have rates next to are followed like these.
-TEST(LiveRun, SolvesCoordinatesToLevelsOfTheirOwn) {
-  const Model m = locking_four_bar();
-  std::vector<Level> levels(m.coordinates(), Level::position);
-  levels[m.entities[m.find("crank/theta")].first] = Level::acceleration;
-  const auto f = make_formulation(find_variant("block_symbolic_inlined"), m);
-  LiveRun run(*f, {.levels = levels});
-  for (int i = 0; i <= 50; ++i) {
-    const LiveSummary s = run.step(Row(m, 0.01 * i));
-    EXPECT_EQ(s.outcome(), Outcome::converged) << i << ": " << describe(s, m);
   }
 }
 
@@ -238,11 +154,11 @@ TEST(LiveRun, RefusesWhatWouldTakeTooLong) {
   const Model m = four_bar_model(1);
   const auto f = make_formulation(find_variant("group_automatic_eigen"), m);
   LiveRun run(*f);
-  const Row first(m, 0);
+  const DriverRow first(m, 0);
   for (const int turns : {1, 20}) {
     run.restart();
     ASSERT_EQ(run.step(first).outcome(), Outcome::converged);
-    Row row(m, 1);
+    DriverRow row(m, 1);
     row.z[0] = first.z[0] + 2 * std::numbers::pi * turns;
     const LiveSummary s = run.step(row);
     EXPECT_EQ(s.outcome(), turns == 1 ? Outcome::converged : Outcome::failed) << describe(s, m);
@@ -258,7 +174,7 @@ TEST(LiveRun, ProvesEveryMillisecondAtOnce) {
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
   LiveRun run(*f);
   for (int i = 0; i <= (DESMO_SANITIZED ? 20 : 500); ++i) {
-    const LiveSummary s = run.step(Row(m, 1e-3 * i));
+    const LiveSummary s = run.step(DriverRow(m, 1e-3 * i));
     ASSERT_EQ(s.outcome(), Outcome::converged) << i;
     if (i == 0) continue;  // the assembly
     EXPECT_LE(s.iterations, 3);
