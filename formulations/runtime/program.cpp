@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "formulations/runtime/descriptor.h"
+#include "formulations/runtime/process.h"
 
 namespace desmo::load {
 
@@ -139,8 +140,7 @@ ProgramEnd run_program(const std::vector<std::string>& arguments, int folder,
   ending.late = !read_all(read_end.number(), end, ending.output) || !wait_until(child, end, status);
   if (ending.late) {
     ::kill(-child, SIGKILL);
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    wait_for_end(child, status);
   }
   running = 0;
   ending.good = !ending.late && WIFEXITED(status) && WEXITSTATUS(status) == 0;

@@ -18,6 +18,7 @@
 #include <stdexcept>
 
 #include "cases/mechanism/formatted.h"
+#include "formulations/runtime/process.h"
 #include "tests/fuzz/mutator.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -101,8 +102,7 @@ std::pair<int, std::string> run_child(long first, long last, const Try& attempt_
   if (child < 0) throw std::runtime_error("no process can be started");
   if (child == 0) be_child(first, last, attempt_input, board, log.get());
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  load::wait_for_end(child, status);
   return {status, text_of(log.get())};
 }
 

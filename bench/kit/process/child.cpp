@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "formulations/algebra/coinhsl.h"
+#include "formulations/runtime/process.h"
 
 namespace desmo::bench {
 
@@ -61,8 +62,7 @@ int copy_of(const char* path) {
 
 int wait_for(pid_t process) {
   int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
+  load::wait_for_end(process, status);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

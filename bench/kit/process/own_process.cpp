@@ -14,6 +14,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "formulations/runtime/process.h"
+
 namespace desmo::bench {
 
 using Json = nlohmann::ordered_json;
@@ -58,8 +60,7 @@ Json in_own_process(const std::string& name, const std::function<Json()>& work) 
   if (process == 0) be_the_process(name, work, answer.get());
 
   int status = 0;
-  while (waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) throw system_error("lost the process of " + name);
+  if (!load::wait_for_end(process, status)) throw system_error("lost the process of " + name);
   if (WIFSIGNALED(status))
     throw std::runtime_error(name + ": its process was ended by signal " +
                              std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) +

@@ -1,0 +1,20 @@
+// What starting and ending another process takes, whoever does it and however.
+#pragma once
+
+#include <sys/types.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+
+namespace desmo::load {
+
+/// Waits until a child process has ended, through interruptions by signals. Returns false, with
+/// errno, where it cannot be waited for. status: receives what waitpid() says of the end; without
+/// one it stays as it was.
+inline bool wait_for_end(pid_t child, int& status) {
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return false;
+  return true;
+}
+
+}  // namespace desmo::load
