@@ -5,8 +5,19 @@
 #include <sys/wait.h>
 
 #include <cerrno>
+#include <string>
+#include <vector>
 
 namespace desmo::load {
+
+/// Returns arguments or an environment as new programs get them: a pointer to each text, then null.
+/// The texts must outlive the pointers.
+inline std::vector<char*> null_terminated(const std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
 
 /// Waits until a child process has ended, through interruptions by signals. Returns false, with
 /// errno, where it cannot be waited for. status: receives what waitpid() says of the end; without

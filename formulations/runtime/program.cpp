@@ -40,13 +40,6 @@ std::vector<std::string> environment() {
   return variables;
 }
 
-std::vector<char*> pointers(const std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
-  result.push_back(nullptr);
-  return result;
-}
-
 /// A process group of its own, so that what it starts ends with it, and signals as they are for a
 /// program that was started by hand.
 void set_attributes(posix_spawnattr_t& attributes) {
@@ -64,7 +57,7 @@ void set_attributes(posix_spawnattr_t& attributes) {
 /// start and the moment when its process is known would leave it running.
 pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   const std::vector<std::string> variables = environment();
-  const std::vector<char*> argv = pointers(arguments), envp = pointers(variables);
+  const std::vector<char*> argv = null_terminated(arguments), envp = null_terminated(variables);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);

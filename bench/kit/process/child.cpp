@@ -22,13 +22,6 @@ namespace desmo::bench {
 
 namespace {
 
-std::vector<char*> pointers(const std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
-  result.push_back(nullptr);
-  return result;
-}
-
 /// Returns the descriptor of a copy of a file. The copy has no name and is gone with it.
 int copy_of(const char* path) {
   const int from = open(path, O_RDONLY | O_CLOEXEC), copy = memfd_create(path, MFD_CLOEXEC);
@@ -87,8 +80,8 @@ Child::Child(const Launch& launch) : program_(launch.arguments[0]) {
     close(questions[0]), close(questions[1]);
     throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
   }
-  const std::vector<char*> arguments = pointers(launch.arguments);
-  const std::vector<char*> variables = pointers(launch.environment);
+  const std::vector<char*> arguments = load::null_terminated(launch.arguments);
+  const std::vector<char*> variables = load::null_terminated(launch.environment);
   process_ = fork();
   if (process_ == 0)
     become(launch.core, copy, questions[0], answers[1], arguments.data(), variables.data());
