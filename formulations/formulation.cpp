@@ -8,6 +8,24 @@
 
 namespace desmo {
 
+namespace {
+
+const char* outcome_of(Status status) {
+  switch (status) {
+    case Status::solved:
+      return "converged";
+    case Status::not_converged:
+      return "no convergence";
+    case Status::singular:
+      return "singular Jacobian";
+    case Status::not_finite:
+      return "the equations are not finite";
+  }
+  return "";
+}
+
+}  // namespace
+
 PartCounts part_counts(const Formulation& f) {
   PartCounts sum;
   for (const DefinedPart& part : parts_of(f)) sum += part.solver->counts();
@@ -39,13 +57,11 @@ double Formulation::value(const std::string& name, Level level) const {
 }
 
 std::string describe(const Summary& s, const Model& m) {
+  const char* const outcome = outcome_of(s.status);
   if (s.ok())
-    return formatted("converged: %ld instants, %ld iterations, residual %.2e", s.instants,
+    return formatted("%s: %ld instants, %ld iterations, residual %.2e", outcome, s.instants,
                      s.iterations, s.residual);
-  const char* reason = s.status == Status::singular        ? "singular Jacobian"
-                       : s.status == Status::not_converged ? "no convergence"
-                                                           : "the equations are not finite";
-  std::string result = formatted("%s at t = %.9g s, residual %.2e", reason, s.time, s.residual);
+  std::string result = formatted("%s at t = %.9g s, residual %.2e", outcome, s.time, s.residual);
   if (s.group >= 0) result += ", group '" + m.groups[s.group].name + "'";
   if (s.constraint >= 0) {
     const Constraint& c = m.constraints[s.constraint];

@@ -43,10 +43,12 @@ enum class RowFault {
 /// The outcome of one row of driver values; LiveRun itself has the coordinates that it led to.
 /// outcome() says whether they may be used. It is no Summary, whose ok() tells no flagged rows.
 struct [[nodiscard]] LiveSummary : BasicSummary {
-  RowFault fault = RowFault::none;  ///< not none: the row was refused before anything was tried
-  std::optional<RowFlag> flag{};    ///< of a row that was solved; none: proven, or not checked
-  PerLevel<double> radius{};        ///< largest of the row, relative to LiveRun::scales()
-  double condition = 0;             ///< Certificate::condition; 0: not checked
+  /// Not none: the row was refused before anything was tried. `status` then says that the row
+  /// failed, and no more; describe() gives the reason.
+  RowFault fault = RowFault::none;
+  std::optional<RowFlag> flag{};  ///< of a row that was solved; none: proven, or not checked
+  PerLevel<double> radius{};      ///< largest of the row, relative to LiveRun::scales()
+  double condition = 0;           ///< Certificate::condition; 0: not checked
   /// Report on the drivers' way from the last proven row. time: as far as that is proven.
   FollowedStep path{};
 
