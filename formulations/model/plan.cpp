@@ -14,7 +14,7 @@ namespace desmo {
 
 namespace {
 
-/// Finds what is upstream of what is outputs.
+/// The blocks, entities and constraints that outputs depend on, and up to which level.
 class Upstream {
  public:
   explicit Upstream(const Model& m)
@@ -90,7 +90,7 @@ class Upstream {
   std::vector<std::optional<Level>> block_level;  // none: not needed
   std::vector<std::optional<Level>> entity_level;
   std::vector<bool> constraint_kept;
-  std::vector<EntityId> serves;  // the first outputs entity that needs each
+  std::vector<EntityId> serves;  // the first requested entity that needs each; -1: none
 
  private:
   void need(EntityId id, Level level, EntityId for_whom) {
