@@ -1,37 +1,52 @@
 #include "cases/mechanism/joint_forms.h"
 
 #include <algorithm>
-#include <array>
 
 namespace desmo {
 
 std::span<const JointForm> joint_forms() {
   using enum Mechanism::JointType;
-  static constexpr std::array table{
-      JointForm{revolute, 2, "revolute", 1, 0, 0, 0, 2, "one point, of both bodies"},
-      JointForm{prismatic, 2, "prismatic", 0, 2, 1, 0, 2,
-                "one vector, of both bodies, and a point of each"},
-      JointForm{revolute_on_slider, 2, "revolute_on_slider", 0, 2, 0, 1, 1,
-                "a vector and a point of the first body, and a point of the second"},
-      JointForm{fixed, 2, "fixed", 0, 0, 0, 0, 3, "no points or vectors"},
-      JointForm{revolute, 3, "revolute", 1, 0, 1, 0, 5,
-                "one point and one vector, the axis, of both bodies"},
-      JointForm{prismatic, 3, "prismatic", 0, 2, 2, 0, 5,
-                "two vectors of both bodies, first the axis, and a point of each"},
-      JointForm{cylindrical, 3, "cylindrical", 0, 2, 1, 0, 4,
-                "one vector, the axis, of both bodies, and a point of each"},
-      JointForm{universal, 3, "universal", 1, 0, 0, 2, 4,
-                "one point of both bodies, and a vector of each"},
-      JointForm{spherical, 3, "spherical", 1, 0, 0, 0, 3, "one point, of both bodies"},
-      JointForm{fixed, 3, "fixed", 0, 0, 0, 0, 6, "no points or vectors"},
-      JointForm{hinge, 3, "hinge", 2, 0, 0, 0, 5, "two points, of both bodies"},
-      JointForm{point_on_line, 3, "point_on_line", 0, 2, 0, 1, 2,
-                "a vector and a point of the first body, and a point of the second"},
-      JointForm{point_on_plane, 3, "point_on_plane", 0, 2, 0, 1, 1,
-                "a vector and a point of the first body, and a point of the second", true},
-      JointForm{planar, 3, "planar", 0, 2, 1, 0, 3,
-                "one vector, the normal, of both bodies, and a point of each", true},
+  // clang-format off
+  static constexpr JointForm table[]{
+      {.type = revolute, .dimension = 2, .name = "revolute", .freedoms_removed = 2,
+       .common_points = 1, .takes = "one point, of both bodies"},
+      {.type = prismatic, .dimension = 2, .name = "prismatic", .freedoms_removed = 2,
+       .own_points = 2, .common_vectors = 1,
+       .takes = "one vector, of both bodies, and a point of each"},
+      {.type = revolute_on_slider, .dimension = 2, .name = "revolute_on_slider",
+       .freedoms_removed = 1, .own_points = 2, .own_vectors = 1,
+       .takes = "a vector and a point of the first body, and a point of the second"},
+      {.type = fixed, .dimension = 2, .name = "fixed", .freedoms_removed = 3,
+       .takes = "no points or vectors"},
+      {.type = revolute, .dimension = 3, .name = "revolute", .freedoms_removed = 5,
+       .common_points = 1, .common_vectors = 1,
+       .takes = "one point and one vector, the axis, of both bodies"},
+      {.type = prismatic, .dimension = 3, .name = "prismatic", .freedoms_removed = 5,
+       .own_points = 2, .common_vectors = 2,
+       .takes = "two vectors of both bodies, first the axis, and a point of each"},
+      {.type = cylindrical, .dimension = 3, .name = "cylindrical", .freedoms_removed = 4,
+       .own_points = 2, .common_vectors = 1,
+       .takes = "one vector, the axis, of both bodies, and a point of each"},
+      {.type = universal, .dimension = 3, .name = "universal", .freedoms_removed = 4,
+       .common_points = 1, .own_vectors = 2,
+       .takes = "one point of both bodies, and a vector of each"},
+      {.type = spherical, .dimension = 3, .name = "spherical", .freedoms_removed = 3,
+       .common_points = 1, .takes = "one point, of both bodies"},
+      {.type = fixed, .dimension = 3, .name = "fixed", .freedoms_removed = 6,
+       .takes = "no points or vectors"},
+      {.type = hinge, .dimension = 3, .name = "hinge", .freedoms_removed = 5,
+       .common_points = 2, .takes = "two points, of both bodies"},
+      {.type = point_on_line, .dimension = 3, .name = "point_on_line", .freedoms_removed = 2,
+       .own_points = 2, .own_vectors = 1,
+       .takes = "a vector and a point of the first body, and a point of the second"},
+      {.type = point_on_plane, .dimension = 3, .name = "point_on_plane", .freedoms_removed = 1,
+       .own_points = 2, .own_vectors = 1, .in_plane = true,
+       .takes = "a vector and a point of the first body, and a point of the second"},
+      {.type = planar, .dimension = 3, .name = "planar", .freedoms_removed = 3,
+       .own_points = 2, .common_vectors = 1, .in_plane = true,
+       .takes = "one vector, the normal, of both bodies, and a point of each"},
   };
+  // clang-format on
   return table;
 }
 

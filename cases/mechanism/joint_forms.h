@@ -16,10 +16,10 @@ struct JointForm {
   Mechanism::JointType type;
   int dimension;
   std::string_view name;
-  int common_points, own_points, common_vectors, own_vectors;
   int freedoms_removed;
-  std::string_view takes;  ///< description for messages
+  int common_points = 0, own_points = 0, common_vectors = 0, own_vectors = 0;
   bool in_plane = false;   ///< see above
+  std::string_view takes;  ///< description for messages
 
   int points() const { return common_points + own_points; }
   int vectors() const { return common_vectors + own_vectors; }
