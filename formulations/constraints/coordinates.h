@@ -159,14 +159,14 @@ struct FrameAngle : NonlinearKind<1> {
       Sign < 0 ? (is_line ? "frame_angle" : "frame_angle_of_vector")
                : (is_line ? "frame_angle_from_x" : "frame_angle_from_x_of_vector");
   /// Index of operand φ.
-  static constexpr int angle = 2 + vec::direction_operands<is_line>;
+  static constexpr int angle = 2 + vec::direction_operands<of>;
   static constexpr auto operand_sizes = vec::sizes_and_scalar<angle>(3);
   static constexpr int constants = 0, entries = 3 * angle + 1;
 
   template <class S>
   static void residual(const S* const* q, const S*, S* phi) {
     using std::cos, std::sin;
-    const auto w = vec::direction<3, is_line>(q + 2);
+    const auto w = vec::direction<3, of>(q + 2);
     phi[0] = cos(q[angle][0]) * vec::dot<3>(q[1], w.data()) +
              opposite(sin(q[angle][0])) * vec::dot<3>(q[0], w.data());
   }
@@ -174,7 +174,7 @@ struct FrameAngle : NonlinearKind<1> {
   static void jacobian(const S* const* q, const S*, Entry&& entry) {
     using std::cos, std::sin;
     const S cosine = cos(q[angle][0]), sine = sin(q[angle][0]);
-    const auto w = vec::direction<3, is_line>(q + 2);
+    const auto w = vec::direction<3, of>(q + 2);
     for (int i = 0; i < 3; ++i) {
       const S along = cosine * q[1][i] + opposite(sine) * q[0][i];
       entry(0, 0, i, opposite(sine) * w[i]);
@@ -189,8 +189,8 @@ struct FrameAngle : NonlinearKind<1> {
   static void quadratic(const S* const* q, const S* const* v, const S*, S* gamma) {
     using std::cos, std::sin;
     const S cosine = cos(q[angle][0]), sine = sin(q[angle][0]), rate = v[angle][0];
-    const auto w = vec::direction<3, is_line>(q + 2);
-    const auto w_rate = vec::direction<3, is_line>(v + 2);
+    const auto w = vec::direction<3, of>(q + 2);
+    const auto w_rate = vec::direction<3, of>(v + 2);
     // P = z·w and R = x·w, so that Φ = cos φ P − Sign sin φ R.
     const S p = vec::dot<3>(q[1], w.data()),
             p_rate = vec::dot<3>(v[1], w.data()) + vec::dot<3>(q[1], w_rate.data());

@@ -128,21 +128,23 @@ struct AngleOperands {
   static constexpr bool of_line = between >= Between::line_and_vector;
   static constexpr bool from_line =
       between == Between::vector_and_line || between >= Between::line_and_line;
+  static constexpr DirectionOf form_of_d = of_line ? DirectionOf::line : DirectionOf::vector;
+  static constexpr DirectionOf form_of_e = from_line ? DirectionOf::line : DirectionOf::vector;
   /// Index of the first operand of e that d does not have, and of θ.
-  static constexpr int first_of_e = direction_operands<of_line>;
+  static constexpr int first_of_e = direction_operands<form_of_d>;
   static constexpr int theta = first_of_e + (from_line && !at_point ? 2 : 1);
   static constexpr auto operand_sizes = sizes_and_scalar<theta>(2);
 
   template <class S>
   static std::array<S, 2> d(const S* const* x) {
-    return direction<2, of_line>(x);
+    return direction<2, form_of_d>(x);
   }
   template <class S>
   static std::array<S, 2> e(const S* const* x) {
     if constexpr (at_point)
       return difference<2>(x[0], x[theta - 1]);
     else
-      return direction<2, from_line>(x + first_of_e);
+      return direction<2, form_of_e>(x + first_of_e);
   }
   /// Measures ‖d‖/‖e‖. Vectors have length 1.
   template <class S>

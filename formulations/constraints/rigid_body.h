@@ -177,12 +177,12 @@ struct PlanarRelation : LinearKind<2> {
                : (is_line ? "planar_vector_by_segment" : "planar_vector_by_vector");
   /// Operand that is the vector, or the start of the line.
   static constexpr int first = is_point && !is_line ? 2 : 1;
-  static constexpr auto operand_sizes = vec::sizes<first + vec::direction_operands<is_line>>(2);
+  static constexpr auto operand_sizes = vec::sizes<first + vec::direction_operands<of>>(2);
   static constexpr int constants = 2, entries = is_line ? 10 : is_point ? 8 : 6;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    const auto d = vec::direction<2, is_line>(x + first);
+    const auto d = vec::direction<2, of>(x + first);
     phi[0] = x[0][0] - c[0] * d[0] + c[1] * d[1];
     phi[1] = x[0][1] - c[0] * d[1] - c[1] * d[0];
     if constexpr (is_point)
@@ -190,8 +190,8 @@ struct PlanarRelation : LinearKind<2> {
   }
   template <class S>
   static void measure(const S* const* x, S* c) {
-    const auto d = vec::direction<2, is_line>(x + first);
-    const auto p = vec::direction<2, false>(x);
+    const auto d = vec::direction<2, of>(x + first);
+    const auto p = vec::direction<2, DirectionOf::vector>(x);
     const auto from_origin = is_point ? vec::difference<2>(x[1], x[0]) : p;
     const S square = vec::dot<2>(d.data(), d.data());
     c[0] = vec::dot<2>(d.data(), from_origin.data()) / square;

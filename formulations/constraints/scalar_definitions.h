@@ -78,7 +78,7 @@ template <DirectionOf of>
 struct PlanarBearing : NonlinearKind<1> {
   static constexpr bool is_line = of == DirectionOf::line;
   static constexpr std::string_view name = is_line ? "planar_bearing" : "planar_bearing_of_vector";
-  static constexpr int theta = vec::direction_operands<is_line>;
+  static constexpr int theta = vec::direction_operands<of>;
   static constexpr auto operand_sizes = vec::sizes_and_scalar<theta>(2);
   static constexpr int constants = 0, entries = 2 * theta + 1;
 
@@ -97,14 +97,14 @@ struct PlanarBearing : NonlinearKind<1> {
   }
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S*, S* gamma) {
-    gamma[0] = parallel(x).quadratic({S(0), S(0)}, vec::direction<2, is_line>(v), v[theta][0]);
+    gamma[0] = parallel(x).quadratic({S(0), S(0)}, vec::direction<2, of>(v), v[theta][0]);
   }
 
  private:
   template <class S>
   static vec::Parallel<S> parallel(const S* const* x) {
     using std::cos, std::sin;
-    return {{cos(x[theta][0]), sin(x[theta][0])}, vec::direction<2, is_line>(x)};
+    return {{cos(x[theta][0]), sin(x[theta][0])}, vec::direction<2, of>(x)};
   }
 };
 

@@ -42,9 +42,9 @@ S norm(const S* u) {
 }
 
 /// Returns a direction: the line from operand 0 to operand 1, or the vector operand 0.
-template <int D, bool Line, class S>
+template <int D, DirectionOf of, class S>
 std::array<S, D> direction(const S* const* x) {
-  if constexpr (Line) {
+  if constexpr (of == DirectionOf::line) {
     return difference<D>(x[0], x[1]);
   } else {
     std::array<S, D> d;
@@ -69,8 +69,8 @@ constexpr std::array<int, operands + 1> sizes_and_scalar(int D) {
 }
 
 /// Number of operands of a direction.
-template <bool Line>
-inline constexpr int direction_operands = Line ? 2 : 1;
+template <DirectionOf of>
+inline constexpr int direction_operands = of == DirectionOf::line ? 2 : 1;
 
 }  // namespace vec
 
