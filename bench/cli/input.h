@@ -11,6 +11,11 @@
 
 namespace desmo::cli {
 
+/// Formulation where none is named. Parts without generated code are left to dense LU, whose cost
+/// grows with the cube of their unknowns: blocks have the fewest. Closed forms (`explicit`) are
+/// faster where there is code, but most of a row's time goes into its proof.
+inline constexpr const char* default_formulation = "block_symbolic_inlined";
+
 /// A scene; of a mechanism file: with drivers at rest, and no instants. Its units are those in
 /// which numbers are written and read; inside they are in SI units.
 struct Input : ReadScene {

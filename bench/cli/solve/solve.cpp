@@ -26,8 +26,6 @@
 namespace desmo::cli {
 namespace {
 
-constexpr const char* default_formulation = "block_symbolic_inlined";
-
 /// Returns the format that is asked for: by --format, or by how the name of the output ends.
 SeriesFormat format_of(const SolveOptions& options) {
   if (options.format) return *options.format;

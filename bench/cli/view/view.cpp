@@ -20,7 +20,6 @@
 namespace desmo::cli {
 namespace {
 
-constexpr const char* formulation_id = "block_symbolic_inlined";
 constexpr std::size_t max_page = 2'000'000;  // bytes
 constexpr std::size_t max_instants = 8192;   // kept in memory
 constexpr std::size_t min_instants = 16;     // or all; fewer show no motion
@@ -85,8 +84,8 @@ void view(const ViewOptions& options) {
   Measures measures(input.scene, model);
   const std::size_t fitting = instants_that_fit(input, model);
   const TimeGrid& grid = input.scene.grid;
-  const auto formulation =
-      make_formulation(find_variant(formulation_id), model, {.tolerance = input.scene.tolerance});
+  const auto formulation = make_formulation(find_variant(default_formulation), model,
+                                            {.tolerance = input.scene.tolerance});
   std::optional<bench::Progress> progress;
   if (!options.quiet) progress.emplace("instants", grid.instants, true);
   MotionRecorder recording(model, measures, input.units, grid, std::min(max_instants, fitting),
@@ -97,7 +96,7 @@ void view(const ViewOptions& options) {
     throw CommandError(not_solved,
                        input.source + ": a number is not finite; choose another motion");
   output.write(
-      page_of({input.scene, input.units, model, measures, recording, summary, formulation_id},
+      page_of({input.scene, input.units, model, measures, recording, summary, default_formulation},
               input.source));
   output.finish();
   const auto& flags = recording.flags();
