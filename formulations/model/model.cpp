@@ -156,9 +156,9 @@ std::vector<bool> coupled_angles(const Model& m) {
   std::vector<bool> coupled(m.entities.size(), false);
   for (const Constraint& c : m.constraints)
     visit_kind(c.kind, [&]<class Kind>(Kind) {
+      constexpr bool counts_turns = Kind::linear || has_table<Kind>;
       for (const EntityId e : c.operands)
-        if ((Kind::linear || has_table<Kind>)&&m.entities[e].kind == EntityKind::angle)
-          coupled[e] = true;
+        if (counts_turns && m.entities[e].kind == EntityKind::angle) coupled[e] = true;
     });
   return coupled;
 }
