@@ -93,7 +93,7 @@ const std::vector<Suffix>& suffixes() {
       at_once("segments", &Settings::segments),
       whole_number("threads", &Settings::threads, max_threads),
       whole_number("stride", &Settings::stride, max_stride),
-      whole_number("iterations", &Settings::fixed_iterations, 1000),
+      whole_number("iterations", &Settings::fixed_iterations, max_fixed_iterations),
       tolerance()};
   return all;
 }

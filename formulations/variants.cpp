@@ -49,9 +49,11 @@ const Variant& find_variant(std::string_view id) {
 }
 
 std::string unsupported_reason(const Variant& v, const Settings& s) {
-  if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
+  if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0 ||
+      s.fixed_iterations > max_fixed_iterations)
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "
-           "of iterations not negative";
+           "of iterations from 0 to " +
+           std::to_string(max_fixed_iterations);
   if (s.stride < 1 || s.stride > max_stride)
     return "a stride is 1 (every instant is solved) or up to " + std::to_string(max_stride);
   if (s.threads < 1 || s.threads > max_threads)

@@ -48,6 +48,7 @@ enum class BlockTriangularForm { on, off };
 
 inline constexpr int max_stride = 64;
 inline constexpr int max_threads = 64;
+inline constexpr int max_fixed_iterations = 1000;
 
 /// Settings of an analysis, as in Settings{.guess = Guess::hermite5, .lanes = 4}. The defaults are
 /// the paper's. Not every formulation offers every combination (see unsupported_reason()).
@@ -59,9 +60,9 @@ struct Settings {
   /// Limit of Newton–Raphson iterations of one part in one attempt, 1 or more.
   int max_iterations = 25;
   Guess guess = Guess::previous;
-  /// 0: iterate until the tolerance is met. 1 or more: exactly this number of iterations a step,
-  /// whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding; an assembly repeats them
-  /// until the tolerance is met or max_iterations times.
+  /// 0: iterate until the tolerance is met. 1 … max_fixed_iterations: exactly this number of
+  /// iterations a step, whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding; an
+  /// assembly repeats them until the tolerance is met or max_iterations times.
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;
   BlockTriangularForm btf = BlockTriangularForm::on;  ///< used by KLU alone

@@ -123,7 +123,8 @@ TEST(Settings, ThatAreNotOfferedOrCannotEndAreRefused) {
                                 {.tolerance = 0},
                                 {.tolerance = NAN},
                                 {.max_iterations = 0},
-                                {.fixed_iterations = -1}})
+                                {.fixed_iterations = -1},
+                                {.fixed_iterations = 1001}})
     EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, wrong),
                  std::invalid_argument);
 }
