@@ -105,6 +105,8 @@ Settings share_of(Settings whole, std::size_t parts) {
   return whole;
 }
 
+// Declared first, since a thread's solver is made like the whole: it may have segments in lanes.
+// Its settings ask for one thread, so that it makes no others.
 std::unique_ptr<TimeStepping> make_solver(const Variant& v, const Model& m,
                                           const Settings& settings, Profile* profile,
                                           const KernelTable& table);

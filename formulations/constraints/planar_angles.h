@@ -164,6 +164,7 @@ template <Between between>
 struct PlanarTurn : NonlinearKind<2>, vec::AngleOperands<between> {
   using Operands = vec::AngleOperands<between>;
   using Operands::theta;
+  // Names of kinds say "segment" for a line: fingerprints hold them, so they stay as they are.
   static constexpr std::string_view name = std::array<std::string_view, 5>{
       "planar_turn_vector_from_vector", "planar_turn_vector_from_segment",
       "planar_turn_segment_from_vector", "planar_turn_segment_from_segment",
