@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/base/index_range.h"
 #include "formulations/model/locking.h"
+#include "formulations/model/members.h"
 #include "formulations/model/partition.h"
 
 namespace desmo {
@@ -110,51 +112,16 @@ class Upstream {
   std::vector<std::pair<int, Level>> waiting_;
 };
 
-/// Returns what is needed of a model, and the new id of each of its entities (-1: dropped).
-std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstream& up) {
-  Model m;
-  m.name = whole.name;
-  m.length_unit = whole.length_unit;
-  m.modelling = whole.modelling;
-  std::vector<GroupId> group(whole.groups.size(), -1);
+/// Returns what is needed of a model.
+Members needed_members(const Model& whole, const Upstream& up) {
+  Members needed;
   for (std::size_t e = 0; e < whole.entities.size(); ++e)
-    if (up.entity_level[e] && !whole.entities[e].fixed) group[whole.entities[e].group] = 0;
+    if (up.entity_level[e]) needed.entities.push_back(static_cast<EntityId>(e));
   for (std::size_t c = 0; c < whole.constraints.size(); ++c)
-    if (up.constraint_kept[c]) group[whole.constraints[c].group] = 0;
-  for (std::size_t g = 0; g < group.size(); ++g) {
-    if (group[g] < 0) continue;
-    group[g] = m.add_group(whole.groups[g].name, whole.groups[g].bodies);
-    m.groups[group[g]].constant = whole.groups[g].constant;
-    for (const GroupId a : whole.groups[g].after)
-      if (group[a] >= 0) m.groups[group[g]].after.push_back(group[a]);
-  }
-
-  std::vector<EntityId> entity(whole.entities.size(), -1);
-  for (std::size_t i = 0; i < whole.entities.size(); ++i) {
-    if (!up.entity_level[i]) continue;
-    const Entity& e = whole.entities[i];
-    const std::vector<double>& values = e.fixed ? whole.fixed_values : whole.estimate;
-    const std::span<const double> own(values.data() + e.first, e.size);
-    entity[i] = e.fixed ? m.add_fixed(e.kind, e.name, own,
-                                      std::span(whole.fixed_remainders).subspan(e.first, e.size))
-                        : m.add(e.kind, e.name, own, group[e.group]);
-    m.entities.back().internal = e.internal;
-  }
-  for (std::size_t g = 0; g < group.size(); ++g)
-    for (const EntityId e : whole.groups[g].entities)
-      if (group[g] >= 0 && entity[e] >= 0) m.groups[group[g]].entities.push_back(entity[e]);
-
-  for (std::size_t c = 0; c < whole.constraints.size(); ++c) {
-    if (!up.constraint_kept[c]) continue;
-    Constraint constraint = whole.constraints[c];
-    for (EntityId& operand : constraint.operands) operand = entity[operand];
-    constraint.group = group[constraint.group];
-    m.constraints.push_back(std::move(constraint));
-  }
-  for (const Driver& d : whole.drivers)
-    if (entity[d.coordinate] >= 0) m.drive(entity[d.coordinate], d.motion);
-  validate(m);
-  return {std::move(m), std::move(entity)};
+    if (up.constraint_kept[c]) needed.constraints.push_back(static_cast<int>(c));
+  for (std::size_t d = 0; d < whole.drivers.size(); ++d)
+    if (up.entity_level[whole.drivers[d].coordinate]) needed.drivers.push_back(static_cast<int>(d));
+  return needed;
 }
 
 std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
@@ -219,16 +186,13 @@ Plan make_plan(const Model& whole, std::span<const Output> outputs, PlanExtent e
   up.keep_consequences();
 
   Plan plan;
-  auto [model, entity] = reduce(whole, up);
-  plan.model = std::move(model);
-  plan.levels.resize(plan.model.coordinates());
-  for (std::size_t i = 0; i < entity.size(); ++i) {
-    if (entity[i] < 0 || whole.entities[i].fixed) continue;
-    const Entity& e = plan.model.entities[entity[i]];
-    for (int k = e.first; k < e.first + e.size; ++k) plan.levels[k] = *up.entity_level[i];
-  }
+  const Members needed = needed_members(whole, up);
+  plan.model = model_of(whole, needed);
+  for (const EntityId e : needed.entities)
+    if (const Entity& entity = whole.entities[e]; !entity.fixed)
+      plan.levels.insert(plan.levels.end(), entity.size, *up.entity_level[e]);
   for (const Output& output : outputs)
-    plan.outputs.push_back({entity[output.entity], output.level});
+    plan.outputs.push_back({position_in(needed.entities, output.entity), output.level});
   plan.groups = describe_use(whole, up, outputs);
   return plan;
 }
