@@ -194,7 +194,7 @@ void IndependentMotions::add(const SubmodelMotion& of, const CheckedInstant& row
   if (!row.flag) return;
   RowFlag& flag = flags_.emplace_back(*row.flag);
   if (flag.group != no_position) flag.group = s.groups[flag.group];
-  if (flag.misfit) flag.misfit->constraint = s.constraints[flag.misfit->constraint];
+  if (flag.misfit) flag.misfit->constraint = s.members.constraints[flag.misfit->constraint];
 }
 
 }  // namespace desmo

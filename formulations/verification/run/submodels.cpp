@@ -1,82 +1,114 @@
 #include "formulations/verification/run/submodels.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <map>
-#include <numeric>
+#include <set>
+#include <utility>
 
-#include "formulations/model/plan.h"
+#include "cases/mechanism/disjoint_sets.h"
 
 namespace desmo {
 
 namespace {
 
-/// Returns the entities that move, in sets that no equation joins.
-std::vector<std::vector<EntityId>> independent_entities(const Model& m) {
-  std::vector<EntityId> next(m.entities.size());  // one that it is joined to; itself: the last one
-  std::iota(next.begin(), next.end(), 0);
-  const auto last = [&next](EntityId e) {
-    while (next[e] != e) e = next[e] = next[next[e]];
-    return e;
-  };
-  for (const Constraint& c : m.constraints) {
-    EntityId first = no_position;
-    for (const EntityId e : c.operands) {
-      if (m.is_at_rest(e)) continue;
-      if (first == no_position)
-        first = e;
-      else
-        next[last(e)] = last(first);
-    }
-  }
-  std::map<EntityId, std::vector<EntityId>> sets;
-  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
-    if (!m.is_at_rest(e)) sets[last(e)].push_back(e);
-  std::vector<std::vector<EntityId>> result;
-  for (auto& [_, entities] : sets) result.push_back(std::move(entities));
-  return result;
+/// Sets of entities that move. No equation joins two of them.
+struct IndependentSets {
+  std::vector<int> of_entity;  // no_position: it is at rest
+  int count = 0;
+};
+
+/// Returns an operand that moves; no_position: none does.
+EntityId moving_operand(const Model& m, const Constraint& c) {
+  const auto moving =
+      std::ranges::find_if(c.operands, [&](EntityId e) { return !m.is_at_rest(e); });
+  return moving == c.operands.end() ? no_position : *moving;
 }
 
-/// Returns the model of these entities and of all that never moves.
-Submodel submodel_of(const Model& whole, std::span<const EntityId> moving,
-                     std::span<const Level> levels) {
-  std::vector<Output> kept;
-  for (const EntityId e : moving) kept.push_back({e, Level::acceleration});
-  for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
-    if (whole.is_at_rest(e)) kept.push_back({e, Level::acceleration});
-  Plan plan = make_plan(whole, kept);
-  Submodel made;
-  made.model = std::move(plan.model);
-  made.coordinates.resize(made.model.coordinates());
-  made.groups.resize(made.model.groups.size());
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    const Entity &from = whole.entities[kept[k].entity],
-                 &to = made.model.entities[plan.outputs[k].entity];
-    if (to.fixed) continue;
-    std::iota(made.coordinates.begin() + to.first, made.coordinates.begin() + to.first + to.size,
-              from.first);
-    made.groups[to.group] = from.group;
+IndependentSets independent_sets(const Model& m) {
+  const auto entities = static_cast<EntityId>(m.entities.size());
+  DisjointSets joined(m.entities.size());
+  for (const Constraint& c : m.constraints)
+    for (const EntityId e : c.operands)
+      if (!m.is_at_rest(e)) joined.unite(e, moving_operand(m, c));
+  IndependentSets sets{std::vector<int>(m.entities.size(), no_position)};
+  for (EntityId e = 0; e < entities; ++e)
+    if (!m.is_at_rest(e) && joined.find(e) == e) sets.of_entity[e] = sets.count++;
+  for (EntityId e = 0; e < entities; ++e)
+    if (!m.is_at_rest(e)) sets.of_entity[e] = sets.of_entity[joined.find(e)];
+  return sets;
+}
+
+/// Returns fixed points that are farthest out along the axes. With them a submodel has the size
+/// (nominal_size()) of the whole ground.
+std::vector<EntityId> outermost_fixed_points(const Model& m) {
+  std::vector<EntityId> points, outermost;
+  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
+    if (m.entities[e].fixed && m.entities[e].kind == EntityKind::point) points.push_back(e);
+  for (int i = 0; !points.empty() && i < m.entities[points.front()].size; ++i) {
+    const auto [lowest, highest] = std::ranges::minmax(
+        points, {}, [&](EntityId e) { return m.fixed_values[m.entities[e].first + i]; });
+    outermost.insert(outermost.end(), {lowest, highest});
   }
-  for (int c = 0; c < static_cast<int>(whole.constraints.size()); ++c)  // in the same order
-    if (const std::size_t own = made.constraints.size();
-        own < made.model.constraints.size() &&
-        made.model.constraints[own].name == whole.constraints[c].name) {
-      made.constraints.push_back(c);
-      if (const GroupId group = made.model.constraints[own].group; group != no_position)
-        made.groups[group] = whole.constraints[c].group;
-    }
-  if (!levels.empty())
-    for (const int i : made.coordinates) made.levels.push_back(levels[i]);
-  return made;
+  return outermost;
+}
+
+/// Returns the members of each set's submodel.
+std::vector<Members> members_of(const Model& m, const IndependentSets& sets) {
+  std::vector<Members> all(sets.count);
+  const auto add = [&all](int set, std::vector<int> Members::*list, int member) {
+    if (set != no_position)
+      (all[set].*list).push_back(member);
+    else
+      for (Members& each : all) (each.*list).push_back(member);
+  };
+  const std::vector<bool> is_driven = independent_coordinates(m);
+  std::vector<std::set<int>> solving(m.groups.size());  // sets with unknowns of a group
+  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e) {
+    const Entity& entity = m.entities[e];
+    if (entity.fixed) continue;
+    const int set = sets.of_entity[e];
+    add(set, &Members::entities, e);
+    if (set != no_position && !is_driven[entity.first]) solving[entity.group].insert(set);
+  }
+  for (const EntityId e : outermost_fixed_points(m)) add(no_position, &Members::entities, e);
+  for (int d = 0; d < static_cast<int>(m.drivers.size()); ++d)
+    add(sets.of_entity[m.drivers[d].coordinate], &Members::drivers, d);
+  for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c) {
+    const Constraint& constraint = m.constraints[c];
+    const EntityId moving = moving_operand(m, constraint);
+    const std::set<int>& solvers = solving[constraint.group];
+    if (moving != no_position)
+      add(sets.of_entity[moving], &Members::constraints, c);
+    else if (solvers.empty() || !is_constant(m, constraint))
+      add(no_position, &Members::constraints, c);
+    else  // between constants: it goes with its group
+      for (const int set : solvers) add(set, &Members::constraints, c);
+  }
+  for (auto& [entities, constraints, drivers] : all) {
+    for (const int c : constraints)
+      entities.insert(entities.end(), m.constraints[c].operands.begin(),
+                      m.constraints[c].operands.end());
+    std::ranges::sort(entities);
+    entities.erase(std::ranges::unique(entities).begin(), entities.end());
+  }
+  return all;
 }
 
 }  // namespace
 
 std::vector<Submodel> independent_submodels(const Model& m, std::span<const Level> levels) {
+  const IndependentSets sets = independent_sets(m);
   std::vector<Submodel> result;
-  const std::vector<std::vector<EntityId>> sets = independent_entities(m);
-  if (sets.size() < 2) return result;
-  for (const std::vector<EntityId>& moving : sets) result.push_back(submodel_of(m, moving, levels));
+  if (sets.count < 2) return result;
+  for (Members& members : members_of(m, sets)) {
+    Submodel made{model_of(m, members), std::move(members), {}, {}, {}};
+    made.groups = groups_of(m, made.members);
+    for (const EntityId e : made.members.entities)
+      for (int i = 0; !m.entities[e].fixed && i < m.entities[e].size; ++i)
+        made.coordinates.push_back(m.entities[e].first + i);
+    if (!levels.empty())
+      for (const int i : made.coordinates) made.levels.push_back(levels[i]);
+    result.push_back(std::move(made));
+  }
   return result;
 }
 

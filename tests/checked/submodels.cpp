@@ -1,0 +1,83 @@
+// Submodels that move independently: what each has of the whole, and what that costs.
+
+#include "formulations/verification/run/submodels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formulations/model/plan.h"
+#include "formulations/model/scales.h"
+#include "tests/checked/rows.h"
+#include "tests/flaps.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::submodels_test {
+namespace {
+
+/// Returns models with the number of their independent mechanisms. Equations between constants of
+/// the flaps are left out.
+std::vector<std::pair<Model, int>> models() {
+  return {{make_model(scene_file("two_parallelograms")), 2},
+          {truck_model(3), 3},
+          {make_model(parse_scene(flaps(4, 4e-7), "flaps.json", "")), 4}};
+}
+
+std::vector<std::string> names(const auto& members) {
+  std::vector<std::string> result;
+  for (const auto& member : members) result.push_back(member.name);
+  return result;
+}
+
+/// Returns those of the names of the whole's members.
+std::vector<std::string> names_at(const auto& whole, const std::vector<int>& positions) {
+  std::vector<std::string> result;
+  for (const int i : positions) result.push_back(whole[i].name);
+  return result;
+}
+
+/// All but fixed entities that no equation reads.
+TEST(Submodels, ArePlansOfWhatMovesInThemAndOfWhatNeverMoves) {
+  for (const auto& [whole, mechanisms] : models()) {
+    SCOPED_TRACE(whole.name);
+    std::vector<int> owners(whole.entities.size());
+    const std::vector<Submodel> submodels = independent_submodels(whole, {});
+    EXPECT_EQ(std::ssize(submodels), mechanisms);
+    for (const Submodel& s : submodels) {
+      for (const EntityId e : s.members.entities) ++owners[e];
+      std::vector<Output> asked;
+      for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
+        if (whole.is_at_rest(e) || std::ranges::binary_search(s.members.entities, e))
+          asked.push_back({e, Level::acceleration});
+      const Model plan = make_plan(whole, asked).model;
+      EXPECT_EQ(names(s.model.groups), names(plan.groups));
+      EXPECT_EQ(names(s.model.groups), names_at(whole.groups, s.groups));
+      EXPECT_EQ(names(s.model.constraints), names(plan.constraints));
+      EXPECT_EQ(names(s.model.constraints), names_at(whole.constraints, s.members.constraints));
+      EXPECT_EQ(names(s.model.entities), names_at(whole.entities, s.members.entities));
+      EXPECT_EQ(s.model.drivers.size(), plan.drivers.size());
+      EXPECT_EQ(s.model.estimate, plan.estimate);
+      for (int i = 0; i < s.model.coordinates(); ++i)
+        EXPECT_EQ(s.model.estimate[i], whole.estimate[s.coordinates.at(i)]);
+      EXPECT_EQ(nominal_size(s.model), nominal_size(plan));
+    }
+    for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
+      if (!whole.is_at_rest(e)) EXPECT_EQ(owners[e], 1) << whole.entities[e].name;
+  }
+}
+
+/// The whole has seven fixed points for each axle. Of others' an axle has the six outermost at most,
+/// and all have one constant axis.
+TEST(Submodels, GrowWithTheWholeAndNotWithItsSquare) {
+  constexpr int axles = 16;
+  const Model whole = truck_model(axles);
+  std::size_t entities = 0;
+  for (const Submodel& s : independent_submodels(whole, {})) entities += s.model.entities.size();
+  EXPECT_LE(entities, whole.entities.size() + axles * (6 + 1));
+}
+
+}  // namespace
+}  // namespace desmo::submodels_test
