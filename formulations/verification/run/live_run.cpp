@@ -115,15 +115,14 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
       c.motions.has_begun() ? follow(row, begin, summary) : start(row, summary);
   if (!found) return;
   summary.condition = found->last.condition;
-  c.scales->take(found->instant);
+  if (!options_.scales) c.scales->take(found->instant);
   keep(row.time, found->instant);
   for (const Level level : all_levels)
     std::ranges::copy(found->radius[level], radius_[level].begin());
   if (found->proven) {
     c.motions.begin_at(row);
     c.begin.assign(certified(*found));
-    const RelativeRadius radius =
-        relative_radius(formulation_.model(), found->radius, c.scales->current());
+    const RelativeRadius radius = relative_radius(formulation_.model(), found->radius, scales());
     summary.radius = radius.largest;
     if (radius.proves_no_digit())
       summary.flag = {.kind = RowFlag::Kind::unproven,
@@ -221,13 +220,15 @@ void LiveRun::set_time(double t) {
   go_back();
 }
 
-const Scales& LiveRun::scales() const { return checks_->scales->current(); }
+Scales LiveRun::scales() const {
+  return options_.scales ? *options_.scales : checks_->scales->current();
+}
 
 void LiveRun::restart() {
   has_position_ = false;
   time_ = 0;
   checks_->motions.forget();
-  checks_->scales.emplace(checks_->motions.model(), TimeGrid{}, options_.scales);
+  checks_->scales.emplace(checks_->motions.model(), TimeGrid{});
   go_back();
 }
 

@@ -126,7 +126,7 @@ class LiveRun {
   /// there are none.
   const PerLevel<std::vector<double>>& radius() const { return radius_; }
   /// Returns the scales that radii are relative to: those given, or the motion's so far.
-  const Scales& scales() const;
+  Scales scales() const;
 
   /// The obstacle to a row that could not be solved.
   struct Obstacle {

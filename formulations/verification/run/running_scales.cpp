@@ -13,9 +13,7 @@ constexpr double min_scale = 0.01;
 
 }  // namespace
 
-RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
-                             const std::optional<Scales>& given)
-    : are_given_(given) {
+RunningScales::RunningScales(const Model& m, const TimeGrid& grid) {
   for (const Entity& e : m.entities)
     if (!e.fixed) moving_.push_back({e.first, e.size, is_length(e.kind)});
   const double size = nominal_size(m);
@@ -33,39 +31,29 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
                   std::max(length.acceleration, min_scale * size * rotation.acceleration)};
   seen_.rotation = {1, std::max(rotation.velocity, min_scale * length.velocity / size),
                     std::max(rotation.acceleration, min_scale * length.acceleration / size)};
-  scales_ = given ? *given : completed(seen_);
 }
 
 void RunningScales::take(const Instant& instant) {
-  if (!are_given_ && grow(instant)) scales_ = completed(seen_);
-}
-
-/// Returns whether a scale has grown.
-bool RunningScales::grow(const Instant& instant) {
-  const auto largest = [&](std::span<const double> values, double& length, double& rotation) {
-    if (values.empty()) return false;
-    bool grows = false;
+  const auto grow = [&](std::span<const double> values, double& length, double& rotation) {
+    if (values.empty()) return;
     for (const auto& [first, size, is_length] : moving_) {
       double squares = 0;
       for (int i = first; i < first + size; ++i) squares += values[i] * values[i];
       double& largest = is_length ? length : rotation;
-      if (!(squares > largest * largest)) continue;
-      largest = std::sqrt(squares);
-      grows = true;
+      if (squares > largest * largest) largest = std::sqrt(squares);
     }
-    return grows;
   };
-  const bool v = largest(instant.qd, seen_.length.velocity, seen_.rotation.velocity);
-  const bool a = largest(instant.qdd, seen_.length.acceleration, seen_.rotation.acceleration);
-  return v || a;
+  grow(instant.qd, seen_.length.velocity, seen_.rotation.velocity);
+  grow(instant.qdd, seen_.length.acceleration, seen_.rotation.acceleration);
 }
 
-/// Completes scales: an acceleration counts at least as min_scale · velocity² / position.
-Scales RunningScales::completed(Scales seen) {
-  for (PerLevel<double>* of : {&seen.length, &seen.rotation})
+/// An acceleration counts at least as min_scale · velocity² / position.
+Scales RunningScales::current() const {
+  Scales scales = seen_;
+  for (PerLevel<double>* of : {&scales.length, &scales.rotation})
     of->acceleration =
         std::max(of->acceleration, min_scale * of->velocity * of->velocity / of->position);
-  return seen;
+  return scales;
 }
 
 }  // namespace desmo

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "cases/mechanism/motion.h"
@@ -14,24 +13,19 @@ namespace desmo {
 /// grow with the instants so far.
 class RunningScales {
  public:
-  /// given: scales that are known, and do not change.
-  RunningScales(const Model& model, const TimeGrid& grid, const std::optional<Scales>& given = {});
+  RunningScales(const Model& model, const TimeGrid& grid);
 
   /// Includes an instant.
   void take(const Instant& instant);
-  const Scales& current() const { return scales_; }
+  Scales current() const;
 
  private:
-  bool grow(const Instant& instant);
-  static Scales completed(Scales seen);
-
   struct Moving {
     int first, size;  // coordinates
     bool is_length;
   };
-  bool are_given_;
   std::vector<Moving> moving_;
-  Scales seen_, scales_;
+  Scales seen_;
 };
 
 }  // namespace desmo
