@@ -26,14 +26,15 @@ enum class Outcome {
 
 /// Reason why a row is no proven number of the motion in the file.
 struct RowFlag {
+  /// Kinds, the worst first.
   enum class Kind {
     unproven,  ///< the instant has no proof: `failure` says why
     branch,    ///< proven, but on an unknown branch since the interval from `after` to `before`:
                ///< a singular position lies there, or the tests ended
+    on_point,  ///< the row lies on a change point: it has a position and no rates
+    crossing,  ///< the step passes a change point, on its smooth continuation, or begins on it
     misfit,    ///< an equation that was left out does not hold there, or on the way from the row
                ///< before: there is no exact motion
-    crossing,  ///< the step passes a change point, on its smooth continuation, or begins on it
-    on_point,  ///< the row lies on a change point: it has a position and no rates
   };
   Kind kind = Kind::unproven;
   double time = 0;  ///< of the row [s]

@@ -1,7 +1,6 @@
 #include "formulations/verification/run/independent_motions.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -27,13 +26,6 @@ void scatter(const Submodel& s, std::span<const double> own, std::span<double> a
 /// out are looked at one by one anyway.
 bool concerns_one(const std::optional<RowFlag>& flag) {
   return flag && flag->kind != RowFlag::Kind::misfit;
-}
-
-/// Returns the place of a kind of flag, the worst first.
-std::ptrdiff_t rank(RowFlag::Kind kind) {
-  using enum RowFlag::Kind;
-  constexpr std::array worst_first{unproven, branch, on_point, crossing, misfit};
-  return std::ranges::find(worst_first, kind) - worst_first.begin();
 }
 
 }  // namespace
@@ -177,7 +169,7 @@ bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
     add(*each, *row);
   }
   if (flags_.empty()) return true;
-  std::ranges::stable_sort(flags_, {}, [](const RowFlag& flag) { return rank(flag.kind); });
+  std::ranges::stable_sort(flags_, {}, &RowFlag::kind);
   result_.flag = flags_.front();
   result_.other_flags = std::span(flags_).subspan(1);
   return true;
