@@ -69,7 +69,6 @@ void IndependentMotions::begin(double time) {
   together_.begin(time);
   state_ = {};
   begin_ = time;
-  began_apart_ = false;
 }
 
 bool IndependentMotions::is_on_step(const Instant& instant) const {
@@ -99,7 +98,7 @@ std::vector<double> IndependentMotions::followed_to() const {
 }
 
 FoundStart::Stage IndependentMotions::start() const {
-  if (!began_apart_) return together_.start();
+  if (state_.together) return together_.start();
   FoundStart::Stage stage = FoundStart::Stage::reached;
   for (const auto& each : *each_) stage = std::max(stage, each->motion.start());
   return stage;
@@ -132,7 +131,6 @@ bool IndependentMotions::separate() {
   if (each_->empty()) return false;
   together_.return_to_last();
   state_.together = false;
-  began_apart_ |= !state_.has_begun;
   for (const auto& each : *each_)
     if (state_.has_begun)
       each->continue_from(together_.present());

@@ -51,9 +51,8 @@ class IndependentMotions {
   const double tolerance_;
   CheckedMotion together_;
   std::optional<std::vector<std::unique_ptr<SubmodelMotion>>> each_;  // none: not needed so far
-  State state_, last_;        // last_: in which the last check began
-  double begin_ = 0;          // s
-  bool began_apart_ = false;  // the mechanisms began one by one
+  State state_, last_;  // last_: in which the last check began
+  double begin_ = 0;    // s
   PerLevel<std::vector<double>> values_, radius_;
   std::vector<RowFlag> flags_;  // of the mechanisms, the worst first
   CheckedInstant result_;
