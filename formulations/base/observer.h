@@ -31,6 +31,14 @@ inline Instant instant_of(double time, const PerLevel<std::span<const double>>& 
   return instant;
 }
 
+/// Returns an instant with other values, at the levels that it has.
+inline Instant with_values(Instant instant, const PerLevel<std::span<const double>>& values) {
+  instant.q = values.position;
+  if (!instant.qd.empty()) instant.qd = values.velocity;
+  if (!instant.qdd.empty()) instant.qdd = values.acceleration;
+  return instant;
+}
+
 /// Receives the instants of a run. Nothing is thrown through a run: an observer that cannot go on
 /// returns Flow::stop and keeps the reason.
 ///

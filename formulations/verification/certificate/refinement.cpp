@@ -49,13 +49,10 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
   levels_ = levels_of(given);
   for (const Level level : levels_) std::ranges::copy(given[level], next_[level].begin());
   result_ = {.instant = instant};
-  Instant present = instant;
-  const auto show = [&](Instant& to, const Values& values) {
-    to.q = values.position;
-    if (!given.velocity.empty()) to.qd = values.velocity;
-    if (!given.acceleration.empty()) to.qdd = values.acceleration;
+  const auto with = [&](const Values& values) {
+    return with_values(instant, {values.position, values.velocity, values.acceleration});
   };
-  show(present, next_);
+  const Instant present = with(next_);
   PerLevel<std::array<double, 2>> least{};
   ErrorSets sets = ErrorSets::boxes;
   for (int left = max_passes; left > 0; --left) {
@@ -91,7 +88,7 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     if (sets == ErrorSets::bases || !certifier_.has_long_chains()) break;
     sets = ErrorSets::bases;
   }
-  if (result_.proven) show(result_.instant, best_);
+  if (result_.proven) result_.instant = with(best_);
   for (const Level level : levels_)
     result_.radius[level] =
         result_.proven ? std::span<const double>(best_radius_[level]) : result_.last.radius[level];

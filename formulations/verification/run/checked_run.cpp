@@ -84,10 +84,7 @@ class CheckedRun final : Observer {
   void wait(const Instant& instant) {
     InstantCopy& copy = memory_[waiting_.size()];
     copy.assign({.values = {instant.q, instant.qd, instant.qdd}});
-    Instant& kept = waiting_.emplace_back(instant);
-    kept.q = copy.values.position;
-    kept.qd = copy.values.velocity;
-    kept.qdd = copy.values.acceleration;
+    waiting_.push_back(with_values(instant, copy.view().values));
   }
 
   Flow check(const Instant& instant) {

@@ -27,12 +27,7 @@ void CheckedMotion::deliver(const RefinedInstant& r) {
 /// Delivers the end of the path, with the levels of an instant.
 void CheckedMotion::deliver_path(const Instant& at) {
   elsewhere_ = true;
-  const CertifiedInstant& present = follower_->path.present();
-  Instant end = at;
-  end.q = present.values.position;
-  if (!at.qd.empty()) end.qd = present.values.velocity;
-  if (!at.qdd.empty()) end.qdd = present.values.acceleration;
-  deliver(follower_->refinement.refine(end));
+  deliver(follower_->refinement.refine(with_values(at, follower_->path.present().values)));
 }
 
 /// Delivers the position on the change point, which has no rates. Returns whether it is known.
@@ -43,10 +38,7 @@ bool CheckedMotion::deliver_point(const Instant& at) {
     return false;
   }
   elsewhere_ = true;
-  result_.instant = at;
-  result_.instant.q = on_point_;
-  if (!at.qd.empty()) result_.instant.qd = no_rates_;
-  if (!at.qdd.empty()) result_.instant.qdd = no_rates_;
+  result_.instant = with_values(at, {on_point_, no_rates_, no_rates_});
   result_.condition = INFINITY;
   result_.flag = {.kind = RowFlag::Kind::on_point,
                   .after = point_->after,

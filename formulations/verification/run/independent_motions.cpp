@@ -36,22 +36,20 @@ struct IndependentMotions::SubmodelMotion {
       : submodel(std::move(s)), motion(submodel.model, submodel.levels, tolerance) {}
 
   const CheckedInstant* take(const Instant& at, bool is_solved) {
-    Instant own = at;
-    gather(submodel, at.q, handed_in.values.position);
-    gather(submodel, at.qd, handed_in.values.velocity);
-    gather(submodel, at.qdd, handed_in.values.acceleration);
-    own.q = handed_in.values.position;
-    own.qd = handed_in.values.velocity;
-    own.qdd = handed_in.values.acceleration;
-    return is_solved ? &motion.check(own) : motion.solve(own);
+    const CertifiedInstant own = part_of({.values = {at.q, at.qd, at.qdd}});
+    const Instant instant = with_values(at, own.values);
+    return is_solved ? &motion.check(instant) : motion.solve(instant);
   }
 
-  void continue_from(const CertifiedInstant& whole) {
-    InstantCopy own;
-    own.time = whole.time;
-    for (const Level level : all_levels) gather(submodel, whole.values[level], own.values[level]);
-    gather(submodel, whole.radius, own.radius);
-    motion.continue_from(own.view());
+  void continue_from(const CertifiedInstant& whole) { motion.continue_from(part_of(whole)); }
+
+  /// Returns a copy of the mechanism's numbers, which is valid until the next one.
+  CertifiedInstant part_of(const CertifiedInstant& whole) {
+    handed_in.time = whole.time;
+    for (const Level level : all_levels)
+      gather(submodel, whole.values[level], handed_in.values[level]);
+    gather(submodel, whole.radius, handed_in.radius);
+    return handed_in.view();
   }
 
   Submodel submodel;
@@ -150,17 +148,15 @@ void IndependentMotions::join() {
 
 /// Makes the rows of all mechanisms the result. Returns false where one of them does not move on.
 bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
-  result_ = {.instant = at};
   flags_.clear();
   elsewhere_ = false;
   for (const Level level : all_levels) {
     values_[level].resize(m_.coordinates());
     radius_[level].assign(m_.coordinates(), INFINITY);
-    result_.radius[level] = radius_[level];
   }
-  result_.instant.q = values_.position;
-  if (!at.qd.empty()) result_.instant.qd = values_.velocity;
-  if (!at.qdd.empty()) result_.instant.qdd = values_.acceleration;
+  const auto& [q, qd, qdd] = values_;
+  result_ = {.instant = with_values(at, {q, qd, qdd}),
+             .radius = {radius_.position, radius_.velocity, radius_.acceleration}};
   for (const auto& each : *each_) {
     const CheckedInstant* row = each->take(at, is_solved);
     if (!row) return false;
