@@ -19,54 +19,38 @@ CheckedMotion::CheckedMotion(const Model& m, std::span<const Level> levels, doub
 }
 
 void CheckedMotion::begin(double time) {
-  point_.reset();
-  lost_.reset();
-  on_path_ = false;
+  state_ = {};
   start_ = find_start(m_, time);
   if (follower_->chosen) follower_ = std::make_unique<Follower>(nullptr, m_, levels_);
   step_ = {.time = time, .group = start_.group};
-  first_flag_.reset();
   if (!start_.passed.empty() || start_.point)
-    first_flag_ = start_flag(RowFlag::Kind::crossing, start_, time);
-  point_ = start_.point;
-  if (point_) {
-    on_path_ = true;
+    state_.first_flag = start_flag(RowFlag::Kind::crossing, start_, time);
+  if (start_.point) {
+    state_.point = *start_.point;
+    state_.on_path = true;
   } else if (start_.stage == FoundStart::Stage::reached) {
     const auto begins = [&] {
       const RefinedInstant& r = follower_->refinement.refine(instant_of(time, {start_.q}));
       return r.proven && follower_->path.start_at(certified(r));
     };
-    on_path_ = begins() || (choose_other_equations(start_.q) && begins());
+    state_.on_path = begins() || (choose_other_equations(start_.q) && begins());
   }
-  if (!on_path_) lost_ = start_flag(RowFlag::Kind::branch, start_, time);
+  if (!state_.on_path) state_.lost = start_flag(RowFlag::Kind::branch, start_, time);
 }
 
 bool CheckedMotion::continue_from(const CertifiedInstant& instant) {
-  point_.reset();
-  lost_.reset();
-  first_flag_.reset();
+  state_ = {};
   follower_->left_out.take_between();
   start_ = {};
   step_ = {.time = instant.time};
-  on_path_ = false;
   const auto begins = [&] { return follower_->path.start_at(instant); };
-  on_path_ = begins() || (choose_other_equations(instant.values.position) && begins());
-  return on_path_;
-}
-
-void CheckedMotion::keep_last() {
-  last_.on_path = on_path_;
-  last_.point = point_ ? std::make_shared<PassedPoint>(*point_) : nullptr;
-  last_.lost = lost_;
-  last_.first_flag = first_flag_;
-  if (follows()) last_.instant.assign(follower_->path.present());
+  state_.on_path = begins() || (choose_other_equations(instant.values.position) && begins());
+  return state_.on_path;
 }
 
 void CheckedMotion::return_to_last() {
-  lost_ = last_.lost;
-  first_flag_ = last_.first_flag;
-  point_ = last_.point;
-  on_path_ = last_.on_path && (point_ || follower_->path.start_at(last_.instant.view()));
+  state_ = last_;
+  if (follows()) state_.on_path = follower_->path.start_at(last_instant_.view());
 }
 
 bool CheckedMotion::is_on_step(const Instant& instant) const {
@@ -88,7 +72,8 @@ const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
 /// Makes an instant the result, which a formulation has solved or not. Returns false where it has
 /// not, and the motion does not lead there.
 bool CheckedMotion::take(const Instant& at, bool is_solved) {
-  keep_last();
+  last_ = state_;
+  if (follows()) last_instant_.assign(follower_->path.present());
   // A position that is regular by other equations is no change point.
   for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
     result_ = {};
@@ -108,20 +93,21 @@ bool CheckedMotion::take(const Instant& at, bool is_solved) {
     if (found) {
       // The instant is proven, but no proven path leads to it: its branch is unknown. The motion
       // starts anew from it.
-      if (!lost_)
-        lost_ = {.kind = RowFlag::Kind::branch,
-                 .after = step_.time,
-                 .before = at.time,
-                 .group = step_.group,
-                 .out_of_tests = step_.out_of_tests};
-      point_.reset();
+      if (!state_.lost)
+        state_.lost = {.kind = RowFlag::Kind::branch,
+                       .after = step_.time,
+                       .before = at.time,
+                       .group = step_.group,
+                       .out_of_tests = step_.out_of_tests};
+      state_.point.reset();
       // Tests that ran out once would do so in each step: the path does not begin again.
-      on_path_ = !lost_->out_of_tests && follower_->path.start_at(certified(*found, levels_));
+      state_.on_path =
+          !state_.lost->out_of_tests && follower_->path.start_at(certified(*found, levels_));
     }
     deliver(*refined);
     break;
   }
-  if (!point_) follower_->straight.reset();  // its memory serves rows on a point alone
+  if (!state_.point) follower_->straight.reset();  // its memory serves rows on a point alone
   complete_flag();
   return true;
 }
@@ -130,15 +116,16 @@ bool CheckedMotion::take(const Instant& at, bool is_solved) {
 /// that was found. found: what the formulation has found, if that is proven. Returns false where
 /// the motion cannot be followed. may_pass: change points are passed.
 bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool may_pass) {
-  if (!on_path_) return false;
+  if (!state_.on_path) return false;
+  std::optional<PassedPoint>& point = state_.point;
   BranchPath& path = follower_->path;
   // A motion that has worn out the budget of a step is not led on by passages, of which each counts
   // as a test at least.
   for (int tests = 0; tests < BranchPath::max_tests; tests += std::max(1, step_.tests)) {
-    if (point_) {
-      if (at.time < point_->before) return deliver_point(at);
-      if (!path.start_at(point_->beyond())) return false;
-      point_.reset();
+    if (point) {
+      if (at.time < point->before) return deliver_point(at);
+      if (!path.start_at(point->beyond())) return false;
+      point.reset();
     }
     step_ = found ? path.follow(certified(*found, levels_)) : path.go_to(at.time);
     if (step_.end == PathEnd::same && found) {
@@ -149,17 +136,15 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
       deliver_path(at);
       return true;
     }
-    std::optional<PassedPoint> point;
     if (may_pass && !step_.out_of_tests)
       point = pass_change_point(follower_->model, path.present(), step_.group);
     if (!point) return false;
-    point_ = std::make_shared<PassedPoint>(std::move(*point));
     result_.flag = {.kind = RowFlag::Kind::crossing,
-                    .after = point_->after,
-                    .before = point_->before,
+                    .after = point->after,
+                    .before = point->before,
                     .group = step_.group};
   }
-  point_.reset();
+  point.reset();
   step_.out_of_tests = true;
   return false;
 }
@@ -188,12 +173,6 @@ bool CheckedMotion::choose_other_equations(std::span<const double> q) {
   other->left_out.note(follower_->left_out.take_between());
   follower_ = std::move(other);
   return true;
-}
-
-StraightPath& CheckedMotion::straight_path() {
-  std::unique_ptr<StraightPath>& path = follower_->straight;
-  if (!path) path = std::make_unique<StraightPath>(follower_->model);
-  return *path;
 }
 
 }  // namespace desmo

@@ -59,34 +59,31 @@ class CheckedMotion {
 
  private:
   /// Returns whether the path begins at the last proven instant.
-  bool follows() const { return on_path_ && !point_; }
+  bool follows() const { return state_.on_path && !state_.point; }
   bool take(const Instant& at, bool is_solved);
   bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);
-  StraightPath& straight_path();
   bool choose_other_equations(std::span<const double> q);
   bool is_led_astray() const;
   void deliver(const RefinedInstant& refined);
   void deliver_path(const Instant& at);
   bool deliver_point(const Instant& at);
   void complete_flag();
-  void keep_last();
+
+  /// State in which the next check begins, but for the path's instant.
+  struct State {
+    bool on_path = false;               // the branch is known
+    std::optional<RowFlag> lost;        // since then the branch is unknown
+    std::optional<RowFlag> first_flag;  // of the first row, whose way from the drawing crosses
+    std::optional<PassedPoint> point;   // beyond it the path has not begun
+  };
 
   const Model& m_;
   const std::span<const Level> levels_;
   std::unique_ptr<Follower> follower_;
-  /// State in which the last check began.
-  struct {
-    InstantCopy instant;
-    bool on_path = false;
-    std::shared_ptr<PassedPoint> point;
-    std::optional<RowFlag> lost, first_flag;
-  } last_;
+  State state_, last_;        // last_: in which the last check began
+  InstantCopy last_instant_;  // where the path was then
   FoundStart start_;
-  bool on_path_ = false;                // the branch is known
-  FollowedStep step_;                   // the last one
-  std::optional<RowFlag> lost_;         // since then the branch is unknown
-  std::optional<RowFlag> first_flag_;   // of the first row, whose way from the drawing crosses
-  std::shared_ptr<PassedPoint> point_;  // beyond it the path has not begun
+  FollowedStep step_;  // the last one
   std::vector<double> on_point_, no_rates_;
   std::vector<double> tolerances_;  // of each coordinate
   CheckedInstant result_;

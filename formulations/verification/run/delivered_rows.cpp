@@ -32,7 +32,10 @@ void CheckedMotion::deliver_path(const Instant& at) {
 
 /// Delivers the position on the change point, which has no rates. Returns whether it is known.
 bool CheckedMotion::deliver_point(const Instant& at) {
-  on_point_ = point_->find_positions(straight_path(), at.time);
+  PassedPoint& point = *state_.point;
+  std::unique_ptr<StraightPath>& path = follower_->straight;
+  if (!path) path = std::make_unique<StraightPath>(follower_->model);
+  on_point_ = point.find_positions(*path, at.time);
   if (on_point_.empty()) {
     step_.group = no_position;  // another one is stuck
     return false;
@@ -41,21 +44,21 @@ bool CheckedMotion::deliver_point(const Instant& at) {
   result_.instant = with_values(at, {on_point_, no_rates_, no_rates_});
   result_.condition = INFINITY;
   result_.flag = {.kind = RowFlag::Kind::on_point,
-                  .after = point_->after,
-                  .before = point_->before,
+                  .after = point.after,
+                  .before = point.before,
                   .group = step_.group};
   return true;
 }
 
 /// Flags the result where its branch is unknown.
 void CheckedMotion::complete_flag() {
-  if (lost_ && !(result_.flag && result_.flag->kind == RowFlag::Kind::unproven)) {
+  if (state_.lost && !(result_.flag && result_.flag->kind == RowFlag::Kind::unproven)) {
     const std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
-    result_.flag = lost_;
+    result_.flag = state_.lost;
     result_.flag->misfit = misfit;
   }
-  if (first_flag_ && !result_.flag) result_.flag = first_flag_;
-  first_flag_.reset();
+  if (state_.first_flag && !result_.flag) result_.flag = state_.first_flag;
+  state_.first_flag.reset();
   if (result_.flag) result_.flag->time = result_.instant.time;
 }
 
