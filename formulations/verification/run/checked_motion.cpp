@@ -60,18 +60,9 @@ bool CheckedMotion::is_on_step(const Instant& instant) const {
   return follower_->path.contains(instant.time, instant.q, tolerances_, result_.condition);
 }
 
-const CheckedInstant& CheckedMotion::check(const Instant& solved) {
-  take(solved, true);
-  return result_;
-}
-
-const CheckedInstant* CheckedMotion::solve(const Instant& wanted) {
-  return take(wanted, false) ? &result_ : nullptr;
-}
-
-/// Makes an instant the result, which a formulation has solved or not. Returns false where it has
+/// Makes an instant the result, which a formulation has solved or not. Returns null where it has
 /// not, and the motion does not lead there.
-bool CheckedMotion::take(const Instant& at, bool is_solved) {
+const CheckedInstant* CheckedMotion::take(const Instant& at, bool is_solved) {
   last_ = state_;
   if (follows()) last_instant_.assign(follower_->path.present());
   // A position that is regular by other equations is no change point.
@@ -89,7 +80,7 @@ bool CheckedMotion::take(const Instant& at, bool is_solved) {
       choose_other_equations(follows() ? follower_->path.present().values.position : at.q);
       continue;
     }
-    if (!is_solved) return false;
+    if (!is_solved) return nullptr;
     if (found) {
       // The instant is proven, but no proven path leads to it: its branch is unknown. The motion
       // starts anew from it.
@@ -109,7 +100,7 @@ bool CheckedMotion::take(const Instant& at, bool is_solved) {
   }
   if (!state_.point) follower_->straight.reset();  // its memory serves rows on a point alone
   complete_flag();
-  return true;
+  return &result_;
 }
 
 /// Follows the motion to an instant, through change points, and makes it the result, or the end

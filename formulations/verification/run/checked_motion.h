@@ -28,10 +28,10 @@ class CheckedMotion {
 
   /// Checks the next instant, which a formulation has solved. The result is valid until the next
   /// call.
-  const CheckedInstant& check(const Instant& solved);
+  const CheckedInstant& check(const Instant& solved) { return *take(solved, true); }
   /// Solves the next instant, which no formulation has found; null where the motion does not lead
   /// there. wanted: its index, time and, by the sizes of their spans, its levels.
-  const CheckedInstant* solve(const Instant& wanted);
+  const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
 
   /// Returns whether an instant is in the last step's tube, to tolerance; false after sub-steps.
   bool is_on_step(const Instant& instant) const;
@@ -60,7 +60,7 @@ class CheckedMotion {
  private:
   /// Returns whether the path begins at the last proven instant.
   bool follows() const { return state_.on_path && !state_.point; }
-  bool take(const Instant& at, bool is_solved);
+  const CheckedInstant* take(const Instant& at, bool is_solved);
   bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);
   bool choose_other_equations(std::span<const double> q);
   bool is_led_astray() const;
