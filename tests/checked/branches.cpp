@@ -39,7 +39,7 @@ TEST(Branches, AreThoseOfTheDrawingWhateverIsHandedIn) {
   const Model m = locking_four_bar(Polynomial{{1, 0.1}});
   for (const auto& spoilt : {&mirrored, &turned})
     for (const int first_spoilt : {0, 1, 5}) {
-      CheckedMotion motion(m, {}, 1e-10);
+      CheckedMotion motion(m, {});
       motion.begin(0);
       for (int i = 0; i < 8; ++i) {
         const std::vector<double> right = at_rest(1 + 0.1 * i);
@@ -56,7 +56,7 @@ TEST(Branches, AreThoseOfTheDrawingWhateverIsHandedIn) {
 
 TEST(Branches, AreFollowedWhereNothingIsHandedIn) {
   const Model m = locking_four_bar(Polynomial{{1, 0.1}});
-  CheckedMotion motion(m, {}, 1e-10);
+  CheckedMotion motion(m, {});
   motion.begin(0);
   const std::vector<double> any(m.coordinates());
   for (int i = 0; i < 8; ++i) {

@@ -4,19 +4,15 @@
 #include <cmath>
 #include <utility>
 
-#include "formulations/model/scales.h"
 #include "formulations/verification/branch/chosen_equations.h"
 
 namespace desmo {
 
-CheckedMotion::CheckedMotion(const Model& m, std::span<const Level> levels, double tolerance)
+CheckedMotion::CheckedMotion(const Model& m, std::span<const Level> levels)
     : m_(m),
       levels_(levels),
       follower_(std::make_unique<Follower>(nullptr, m, levels)),
-      no_rates_(m.coordinates(), NAN),
-      tolerances_(nominal_magnitudes(m)) {
-  for (double& t : tolerances_) t *= tolerance;
-}
+      no_rates_(m.coordinates(), NAN) {}
 
 void CheckedMotion::begin(double time) {
   state_ = {};
@@ -53,11 +49,9 @@ void CheckedMotion::return_to_last() {
   if (follows()) state_.on_path = follower_->path.start_at(last_instant_.view());
 }
 
-bool CheckedMotion::is_on_step(const Instant& instant) const {
-  if (step_.end != PathEnd::same || step_.sub_steps != 1) return false;
-  // tolerances_: how far a position that meets the tolerance of the equations may be from the exact
-  // one.
-  return follower_->path.contains(instant.time, instant.q, tolerances_, result_.condition);
+bool CheckedMotion::is_on_step(const Instant& instant, std::span<const double> tolerances) const {
+  return step_.end == PathEnd::same && step_.sub_steps == 1 &&
+         follower_->path.contains(instant.time, instant.q, tolerances, result_.condition);
 }
 
 /// Makes an instant the result, which a formulation has solved or not. Returns null where it has

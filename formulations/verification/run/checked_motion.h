@@ -18,8 +18,7 @@ class CheckedMotion {
  public:
   /// levels: up to which each coordinate is solved (Plan::levels). Model and levels must outlive
   /// this.
-  /// tolerance: Formulation::tolerance(), of the instants that it is asked about.
-  CheckedMotion(const Model& model, std::span<const Level> levels, double tolerance);
+  CheckedMotion(const Model& model, std::span<const Level> levels);
 
   /// Goes from the drawing to a time, where the motion begins. The next instant is the one there.
   void begin(double time);
@@ -33,8 +32,9 @@ class CheckedMotion {
   /// there. wanted: its index, time and, by the sizes of their spans, its levels.
   const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
 
-  /// Returns whether an instant is in the last step's tube, to tolerance; false after sub-steps.
-  bool is_on_step(const Instant& instant) const;
+  /// Returns whether an instant is in the last step's tube; false after sub-steps. tolerances: how
+  /// far a coordinate that meets the tolerance of the equations may be from the exact one.
+  bool is_on_step(const Instant& instant, std::span<const double> tolerances) const;
   /// Returns to where the last check() began.
   void return_to_last();
 
@@ -85,7 +85,6 @@ class CheckedMotion {
   FoundStart start_;
   FollowedStep step_;  // the last one
   std::vector<double> on_point_, no_rates_;
-  std::vector<double> tolerances_;  // of each coordinate
   CheckedInstant result_;
   bool elsewhere_ = false;
 };

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "formulations/model/scales.h"
 #include "formulations/verification/run/submodels.h"
 
 namespace desmo {
@@ -32,8 +33,8 @@ bool concerns_one(const std::optional<RowFlag>& flag) {
 
 /// The motion of a mechanism that depends on no other one.
 struct IndependentMotions::SubmodelMotion {
-  SubmodelMotion(Submodel s, double tolerance)
-      : submodel(std::move(s)), motion(submodel.model, submodel.levels, tolerance) {}
+  explicit SubmodelMotion(Submodel s)
+      : submodel(std::move(s)), motion(submodel.model, submodel.levels) {}
 
   const CheckedInstant* take(const Instant& at, bool is_solved) {
     const CertifiedInstant own = part_of({.values = {at.q, at.qd, at.qdd}});
@@ -59,7 +60,9 @@ struct IndependentMotions::SubmodelMotion {
 
 IndependentMotions::IndependentMotions(const Model& m, std::span<const Level> levels,
                                        double tolerance)
-    : m_(m), levels_(levels), tolerance_(tolerance), together_(m, levels, tolerance) {}
+    : m_(m), levels_(levels), tolerances_(nominal_magnitudes(m)), together_(m, levels) {
+  for (double& t : tolerances_) t *= tolerance;
+}
 
 IndependentMotions::~IndependentMotions() = default;
 
@@ -70,7 +73,7 @@ void IndependentMotions::begin(double time) {
 }
 
 bool IndependentMotions::is_on_step(const Instant& instant) const {
-  return state_.together && together_.is_on_step(instant);
+  return state_.together && together_.is_on_step(instant, tolerances_);
 }
 
 void IndependentMotions::return_to_last() {
@@ -124,7 +127,7 @@ bool IndependentMotions::separate() {
   if (!each_) {
     each_.emplace();
     for (Submodel& s : independent_submodels(m_, levels_))
-      each_->push_back(std::make_unique<SubmodelMotion>(std::move(s), tolerance_));
+      each_->push_back(std::make_unique<SubmodelMotion>(std::move(s)));
   }
   if (each_->empty()) return false;
   together_.return_to_last();

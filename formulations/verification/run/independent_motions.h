@@ -18,6 +18,7 @@ struct Submodel;
 /// Functions are those of CheckedMotion. A row has the flags of all mechanisms, the worst first.
 class IndependentMotions {
  public:
+  /// tolerance: Formulation::tolerance(), of the instants that is_on_step() is asked about.
   IndependentMotions(const Model& model, std::span<const Level> levels, double tolerance);
   ~IndependentMotions();
   IndependentMotions(const IndependentMotions&) = delete;
@@ -48,7 +49,7 @@ class IndependentMotions {
 
   const Model& m_;
   const std::span<const Level> levels_;
-  const double tolerance_;
+  std::vector<double> tolerances_;  // of each coordinate
   CheckedMotion together_;
   std::optional<std::vector<std::unique_ptr<SubmodelMotion>>> each_;  // none: not needed so far
   State state_, last_;  // last_: in which the last check began
