@@ -25,8 +25,9 @@ RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time) {
 }
 
 std::optional<RowFlag> misfit_flag(const Model& m, LeftOutEquations& left_out,
-                                   const RefinedInstant& r, double offset, const LiveRow* drivers) {
-  std::optional<Misfit> misfit = left_out.check(r, drivers);
+                                   const RefinedInstant& r, const LiveRow* live) {
+  const double offset = live ? live->time : 0;
+  std::optional<Misfit> misfit = left_out.check(r, live);
   double time = offset + r.instant.time;
   if (const auto between = left_out.take_between();
       between && (!misfit || between->misfit.amount > misfit->amount)) {

@@ -38,10 +38,8 @@ RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time);
 /// hold, or does not on the way from the last row; nothing where all do. What left_out has noted on
 /// that way it forgets.
 /// - refined: the row's instant
-/// - offset: what is to be added to times of the path, for times of rows [s]
-/// - drivers: as in LeftOutEquations::check()
+/// - live: row that was handed in, whose time is 0 in the path; null: the model's motions drive
 std::optional<RowFlag> misfit_flag(const Model& model, LeftOutEquations& left_out,
-                                   const RefinedInstant& refined, double offset = 0,
-                                   const LiveRow* drivers = nullptr);
+                                   const RefinedInstant& refined, const LiveRow* live = nullptr);
 
 }  // namespace desmo

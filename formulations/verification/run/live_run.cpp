@@ -131,7 +131,7 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
     else if (c.lost)
       summary.flag = c.lost;
     else if (const std::optional<RowFlag> flag =
-                 misfit_flag(formulation_.model(), c.follower->left_out, *found, row.time, &row))
+                 misfit_flag(formulation_.model(), c.follower->left_out, *found, &row))
       summary.flag = flag;
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
