@@ -95,24 +95,21 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   if (options_.check == CheckMode::proof)
     check(row, summary);
   else if (is_solved)
-    keep(row.time, solved(row.time));
+    keep(row.time, solved());
   if (is_solved && summary.status != Status::solved) go_back();
   return summary;
 }
 
-/// Returns the instant that the formulation has solved.
-Instant LiveRun::solved(double time) const {
-  return instant_of(time, {formulation_.q(), formulation_.qd(), formulation_.qdd()},
-                    options_.level);
+/// Returns the row that the formulation has solved. Its time is 0 in what it is checked with.
+Instant LiveRun::solved() const {
+  return instant_of(0, {formulation_.q(), formulation_.qd(), formulation_.qdd()}, options_.level);
 }
 
-/// Checks a row that was solved or not, and makes it the last good one if it is good. A row has
-/// time 0 in what it is checked with.
+/// Checks a row that was solved or not, and makes it the last good one if it is good.
 void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
-  const double begin = c.motions.lead_to(row);
-  const RefinedInstant* found =
-      c.motions.has_begun() ? follow(row, begin, summary) : start(row, summary);
+  c.begin.time = c.motions.lead_to(row);
+  const RefinedInstant* found = c.motions.has_begun() ? follow(row, summary) : start(row, summary);
   if (!found) return;
   summary.condition = found->last.condition;
   if (!options_.scales) c.scales->take(found->instant);
@@ -163,16 +160,15 @@ const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
   } else if (is_solved && !c.lost) {  // on which branch that is, nobody knows
     c.lost = {.kind = RowFlag::Kind::branch, .after = time_, .before = row.time};
   }
-  return is_solved ? &c.follower->refinement.refine(solved(0)) : nullptr;
+  return is_solved ? &c.follower->refinement.refine(solved()) : nullptr;
 }
 
 /// Follows the motion from the last proven row to this one. Where the formulation is elsewhere, or
 /// has found nothing, the end of the path is the answer; null: the motion does not lead there.
-const RefinedInstant* LiveRun::follow(const LiveRow& row, double begin, LiveSummary& summary) {
+const RefinedInstant* LiveRun::follow(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   const bool is_solved = summary.status == Status::solved;
-  const RefinedInstant* found = is_solved ? &c.follower->refinement.refine(solved(0)) : nullptr;
-  c.begin.time = begin;
+  const RefinedInstant* found = is_solved ? &c.follower->refinement.refine(solved()) : nullptr;
   BranchPath& path = c.follower->path;
   if (path.start_at(c.begin.view(c.levels)))
     summary.path =

@@ -142,10 +142,10 @@ class LiveRun {
   struct Checks;
 
   RowFault fault_of(const LiveRow& row) const;
-  Instant solved(double time) const;
+  Instant solved() const;
   void check(const LiveRow& row, LiveSummary& summary);
   const RefinedInstant* start(const LiveRow& row, LiveSummary& summary);
-  const RefinedInstant* follow(const LiveRow& row, double begin, LiveSummary& summary);
+  const RefinedInstant* follow(const LiveRow& row, LiveSummary& summary);
   const RefinedInstant* return_to(double time, const RefinedInstant& found, LiveSummary& summary);
   void keep(double time, const Instant& instant);
   void go_back();
