@@ -60,10 +60,9 @@ class CheckedRun final : Observer {
     }
     if (waiting_.empty()) return check(instant);
     const CheckedInstant& end = motion_.check(instant);
-    bool holds = !end.flag && !motion_.is_elsewhere();
-    holds = holds &&
-            std::ranges::all_of(waiting_, [&](const Instant& i) { return motion_.is_on_step(i); });
-    if (!holds) {  // one by one
+    const auto is_on_step = [&](const Instant& i) { return motion_.is_on_step(i); };
+    if (end.flag || motion_.is_elsewhere() || !std::ranges::all_of(waiting_, is_on_step)) {
+      // one by one
       motion_.return_to_last();
       return check_waiting() == Flow::stop ? Flow::stop : check(instant);
     }
@@ -109,8 +108,7 @@ class CheckedRun final : Observer {
     if (summary_.refused) return Flow::stop;
     summary_.condition = std::max(summary_.condition, row.condition);
     summary_.updates += row.instant.updates;
-    max_residual_ = std::max(max_residual_, row.instant.residual);
-    if (summary_.ok()) summary_.residual = max_residual_;
+    summary_.residual = std::max(summary_.residual, row.instant.residual);
     if (options_.checked) options_.checked(row);
     if (elsewhere_) last_.assign(row.instant.q.begin(), row.instant.q.end());
     const Flow flow = output_.hand_over(row.instant, next_);
@@ -124,7 +122,7 @@ class CheckedRun final : Observer {
     summary_.status = failed.status;
     summary_.group = failed.group;
     summary_.constraint = failed.constraint;
-    summary_.residual = failed.residual;
+    max_residual_ = std::exchange(summary_.residual, failed.residual);
     summary_.time = grid_.time(tried_);
   }
   void withdraw_failure() {
@@ -138,9 +136,8 @@ class CheckedRun final : Observer {
   /// Solves an instant where the formulation could not.
   bool solves(int index) {
     const std::span<const double> wanted = formulation_.q();
-    Instant at{.index = index, .time = grid_.time(index), .q = wanted, .qd = {}, .qdd = {}};
-    if (request_.level >= Level::velocity) at.qd = wanted;
-    if (request_.level >= Level::acceleration) at.qdd = wanted;
+    Instant at = instant_of(grid_.time(index), {wanted, wanted, wanted}, request_.level);
+    at.index = index;
     const CheckedInstant* const found = motion_.solve(at);
     if (!found) return false;
     elsewhere_ = true;
@@ -205,7 +202,7 @@ class CheckedRun final : Observer {
   std::vector<InstantCopy> memory_;  // of those that wait
   std::vector<Instant> waiting_;     // CheckMode::sample: rows since the last one that was checked
   CheckedSummary summary_;
-  double max_residual_ = 0;
+  double max_residual_ = 0;   // of the rows, while that of a failure is in the summary
   int tried_ = 0;             // rows handed on, or left out
   bool elsewhere_ = false;    // the formulation is not where the last row is
   std::vector<double> last_;  // positions of that row
