@@ -21,8 +21,6 @@ class IndependentMotions {
   /// tolerance: Formulation::tolerance(), of the instants that is_on_step() is asked about.
   IndependentMotions(const Model& model, std::span<const Level> levels, double tolerance);
   ~IndependentMotions();
-  IndependentMotions(const IndependentMotions&) = delete;
-  IndependentMotions& operator=(const IndependentMotions&) = delete;
 
   void begin(double time);
   const CheckedInstant& check(const Instant& solved) { return *take(solved, true); }
