@@ -58,13 +58,6 @@ void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
   equations.take(x);
 }
 
-/// Returns whether a group's equations hold at a state, even where Newton's method does not accept
-/// it. Rounding may leave more than a small tolerance.
-bool holds(const DenseGroup& group, const std::vector<double>& state, const Settings& settings) {
-  return group.weights().cwiseProduct(group.residual(state)).norm() <
-         std::max(settings.tolerance, default_tolerance);
-}
-
 }  // namespace
 
 std::optional<Misfit> find_assembly_error(const Model& m, std::vector<double> state,
@@ -75,14 +68,17 @@ std::optional<Misfit> find_assembly_error(const Model& m, std::vector<double> st
     std::vector<double> nearest = state;
     if (group.solve(state, settings) < 0) continue;
     approach(group, nominal_magnitudes(m), nearest);
-    if (holds(group, nearest, settings)) {
+    const Eigen::VectorXd residual = group.residual(nearest),
+                          weighted = group.weights().cwiseProduct(residual);
+    // Equations may hold where Newton's method does not accept it: rounding may leave more than a
+    // small tolerance.
+    if (weighted.norm() < std::max(settings.tolerance, default_tolerance)) {
       state = nearest;
       continue;
     }
-    const int row = worst_row(group.weights().cwiseProduct(group.residual(nearest)));
+    const int row = worst_row(weighted);
     const Equation& worst = definition.equations[row];
-    const double residual = group.residual(nearest)[row];
-    return misfit_of(m, worst.constraint, worst.row, residual, nearest);
+    return misfit_of(m, worst.constraint, worst.row, residual[row], nearest);
   }
   return {};
 }
