@@ -62,7 +62,7 @@ const CheckedInstant* CheckedMotion::take(const Instant& at, bool is_solved) {
   // A position that is regular by other equations is no change point.
   for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
     result_ = {};
-    elsewhere_ = !is_solved;
+    result_.is_elsewhere = !is_solved;
     const RefinedInstant* const refined = is_solved ? &follower_->refinement.refine(at) : nullptr;
     const RefinedInstant* const found = refined && refined->proven ? refined : nullptr;
     if (reach(at, found, may_pass) && (may_pass || !is_led_astray())) break;

@@ -53,10 +53,6 @@ class CheckedMotion {
     return start_.point ? FoundStart::Stage::reached : start_.stage;
   }
 
-  /// Returns whether the last instant is another than the one that was handed in: the formulation
-  /// is elsewhere.
-  bool is_elsewhere() const { return elsewhere_; }
-
  private:
   /// Returns whether the path begins at the last proven instant.
   bool follows() const { return state_.on_path && !state_.point; }
@@ -86,7 +82,6 @@ class CheckedMotion {
   FollowedStep step_;  // the last one
   std::vector<double> on_point_, no_rates_;
   CheckedInstant result_;
-  bool elsewhere_ = false;
 };
 
 }  // namespace desmo

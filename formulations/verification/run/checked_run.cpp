@@ -61,7 +61,7 @@ class CheckedRun final : Observer {
     if (waiting_.empty()) return check(instant);
     const CheckedInstant& end = motion_.check(instant);
     const auto is_on_step = [&](const Instant& i) { return motion_.is_on_step(i); };
-    if (end.flag || motion_.is_elsewhere() || !std::ranges::all_of(waiting_, is_on_step)) {
+    if (end.flag || end.is_elsewhere || !std::ranges::all_of(waiting_, is_on_step)) {
       // one by one
       motion_.return_to_last();
       return check_waiting() == Flow::stop ? Flow::stop : check(instant);
@@ -87,9 +87,7 @@ class CheckedRun final : Observer {
   }
 
   Flow check(const Instant& instant) {
-    const CheckedInstant& checked = motion_.check(instant);
-    elsewhere_ = motion_.is_elsewhere();
-    const Flow flow = hand_on(checked);
+    const Flow flow = hand_on(motion_.check(instant));
     return elsewhere_ ? Flow::stop : flow;
   }
 
@@ -102,6 +100,7 @@ class CheckedRun final : Observer {
   }
 
   Flow hand_on(CheckedInstant row) {
+    elsewhere_ = row.is_elsewhere;
     summary_.time = row.instant.time;
     tally_.take(row, summary_);
     summary_.refused = options_.strict && row.flag;
@@ -140,7 +139,6 @@ class CheckedRun final : Observer {
     at.index = index;
     const CheckedInstant* const found = motion_.solve(at);
     if (!found) return false;
-    elsewhere_ = true;
     withdraw_failure();
     hand_on(*found);
     return true;

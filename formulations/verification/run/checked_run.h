@@ -62,7 +62,9 @@ struct CheckedInstant {
   /// The largest radius over its scale so far. Infinite: of some coordinates there is no proof. 0:
   /// `radius` is empty, and the row lies between two that are proven.
   PerLevel<double> relative_radius{};
-  double condition = 0;                    ///< of the instant (Certificate::condition)
+  double condition = 0;  ///< of the instant (Certificate::condition)
+  /// The instant is another than the formulation's, which is elsewhere or has found none.
+  bool is_elsewhere = false;
   std::optional<RowFlag> flag{};           ///< none: proven. Of independent mechanisms, the worst
   std::span<const RowFlag> other_flags{};  ///< of the other mechanisms
 

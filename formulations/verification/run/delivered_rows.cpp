@@ -26,7 +26,7 @@ void CheckedMotion::deliver(const RefinedInstant& r) {
 
 /// Delivers the end of the path, with the levels of an instant.
 void CheckedMotion::deliver_path(const Instant& at) {
-  elsewhere_ = true;
+  result_.is_elsewhere = true;
   deliver(follower_->refinement.refine(with_values(at, follower_->path.present().values)));
 }
 
@@ -40,7 +40,7 @@ bool CheckedMotion::deliver_point(const Instant& at) {
     step_.group = no_position;  // another one is stuck
     return false;
   }
-  elsewhere_ = true;
+  result_.is_elsewhere = true;
   result_.instant = with_values(at, {on_point_, no_rates_, no_rates_});
   result_.condition = INFINITY;
   result_.flag = {.kind = RowFlag::Kind::on_point,

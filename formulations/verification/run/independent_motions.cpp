@@ -111,7 +111,6 @@ const CheckedInstant* IndependentMotions::take(const Instant& at, bool is_solved
     const CheckedInstant* row = is_solved ? &together_.check(at) : together_.solve(at);
     if ((row && !concerns_one(row->flag)) || !separate()) {
       state_.has_begun = true;
-      elsewhere_ = together_.is_elsewhere();
       return row;
     }
   }
@@ -152,7 +151,6 @@ void IndependentMotions::join() {
 /// Makes the rows of all mechanisms the result. Returns false where one of them does not move on.
 bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
   flags_.clear();
-  elsewhere_ = false;
   for (const Level level : all_levels) {
     values_[level].resize(m_.coordinates());
     radius_[level].assign(m_.coordinates(), INFINITY);
@@ -179,7 +177,7 @@ void IndependentMotions::add(const SubmodelMotion& of, const CheckedInstant& row
   scatter(s, row.instant.qdd, values_.acceleration);
   for (const Level level : all_levels) scatter(s, row.radius[level], radius_[level]);
   result_.condition = std::max(result_.condition, row.condition);
-  elsewhere_ |= of.motion.is_elsewhere();
+  result_.is_elsewhere |= row.is_elsewhere;
   if (!row.flag) return;
   RowFlag& flag = flags_.emplace_back(*row.flag);
   if (flag.group != no_position) flag.group = s.groups[flag.group];

@@ -30,7 +30,6 @@ class IndependentMotions {
   /// Empty: one of the mechanisms has not been followed.
   std::vector<double> followed_to() const;
   FoundStart::Stage start() const;
-  bool is_elsewhere() const { return elsewhere_; }
 
  private:
   struct SubmodelMotion;
@@ -55,7 +54,6 @@ class IndependentMotions {
   PerLevel<std::vector<double>> values_, radius_;
   std::vector<RowFlag> flags_;  // of the mechanisms, the worst first
   CheckedInstant result_;
-  bool elsewhere_ = false;
 };
 
 }  // namespace desmo
