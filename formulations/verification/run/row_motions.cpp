@@ -7,14 +7,8 @@
 
 namespace desmo {
 
-namespace {
-
-constexpr int max_degree = 5;
-
-}  // namespace
-
 RowMotions::RowMotions(const Model& m, Level level) : model_(m), level_(level) {
-  for (Driver& d : model_.drivers) d.motion = Polynomial{std::vector<Derived>(max_degree + 1)};
+  for (Driver& d : model_.drivers) d.motion = Polynomial{std::vector<Derived>(6)};  // quintics
   for (std::vector<double>* values : {&from_.position, &from_.velocity, &from_.acceleration})
     values->resize(m.drivers.size());
 }
