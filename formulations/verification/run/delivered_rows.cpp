@@ -10,7 +10,7 @@ void CheckedMotion::deliver(const RefinedInstant& r) {
   result_.radius = r.radius;
   result_.condition = r.last.condition;
   if (r.proven) {
-    const std::optional<RowFlag> flag = misfit_flag(m_, follower_->left_out, r);
+    const std::optional<RowFlag> flag = follower_->misfit_flag(r);
     if (flag && result_.flag)  // it stays, with the misfit
       result_.flag->misfit = flag->misfit;
     else if (flag)

@@ -24,8 +24,7 @@ RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time) {
           .out_of_tests = start.out_of_tests};
 }
 
-std::optional<RowFlag> misfit_flag(const Model& m, LeftOutEquations& left_out,
-                                   const RefinedInstant& r, const LiveRow* live) {
+std::optional<RowFlag> Follower::misfit_flag(const RefinedInstant& r, const LiveRow* live) {
   const double offset = live ? live->time : 0;
   std::optional<Misfit> misfit = left_out.check(r, live);
   double time = offset + r.instant.time;
@@ -38,7 +37,7 @@ std::optional<RowFlag> misfit_flag(const Model& m, LeftOutEquations& left_out,
   return RowFlag{.kind = RowFlag::Kind::misfit,
                  .after = time,
                  .before = time,
-                 .group = m.constraints[misfit->constraint].group,
+                 .group = model.constraints[misfit->constraint].group,
                  .misfit = misfit};
 }
 

@@ -23,6 +23,13 @@ struct Follower {
   Follower(const Follower&) = delete;
   Follower& operator=(const Follower&) = delete;
 
+  /// Returns the flag, but for its row's time, of a row where an equation that was left out does
+  /// not hold, or does not on the way from the last row; nothing where all do. What left_out has
+  /// noted on that way it forgets.
+  /// - refined: the row's instant
+  /// - live: row that was handed in, whose time is 0 in the path; null: the model's motions drive
+  std::optional<RowFlag> misfit_flag(const RefinedInstant& refined, const LiveRow* live = nullptr);
+
   std::unique_ptr<const Model> chosen;
   const Model& model;
   Refinement refinement;
@@ -33,13 +40,5 @@ struct Follower {
 
 /// Returns the flag of a first row [s]: of a crossing, or of an unknown branch, on the way to it.
 RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time);
-
-/// Returns the flag, but for its row's time, of a row where an equation that was left out does not
-/// hold, or does not on the way from the last row; nothing where all do. What left_out has noted on
-/// that way it forgets.
-/// - refined: the row's instant
-/// - live: row that was handed in, whose time is 0 in the path; null: the model's motions drive
-std::optional<RowFlag> misfit_flag(const Model& model, LeftOutEquations& left_out,
-                                   const RefinedInstant& refined, const LiveRow* live = nullptr);
 
 }  // namespace desmo

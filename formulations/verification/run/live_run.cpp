@@ -127,8 +127,7 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
                       .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
-    else if (const std::optional<RowFlag> flag =
-                 misfit_flag(formulation_.model(), c.follower->left_out, *found, &row))
+    else if (const std::optional<RowFlag> flag = c.follower->misfit_flag(*found, &row))
       summary.flag = flag;
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
