@@ -10,12 +10,6 @@ namespace desmo {
 
 namespace {
 
-/// Sets of entities that move. No equation joins two of them.
-struct IndependentSets {
-  std::vector<int> of_entity;  // no_position: it is at rest
-  int count = 0;
-};
-
 /// Returns an operand that moves; no_position: none does.
 EntityId moving_operand(const Model& m, const Constraint& c) {
   const auto moving =
@@ -23,18 +17,20 @@ EntityId moving_operand(const Model& m, const Constraint& c) {
   return moving == c.operands.end() ? no_position : *moving;
 }
 
-IndependentSets independent_sets(const Model& m) {
+/// Returns the set of each entity: no equation joins two sets. no_position: it is at rest.
+std::vector<int> independent_sets(const Model& m) {
   const auto entities = static_cast<EntityId>(m.entities.size());
   DisjointSets joined(m.entities.size());
   for (const Constraint& c : m.constraints)
     for (const EntityId e : c.operands)
       if (!m.is_at_rest(e)) joined.unite(e, moving_operand(m, c));
-  IndependentSets sets{std::vector<int>(m.entities.size(), no_position)};
+  std::vector<int> set(m.entities.size(), no_position);
+  int count = 0;
   for (EntityId e = 0; e < entities; ++e)
-    if (!m.is_at_rest(e) && joined.find(e) == e) sets.of_entity[e] = sets.count++;
+    if (!m.is_at_rest(e) && joined.find(e) == e) set[e] = count++;
   for (EntityId e = 0; e < entities; ++e)
-    if (!m.is_at_rest(e)) sets.of_entity[e] = sets.of_entity[joined.find(e)];
-  return sets;
+    if (!m.is_at_rest(e)) set[e] = set[joined.find(e)];
+  return set;
 }
 
 /// Returns fixed points that are farthest out along the axes. With them a submodel has the size
@@ -51,12 +47,13 @@ std::vector<EntityId> outermost_fixed_points(const Model& m) {
   return outermost;
 }
 
-/// Returns the members of each set's submodel.
-std::vector<Members> members_of(const Model& m, const IndependentSets& sets) {
-  std::vector<Members> all(sets.count);
-  const auto add = [&all](int set, std::vector<int> Members::*list, int member) {
-    if (set != no_position)
-      (all[set].*list).push_back(member);
+/// Returns the members of the submodels.
+std::vector<Members> independent_members(const Model& m) {
+  const std::vector<int> set = independent_sets(m);
+  std::vector<Members> all(set.empty() ? 0 : std::ranges::max(set) + 1);
+  const auto add = [&all](int of, std::vector<int> Members::*list, int member) {
+    if (of != no_position)
+      (all[of].*list).push_back(member);
     else
       for (Members& each : all) (each.*list).push_back(member);
   };
@@ -65,23 +62,22 @@ std::vector<Members> members_of(const Model& m, const IndependentSets& sets) {
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e) {
     const Entity& entity = m.entities[e];
     if (entity.fixed) continue;
-    const int set = sets.of_entity[e];
-    add(set, &Members::entities, e);
-    if (set != no_position && !is_driven[entity.first]) solving[entity.group].insert(set);
+    add(set[e], &Members::entities, e);
+    if (set[e] != no_position && !is_driven[entity.first]) solving[entity.group].insert(set[e]);
   }
   for (const EntityId e : outermost_fixed_points(m)) add(no_position, &Members::entities, e);
   for (int d = 0; d < static_cast<int>(m.drivers.size()); ++d)
-    add(sets.of_entity[m.drivers[d].coordinate], &Members::drivers, d);
+    add(set[m.drivers[d].coordinate], &Members::drivers, d);
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c) {
     const Constraint& constraint = m.constraints[c];
     const EntityId moving = moving_operand(m, constraint);
     const std::set<int>& solvers = solving[constraint.group];
     if (moving != no_position)
-      add(sets.of_entity[moving], &Members::constraints, c);
+      add(set[moving], &Members::constraints, c);
     else if (solvers.empty() || !is_constant(m, constraint))
       add(no_position, &Members::constraints, c);
     else  // between constants: it goes with its group
-      for (const int set : solvers) add(set, &Members::constraints, c);
+      for (const int of : solvers) add(of, &Members::constraints, c);
   }
   for (auto& [entities, constraints, drivers] : all) {
     for (const int c : constraints)
@@ -96,10 +92,10 @@ std::vector<Members> members_of(const Model& m, const IndependentSets& sets) {
 }  // namespace
 
 std::vector<Submodel> independent_submodels(const Model& m, std::span<const Level> levels) {
-  const IndependentSets sets = independent_sets(m);
+  std::vector<Members> all = independent_members(m);
   std::vector<Submodel> result;
-  if (sets.count < 2) return result;
-  for (Members& members : members_of(m, sets)) {
+  if (all.size() < 2) return result;
+  for (Members& members : all) {
     Submodel made{model_of(m, members), std::move(members), {}, {}, {}};
     made.groups = groups_of(m, made.members);
     for (const EntityId e : made.members.entities)
