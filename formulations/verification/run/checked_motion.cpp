@@ -113,12 +113,8 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
       point.reset();
     }
     step_ = found ? path.follow(certified(*found, levels_)) : path.go_to(at.time);
-    if (step_.end == PathEnd::same && found) {
-      deliver(*found);
-      return true;
-    }
     if (step_.end != PathEnd::stuck) {
-      deliver_path(at);
+      found&& step_.end == PathEnd::same ? deliver(*found) : deliver_path(at);
       return true;
     }
     if (may_pass && !step_.out_of_tests)

@@ -42,10 +42,10 @@ class CheckedMotion {
   const CertifiedInstant& present() const { return follower_->path.present(); }
 
   /// Returns the positions up to which the motion was followed from the drawing.
-  std::span<const double> followed_to() const {
-    if (follows()) return follower_->path.present().values.position;
-    if (start() == FoundStart::Stage::reached) return {};
-    return start_.q;
+  std::vector<double> followed_to() const {
+    if (!follows()) return start() == FoundStart::Stage::reached ? std::vector<double>() : start_.q;
+    const std::span<const double> q = present().values.position;
+    return {q.begin(), q.end()};
   }
 
   /// Returns where the way from the drawing is blocked, if it is.

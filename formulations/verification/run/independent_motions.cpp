@@ -42,8 +42,6 @@ struct IndependentMotions::SubmodelMotion {
     return is_solved ? &motion.check(instant) : motion.solve(instant);
   }
 
-  void continue_from(const CertifiedInstant& whole) { motion.continue_from(part_of(whole)); }
-
   /// Returns a copy of the mechanism's numbers, which is valid until the next one.
   CertifiedInstant part_of(const CertifiedInstant& whole) {
     handed_in.time = whole.time;
@@ -85,13 +83,10 @@ void IndependentMotions::return_to_last() {
 }
 
 std::vector<double> IndependentMotions::followed_to() const {
-  if (state_.together) {
-    const std::span<const double> q = together_.followed_to();
-    return {q.begin(), q.end()};
-  }
+  if (state_.together) return together_.followed_to();
   std::vector<double> all(m_.coordinates());
   for (const auto& each : *each_) {
-    const std::span<const double> q = each->motion.followed_to();
+    const std::vector<double> q = each->motion.followed_to();
     if (q.empty()) return {};
     scatter(each->submodel, q, all);
   }
@@ -133,7 +128,7 @@ bool IndependentMotions::separate() {
   state_.together = false;
   for (const auto& each : *each_)
     if (state_.has_begun)
-      each->continue_from(together_.present());
+      each->motion.continue_from(each->part_of(together_.present()));
     else
       each->motion.begin(begin_);
   return true;
@@ -161,7 +156,7 @@ bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
   for (const auto& each : *each_) {
     const CheckedInstant* row = each->take(at, is_solved);
     if (!row) return false;
-    add(*each, *row);
+    add(each->submodel, *row);
   }
   if (flags_.empty()) return true;
   std::ranges::stable_sort(flags_, {}, &RowFlag::kind);
@@ -170,8 +165,7 @@ bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
   return true;
 }
 
-void IndependentMotions::add(const SubmodelMotion& of, const CheckedInstant& row) {
-  const Submodel& s = of.submodel;
+void IndependentMotions::add(const Submodel& s, const CheckedInstant& row) {
   scatter(s, row.instant.q, values_.position);
   scatter(s, row.instant.qd, values_.velocity);
   scatter(s, row.instant.qdd, values_.acceleration);

@@ -42,7 +42,7 @@ class IndependentMotions {
   bool take_each(const Instant& at, bool is_solved);
   bool separate();
   void join();
-  void add(const SubmodelMotion& of, const CheckedInstant& row);
+  void add(const Submodel& of, const CheckedInstant& row);
 
   const Model& m_;
   const std::span<const Level> levels_;
