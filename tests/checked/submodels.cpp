@@ -69,8 +69,8 @@ TEST(Submodels, ArePlansOfWhatMovesInThemAndOfWhatNeverMoves) {
   }
 }
 
-/// The whole has seven fixed points for each axle. Of others' an axle has the six outermost at most,
-/// and all have one constant axis.
+/// The whole has seven fixed points for each axle. Of others' an axle has the six outermost at
+/// most, and all have one constant axis.
 TEST(Submodels, GrowWithTheWholeAndNotWithItsSquare) {
   constexpr int axles = 16;
   const Model whole = truck_model(axles);
