@@ -72,5 +72,11 @@ TEST(ModellingProblems, AreVerifiedByNamesWithGeneratedCode) {
   EXPECT_EQ(modelling::id_in("group_symbolic_inlined", Modelling::basis), "");
 }
 
+// A build without GPL libraries compares the others.
+TEST(ModellingProblems, LeaveOutAFormulationThatTheBuildLacks) {
+  EXPECT_EQ(modelling::id_in("global_automatic_klu", Modelling::natural), "global_automatic_klu");
+  EXPECT_EQ(modelling::id_in("global_automatic_absent", Modelling::natural), "");
+}
+
 }  // namespace
 }  // namespace desmo::modelling_experiment_test

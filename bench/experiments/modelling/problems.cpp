@@ -1,5 +1,6 @@
 #include "bench/experiments/modelling/problems.h"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "formulations/equations/kernel_sets.h"
 #include "formulations/id.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/variants.h"
 
 namespace desmo::modelling {
 
@@ -36,13 +38,14 @@ std::vector<std::string_view> compared_ids() {
 }
 
 std::string id_in(std::string_view id, Modelling kind, Frames frames) {
-  const Variant& v = find_variant(id);
+  const auto v = std::ranges::find(variants(), id, &Variant::id);
+  if (v == variants().end()) return {};
   // Generated code for natural coordinates solves first what `basis` derives: it would be the same.
-  if (kind == Modelling::basis && v.evaluation == Evaluation::symbolic) return {};
+  if (kind == Modelling::basis && v->evaluation == Evaluation::symbolic) return {};
   // Exact frames save the same with every solver: it is a share of a step where that is fast.
-  if (frames == Frames::exact && v.algebra != "klu" && v.algebra != "lapack") return {};
+  if (frames == Frames::exact && v->algebra != "klu" && v->algebra != "lapack") return {};
   const Settings settings{.coordinates = kind, .frames = frames};
-  return unsupported_reason(v, settings).empty() ? id_with(v, settings) : std::string();
+  return unsupported_reason(*v, settings).empty() ? id_with(*v, settings) : std::string();
 }
 
 bench::Problem natural_problem(const Scene& scene, const TimeGrid& grid) {

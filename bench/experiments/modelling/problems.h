@@ -14,8 +14,8 @@ namespace desmo::modelling {
 /// ones: the paper's partitions with dense and sparse algebra, and generated code.
 std::vector<std::string_view> compared_ids();
 
-/// Returns the id of a formulation in coordinates; empty: the suite has no code for them, or exact
-/// frames are not compared there.
+/// Returns the id of a formulation in coordinates; empty: this build has no such formulation or no
+/// code for them, or exact frames are not compared there.
 std::string id_in(std::string_view id, Modelling kind, Frames frames = Frames::linearised);
 
 /// Returns the problem of a case in some coordinates, to be compared with the quadruple reference
