@@ -31,7 +31,7 @@ bool is_reference(const Configuration& configuration) {
 
 std::string algebra_kind(std::string_view id) {
   const std::string_view base = without_settings(id), name = base.substr(base.rfind('_') + 1);
-  if (name == "lapack" || name == "eigen") return "dense";
+  if (std::ranges::count(dense_families, name) > 0) return "dense";
   return name == "inlined" || name == "explicit" ? "generated" : "sparse";
 }
 

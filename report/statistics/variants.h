@@ -13,10 +13,11 @@ namespace desmo::report {
 
 /// MA27, which cannot be redistributed: only a user who has it can record it.
 inline constexpr std::string_view papers_own = "ma27";
-/// Sparse solvers that stand in the paper's columns of MA27, in the order of tables: the one list
-/// of solvers in report/.
+/// Sparse solvers that stand in the paper's columns of MA27, in the order of tables.
 inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "cholmod", "umfpack",
                                                                  "klu"};
+/// All dense solvers, in the order of tables. The report sees nothing of Backend::dense.
+inline constexpr std::array<std::string_view, 2> dense_families{"lapack", "eigen"};
 
 /// The formulation that everything is compared with.
 inline constexpr std::string_view usual_reference = "global_automatic_klu";
@@ -54,8 +55,7 @@ inline std::string_view without_settings(std::string_view id) { return id.substr
 /// algorithm, whatever the settings of its iteration.
 bool is_reference(const Configuration& configuration);
 
-/// Returns how a formulation solves linear systems: "sparse" or "dense", or "generated" code. It
-/// names the dense libraries, as Backend::dense does: the report sees nothing of formulations.
+/// Returns how a formulation solves linear systems: "sparse" or "dense", or "generated" code.
 std::string algebra_kind(std::string_view id);
 
 /// The value of a setting in an id: "adams8" of guess in global_automatic_klu/guess:adams8; empty

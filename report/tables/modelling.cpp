@@ -17,7 +17,8 @@ namespace {
 /// In the order of columns; the first is the paper's.
 constexpr std::array kinds{"natural", "basis", "reference", "relative"};
 
-/// Two formulations, and what the ratio of their times tells.
+/// Two formulations, and what the ratio of their times tells. The list is closed: the experiment
+/// measures no others (compared_ids).
 struct Pair {
   std::string_view question, reference, variant;
 };

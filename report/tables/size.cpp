@@ -44,21 +44,32 @@ Entry break_even_entry(const Curve& dense, const Curve& sparse) {
 Section dense_or_sparse(const Record& record) {
   Curves curves = curves_of(record.break_even);
   Table table = headed_table("break_even");
+  const std::size_t fastest_column = 2 + dense_families.size();
+  for (const std::string_view family : dense_families)
+    table.columns.insert(table.columns.end() - 2,
+                         {std::string(family), table.columns.rbegin()[1].quantities});
   for (const auto& [name, sizes] : recorded_sizes(record.break_even)) {
-    const Curve &lapack = curves[{name, "global_automatic_lapack"}],
-                &eigen = curves[{name, "global_automatic_eigen"}],
-                faster = faster_of(lapack, eigen);
+    const auto curve_of = [&](std::string_view family) -> const Curve& {
+      return curves[{name, "global_automatic_" + std::string(family)}];
+    };
+    std::vector<Curve> dense;
+    Curve fastest;
+    for (const std::string_view family : dense_families)
+      fastest = faster_of(fastest, dense.emplace_back(curve_of(family)));
+    dense.push_back(fastest);
     for (const std::string_view family : sparse_families) {
-      const Curve& sparse = curves[{name, "global_automatic_" + std::string(family)}];
+      const Curve& sparse = curve_of(family);
       if (sparse.points.empty()) continue;
-      table.rows.push_back({name, std::string(family), break_even_entry(lapack, sparse),
-                            break_even_entry(eigen, sparse), break_even_entry(faster, sparse),
-                            digits_entry(published_break_even)});
+      std::vector<Entry>& row = table.rows.emplace_back();
+      row = {name, std::string(family)};
+      for (const Curve& curve : dense) row.push_back(break_even_entry(curve, sparse));
+      row.push_back(digits_entry(published_break_even));
     }
   }
   std::vector<double> found;
   for (const auto& row : table.rows)
-    if (row[4].has_number()) found.push_back(std::stod(row[4].digits.front()));
+    if (const Entry& entry = row[fastest_column]; entry.has_number())
+      found.push_back(std::stod(entry.digits.front()));
   Section section = headed_section("break_even_section", {}, {std::move(table)});
   if (!found.empty()) {
     const std::string least = write_fixed(std::ranges::min(found), 0),

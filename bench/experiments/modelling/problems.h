@@ -11,7 +11,8 @@
 namespace desmo::modelling {
 
 /// Returns the formulations that are compared in each kind of coordinates, by their ids in natural
-/// ones: the paper's partitions with dense and sparse algebra, and generated code.
+/// ones: the paper's partitions with dense and sparse algebra, and generated code. A closed list:
+/// the report divides their times in pairs (report/tables/modelling.cpp).
 std::vector<std::string_view> compared_ids();
 
 /// Returns the id of a formulation in coordinates; empty: this build has no such formulation or no

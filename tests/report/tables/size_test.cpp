@@ -56,7 +56,7 @@ TEST(BreakEven, IsInterpolatedBetweenItsNeighbours) {
   expect_row(table, {"four_bar", "klu"},
              {{"lapack", "60 [30, 100]"},
               {"eigen", "42 [30, 100]"},
-              {"the faster of both", "60 [30, 100]"},
+              {"the fastest dense", "60 [30, 100]"},
               {"the paper, about", "60"}});
   expect_row(table, {"four_bar", "umfpack"}, {{"lapack", "sparse from the smallest, 10"}});
   expect_row(table, {"four_bar", "cholmod"}, {{"lapack", "dense at the largest, 300"}});
