@@ -71,7 +71,7 @@ std::vector<Section> instructions_sections(const Record& record) {
 
 namespace {
 
-constexpr double marked = 0.02;  // change of a cell from which on a commit is named
+constexpr double marked = 0.02;  // change of a candidate from which on a commit is named
 
 std::string percent_of(double change) { return write_change(100 * change); }
 

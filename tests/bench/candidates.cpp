@@ -1,4 +1,4 @@
-// Cells of desmo_bench: timing windows, verification before timing, structure, threads.
+// Candidates of desmo_bench: timing windows, verification before timing, structure, threads.
 
 #include <gtest/gtest.h>
 

@@ -37,13 +37,14 @@ TEST_F(Ma27, FormulationsAgreeWithTheQuadrupleReference) {
   options.duration = 0.5;
   for (const Case& c : cases())
     for (const char* id : ids) {
-      paper::CaseCandidate cell(paper::measured_case(c, 114, options), {parse_id(id)}, options);
-      cell.verify();
-      EXPECT_TRUE(cell.is_verified()) << cell.name() << ": " << cell.message();
-      EXPECT_EQ(cell.verifying_run().errors.instants, 51) << cell.name();
-      EXPECT_LE(cell.verifying_run().errors.position, 1e-9) << cell.name();
-      EXPECT_LE(cell.verifying_run().errors.velocity, 1e-8) << cell.name();
-      EXPECT_LE(cell.verifying_run().errors.acceleration, 1e-7) << cell.name();
+      paper::CaseCandidate candidate(paper::measured_case(c, 114, options), {parse_id(id)},
+                                     options);
+      candidate.verify();
+      EXPECT_TRUE(candidate.is_verified()) << candidate.name() << ": " << candidate.message();
+      EXPECT_EQ(candidate.verifying_run().errors.instants, 51) << candidate.name();
+      EXPECT_LE(candidate.verifying_run().errors.position, 1e-9) << candidate.name();
+      EXPECT_LE(candidate.verifying_run().errors.velocity, 1e-8) << candidate.name();
+      EXPECT_LE(candidate.verifying_run().errors.acceleration, 1e-7) << candidate.name();
     }
 }
 
