@@ -91,6 +91,30 @@ TEST_F(View, DrawsTheDrivenAngleOfAVectorThatNoJointHas) {
         "O\n");
 }
 
+/// Where a joint has its rail follows from its form: on the first body if that alone has the axis,
+/// nowhere if points keep in a plane.
+TEST_F(View, DrawsRailsByTheFormsOfJoints) {
+  const std::string rails =
+      "const rails = draw(data).filter(({layer, at}) => layer === layers.rails && at.length < 2);\n"
+      "console.log(rails.map(({body}) => data.bodies[body].name).sort().join(' '));\n";
+  write("puck.json", R"({"format": "desmo-scene", "version": 2, "mechanism": {
+    "format": "desmo-mechanism", "version": 1, "name": "puck", "dimension": 3,
+    "points": {"O": [0, 0, 0], "A": [1, 0, 0]},
+    "vectors": {"x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1], "u": [1, 0, 0]},
+    "ground": {"points": ["O"], "vectors": ["x", "y", "z"]},
+    "bodies": {"puck": {"points": ["A"], "vectors": ["z", "u"]}},
+    "joints": [{"type": "planar", "bodies": ["ground", "puck"], "vectors": ["z"],
+                "points": ["O", "A"]}],
+    "coordinates": {"a": {"component": "A", "axis": "x"}, "b": {"component": "A", "axis": "y"},
+                    "c": {"angle": "u", "from": "x", "towards": "y"}},
+    "drivers": ["a", "b", "c"]},
+    "motion": {"a": {"type": "polynomial", "coefficients": [1, 1]},
+               "b": {"type": "constant", "value": 0}, "c": {"type": "constant", "value": 0.1}},
+    "time": {"end": 1, "step": 0.1}})");
+  expect_on_page_of("puck.json", rails, "\n");
+  expect_on_page_of("whitworth", rails, "ground ground ground lever\n");
+}
+
 TEST_F(View, NamesTheCouplerOfATransmissionAngle) {
   expect_on_page_of(
       DESMO_SOURCE_DIR "/tests/range/scenes/quartered_rods.json",

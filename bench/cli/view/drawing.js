@@ -41,7 +41,7 @@ function body_marks(data) {
 }
 
 function joint_marks(data, joint) {
-  const grounded = joint.bodies.includes(0), in_plane = ['planar', 'point_on_plane'].includes(joint.type);
+  const grounded = joint.bodies.includes(0), {in_plane} = data.joint_forms[joint.type];
   if (joint.vectors.length > 0 && joint.points.length === 2 && !in_plane) return slider_marks(data, joint, grounded);
   const p = joint.points[in_plane ? 1 : 0];  // the one that moves in the plane, or the first
   if (p === undefined) return [];
@@ -68,7 +68,7 @@ function reach(data, origin, axis, slider) {
 function slider_marks(data, joint, grounded) {
   const [origin, last] = joint.points, [axis] = joint.vectors, [first_body, last_body] = joint.bodies;
   const [low, high] = reach(data, origin, axis, last);
-  const of_first = ['revolute_on_slider', 'point_on_line'].includes(joint.type);
+  const of_first = data.joint_forms[joint.type].own_vectors === 1;
   if (!grounded && !of_first) {
     const far = 0.55 * (high > -low ? high : low);
     return [link(last_body, origin, last, 4), {layer: layers.links, body: first_body, at: [origin, last], svg: view => {

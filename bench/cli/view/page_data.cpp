@@ -10,6 +10,7 @@
 #include "bench/cli/solve/columns.h"
 #include "bench/cli/view/drawn_entities.h"
 #include "cases/io/files.h"
+#include "cases/mechanism/joint_forms.h"
 #include "formulations/base/per_level.h"
 #include "formulations/modelling/measures/measures.h"
 
@@ -137,6 +138,10 @@ class Writer {
     for (const RecordedInstant* i : shown_) json_["index"].push_back(i->index);
     for (const Group& g : m_.groups)
       json_["groups"].push_back({{"name", g.name}, {"bodies", g.bodies}, {"constant", g.constant}});
+    for (const JointForm& form : joint_forms())
+      if (form.dimension == scene_.mechanism.dimension)
+        json_["joint_forms"][form.name] = {{"in_plane", form.in_plane},
+                                           {"own_vectors", form.own_vectors}};
   }
 
   /// Writes where a point or vector is found: the first of its columns, one for each component.
