@@ -23,14 +23,14 @@ namespace {
 using namespace desmo;
 using namespace desmo::report;
 
-// Below 64, the numbers of CheckVerdict; from 64 on, those of sysexits.h.
+// Below 64, the numbers of CheckVerdict; from 64 on, those of sysexits.h, named as in bench/.
 enum ExitCode {
   success = 0,
   invalid = 2,
   incomparable = 4,
   usage_error = 64,
-  invalid_data = 65,
-  io_error = 74
+  bad_input = 65,
+  not_completed = 74
 };
 
 struct TablesCommand {
@@ -198,14 +198,14 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return failed(error, usage_error);
   } catch (const UnreadableRecord& error) {
-    return failed(error, is_check ? usage_error : invalid_data);
+    return failed(error, is_check ? usage_error : bad_input);
   } catch (const MixedRecord& error) {
     return failed(error, incomparable);
   } catch (const UnsupportedVersion& error) {
-    return failed(error, is_check ? incomparable : invalid_data);
+    return failed(error, is_check ? incomparable : bad_input);
   } catch (const InputError& error) {
-    return failed(error, is_check ? invalid : invalid_data);
+    return failed(error, is_check ? invalid : bad_input);
   } catch (const OutputError& error) {
-    return failed(error, io_error);
+    return failed(error, not_completed);
   }
 }

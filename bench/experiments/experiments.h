@@ -1,77 +1,28 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "bench/kit/record/record.h"
-
-namespace CLI {
-class App;
-}
-
-namespace desmo::bench {
-
-/// The arguments of an experiment.
-struct CommandLine {
-  std::string experiment;
-  std::string text;                    ///< for the record: program, experiment and arguments
-  std::string program;                 ///< its path, as Google Benchmark wants it
-  std::vector<std::string> arguments;  ///< without program and experiment
-};
-
-/// Options that mean the same in every experiment that has them.
-struct CommonOptions {
-  std::string record;   ///< file for the results record; empty: none
-  bool quick = false;   ///< a first look
-  int repetitions = 0;  ///< samples of each time; 0: as many as the experiment takes by itself
-  std::string filter;   ///< regular expression; empty: everything
-};
-
-/// Meanings of the common options in one experiment, for its help.
-struct CommonHelp {
-  std::string quick;        ///< description of what --quick leaves out
-  std::string filtered;     ///< names that --filter searches: "<case>/<coordinates>/<id>"
-  std::string repetitions;  ///< how many samples it takes by itself; empty: it has no such option
-};
-
-/// Adds the options to those of an experiment; `options` must outlive them.
-void add_common(CLI::App& parser, CommonOptions& options, const CommonHelp& help);
-
-/// Rejects a text that is not a positive, finite number, for CLI::Option::check. Returns the
-/// message; empty: the text is accepted.
-std::string refuse_not_positive(const std::string& text);
-
-/// Reads all arguments. Returns false after printing the help that was asked for. Throws
-/// std::invalid_argument for an argument that is unknown or unusable.
-bool read(CLI::App& parser, const std::vector<std::string>& arguments);
-
-/// Begins the record of an experiment. Throws what RecordWriter throws.
-inline RecordWriter begin_record(const CommonOptions& options, const CommandLine& line) {
-  return {options.record, line.text, line.experiment};
-}
-
-}  // namespace desmo::bench
+#include "bench/experiments/options.h"
+#include "bench/kit/exit_codes.h"
 
 // The experiments: experiments/NAME/run.cpp defines run() of namespace NAME. Each measures, and
-// returns the exit code: 0, or 1 where something that was measured is wrong. Throws
+// returns success, or not_solved where something that was measured is wrong. Throws
 // std::invalid_argument and std::regex_error for a mistake in the command line, any other exception
 // where something cannot be measured or written.
 
 namespace desmo::paper {
-int run(const bench::CommandLine& line);
+bench::ExitCode run(const bench::CommandLine& line);
 }
 namespace desmo::accuracy {
-int run(const bench::CommandLine& line);
+bench::ExitCode run(const bench::CommandLine& line);
 }
 namespace desmo::size {
-int run(const bench::CommandLine& line);
+bench::ExitCode run(const bench::CommandLine& line);
 }
 namespace desmo::modelling {
-int run(const bench::CommandLine& line);
+bench::ExitCode run(const bench::CommandLine& line);
 }
 namespace desmo::instructions {
-int run(const bench::CommandLine& line);
+bench::ExitCode run(const bench::CommandLine& line);
 }
 namespace desmo::extremes {
-int run(const bench::CommandLine& line);
+bench::ExitCode run(const bench::CommandLine& line);
 }

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "bench/experiments/experiments.h"
-#include "bench/kit/exit_codes.h"
 #include "bench/kit/memory.h"
 #include "bench/kit/record/environment.h"
 #include "cases/io/input_error.h"
@@ -23,7 +22,7 @@ using namespace desmo::bench;
 
 struct Experiment {
   std::string_view name, help;
-  int (*run)(const CommandLine&);
+  ExitCode (*run)(const CommandLine&);
 };
 
 /// The table of experiments, the paper's first.
@@ -49,7 +48,7 @@ void print_experiments() {
                "\nversion this is. With options and no experiment it is the paper's.\n\n";
 }
 
-int run(int argc, char** argv) {
+ExitCode run(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
   if (first == "--version") {
     std::cout << "desmo_bench " DESMO_VERSION "\n";

@@ -1,10 +1,10 @@
+#include "bench/experiments/options.h"
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
-
-#include "bench/experiments/experiments.h"
 
 namespace desmo::bench {
 

@@ -120,7 +120,7 @@ void measure_all(const bench::CommonOptions& options, const bench::CommandLine& 
 
 }  // namespace
 
-int run(const bench::CommandLine& line) {
+bench::ExitCode run(const bench::CommandLine& line) {
   bench::CommonOptions options;
   CLI::App parser("desmo_bench accuracy: time against error of formulations and their settings.");
   bench::add_common(
@@ -128,9 +128,9 @@ int run(const bench::CommandLine& line) {
       {.quick = "the smallest sizes, eleven formulations, the reduced grid, 2 samples",
        .filtered = "<case>/<coordinates>/<id>",
        .repetitions = std::to_string(usual_repetitions)});
-  if (!bench::read(parser, line.arguments)) return 0;
+  if (!bench::read(parser, line.arguments)) return bench::success;
   measure_all(options, line);
-  return 0;
+  return bench::success;
 }
 
 }  // namespace desmo::accuracy

@@ -111,7 +111,7 @@ bool measure(const Options& options, const bench::CommandLine& line) {
 
 }  // namespace
 
-int run(const bench::CommandLine& line) {
+bench::ExitCode run(const bench::CommandLine& line) {
   Options options;
   CLI::App parser("desmo_bench extremes: every formulation in the table of extremes");
   bench::add_common(
@@ -124,8 +124,8 @@ int run(const bench::CommandLine& line) {
       .add_option("--case", options.cases,
                   "Only where this regular expression is found in the name of the case")
       ->type_name("REGEX");
-  if (!bench::read(parser, line.arguments)) return 0;
-  return measure(options, line) ? 0 : 1;
+  if (!bench::read(parser, line.arguments)) return bench::success;
+  return measure(options, line) ? bench::success : bench::not_solved;
 }
 
 }  // namespace desmo::extremes

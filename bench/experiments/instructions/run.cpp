@@ -76,7 +76,7 @@ void measure(const Options& options, const bench::CommandLine& line) {
 
 }  // namespace
 
-int run(const bench::CommandLine& line) {
+bench::ExitCode run(const bench::CommandLine& line) {
   Options options;
   CLI::App parser("desmo_bench instructions: instructions a step, counted by callgrind");
   bench::add_common(parser, options,
@@ -89,7 +89,7 @@ int run(const bench::CommandLine& line) {
       ->type_name("N")
       ->check(bench::refuse_not_positive);
   if (bench::read(parser, line.arguments)) measure(options, line);
-  return 0;
+  return bench::success;
 }
 
 }  // namespace desmo::instructions

@@ -88,7 +88,7 @@ bool measure(const Comparison& comparison, int repetitions, Json& list) {
 
 }  // namespace
 
-int run(const bench::CommandLine& line) {
+bench::ExitCode run(const bench::CommandLine& line) {
   bench::CommonOptions options;
   CLI::App parser("desmo_bench modelling: the paper's comparison in each kind of coordinates.");
   bench::add_common(parser, options,
@@ -96,7 +96,7 @@ int run(const bench::CommandLine& line) {
                      .filtered = "<case>/<coordinates>/<id>, such as "
                                  "truck_suspension/558/group_automatic_klu/coordinates:relative",
                      .repetitions = std::to_string(usual_repetitions)});
-  if (!bench::read(parser, line.arguments)) return 0;
+  if (!bench::read(parser, line.arguments)) return bench::success;
 
   const std::vector<Comparison> all = comparisons(options);
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
@@ -116,7 +116,7 @@ int run(const bench::CommandLine& line) {
   TimeGrid grid = all.front().definition->with_units(1).grid;
   grid.instants = instants;
   recording.write(grid, lists);
-  return right ? 0 : 1;
+  return right ? bench::success : bench::not_solved;
 }
 
 }  // namespace desmo::modelling

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/experiments.h"
+#include "bench/experiments/options.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::paper {

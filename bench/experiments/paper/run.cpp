@@ -22,7 +22,6 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/peer_candidate.h"
 #include "bench/experiments/paper/request.h"
-#include "bench/kit/exit_codes.h"
 #include "bench/kit/process/own_process.h"
 #include "formulations/variants.h"
 
@@ -71,18 +70,19 @@ struct ComparedCandidates {
   std::vector<Candidate*> candidates;
 };
 
-/// Returns the series of all candidates; together: as one.
-std::vector<ComparedCandidates> series_of(const std::vector<Candidate*>& all, bool together) {
+/// Returns all candidates, by case and size; together: as one.
+std::vector<ComparedCandidates> compared_candidates(const std::vector<Candidate*>& all,
+                                                    bool together) {
   if (together) return {{"desmo_bench", all}};
-  std::vector<ComparedCandidates> series;
+  std::vector<ComparedCandidates> compared;
   for (Candidate* candidate : all) {
     const std::string name = candidate->name();
     const std::string of = name.substr(0, name.find('/', name.find('/') + 1));
-    auto it = std::ranges::find(series, of, &ComparedCandidates::name);
-    if (it == series.end()) it = series.insert(it, {of, {}});
+    auto it = std::ranges::find(compared, of, &ComparedCandidates::name);
+    if (it == compared.end()) it = compared.insert(it, {of, {}});
     it->candidates.push_back(candidate);
   }
-  return series;
+  return compared;
 }
 
 /// Google Benchmark writes it anew in every process.
@@ -125,17 +125,17 @@ std::vector<std::unique_ptr<Candidate>> all_candidates(const Options& options) {
   return all;
 }
 
-/// Measures one series after the other, each in a process of its own. Returns what measure()
-/// returns of all of them.
+/// Measures all that is compared, one after the other, each in a process of its own. Returns what
+/// measure() returns of all of them.
 Json measure_all(const std::vector<ComparedCandidates>& all, std::size_t candidates,
                  Console console) {
   Json result = {{"failed", false}, {"lists", Json::object()}};
   Progress progress("benchmarks", work_of_candidate * static_cast<double>(candidates));
-  for (const ComparedCandidates& series : all) {
-    const Json measured =
-        in_own_process(series.name, [&] { return measure(series.candidates, console, progress); });
+  for (const ComparedCandidates& compared : all) {
+    const Json measured = in_own_process(
+        compared.name, [&] { return measure(compared.candidates, console, progress); });
     console.is_first = false;
-    progress.add_done(work_of_candidate * static_cast<double>(series.candidates.size()));
+    progress.add_done(work_of_candidate * static_cast<double>(compared.candidates.size()));
     if (measured["failed"]) result["failed"] = true;
     for (const auto& [name, list] : measured["lists"].items()) {
       Json& all_of_it = result["lists"].emplace(name, Json::array()).first.value();
@@ -147,7 +147,7 @@ Json measure_all(const std::vector<ComparedCandidates>& all, std::size_t candida
 
 }  // namespace
 
-int run(const bench::CommandLine& line) {
+bench::ExitCode run(const bench::CommandLine& line) {
   std::vector<std::string> arguments = line.arguments;
   for (const std::string_view a : arguments)
     if (a.starts_with("--benchmark_report_aggregates_only") || a.starts_with("--benchmark_format"))
@@ -175,19 +175,19 @@ int run(const bench::CommandLine& line) {
   if (chosen.empty()) throw std::invalid_argument("no benchmark matches the filter");
   if (listing) {
     for (const Candidate* candidate : chosen) std::cout << candidate->name() << '\n';
-    return 0;
+    return bench::success;
   }
   std::optional<RecordWriter> recording;
   if (!options.record.empty())
     recording.emplace(options.record, line.text, line.experiment);
   else
     std::cerr << "desmo_bench: without --record nothing of this will be kept\n";
-  const Json measured = measure_all(series_of(chosen, together), chosen.size(), console);
+  const Json measured = measure_all(compared_candidates(chosen, together), chosen.size(), console);
   benchmark::Shutdown();
   if (recording)
     recording->write(chosen.front()->grid(), measured["lists"],
                      static_cast<int>(TimingWindows(chosen.front()->grid().instants).count()));
-  return measured["failed"] ? 1 : 0;
+  return measured["failed"] ? bench::not_solved : bench::success;
 }
 
 }  // namespace desmo::paper

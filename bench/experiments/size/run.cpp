@@ -45,7 +45,7 @@ bool measure(const SizeSeries& series, int repetitions, Json& list) {
 
 }  // namespace
 
-int run(const bench::CommandLine& line) {
+bench::ExitCode run(const bench::CommandLine& line) {
   bench::CommonOptions options;
   CLI::App parser("desmo_bench size: how time grows with the size of a mechanism.");
   bench::add_common(parser, options,
@@ -53,7 +53,7 @@ int run(const bench::CommandLine& line) {
                      .filtered = "<question>/<case>/<size>/<id>, such as "
                                  "growth/four_bar/114/group_symbolic_inlined",
                      .repetitions = std::to_string(usual_repetitions)});
-  if (!bench::read(parser, line.arguments)) return 0;
+  if (!bench::read(parser, line.arguments)) return bench::success;
 
   const std::vector<SizeSeries> all = make_series(options.quick, std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
@@ -69,7 +69,7 @@ int run(const bench::CommandLine& line) {
     progress.add_done(work_of(series));
   }
   recording.write(all.front().definition->with_units(1).grid, lists);
-  return right ? 0 : 1;
+  return right ? bench::success : bench::not_solved;
 }
 
 }  // namespace desmo::size
