@@ -26,7 +26,8 @@ TEST(AccuracyCosts, StandInASentenceInFront) {
             std::string("exact to 1e-06: ") + missing_mark + " times as fast");
 }
 
-// A formulation of the paper's tables is held to the same error, and to its own guesses_and_updates.
+// A formulation of the paper's tables is held to the same error, and to its own
+// guesses_and_updates.
 TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
   Json json = points_record();
   json["accuracy"]["points"].push_back(
