@@ -114,7 +114,10 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
     }
     step_ = found ? path.follow(certified(*found, levels_)) : path.go_to(at.time);
     if (step_.end != PathEnd::stuck) {
-      found&& step_.end == PathEnd::same ? deliver(*found) : deliver_path(at);
+      if (found && step_.end == PathEnd::same)
+        deliver(*found);
+      else
+        deliver_path(at);
       return true;
     }
     if (may_pass && !step_.out_of_tests)
