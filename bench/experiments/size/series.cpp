@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -84,18 +85,13 @@ bench::Problem SizeSeries::problem() const {
 }
 
 Model smallest_part(const Model& whole, int min_unknowns) {
+  const auto counts = std::views::iota(1, static_cast<int>(whole.entities.size()) + 1);
   // More entities never need less.
-  int first = 1, last = static_cast<int>(whole.entities.size()) + 1;
-  while (first < last) {
-    const int middle = first + (last - first) / 2;
-    const std::optional<Model> cut = needed_by_first(whole, middle);
-    if (!cut || bench::moving_unknowns(*cut) < min_unknowns)
-      first = middle + 1;
-    else
-      last = middle;
-  }
-  const bool all = first > static_cast<int>(whole.entities.size());
-  return all ? whole : *needed_by_first(whole, first);
+  const auto enough = std::ranges::partition_point(counts, [&](int count) {
+    const std::optional<Model> cut = needed_by_first(whole, count);
+    return !cut || bench::moving_unknowns(*cut) < min_unknowns;
+  });
+  return enough == counts.end() ? whole : *needed_by_first(whole, *enough);
 }
 
 std::vector<SizeSeries> make_series(bool quick, const std::regex& filter) {
