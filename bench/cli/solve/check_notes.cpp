@@ -46,10 +46,10 @@ std::string lost_text(const RowFlag& f) {
 
 }  // namespace
 
-std::string off_by(int constraint, double amount, bool is_length, const Model& m,
-                   const DisplayUnits& units) {
-  const DisplayUnit unit = is_length ? units.length : DisplayUnit{"1"};
-  return "'" + m.constraints[constraint].name + "' is off by " + quantity(amount, unit, "%.1e");
+std::string off_by(const Misfit& misfit, const Model& m, const DisplayUnits& units) {
+  const DisplayUnit unit = misfit.is_length ? units.length : DisplayUnit{"1"};
+  return "'" + m.constraints[misfit.constraint].name + "' is off by " +
+         quantity(misfit.amount, unit, "%.1e");
 }
 
 std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& units) {
@@ -62,8 +62,7 @@ std::string flag_text(const RowFlag& f, const Model& m, const DisplayUnits& unit
       return group + time_range_text(f.after, f.before) + lost_text(f);
     case RowFlag::Kind::misfit:
       return group + time_text(f.after) + (f.after < f.time ? ", between rows" : "") +
-             ": the equations contradict each other: " +
-             off_by(f.misfit->constraint, f.misfit->amount, f.misfit->is_length, m, units) +
+             ": the equations contradict each other: " + off_by(*f.misfit, m, units) +
              "; the motion is that of the others";
     case RowFlag::Kind::crossing:
     case RowFlag::Kind::on_point:
@@ -105,9 +104,7 @@ std::string note_on_flags(const CheckedSummary& s, const Model& m, const Display
             ", the first at " + flag_text(*s.first_flag, m, units) + '\n';
   if (s.first_crossing && !s.first_flag->is_of_change_point())
     note += "accuracy: degraded: " + flag_text(*s.first_crossing, m, units) + '\n';
-  if (s.misfit)
-    note += "accuracy: largest contradiction: " +
-            off_by(s.misfit->constraint, s.misfit->amount, s.misfit->is_length, m, units) + '\n';
+  if (s.misfit) note += "accuracy: largest contradiction: " + off_by(*s.misfit, m, units) + '\n';
   if (s.crossings > 1)
     note += "accuracy: " + count(s.crossings, "change point") + " flagged in all\n";
   return note;

@@ -22,8 +22,7 @@ std::string note_on_flags(const CheckedSummary& summary, const Model& model,
 std::string flag_text(const RowFlag& flag, const Model& model, const DisplayUnits& units);
 
 /// Returns "'rod/length' is off by 1.2 mm"; without a unit where the amount is no length.
-std::string off_by(int constraint, double amount, bool is_length, const Model& model,
-                   const DisplayUnits& units);
+std::string off_by(const Misfit& misfit, const Model& model, const DisplayUnits& units);
 
 /// Returns why a strict run ended, in the form of failure_text().
 std::string refusal_text(const CheckedSummary& summary, const Model& model,

@@ -17,7 +17,7 @@ namespace {
 std::string assembly_error_text(const std::optional<Misfit>& d, const Model& m,
                                 const DisplayUnits& units) {
   if (!d || d->constraint < 0 || !std::isfinite(d->amount)) return "";
-  return "; at best " + off_by(d->constraint, d->amount, d->is_length, m, units);
+  return "; at best " + off_by(*d, m, units);
 }
 
 /// Newton's method has failed, and there is no assembly error.
