@@ -7,6 +7,11 @@
 
 namespace desmo::bench {
 
+/// Returns q, q̇ or q̈ of a state, an instant, a reference or an answer.
+const auto& values_at(const auto& solved, Level level) {
+  return level == Level::position ? solved.q : level == Level::velocity ? solved.qd : solved.qdd;
+}
+
 /// Observer that takes q, q̇ and q̈ of the requested coordinates, by default of all, into plain
 /// vectors in the order of the request.
 class Delivery : public Observer {

@@ -37,11 +37,7 @@ ComparingObserver::ComparingObserver(std::size_t coordinates, Level level,
       reference_(reference),
       copies_(reference.size()),
       compared_(std::move(compared)) {
-  for (auto& [was_delivered, state] : copies_) {
-    state.q.resize(coordinates);
-    if (level >= Level::velocity) state.qd.resize(coordinates);
-    if (level >= Level::acceleration) state.qdd.resize(coordinates);
-  }
+  for (auto& [was_delivered, state] : copies_) state.resize(coordinates);
 }
 
 Flow ComparingObserver::observe(const Instant& i) noexcept {

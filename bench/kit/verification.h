@@ -21,11 +21,6 @@ struct Differences : PerLevel<double> {
   int instants = 0;
 };
 
-/// Returns q, q̇ or q̈ of a state, a reference or an answer.
-const auto& values_at(const auto& solved, Level level) {
-  return level == Level::position ? solved.q : level == Level::velocity ? solved.qd : solved.qdd;
-}
-
 /// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
 void raise_to_difference(double& largest, double a, double b);
 

@@ -6,6 +6,7 @@
 
 #include "bench/cli/input.h"
 #include "bench/cli/units.h"
+#include "bench/kit/delivery.h"
 #include "formulations/formulation.h"
 #include "formulations/model/plan.h"
 #include "formulations/modelling/measures/measures.h"
@@ -25,10 +26,7 @@ struct Column {
 
   /// Returns the value in the column's unit.
   double value(const Instant& instant) const {
-    return unit.from_si(coordinate < 0             ? constant
-                        : level == Level::position ? instant.q[coordinate]
-                        : level == Level::velocity ? instant.qd[coordinate]
-                                                   : instant.qdd[coordinate]);
+    return unit.from_si(coordinate < 0 ? constant : bench::values_at(instant, level)[coordinate]);
   }
   std::string heading() const { return name + " [" + unit.name + "]"; }
 };
