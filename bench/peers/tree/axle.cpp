@@ -1,6 +1,7 @@
 #include "bench/peers/tree/axle.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -108,7 +109,7 @@ Axle::Closure Axle::closure(const Angles& angles, const Roll& roll) const {
   return at;
 }
 
-int Axle::solve(const Moving<double>& left, const Moving<double>& right, Angles& angles) {
+int Axle::solve(const Moving<double>& left, const Moving<double>& right, const Angles& angles) {
   left_height_ = left;
   right_height_ = right;
   const Roll roll = this->roll(left, right);
@@ -132,7 +133,7 @@ int Axle::solve(const Moving<double>& left, const Moving<double>& right, Angles&
 
 /// (C−G)·v = 0 and (C−G)·a + v·v = 0 at both rods, v and a being velocity and acceleration of C:
 /// what they are without ψ̇, θ̇ (ψ̈, θ̈) is moved to the right-hand side.
-void Axle::solve_rates(const Closure& at, const Roll& roll, Angles& angles) {
+void Axle::solve_rates(const Closure& at, const Roll& roll, const Angles& angles) {
   const Eigen::Matrix2d inverse = at.jacobian.inverse();
   Eigen::Vector2d b;
   const Vec known_turn = roll.rate * at.roll_axis;
@@ -167,8 +168,8 @@ void Axle::solve_rates(const Closure& at, const Roll& roll, Angles& angles) {
            fixed(at.x),
            fixed(at.y),
            fixed(at.z)};
-  angles.qd = {yaw, pitch};
-  angles.qdd = {second_rate[0], second_rate[1]};
+  std::copy_n(rate.data(), 2, angles.qd.begin());
+  std::copy_n(second_rate.data(), 2, angles.qdd.begin());
 }
 
 std::vector<std::string> Axle::delivered(const std::string& prefix) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ class Axle {
  public:
   /// ψ and θ, what Newton's method looks for. They are 0 in the nominal position.
   struct Angles {
-    std::array<double, 2> q{}, qd{}, qdd{};
+    std::span<double, 2> q, qd, qdd;
   };
 
   /// prefix: of the axle's names.
@@ -42,7 +43,7 @@ class Axle {
   /// Solves at the given heights of the wheels, starting from the angles given. They become the
   /// solution's. Returns the iterations. Throws std::runtime_error, naming the axle, when the
   /// heights are out of reach or Newton's method does not close the loops.
-  int solve(const Moving<double>& left, const Moving<double>& right, Angles& angles);
+  int solve(const Moving<double>& left, const Moving<double>& right, const Angles& angles);
 
   /// Returns the pose of the axle at the last solution.
   const Pose& pose() const { return pose_; }
@@ -60,7 +61,7 @@ class Axle {
 
   Roll roll(const Moving<double>& left, const Moving<double>& right) const;
   Closure closure(const Angles& angles, const Roll& roll) const;
-  void solve_rates(const Closure& at, const Roll& roll, Angles& angles);
+  void solve_rates(const Closure& at, const Roll& roll, const Angles& angles);
 
   std::string prefix_;
   double tolerance_;  // of √Σ (gᵢ/Lᵢ²)²

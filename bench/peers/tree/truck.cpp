@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "bench/peers/tree/suspension.h"
 #include "bench/peers/tree/tree_peer.h"
 #include "formulations/base/part.h"
+#include "formulations/base/state.h"
 #include "formulations/motion/prediction/motions_ahead.h"
 #include "formulations/motion/prediction/predictor.h"
 
@@ -17,30 +18,17 @@ namespace desmo::tree {
 
 namespace {
 
-/// The angles of all axles at an instant, one axle after the other.
-struct AnglesOfAll {
-  explicit AnglesOfAll(int axles = 0) : q(2 * axles), qd(q), qdd(q) {}
-
-  Axle::Angles of(std::size_t axle) const {
-    const auto two = [&](const std::vector<double>& v) {
-      return std::array{v[2 * axle], v[2 * axle + 1]};
-    };
-    return {two(q), two(qd), two(qdd)};
-  }
-  void set(std::size_t axle, const Axle::Angles& a) {
-    std::ranges::copy(a.q, &q[2 * axle]);
-    std::ranges::copy(a.qd, &qd[2 * axle]);
-    std::ranges::copy(a.qdd, &qdd[2 * axle]);
-  }
-
-  std::vector<double> q, qd, qdd;
-};
+/// Returns the angles of an axle among those of all, one axle after the other.
+Axle::Angles angles_of(State& all, std::size_t axle) {
+  const auto two = [&](std::vector<double>& v) { return std::span<double, 2>(&v[2 * axle], 2); };
+  return {two(all.q), two(all.qd), two(all.qdd)};
+}
 
 class Truck final : public TreePeer {
  public:
   Truck(const Scene& scene, const Model& model, Guess guess) : motions_(addresses(scene.motions)) {
     const int axles = static_cast<int>(scene.motions.size()) / 2;
-    last_ = one_before_ = AnglesOfAll(axles);
+    one_before_.resize(2 * axles);
     expected_ = Predictor(guess, {{0, 2 * axles}});
     // The whole mechanism meets the tolerance, like ours.
     const double tolerance = Settings{}.tolerance / std::sqrt(axles);
@@ -62,7 +50,8 @@ class Truck final : public TreePeer {
   void assemble(double t) override {
     iterations_ = 0;
     before_.reset();
-    last_ = AnglesOfAll(static_cast<int>(suspensions_.size()));
+    last_ = {};
+    last_.resize(2 * suspensions_.size());
     solve(t);
   }
 
@@ -87,9 +76,8 @@ class Truck final : public TreePeer {
     };
     for (std::size_t a = 0; a < suspensions_.size(); ++a) {
       Suspension& s = suspensions_[a];
-      Axle::Angles angles = last_.of(a);
-      iterations = std::max(iterations, s.axle.solve(height(2 * a), height(2 * a + 1), angles));
-      last_.set(a, angles);
+      iterations =
+          std::max(iterations, s.axle.solve(height(2 * a), height(2 * a + 1), angles_of(last_, a)));
       s.axle.deliver(out);
       for (const Stabiliser& stabiliser : s.stabilisers) stabiliser.solve(s.axle.pose(), out);
       for (const Damper& damper : s.dampers) damper.solve(s.axle.pose(), out);
@@ -106,9 +94,9 @@ class Truck final : public TreePeer {
   MotionsAhead motions_;  // of the left and the right wheels, axle after axle
   Predictor expected_;
   std::vector<Suspension> suspensions_;
-  AnglesOfAll last_, one_before_;  // solved; on the way to a solution what is expected
-  double time_ = 0, h_ = 0;        // of the last instant, and from the one before it
-  std::optional<Level> before_;    // nothing: there is none
+  State last_, one_before_;      // the angles, solved; on the way to a solution what is expected
+  double time_ = 0, h_ = 0;      // of the last instant, and from the one before it
+  std::optional<Level> before_;  // nothing: there is none
 };
 
 }  // namespace
