@@ -121,7 +121,7 @@ class CeresPeer final : public Peer {
               std::sqrt(static_cast<double>(parts_of(*rates_).size()))),
         options_(newton(stop_, settings_.max_iterations)),
         problem_(problem_options()) {
-    for (auto* values : {&state_.q, &state_.qd, &state_.qdd}) values->resize(m.state_size());
+    state_.resize(m.state_size());
     const std::vector<bool> driven = independent_coordinates(m);
     is_unknown_.resize(m.entities.size());
     for (std::size_t e = 0; e < m.entities.size(); ++e)
@@ -134,7 +134,7 @@ class CeresPeer final : public Peer {
       if (!part.definition.constant) runs_ = ranges_of(part.definition.unknowns);
     answer_.coordinates.resize(m.coordinates());
     for (int i = 0; i < m.coordinates(); ++i) answer_.coordinates[i] = i;
-    for (auto* values : {&answer_.q, &answer_.qd, &answer_.qdd}) values->resize(m.coordinates());
+    answer_.resize(m.coordinates());
   }
 
   void assemble(double t) override {

@@ -9,6 +9,7 @@
 #include "cases/mechanism/motion.h"
 #include "cases/mechanism/scene.h"
 #include "formulations/base/settings.h"
+#include "formulations/base/state.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
@@ -17,11 +18,11 @@ namespace desmo {
 /// interface includes no library's headers: what these need of the compiler stays in their file.
 class Peer {
  public:
-  /// Coordinates of the model that the peer finds, each once, and their values. Some of the model's
-  /// may be missing, because they do not follow from the coordinates that the peer solves for.
-  struct Answer {
+  /// Coordinates of the model that the peer finds, each once, and their values in this order. Some
+  /// of the model's may be missing, because they do not follow from the coordinates that the peer
+  /// solves for.
+  struct Answer : State {
     std::vector<int> coordinates;
-    std::vector<double> q, qd, qdd;  ///< in the order of `coordinates`
   };
 
   virtual ~Peer() = default;

@@ -19,8 +19,7 @@ class TreePeer : public Peer {
       const Entity& e = model.entities[model.find(name)];
       for (int i = 0; i < e.size; ++i) answer_.coordinates.push_back(e.first + i);
     }
-    for (auto* values : {&answer_.q, &answer_.qd, &answer_.qdd})
-      values->resize(answer_.coordinates.size());
+    answer_.resize(answer_.coordinates.size());
   }
 
   /// Returns the writer of everything that was announced, from the beginning.
