@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bench/kit/record/environment.h"
 #include "formulations/base/per_level.h"
 
 namespace desmo::bench {
@@ -37,13 +36,12 @@ Json rounded_list(const std::vector<double>& seconds) {
 RecordWriter::RecordWriter(const std::string& path, const std::string& command,
                            const std::string& experiment)
     : file_(required(path)),
-      date_(utc_now()),
-      command_(command),
-      experiment_(experiment),
-      load_before_(load_averages()) {}
+      run_{utc_now(), command, load_averages(), {}},
+      experiment_(experiment) {}
 
 void RecordWriter::write(const TimeGrid& grid, const Json& lists, std::optional<int> windows) {
-  Json environment = environment_json({date_, command_, load_before_, load_averages()}, grid);
+  run_.load_after = load_averages();
+  Json environment = environment_json(run_, grid);
   if (windows) environment["settings"]["windows"] = *windows;
   Json section = Json::object();
   for (const auto& [name, list] : lists.items())

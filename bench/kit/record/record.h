@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/kit/record/environment.h"
 #include "bench/kit/time/timing_windows.h"
 #include "bench/kit/verification.h"
 #include "cases/io/new_files.h"
@@ -34,8 +35,8 @@ class RecordWriter {
 
  private:
   OutputFile file_;
-  std::string date_, command_, experiment_;
-  std::vector<double> load_before_;
+  Run run_;
+  const std::string experiment_;
 };
 
 /// Returns the head of a record that has no samples: what was measured where, now.
