@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "bench/peers/simbody_conversion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>

@@ -1,6 +1,5 @@
 #include "bench/cli/solve/check_notes.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "bench/cli/text.h"

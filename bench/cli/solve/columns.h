@@ -7,7 +7,6 @@
 #include "bench/cli/input.h"
 #include "bench/cli/units.h"
 #include "bench/kit/delivery.h"
-#include "formulations/formulation.h"
 #include "formulations/model/plan.h"
 #include "formulations/modelling/measures/measures.h"
 

@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "bench/cli/units.h"
 #include "formulations/verification/run/checked_run.h"

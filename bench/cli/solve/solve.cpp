@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/drawing_notes.h"

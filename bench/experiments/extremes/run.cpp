@@ -2,19 +2,16 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
 #include "bench/kit/checked_run.h"
 #include "bench/kit/process/progress.h"
-#include "cases/generators/cases.h"
 #include "cases/mechanism/names.h"
 #include "formulations/base/per_level.h"
 

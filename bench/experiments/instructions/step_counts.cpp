@@ -9,7 +9,6 @@
 #include "bench/regression/rounds.h"
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
-#include "formulations/model/partition.h"
 #include "formulations/variants.h"
 
 namespace desmo::instructions {

@@ -10,7 +10,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <utility>
 
 #include "bench/experiments/paper/options.h"
 #include "bench/kit/memory.h"

@@ -1,10 +1,7 @@
 #include "bench/experiments/paper/options.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
-
-#include "cases/generators/cases.h"
 
 namespace desmo::paper {
 
