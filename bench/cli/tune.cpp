@@ -113,12 +113,11 @@ void tune(const TuneOptions& options) {
   if (!found.choice) refuse(found, motion.whole, options, input);
 
   const std::string id = id_with(*found.choice->variant, found.choice->settings);
-  std::string text = id + "\n";
-  text += "relative error over the motion: position " + formatted("%.2g", found.error.position.max);
-  if (found.error.velocity.compared > 0)
-    text += ", velocity " + formatted("%.2g", found.error.velocity.max);
-  if (found.error.acceleration.compared > 0)
-    text += ", acceleration " + formatted("%.2g", found.error.acceleration.max);
+  std::string text = id + "\nrelative error over the motion: position " +
+                     formatted("%.2g", found.error.position.max);
+  for (const Level level : rate_levels)
+    if (found.error[level].compared > 0)
+      text += formatted(", %s %.2g", level_names[level], found.error[level].max);
   text += " (at " + count(found.error.instants, "instant") + ")\n" + microseconds(found.seconds) +
           " a step, " + formatted("%.2f", found.usual_seconds / found.seconds) +
           " times as fast as " + found.choice->variant->id + " with the usual settings\n\n" +
