@@ -65,7 +65,9 @@ FormulationCandidate::Checked FormulationCandidate::check(VerifyingRun& found) {
   found.level = request_.level;
   if (std::string reason = unavailable_reason(settings()); !reason.empty())
     return not_run(std::move(reason));
-  if (std::string reason = missing(); !reason.empty()) return not_run(std::move(reason));
+  if (problem_.missing)
+    if (std::string reason = problem_.missing(configuration_); !reason.empty())
+      return not_run(std::move(reason));
   const std::size_t bytes_before = heap_in_use();
   const double before_setup = cpu_now();
   const auto formulation = make_formulation();

@@ -54,9 +54,6 @@ class FormulationCandidate : public Candidate {
   /// a tolerance above the usual one.
   Checked check(VerifyingRun& found) override;
 
-  /// Returns why it is not run here; empty: it is.
-  virtual std::string missing() const { return {}; }
-
   /// Runs the whole motion, which is what is verified and timed; by default without checks.
   virtual Summary run(Formulation& formulation, Observer& observer) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/base/settings.h"
 #include "formulations/equations/kernel_table.h"
+#include "formulations/id.h"
 #include "formulations/model/plan.h"
 #include "formulations/verification/reference/reference.h"
 
@@ -23,6 +25,8 @@ struct Problem {
   /// "double": one in double precision, by code that no formulation uses, where the two would take
   /// minutes.
   const char* checked_against = "quadruple";
+  /// Returns why a formulation is not to be run, empty: it is; no function: all are.
+  std::function<std::string(const Configuration&)> missing{};
   KernelTable kernels{};  ///< generated code, apart from what desmo was built with
   /// The coordinates that are delivered and compared, in the order of the reference; empty: all.
   std::vector<int> delivered{};

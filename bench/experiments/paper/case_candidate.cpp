@@ -53,8 +53,6 @@ CaseCandidate::CaseCandidate(std::shared_ptr<MeasuredCase> measured, const Timed
     refuse(not_run(std::move(reason)));
 }
 
-std::string CaseCandidate::missing() const { return measured_->missing(configuration()); }
-
 Summary CaseCandidate::run(Formulation& formulation, Observer& observer) const {
   return run_under_check(formulation, grid(), request_, observer, check_);
 }

@@ -26,7 +26,6 @@ class CaseCandidate final : public FormulationCandidate {
   const std::optional<PhaseTimes>& phases() const { return phases_; }
 
  private:
-  std::string missing() const override;
   Summary run(Formulation& formulation, Observer& observer) const override;
 
   const std::shared_ptr<MeasuredCase> measured_;

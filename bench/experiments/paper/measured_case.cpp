@@ -51,34 +51,21 @@ std::string reason_of(const GenerationOutcome& outcome) {
   return "parts too large to generate code for: " + std::to_string(outcome.parts_too_large);
 }
 
-class MeasuredScene final : public MeasuredCase {
- public:
-  MeasuredScene(const std::string& file, const Options& options) : MeasuredCase(read(file)) {
-    case_name = name_of(file);
-    if (case_name.empty() || std::ranges::find(cases(), case_name, &Case::name) != cases().end())
-      throw std::invalid_argument("--scene " + in_quotes(file) +
-                                  ": a case of the suite has the name " + in_quotes(case_name) +
-                                  "; give the file another");
-    plan.model = model_of(scene, file);
-    grid = chosen_grid(scene.grid, options);
-    is_relative = true;
+/// Adds the code of a formulation to a scene that lacks it. Returns why there is none; empty: there
+/// is. reasons: why there is none, by what it is generated for.
+std::string missing(MeasuredCase& measured, const Configuration& c,
+                    std::map<std::string, std::string>& reasons) {
+  const Model& model = measured.plan.model;
+  if (c.variant->evaluation == Evaluation::symbolic) {
+    const auto [reason, is_new] = reasons.try_emplace(
+        id_with(*c.variant, {.lanes = c.settings.lanes, .segments = c.settings.segments}));
+    if (is_new)
+      reason->second = reason_of(load::add_generated_code(measured.kernels, *c.variant, c.settings,
+                                                          model, measured.grid, compile_limit));
+    if (!reason->second.empty()) return reason->second;
   }
-
-  std::string missing(const Configuration& c) override {
-    if (c.variant->evaluation == Evaluation::symbolic) {
-      const auto [reason, is_new] = code_.try_emplace(
-          id_with(*c.variant, {.lanes = c.settings.lanes, .segments = c.settings.segments}));
-      if (is_new)
-        reason->second = reason_of(load::add_generated_code(kernels, *c.variant, c.settings,
-                                                            plan.model, grid, compile_limit));
-      if (!reason->second.empty()) return reason->second;
-    }
-    return missing_code(*make_formulation(*c.variant, plan.model, c.settings, kernels));
-  }
-
- private:
-  std::map<std::string, std::string> code_;  // why there is none, by what it is generated for
-};
+  return missing_code(*make_formulation(*c.variant, model, c.settings, measured.kernels));
+}
 
 }  // namespace
 
@@ -92,7 +79,18 @@ std::shared_ptr<MeasuredCase> measured_case(const Case& definition, int coordina
 }
 
 std::shared_ptr<MeasuredCase> measured_scene(const std::string& file, const Options& options) {
-  return std::make_shared<MeasuredScene>(file, options);
+  const auto measured = std::make_shared<MeasuredCase>(read(file));
+  const std::string& name = measured->case_name = name_of(file);
+  if (name.empty() || std::ranges::find(cases(), name, &Case::name) != cases().end())
+    throw std::invalid_argument("--scene " + in_quotes(file) +
+                                ": a case of the suite has the name " + in_quotes(name) +
+                                "; give the file another");
+  measured->plan.model = model_of(measured->scene, file);
+  measured->grid = chosen_grid(measured->scene.grid, options);
+  measured->is_relative = true;
+  measured->missing = [&scene = *measured, reasons = std::map<std::string, std::string>{}](
+                          const Configuration& c) mutable { return missing(scene, c, reasons); };
+  return measured;
 }
 
 }  // namespace desmo::paper

@@ -8,7 +8,6 @@
 #include "bench/kit/problem.h"
 #include "cases/generators/cases.h"
 #include "cases/mechanism/scene.h"
-#include "formulations/id.h"
 
 namespace desmo::paper {
 
@@ -16,10 +15,6 @@ namespace desmo::paper {
 /// candidates.
 struct MeasuredCase : Problem {
   explicit MeasuredCase(Scene described) : scene(std::move(described)) {}
-  virtual ~MeasuredCase() = default;
-
-  /// Returns why a formulation is not to be run; empty: it is.
-  virtual std::string missing(const Configuration&) { return {}; }
 
   const Scene scene;         ///< the whole mechanism, which peers are made of
   bool is_profiled = false;  ///< whether a record shows where the time goes
