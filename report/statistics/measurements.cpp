@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "report/statistics/paper.h"
-#include "report/statistics/variants.h"
 #include "report/text/document.h"
 #include "report/text/texts.h"
 
@@ -45,12 +44,12 @@ MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& var
   return {speed_up(*reference.seconds, *variant.seconds), {}};
 }
 
-MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t variant) {
+MeanSpeedUp mean_speed_up(const Record& record, std::string_view family,
+                          const PaperVariant& variant) {
   std::vector<SpeedUp> found;
   for (const std::int64_t size : published_sizes()) {
-    const auto one =
-        measured_speed_up(record, family_key(paper_variants[truck_global], size, family),
-                          family_key(paper_variants[variant], size, family));
+    const auto one = measured_speed_up(record, family_key(truck_global, size, family),
+                                       family_key(variant, size, family));
     if (one.speed_up) found.push_back(*one.speed_up);
   }
   if (found.empty()) return {};

@@ -12,6 +12,7 @@
 
 #include "report/read/record.h"
 #include "report/statistics/statistics.h"
+#include "report/statistics/variants.h"
 
 namespace desmo::report {
 
@@ -46,14 +47,15 @@ MeasuredSpeedUp measured_speed_up(const Record& record,
 /// Throws std::logic_error for times of two clocks: they make no ratio.
 MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant);
 
-/// The mean speed-up of one of the paper's variants, by position in `paper_variants`, over
-/// `truck_global` within a family, over those of the paper's sizes where both were measured.
+/// The mean speed-up of one of the paper's variants over `truck_global` within a family, over those
+/// of the paper's sizes where both were measured.
 struct MeanSpeedUp {
   std::optional<SpeedUp> speed_up;
   std::size_t sizes = 0;  ///< number of sizes in the mean
 };
 
-MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t variant);
+MeanSpeedUp mean_speed_up(const Record& record, std::string_view family,
+                          const PaperVariant& variant);
 
 /// Returns the candidates of a case and size whose ids `holds` is true of, by id.
 std::vector<CandidateKey> candidates_at(const Record& record, const CaseSize& place,

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -38,9 +38,10 @@ inline constexpr std::array<PaperVariant, 7> paper_variants{
      {"TS-TPS_MA27", "truck_suspension", "group_symbolic_<sparse>"},
      {"TS-TPS_LAP", "truck_suspension", "group_symbolic_lapack"}}};
 
-inline constexpr std::size_t truck_global = 2;  ///< reference of table 2
-inline constexpr std::string_view truck_case = paper_variants[truck_global].case_name;
-inline constexpr std::array<std::size_t, 4> topological{3, 4, 5, 6};  ///< columns of table 2
+inline constexpr const PaperVariant& truck_global = paper_variants[2];  ///< reference of table 2
+inline constexpr std::string_view truck_case = truck_global.case_name;
+/// Columns of table 2: the variants after their reference.
+inline constexpr std::span<const PaperVariant> topological = std::span(paper_variants).subspan(3);
 
 /// The size at which the paper says that the four-bar's times begin to show.
 inline constexpr std::int64_t published_four_bar = 1002;

@@ -102,7 +102,7 @@ Table best_formulations(const Record& record) {
   return table;
 }
 
-constexpr std::size_t papers_best = 6;  // TS-TPS_LAP, in `paper_variants`
+constexpr const PaperVariant& papers_best = paper_variants.back();  // TS-TPS_LAP
 
 std::string two_digits(double value) { return write(value, significant_digits(value, 2)); }
 
@@ -195,7 +195,7 @@ Section answer(const Record& record) {
     if (is_the_papers) say("finding_filed");
   } else {
     if (is_the_papers) {
-      const std::string_view name = paper_variants[papers_best].paper_name;
+      const std::string_view name = papers_best.paper_name;
       say("paper", {{"variant", name},
                     {"published", published(published_speed_up, "mean", name)},
                     {"by_solver", list(complete_means(record))}});

@@ -13,9 +13,8 @@ namespace desmo::report {
 namespace {
 
 /// Returns the paper's sizes and those that were recorded of some variants.
-template <class Variants>
 std::set<std::int64_t> sizes_with(const Record& record, std::string_view family,
-                                  const Variants& shown) {
+                                  std::span<const PaperVariant> shown) {
   std::set<std::int64_t> sizes(published_sizes().begin(), published_sizes().end());
   for (const auto& [key, candidate] : record.candidates)
     for (const PaperVariant& variant : shown)
@@ -52,8 +51,8 @@ Entry published_speed_up_entry(const std::string& row, const PaperVariant& varia
 
 /// Returns a mean over the paper's sizes. With fewer it cannot stand beside the paper's, and says
 /// so: "incomplete 4/5".
-Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
-                          bool with_percent = false) {
+Entry mean_speed_up_entry(const Record& record, std::string_view family,
+                          const PaperVariant& variant, bool with_percent = false) {
   const std::vector<std::int64_t>& sizes = published_sizes();
   const MeanSpeedUp mean = mean_speed_up(record, family, variant);
   if (!mean.speed_up) return note_entry(missing_mark);
@@ -112,32 +111,28 @@ Table cpu_times(const Record& record, std::string_view family) {
 Table speed_ups(const Record& record, std::string_view family) {
   Table table = headed_table(
       "table2",
-      timed_words(record, {{"family", family},
-                           {"reference", family_name(paper_variants[truck_global], family)}}));
+      timed_words(record, {{"family", family}, {"reference", family_name(truck_global, family)}}));
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(source.ratio_warning);
-  std::vector<PaperVariant> shown;
-  for (const std::size_t variant : topological) shown.push_back(paper_variants[variant]);
-  for (const PaperVariant& variant : shown)
+  for (const PaperVariant& variant : topological)
     table.columns.push_back({family_name(variant, family), {"speed_up", "low", "high", "percent"}});
   const auto add = [&](const std::string& name, const auto& ours_of) {
     std::vector<Entry> ours{name, "ours"}, paper{name, "paper"};
-    for (const std::size_t variant : topological) {
+    for (const PaperVariant& variant : topological) {
       ours.push_back(ours_of(variant));
-      paper.push_back(
-          compared(published_speed_up_entry(name, paper_variants[variant]), ours.back()));
+      paper.push_back(compared(published_speed_up_entry(name, variant), ours.back()));
     }
     add_both(table, std::move(ours), std::move(paper));
   };
-  for (const std::int64_t size : sizes_with(record, family, shown))
-    add(std::to_string(size), [&](std::size_t variant) {
-      return ratio_entry(
-          measured_speed_up(record, family_key(paper_variants[truck_global], size, family),
-                            family_key(paper_variants[variant], size, family)),
-          true);
+  for (const std::int64_t size : sizes_with(record, family, topological))
+    add(std::to_string(size), [&](const PaperVariant& variant) {
+      return ratio_entry(measured_speed_up(record, family_key(truck_global, size, family),
+                                           family_key(variant, size, family)),
+                         true);
     });
-  add("mean",
-      [&](std::size_t variant) { return mean_speed_up_entry(record, family, variant, true); });
+  add("mean", [&](const PaperVariant& variant) {
+    return mean_speed_up_entry(record, family, variant, true);
+  });
   return table;
 }
 
@@ -207,16 +202,15 @@ Table figure_of_speed_ups(const Record& record) {
   table.columns.push_back({paper_solver, quantities});
   std::vector<std::string_view> families = recorded_families(record, truck_case);
   std::erase_if(families, [&](std::string_view family) {
-    return std::ranges::none_of(topological, [&](std::size_t variant) {
+    return std::ranges::none_of(topological, [&](const PaperVariant& variant) {
       return mean_speed_up_entry(record, family, variant).has_number();
     });
   });
   if (families.empty()) return table;  // the paper's speed-ups alone say nothing of the record
   for (const std::string_view family : families)
     table.columns.push_back({std::string(family), quantities});
-  for (const std::size_t variant : topological) {
-    std::vector<Entry> row{legend(paper_variants[variant]),
-                           published_speed_up_entry("mean", paper_variants[variant], false)};
+  for (const PaperVariant& variant : topological) {
+    std::vector<Entry> row{legend(variant), published_speed_up_entry("mean", variant, false)};
     for (const std::string_view family : families)
       row.push_back(mean_speed_up_entry(record, family, variant));
     table.rows.push_back(std::move(row));

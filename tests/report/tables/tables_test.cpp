@@ -22,10 +22,10 @@ TEST(Paper, HoldsThePublishedTables) {
 // rounding, but for 225 coordinates and TS-TPA_MA27, where the paper prints 14.8 % and its times
 // give 14.1 %.
 TEST(Paper, TableTwoFollowsFromTableOne) {
-  for (const std::size_t variant : topological)
+  for (const PaperVariant& variant : topological)
     for (const std::int64_t size : published_sizes()) {
       const std::string row = std::to_string(size);
-      const std::string column(paper_variants[variant].paper_name);
+      const std::string column(variant.paper_name);
       const double global = *read_number(published(published_cpu_seconds, row, "TS-G_MA27"));
       const double group = *read_number(published(published_cpu_seconds, row, column));
       const double rounding = row == "225" && column == "TS-TPA_MA27" ? 0.7 : 0.11;
