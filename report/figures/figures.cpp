@@ -131,9 +131,8 @@ NewFile figure(const Table& table) {
 
 std::vector<NewFile> figures(const Document& document) {
   std::vector<NewFile> files;
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables)
-      if (!table.figure.empty()) files.push_back(figure(table));
+  for (const Table& table : tables_of(document))
+    if (!table.figure.empty()) files.push_back(figure(table));
   return files;
 }
 

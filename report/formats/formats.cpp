@@ -94,8 +94,8 @@ std::vector<NewFile> render(const Document& document, const std::string& format)
   if (format == "html") return {{"report.html", to_html(document)}};
   if (format != "csv") throw std::invalid_argument("no such format: " + format);
   std::vector<NewFile> files;
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables) files.push_back({table.name + ".csv", to_csv(table)});
+  for (const Table& table : tables_of(document))
+    files.push_back({table.name + ".csv", to_csv(table)});
   return files;
 }
 
@@ -103,14 +103,11 @@ namespace {
 
 /// Puts the name of each table into a column in front, where there are several.
 Document with_names_in_rows(Document document) {
-  std::size_t tables = 0;
-  for (const Section& section : document.sections) tables += section.tables.size();
-  if (tables < 2) return document;
-  for (Section& section : document.sections)
-    for (Table& table : section.tables) {
-      table.columns.insert(table.columns.begin(), {"table", {}});
-      for (auto& row : table.rows) row.insert(row.begin(), table.name);
-    }
+  if (std::ranges::distance(tables_of(document)) < 2) return document;
+  for (Table& table : tables_of(document)) {
+    table.columns.insert(table.columns.begin(), {"table", {}});
+    for (auto& row : table.rows) row.insert(row.begin(), table.name);
+  }
   return document;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -88,5 +89,10 @@ struct Document {
   std::vector<Section> sections;
   std::string home = {};  ///< address of the site's index; empty: the page stands alone
 };
+
+/// Returns the tables of all sections of a document, which it refers to, in their order.
+inline auto tables_of(auto& document) {
+  return document.sections | std::views::transform(&Section::tables) | std::views::join;
+}
 
 }  // namespace desmo::report

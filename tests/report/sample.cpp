@@ -206,9 +206,8 @@ void expect_row(const Table& table, const std::vector<std::string>& labels,
 }
 
 const Table& table_named(const Document& document, const std::string& name) {
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables)
-      if (table.name == name) return table;
+  for (const Table& table : tables_of(document))
+    if (table.name == name) return table;
   throw std::runtime_error("no table " + name);
 }
 

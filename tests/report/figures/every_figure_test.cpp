@@ -29,37 +29,36 @@ TEST(Figures, DrawWhatTheirTablesSay) {
   for (const Document& document : documents()) {
     std::size_t at = 0;
     const auto files = figures(document);
-    for (const Section& section : document.sections)
-      for (const Table& table : section.tables) {
-        if (table.figure.empty()) continue;
-        const NewFile& file = files.at(at++);
-        EXPECT_EQ(file.file_name, table.name + ".vl.json");
-        seen.insert(table.figure);
-        const Json spec = Json::parse(file.content);
-        EXPECT_CONTAINS(spec["$schema"].get<std::string>(), "vega-lite/v5");
-        EXPECT_FALSE(spec["data"].contains("url"));
-        EXPECT_EQ(spec["title"]["text"], table.title);
-        EXPECT_EQ(std::ranges::count(table.columns, table.drawn, &Column::name),
-                  !table.drawn.empty());
-        EXPECT_EQ(spec["title"]["subtitle"], table.caption);
-        EXPECT_TRUE(table.caption.ends_with('.')) << table.caption;  // one sentence
-        EXPECT_LACKS(table.caption, ". ");
-        std::multiset<std::string> drawn, printed;
-        for (const Json& datum : spec["data"]["values"])
-          for (const auto& [key, value] : datum.items()) {
-            if (value.is_number()) drawn.insert(value.dump());
-            if (key.ends_with("shown")) drawn.insert(value.get<std::string>());
-          }
-        for (const auto& row : table.rows)
-          for (std::size_t i = 0; i < row.size(); ++i) {
-            if (table.columns[i].quantities.empty()) continue;
-            printed.insert(row[i].shown);
-            for (const std::string& digits : row[i].digits)
-              if (!digits.empty()) printed.insert(Json::parse(digits).dump());
-          }
-        EXPECT_TRUE(std::ranges::includes(printed, drawn)) << table.name;
-        EXPECT_FALSE(drawn.empty()) << table.name;
-      }
+    for (const Table& table : tables_of(document)) {
+      if (table.figure.empty()) continue;
+      const NewFile& file = files.at(at++);
+      EXPECT_EQ(file.file_name, table.name + ".vl.json");
+      seen.insert(table.figure);
+      const Json spec = Json::parse(file.content);
+      EXPECT_CONTAINS(spec["$schema"].get<std::string>(), "vega-lite/v5");
+      EXPECT_FALSE(spec["data"].contains("url"));
+      EXPECT_EQ(spec["title"]["text"], table.title);
+      EXPECT_EQ(std::ranges::count(table.columns, table.drawn, &Column::name),
+                !table.drawn.empty());
+      EXPECT_EQ(spec["title"]["subtitle"], table.caption);
+      EXPECT_TRUE(table.caption.ends_with('.')) << table.caption;  // one sentence
+      EXPECT_LACKS(table.caption, ". ");
+      std::multiset<std::string> drawn, printed;
+      for (const Json& datum : spec["data"]["values"])
+        for (const auto& [key, value] : datum.items()) {
+          if (value.is_number()) drawn.insert(value.dump());
+          if (key.ends_with("shown")) drawn.insert(value.get<std::string>());
+        }
+      for (const auto& row : table.rows)
+        for (std::size_t i = 0; i < row.size(); ++i) {
+          if (table.columns[i].quantities.empty()) continue;
+          printed.insert(row[i].shown);
+          for (const std::string& digits : row[i].digits)
+            if (!digits.empty()) printed.insert(Json::parse(digits).dump());
+        }
+      EXPECT_TRUE(std::ranges::includes(printed, drawn)) << table.name;
+      EXPECT_FALSE(drawn.empty()) << table.name;
+    }
     EXPECT_EQ(at, files.size());
   }
   EXPECT_EQ(seen,

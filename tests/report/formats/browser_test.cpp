@@ -75,8 +75,7 @@ constexpr double min_text = 10;  // px, of a figure at any width
 // Nothing but tables and figures scrolls sideways, on a wide screen and on a phone, and paper shows
 // every column.
 void expect_nothing_lost(const Json& seen, const Document& document) {
-  std::size_t tables = 0;
-  for (const Section& section : document.sections) tables += section.tables.size();
+  const auto tables = static_cast<std::size_t>(std::ranges::distance(tables_of(document)));
   EXPECT_EQ(seen["layout"].size(), 3u);
   for (const auto& [width, layout] : seen["layout"].items()) {
     EXPECT_EQ(layout["overflow"], 0) << width;
@@ -122,9 +121,8 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   EXPECT_LT(first["gap"], 60);
   EXPECT_GT(first["folded"], 5);
   std::size_t at = 0;
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables)
-      if (!table.figure.empty()) expect_answers(seen["figures"].at(at++), table, drawn(table));
+  for (const Table& table : tables_of(document))
+    if (!table.figure.empty()) expect_answers(seen["figures"].at(at++), table, drawn(table));
   EXPECT_EQ(at, seen["figures"].size());
   EXPECT_GT(at, 5u);
 }

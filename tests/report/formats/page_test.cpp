@@ -41,12 +41,11 @@ TEST(Page, TablesHaveCaptionsAndHeaders) {
   const Document document = make_report(record_from(requests_record()));
   const std::string page = to_html(document);
   std::size_t tables = 0, rows = 0, columns = 0;
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables) {
-      ++tables;
-      rows += table.rows.size();
-      columns += table.columns.size();
-    }
+  for (const Table& table : tables_of(document)) {
+    ++tables;
+    rows += table.rows.size();
+    columns += table.columns.size();
+  }
   EXPECT_EQ(count(page, "<caption id="), tables);
   EXPECT_EQ(count(page, "<th scope=\"row\">"), rows);
   EXPECT_EQ(count(page, "<th scope=\"col\""), columns);

@@ -114,9 +114,8 @@ TEST(Peers, ThatFailedOrDidNotRunHaveNoTime) {
 TEST(Peers, LeaveThePapersTablesAsTheyAre) {
   const Document a = make_report(record_from(peers_record())),
                  b = make_report(record_from(requests_record()));
-  for (const Section& section : b.sections)
-    for (const Table& table : section.tables)
-      EXPECT_EQ(to_csv(table_named(a, table.name)), to_csv(table)) << table.name;
+  for (const Table& table : tables_of(b))
+    EXPECT_EQ(to_csv(table_named(a, table.name)), to_csv(table)) << table.name;
   EXPECT_EQ(a.sections.size(), b.sections.size() + 1);
 }
 

@@ -188,12 +188,11 @@ TEST(Report, SkipsFamiliesWithoutACell) {
   Json json = complete_record();
   for (const char* family : {"cholmod", "umfpack"}) erase_family(json, family);
   const Document document = make_report(record_from(json));
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables)
-      for (const char* family : {"cholmod", "umfpack"}) {
-        EXPECT_LACKS(table.name, family);
-        for (const Column& column : table.columns) EXPECT_NE(column.name, family) << table.name;
-      }
+  for (const Table& table : tables_of(document))
+    for (const char* family : {"cholmod", "umfpack"}) {
+      EXPECT_LACKS(table.name, family);
+      for (const Column& column : table.columns) EXPECT_NE(column.name, family) << table.name;
+    }
   EXPECT_EQ(table_named(document, "table1_klu").columns.size(), 2u + 7);
   EXPECT_EQ(table_named(document, "figure6").columns.size(), 3u);
 }

@@ -36,12 +36,11 @@ TEST(Threads, StandInATableOfTheWallClockAlone) {
   const std::vector<std::string> two{"114", "everything", hermite_lanes, "2"};
   expect_row(table, two, {{"wall s", "0.03000 …"}, {"times one thread", "2.00 [2.00, 2.00]"}});
   EXPECT_EQ(table.rows.size(), 2u);
-  for (const Section& section : document.sections)
-    for (const Table& other : section.tables)
-      for (const auto& row : other.rows)
-        for (const Entry& entry : row)
-          EXPECT_TRUE(other.name == table.name || entry.shown.find("threads:") == std::string::npos)
-              << other.name;
+  for (const Table& other : tables_of(document))
+    for (const auto& row : other.rows)
+      for (const Entry& entry : row)
+        EXPECT_TRUE(other.name == table.name || entry.shown.find("threads:") == std::string::npos)
+            << other.name;
 }
 
 TEST(Threads, HaveNoRatioOverCpuTime) {
