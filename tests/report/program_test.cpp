@@ -33,7 +33,7 @@ TEST_F(Program, PrintsAllTablesOrOne) {
 TEST_F(Program, EndsWithACodeAndSaysWhatIsWrong) {
   const fs::path whole = data_file("complete.json");
   Json failed = complete_record();
-  fail_candidate(failed, truck, 114, "group_symbolic_klu");
+  fail_candidate(failed, 114, "group_symbolic_klu");
   const std::string complete = "tables " + whole.string() + " ",
                     data = "tables " + data_file("").string(), file = write("file", "in the way"),
                     failing = write("failed.json", failed.dump()),

@@ -109,27 +109,24 @@ void keep_samples(Json& record, std::size_t repetitions) {
 
 namespace {
 
-std::size_t position(const Json& record, const std::string& case_name, int coordinates,
-                     const std::string& id) {
+std::size_t position(const Json& record, int coordinates, const std::string& id) {
   const Json& candidates = record["paper"]["candidates"];
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (candidates[i]["case"] == case_name && candidates[i]["coordinates"] == coordinates &&
+    if (candidates[i]["case"] == truck && candidates[i]["coordinates"] == coordinates &&
         candidates[i]["id"] == id)
       return i;
-  throw std::runtime_error("no candidate " + case_name + "/" + std::to_string(coordinates) + "/" +
+  throw std::runtime_error("no candidate truck_suspension/" + std::to_string(coordinates) + "/" +
                            id);
 }
 
 }  // namespace
 
-Json& candidate_of(Json& record, const std::string& case_name, int coordinates,
-                   const std::string& id) {
-  return record["paper"]["candidates"][position(record, case_name, coordinates, id)];
+Json& candidate_of(Json& record, int coordinates, const std::string& id) {
+  return record["paper"]["candidates"][position(record, coordinates, id)];
 }
 
-void erase_candidate(Json& record, const std::string& case_name, int coordinates,
-                     const std::string& id) {
-  record["paper"]["candidates"].erase(position(record, case_name, coordinates, id));
+void erase_candidate(Json& record, int coordinates, const std::string& id) {
+  record["paper"]["candidates"].erase(position(record, coordinates, id));
 }
 
 void fail(Json& measurement) {
@@ -137,9 +134,8 @@ void fail(Json& measurement) {
   measurement["message"] = "wrong by design";
 }
 
-void fail_candidate(Json& record, const std::string& case_name, int coordinates,
-                    const std::string& id) {
-  fail(candidate_of(record, case_name, coordinates, id));
+void fail_candidate(Json& record, int coordinates, const std::string& id) {
+  fail(candidate_of(record, coordinates, id));
 }
 
 void erase_family(Json& record, const std::string& family) {
@@ -160,7 +156,7 @@ void set_motion(Json& record, double duration, double step) {
 
 void set_samples(Json& record, int coordinates, const std::string& id,
                  std::vector<double> samples) {
-  candidate_of(record, truck, coordinates, id)["time"]["seconds"] = std::move(samples);
+  candidate_of(record, coordinates, id)["time"]["seconds"] = std::move(samples);
 }
 
 void set_family(Json& json, const std::string& id, double seconds, double spread) {

@@ -62,15 +62,12 @@ Json empty_record();
 /// Returns data/requests.json: small, with requests and made-up numbers.
 Json requests_record();
 
-/// Returns a candidate of a record. Fails the test when there is none.
-Json& candidate_of(Json& record, const std::string& case_name, int coordinates,
-                   const std::string& id);
-void erase_candidate(Json& record, const std::string& case_name, int coordinates,
-                     const std::string& id);
+/// Returns a truck candidate of a record. Fails the test when there is none.
+Json& candidate_of(Json& record, int coordinates, const std::string& id);
+void erase_candidate(Json& record, int coordinates, const std::string& id);
 /// Makes a measurement one that failed: "wrong by design".
 void fail(Json& measurement);
-void fail_candidate(Json& record, const std::string& case_name, int coordinates,
-                    const std::string& id);
+void fail_candidate(Json& record, int coordinates, const std::string& id);
 
 /// Leaves so many samples of every time.
 void keep_samples(Json& record, std::size_t repetitions);

@@ -39,7 +39,7 @@ TEST_F(Program, ShowsSpeedUpsBesideThoseOfOtherMachines) {
   Json changed = Json::parse(of_other_machine("Other CPU"));
   const std::string own = data_file(origins).string(), other = write("other.json", changed.dump()),
                     third = write("third.json", of_other_machine("Third CPU"));
-  erase_candidate(changed, truck, 114, "group_symbolic_klu");
+  erase_candidate(changed, 114, "group_symbolic_klu");
   const std::string less = write("less.json", changed.dump());
   ASSERT_EQ(tables(origins, "--out " + alone), 0) << err_;
   const auto without = files_in(alone);

@@ -34,7 +34,7 @@ Json side(int stride) {
 }
 
 Json& candidate_named(Json& record, const std::string& name) {
-  return candidate_of(record, truck, 114, name.substr(name.rfind('/') + 1));
+  return candidate_of(record, 114, name.substr(name.rfind('/') + 1));
 }
 
 }  // namespace

@@ -92,8 +92,7 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   if (!installed("report/figures", "figures")) GTEST_SKIP() << out_;
   Json json = in_schema_3(
       Json::parse(read_record_text(DESMO_SOURCE_DIR "/results/records/intel-xeon-paper.json.gz")));
-  fail_candidate(json, truck, 336,
-                 "group_symbolic_lapack");  // a gap, and one line more
+  fail_candidate(json, 336, "group_symbolic_lapack");  // a gap, and one line more
   const fs::path recorded = folder_ / "record.json";
   std::ofstream(recorded) << json;
   const fs::path out = folder_ / "out", page = out / "report.html";

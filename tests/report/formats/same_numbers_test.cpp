@@ -128,9 +128,9 @@ void expect_same_numbers(const Document& document, std::size_t min_numbers = 100
 
 TEST(SameNumbers, OfEverySample) {
   Json failures = complete_record();
-  fail_candidate(failures, truck, 336, "group_symbolic_lapack");
+  fail_candidate(failures, 336, "group_symbolic_lapack");
   set_samples(failures, 114, "group_automatic_klu", {0.04});
-  erase_candidate(failures, truck, 447, "group_automatic_klu");
+  erase_candidate(failures, 447, "group_automatic_klu");
   for (const Json& json : {complete_record(), failures, points_record(), sizes_record()})
     expect_same_numbers(make_report(record_from(json)));
   expect_same_numbers(make_report(record_from(instructions_record())), 10);

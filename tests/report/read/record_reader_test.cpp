@@ -151,7 +151,7 @@ TEST(RecordReader, RefusesAnOkCellWithoutVerification) {
 
 TEST(RecordReader, FailsTheCellThatExceedsWhatIsAllowed) {
   Json json = complete_record();
-  Json& candidate = candidate_of(json, truck, 558, "group_symbolic_lapack");
+  Json& candidate = candidate_of(json, 558, "group_symbolic_lapack");
   const CandidateKey key{truck, 558, "group_symbolic_lapack"};
   candidate["verification"]["velocity"] = 1e-8;  // the limit itself is allowed
   EXPECT_EQ(record_from(json).candidates.at(key).status, Status::ok);

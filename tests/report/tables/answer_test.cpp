@@ -17,7 +17,7 @@ std::vector<std::string> answer_to(const Json& json) {
 
 /// Adds a truck candidate at the largest size like another, with three equal samples.
 void add_candidate(Json& json, const std::string& id, double seconds) {
-  Json candidate = candidate_of(json, truck, 558, "global_automatic_klu");
+  Json candidate = candidate_of(json, 558, "global_automatic_klu");
   candidate["id"] = id;
   json["paper"]["candidates"].push_back(candidate);
   set_samples(json, 558, id, {seconds, seconds, seconds});
@@ -74,7 +74,7 @@ TEST(Answer, SaysWhatTheRecordDoesNotShow) {
   EXPECT_EQ(answer_to(json)[1],
             "The filed records say, and this one does not show: " + std::string(finding));
   for (const char* family : {"cholmod", "umfpack", "klu"})
-    erase_candidate(json, truck, 336, "global_automatic_" + std::string(family));
+    erase_candidate(json, 336, "global_automatic_" + std::string(family));
   EXPECT_CONTAINS(answer_to(json)[0], "by the sparse solver: not measured.");
 }
 
@@ -83,7 +83,7 @@ TEST(Answer, HasNoClauseForWhatWasNotMeasured) {
   for (const char* id :
        {"group_symbolic_explicit/guess:adams8/lanes:4/tolerance:1e-10", "global_automatic_cholmod",
         "global_automatic_umfpack", "global_automatic_klu"})
-    erase_candidate(json, truck, 558, id);
+    erase_candidate(json, 558, id);
   EXPECT_TRUE(answer_to(json)[2].ends_with(
       "with the same guess and tolerance, 32 times with segments of a known motion side by side."))
       << answer_to(json)[2];
@@ -98,14 +98,14 @@ TEST(Answer, LeavesOutIncompleteMeansAndMarksTheInconclusive) {
   Json json = record_with_settings();
   set_family(json, "group_symbolic_lapack", 2);
   set_family(json, "global_automatic_umfpack", 8, 0.5);
-  fail_candidate(json, truck, 336, "global_automatic_cholmod");
+  fail_candidate(json, 336, "global_automatic_cholmod");
   EXPECT_CONTAINS(answer_to(json)[0], "by the sparse solver: umfpack 4.0 (inconclusive), klu 4.0.");
 }
 
 TEST(Answer, CountsWhatFailed) {
   Json json = complete_record();
   EXPECT_LACKS(answer_to(json).back(), "Failed");
-  fail_candidate(json, truck, 336, "group_symbolic_lapack");
+  fail_candidate(json, 336, "group_symbolic_lapack");
   EXPECT_CONTAINS(answer_to(json).back(), "Failed their verification and have no time: 1;");
 }
 

@@ -11,7 +11,7 @@ constexpr int coordinates = 558;
 /// 3 ms more.
 Json checked_record() {
   Json json = with_windows(complete_record());
-  Json checked = candidate_of(json, truck, coordinates, bare);
+  Json checked = candidate_of(json, coordinates, bare);
   checked["id"] = std::string(bare) + "/check:proof";
   double more = 0;
   bool first = true;
@@ -43,7 +43,7 @@ TEST(Checks, CostAStepAndTheStart) {
 
 TEST(Checks, WithoutABareRunHaveAMark) {
   Json json = checked_record();
-  erase_candidate(json, truck, coordinates, bare);
+  erase_candidate(json, coordinates, bare);
   const Section section = checks(record_from(json));
   const std::vector<std::string> row{truck, std::to_string(coordinates), bare, "proof"};
   EXPECT_EQ(entry_at(section.tables.at(0), row, "more µs").shown, missing_mark);

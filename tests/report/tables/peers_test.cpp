@@ -32,7 +32,7 @@ Json peers_record() {
   Json json = requests_record();
   for (const auto& [id, seconds] :
        {std::pair{"global_automatic_klu", 0.03}, {"block_symbolic_inlined", 0.003}}) {
-    Json candidate = candidate_of(json, truck, 114, "global_automatic_klu");
+    Json candidate = candidate_of(json, 114, "global_automatic_klu");
     candidate["id"] = std::string(id) + "/guess:quadratic";
     candidate["time"]["seconds"] = {seconds * 0.99, seconds, seconds * 1.01};
     candidate["iterations_per_step"] = 2.0;
@@ -89,7 +89,7 @@ TEST(Peers, OfWhichTooLittleIsKnownAreInconclusive) {
 
 TEST(Peers, WithoutOursOfTheirGuessHaveNoRatio) {
   Json json = peers_record();
-  erase_candidate(json, truck, 114, "global_automatic_klu/guess:quadratic");
+  erase_candidate(json, 114, "global_automatic_klu/guess:quadratic");
   const std::vector<std::string> slow{"114", "slow"};
   expect_row(times(json), slow,
              {{"times ours, global", missing_mark}, {"times ours, fastest", "200 …"}});

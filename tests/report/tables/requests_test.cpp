@@ -81,8 +81,8 @@ TEST(Requests, FailWhenTheyDifferMoreThanIsAllowed) {
 
 TEST(Requests, HaveNoRatioWithoutEverything) {
   Json json = requests_record();
-  fail_candidate(json, truck, 225, "block_symbolic_inlined");
-  erase_candidate(json, truck, 225, "global_automatic_klu");
+  fail_candidate(json, 225, "block_symbolic_inlined");
+  erase_candidate(json, 225, "global_automatic_klu");
   const Table table = table_of(json);
   expect_row(table, {wheel, "position", "block_symbolic_inlined"},
              {{"times cheaper", "reference FAILED"}});

@@ -89,10 +89,10 @@ TEST(PapersTables, ShowNoIntervalOfFewerThanThreeRepetitions) {
 
 TEST(PapersTables, MarkWhatHasNoTime) {
   Json json = complete_record();
-  fail_candidate(json, truck, 225, "group_automatic_lapack");
-  erase_candidate(json, truck, 336, "group_automatic_lapack");
-  candidate_of(json, truck, 447, "group_automatic_lapack")["status"] = "not_run";
-  fail_candidate(json, truck, 558, "global_automatic_klu");
+  fail_candidate(json, 225, "group_automatic_lapack");
+  erase_candidate(json, 336, "group_automatic_lapack");
+  candidate_of(json, 447, "group_automatic_lapack")["status"] = "not_run";
+  fail_candidate(json, 558, "global_automatic_klu");
   expect_shown(json, {{"table1_klu", "225", "ours", "TS-TPA_LAP", failed_mark},
                       {"table1_cholmod", "336", "ours", "TS-TPA_LAP", missing_mark},
                       {"table1_umfpack", "447", "ours", "TS-TPA_LAP", not_run_mark},
@@ -139,12 +139,12 @@ TEST(PapersTables, AverageOverThePapersSizes) {
   set_family(json, "group_automatic_lapack", 1);
   for (const auto& [id, seconds] :
        {std::pair{"global_automatic_cholmod", 9.0}, {"group_automatic_cholmod", 1.0}}) {
-    Json extra = candidate_of(json, truck, 558, id);
+    Json extra = candidate_of(json, 558, id);
     extra["coordinates"] = 1113;
     extra["time"]["seconds"] = {seconds};
     json["paper"]["candidates"].push_back(extra);
   }
-  fail_candidate(json, truck, 225, "group_symbolic_cholmod");
+  fail_candidate(json, 225, "group_symbolic_cholmod");
   expect_shown(json,
                {{"table2_cholmod", "558", "ours", "TS-TPA_cholmod", "1.50 [1.47, 1.53] (33.3 %)"},
                 {"table2_cholmod", "558", "ours", "TS-TPA_LAP", "3.00 [2.94, 3.06] (66.7 %)"},
@@ -164,7 +164,7 @@ TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
   Json json = complete_record();
   set_samples(json, 558, "global_automatic_klu", {0.3, 0.2, 0.4});
   set_samples(json, 558, "group_symbolic_inlined", {0.1, 0.1, 0.1});
-  fail_candidate(json, truck, 558, "group_symbolic_klu");
+  fail_candidate(json, 558, "group_symbolic_klu");
   const Table table = table_of(json, "formulations_truck_suspension_558");
   EXPECT_EQ(table.rows.front().front().shown, "group_symbolic_inlined");
   expect_row(table, {"group_symbolic_inlined"},  // 0.1 s / 3001
@@ -179,7 +179,7 @@ TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
 
 TEST(TimeSplit, HasNoNumbersOfWhatFailed) {
   Json json = complete_record();
-  fail_candidate(json, truck, 558, "global_automatic_klu");
+  fail_candidate(json, 558, "global_automatic_klu");
   expect_row(table_of(json, "time_split"), {truck, "558", "global_automatic_klu"},
              {{"total", failed_mark}, {"factorisation", failed_mark}});
 }

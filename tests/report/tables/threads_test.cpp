@@ -19,8 +19,7 @@ constexpr const char* hermite_lanes = "group_symbolic_explicit/guess:hermite5/la
 /// other.
 Json threads_record() {
   Json json = requests_record();
-  const Json one =
-      timed(candidate_of(json, truck, 114, "global_automatic_klu"), hermite_lanes, 0.05);
+  const Json one = timed(candidate_of(json, 114, "global_automatic_klu"), hermite_lanes, 0.05);
   Json by_wall = timed(one, std::string(hermite_lanes) + "/clock:wall", 0.06);
   by_wall["time"]["clock"] = "wall";
   Json several = timed(by_wall, std::string(hermite_lanes) + "/threads:2", 0.03);
