@@ -1,6 +1,7 @@
 // What the repository's pages quote of filed records, and how long the front page is.
 #include <sstream>
 
+#include "tests/report/formats/references.h"
 #include "tests/report/program.h"
 
 namespace desmo::report::quotations_test {
@@ -23,14 +24,11 @@ struct Quotation {
 
 std::vector<Quotation> quotations(const std::string& page) {
   const std::string mark = "<!-- measured: ", end_mark = "<!-- end of measured -->";
+  EXPECT_EQ(count(page, mark), count(page, end_mark)) << page;
   std::vector<Quotation> found;
-  for (std::size_t at = 0; (at = page.find(mark, at)) != std::string::npos;) {
-    const std::size_t path = at + mark.size(), text = page.find(" -->", path) + 4,
-                      end = page.find(end_mark, text);
-    EXPECT_NE(end, std::string::npos) << page.substr(at, 80);
-    if (end == std::string::npos) break;
-    found.push_back({page.substr(path, text - 4 - path), page.substr(text, end - text)});
-    at = end;
+  for (const std::string& quoted : texts_between(page, mark, end_mark)) {
+    const std::size_t end = quoted.find(" -->");
+    found.push_back({quoted.substr(0, end), quoted.substr(end + 4)});
   }
   return found;
 }

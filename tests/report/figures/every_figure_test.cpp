@@ -4,6 +4,7 @@
 
 #include "report/figures/figures.h"
 #include "report/text/embedded.h"
+#include "tests/report/formats/references.h"
 #include "tests/report/points_sample.h"
 #include "tests/report/size_sample.h"
 
@@ -95,15 +96,9 @@ std::set<std::string> colors_in(const Json& node) {
 
 /// Backgrounds of the page: in the light, in the dark, on paper.
 std::vector<std::string> backgrounds() {
-  std::string css(embedded_file("page.css"));
-  std::vector<std::string> found;
-  const std::string name = "--paper: ";
-  for (std::size_t at = 0; (at = css.find(name, at)) != css.npos;) {
-    at += name.size();
-    found.push_back(css.substr(at, css.find(';', at) - at));
-  }
+  const std::string css(embedded_file("page.css"));
   EXPECT_LACKS(css, "filter:");  // a colour is what it says
-  return found;
+  return texts_between(css, "--paper: ", ";");
 }
 
 // Of figure 6: in the dark, ours is the brighter.
