@@ -8,8 +8,7 @@ const SeriesKey truck_series{truck, 225, 0.01, 101};
 
 TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
   Json json = requests_record();
-  const Json points = points_record();
-  json["accuracy"] = points["accuracy"];
+  json["accuracy"] = points_record()["accuracy"];
   const Record record = record_from(json);
   EXPECT_FALSE(record.candidates.empty());
   EXPECT_EQ(record.points.size(), 24u);

@@ -1,9 +1,8 @@
 
-#include <cstdlib>
-
 #include "cases/io/text_file.h"
 #include "report/formats/formats.h"
 #include "tests/report/sample.h"
+#include "tests/started.h"
 
 namespace desmo::report::record_reader_test {
 namespace {
@@ -109,12 +108,12 @@ TEST(RecordReader, ReadsWhatIsUnusual) {
     EXPECT_EQ(complaint(changed(json, place, value)), "accepted");
 }
 
-TEST(RecordReader, ReadsCompressedRecords) {
+using CompressedRecord = InFolder;
+
+TEST_F(CompressedRecord, IsReadLikeAPlainOne) {
   const Record plain = read_record(data_file("complete.json"));
-  const auto folder = std::filesystem::path(testing::TempDir());
-  const std::string packed = (folder / "desmo_complete.json.gz").string();
-  ASSERT_EQ(std::system(("gzip -c " + data_file("complete.json").string() + " >" + packed).c_str()),
-            0);
+  const std::string packed = file("complete.json.gz");
+  ASSERT_EQ(shell("gzip -c " + data_file("complete.json").string() + " >" + packed), 0);
   const Record record = read_record(packed);
   EXPECT_EQ(record.candidates.size(), plain.candidates.size());
   EXPECT_EQ(record.candidates.begin()->second.time.seconds,
@@ -122,7 +121,6 @@ TEST(RecordReader, ReadsCompressedRecords) {
   std::filesystem::resize_file(packed, std::filesystem::file_size(packed) / 2);
   EXPECT_CONTAINS(refusal<InputError>([&] { read_record(packed); }),
                   ": not complete compressed data (gzip)");
-  std::filesystem::remove(packed);
 }
 
 // Candidates of two records put together, by whatever shows that they are.
