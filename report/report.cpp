@@ -49,7 +49,7 @@ Table on_page(Table table) {
 }  // namespace
 
 Document make_report(const Record& record, const std::vector<const Record*>& beside) {
-  Document document{.title = {}, .sections = {}};
+  Document document;
   const auto add = [&document](Section section, const std::string& chapter) {
     section.chapter = chapter;
     document.add(std::move(section));

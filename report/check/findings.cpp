@@ -66,9 +66,8 @@ TimeFindings find_times(const CheckRecord& check) {
   TimeFindings findings{control, {}};
   for (const auto& [candidate, rounds] : first) {
     if (candidate == control_name) continue;
-    TimeFinding finding{
-        candidate, summarise(rounds.base).median, summarise(rounds.head).median, change(rounds), {},
-        {}};
+    TimeFinding finding{candidate, summarise(rounds.base).median, summarise(rounds.head).median,
+                        change(rounds)};
     if (const auto again = second.find(candidate); again != second.end())
       finding.second = change(again->second);
     const bool unsteady = first_unsteady || (second_unsteady && finding.second);

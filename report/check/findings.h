@@ -41,7 +41,7 @@ struct TimeFinding {
   std::string candidate;
   double base_seconds = 0, head_seconds = 0;  ///< medians over the rounds
   Change first;
-  std::optional<Change> second;
+  std::optional<Change> second = {};
   Finding outcome = Finding::same;
 };
 

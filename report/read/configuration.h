@@ -10,11 +10,11 @@ namespace desmo::report {
 
 /// Settings as ids name them; the defaults are the paper's, which ids leave out.
 struct Configuration {
-  std::string formulation;  ///< <partition>_<equations>_<algebra>
+  std::string formulation = {};  ///< <partition>_<equations>_<algebra>
   std::string guess = "previous", jacobian = "newton";
-  std::string iterations, tolerance;  ///< end of a step; both empty: the usual tolerance
+  std::string iterations = {}, tolerance = {};  ///< end of a step; both empty: the usual tolerance
   /// Any other suffixes: "lanes:8", "check:proof", and "scalar:float" of earlier records.
-  std::vector<std::string> others;
+  std::vector<std::string> others = {};
 
   /// Returns whether nothing differs from the paper but settings of the iteration: guess, Jacobian,
   /// and where a step stops. A run that is checked, several instants at once, or an option of the

@@ -10,11 +10,8 @@ History read_history(const std::filesystem::path& file) {
     History history{root["candidates"].list(&RecordValue::text), {}};
     history.points = root["points"].list([&](const RecordValue& node) {
       const RecordValue counts = node["instructions"];
-      HistoryPoint point{node["commit"].text(),
-                         node["date"].text(),
-                         node["subject"].text(),
-                         node["compiler"].text(),
-                         {}};
+      HistoryPoint point{node["commit"].text(), node["date"].text(), node["subject"].text(),
+                         node["compiler"].text()};
       for (const RecordValue& count : counts.elements())
         point.instructions.push_back(
             count.is_number()

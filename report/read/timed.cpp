@@ -40,8 +40,7 @@ std::vector<double> least_of(const std::vector<std::vector<double>>& samples, st
 Windows one_window(const RecordSettings& settings, const std::vector<double>& seconds) {
   Windows whole{.least = {std::ranges::min(seconds)},
                 .instants = {static_cast<double>(settings.instants)},
-                .updates = {0},
-                .samples = {}};
+                .updates = {0}};
   for (const double sample : seconds) whole.samples.push_back({sample});
   return whole;
 }

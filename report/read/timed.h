@@ -28,11 +28,11 @@ enum class Clock {
 /// Times of the equal timing windows, pieces between two clock readings, into which a motion is
 /// cut. Each vector has one value a window, or is empty where the record has none.
 struct Windows {
-  std::vector<double> least;  ///< seconds: the least that any analysis took
+  std::vector<double> least = {};  ///< seconds: the least that any analysis took
   // The following are empty where updates are not counted.
-  std::vector<double> instants;              ///< number of instants
-  std::vector<double> updates;               ///< updates of unknowns by Newton's method
-  std::vector<std::vector<double>> samples;  ///< seconds, by analysis
+  std::vector<double> instants = {};              ///< number of instants
+  std::vector<double> updates = {};               ///< updates of unknowns by Newton's method
+  std::vector<std::vector<double>> samples = {};  ///< seconds, by analysis
 };
 
 /// Samples of a time, by one clock.

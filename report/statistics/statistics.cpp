@@ -78,8 +78,7 @@ double bound(const WindowPoint& left, const WindowPoint& right, double updates) 
 }  // namespace
 
 double undisturbed(const Windows& s, std::optional<std::size_t> left_out) {
-  const double instants = std::accumulate(s.instants.begin(), s.instants.end(), 0.0),
-               updates = std::accumulate(s.updates.begin(), s.updates.end(), 0.0) / instants;
+  const double instants = sum(s.instants), updates = sum(s.updates) / instants;
   const std::vector<WindowPoint> all = points(s, left_out);
   // The envelope at a place is the lowest of all chords over it.
   double lowest = std::numeric_limits<double>::infinity();
@@ -100,8 +99,7 @@ SampleSummary summarise(std::span<const double> samples, const Windows& windows)
                   .least = sorted.front(),
                   .largest = sorted.back(),
                   .count = n,
-                  .windows = windows.least,
-                  .without_best = {}};
+                  .windows = windows.least};
   if (windows.least.empty()) return s;
   s.value = windows.samples.empty() ? sum(windows.least) : undisturbed(windows);
   if (windows.samples.size() > 1)

@@ -40,7 +40,7 @@ struct SampleSummary {
   /// The time without its best repetition.
   /// - with two samples of timing windows or more: the largest over all choices of the one left out
   /// - of a step: the second least
-  std::optional<double> without_best;
+  std::optional<double> without_best = {};
   bool has_interval() const { return count >= min_for_interval; }
   double half_range() const { return (largest - least) / 2; }
 };

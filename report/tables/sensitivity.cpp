@@ -43,14 +43,10 @@ std::vector<Variation> variations(const Record& record) {
   for (const double step : steps)
     all.push_back({"step", write_shortest(std::round(step * 1e9) / 1e6) + " ms", step, {}});
   for (auto t = tolerances.rbegin(); t != tolerances.rend(); ++t)
-    if (min_tolerance <= t->first && t->first <= max_tolerance) {
-      all.push_back({"tolerance", write_shortest(t->first), usual_step, {}});
-      all.back().settings.tolerance = t->second;
-    }
-  for (const std::string& guess : guesses_of(points)) {
-    all.push_back({"guess", guess, usual_step, {}});
-    all.back().settings.guess = guess;
-  }
+    if (min_tolerance <= t->first && t->first <= max_tolerance)
+      all.push_back({"tolerance", write_shortest(t->first), usual_step, {.tolerance = t->second}});
+  for (const std::string& guess : guesses_of(points))
+    all.push_back({"guess", guess, usual_step, {.guess = guess}});
   return all;
 }
 

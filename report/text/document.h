@@ -57,11 +57,11 @@ struct Table {
   /// Tells whether a figure of the table would have a mark: a number or a verdict of `drawn`.
   bool has_marks() const;
 
-  std::string name;   ///< lower case, unique in the document: the name of the CSV file
-  std::string title;  ///< one line
-  std::vector<std::string> notes;
-  std::vector<Column> columns;
-  std::vector<std::vector<Entry>> rows;  ///< one entry per column
+  std::string name = {};   ///< lower case, unique in the document: the name of the CSV file
+  std::string title = {};  ///< one line
+  std::vector<std::string> notes = {};
+  std::vector<Column> columns = {};
+  std::vector<std::vector<Entry>> rows = {};  ///< one entry per column
   bool detail = false;  ///< left out on the terminal, which says so; folded on the page
   std::string figure =
       {};                  ///< the design drawn from it, as the figure `name`, above it on the page
@@ -71,9 +71,9 @@ struct Table {
 };
 
 struct Section {
-  std::string title;
-  std::vector<std::string> paragraphs;  ///< what was found: shown first
-  std::vector<Table> tables;
+  std::string title = {};
+  std::vector<std::string> paragraphs = {};  ///< what was found: shown first
+  std::vector<Table> tables = {};
   std::string chapter = {};  ///< the experiment it belongs to; empty: no heading of its own
   bool front = false;        ///< it is shown on the terminal, and first on the page
   std::vector<std::string> definitions = {};  ///< of words and methods: on the page folded, last

@@ -82,7 +82,7 @@ std::string in_a_row(const std::vector<std::string>& words) {
 }
 
 Table headed_table(std::string_view block, const TextValues& values) {
-  Table table{.name = std::string(block), .title = {}, .notes = {}, .columns = {}, .rows = {}};
+  Table table{.name = std::string(block)};
   for (const auto& [word, text] : block_named(block)) {
     if (word == "name") table.name = filled(text, values);
     if (word == "title") table.title = filled(text, values);
@@ -100,7 +100,7 @@ Table headed_table(std::string_view block, const TextValues& values) {
 
 Section headed_section(std::string_view block, const TextValues& values,
                        std::vector<Table> tables) {
-  Section section{.title = {}, .paragraphs = {}, .tables = std::move(tables)};
+  Section section{.tables = std::move(tables)};
   for (const auto& [word, text] : block_named(block)) {
     if (word == "title") section.title = filled(text, values);
     if (word == "paragraph") section.paragraphs.push_back(filled(text, values));

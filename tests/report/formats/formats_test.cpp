@@ -32,10 +32,7 @@ TEST(Csv, QuotesAndMarks) {
 TEST(Csv, HasNoFormulas) {
   for (const std::string begin : {"=", "+", "-", "@", "\t", "\r"}) {
     const std::string text = begin + "HYPERLINK(1)";
-    const Table table{.name = "t",
-                      .title = "",
-                      .notes = {},
-                      .columns = {{"id", {}}, {"time", {"seconds"}}},
+    const Table table{.columns = {{"id", {}}, {"time", {"seconds"}}},
                       .rows = {{text, note_entry(text)}, {"-1e3", {"-2 " + text, {"-2"}, text}}}};
     const std::string field = "'" + text, quoted = begin == "\r" ? "\"" + field + "\"" : field;
     EXPECT_EQ(to_csv(table), "id,time seconds,notes\n" + quoted + "," + quoted + ",\n-1e3,-2," +

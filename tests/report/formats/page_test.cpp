@@ -53,8 +53,7 @@ TEST(Page, TablesHaveCaptionsAndHeaders) {
 
 // What was found, the figure, the tables, and what the words mean: the last folded.
 TEST(Page, BeginsWithWhatWasFoundAndFoldsDefinitions) {
-  const Table table{
-      .name = "t", .title = "T", .notes = {"Note"}, .columns = {{"id", {}}}, .rows = {}};
+  const Table table{.name = "t", .title = "T", .notes = {"Note"}, .columns = {{"id", {}}}};
   Table drawn = table;
   drawn.name = "f", drawn.figure = "figure6", drawn.caption = "Caption.";
   for (const bool front : {true, false}) {
@@ -84,7 +83,6 @@ TEST(Page, EscapesWhatTheRecordSays) {
 TEST(Page, TellsVerdictsFromNumbers) {
   Table table{.name = "t",
               .title = "T",
-              .notes = {},
               .columns = {{"id", {}}, {"n", {"value", "low"}}},
               .rows = {{"a", {"1.5 [1.0] in", {"1.5", "1.0"}, inside_mark}},
                        {"b", note_entry(failed_mark)}}};

@@ -14,7 +14,7 @@ namespace {
 
 /// Analyses of a motion: a microsecond an instant and a nanosecond an update, undisturbed.
 Windows segments_of(std::vector<double> updates, std::size_t analyses) {
-  Windows s{.least = {}, .instants = {}, .updates = std::move(updates), .samples = {}};
+  Windows s{.updates = std::move(updates)};
   for (std::size_t k = 0; k < s.updates.size(); ++k) s.instants.push_back(120 + k % 2);
   for (std::size_t r = 0; r < analyses; ++r) {
     std::vector<double> sample;
@@ -133,8 +133,7 @@ TEST(UndisturbedTime, OfOneSegmentIsTheLeastAnalysis) {
 
 TEST(UndisturbedTime, WithoutUpdatesOnEitherSideSpeedUpsAreRatiosOfSums) {
   const Windows samples = segments_of(varied_updates(), 3);
-  Windows least_only;
-  least_only.least = samples.least;
+  Windows least_only{.least = samples.least};
   for (double& seconds : least_only.least) seconds *= 2;
   const double all = std::accumulate(samples.least.begin(), samples.least.end(), 0.0);
   const std::vector<double> whole{all, all}, twice{2 * all, 2 * all};

@@ -56,7 +56,6 @@ TEST(OwnScene, WithoutAnyTimeSaysSo) {
 TEST(Document, LeavesOutTablesWithoutRowsAndFiguresWithoutMarks) {
   Table table{.name = "t",
               .title = "T",
-              .notes = {},
               .columns = {{"id", {}}, {"time", {"seconds"}}, {"error", {"error"}}},
               .rows = {{"a", note_entry(failed_mark), {"1", {"1"}, {}}}}};
   table.figure = "peers";
