@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -38,11 +39,7 @@ bool Configuration::has_papers_settings() const {
   return guess == paper.guess && jacobian == paper.jacobian && has_papers_algorithm();
 }
 
-bool Configuration::is_papers() const {
-  Configuration paper;
-  paper.formulation = formulation;
-  return *this == paper;
-}
+bool Configuration::is_papers() const { return *this == Configuration{.formulation = formulation}; }
 
 bool Configuration::iterates_like(const Configuration& other) const {
   return guess == other.guess && iterations == other.iterations && tolerance == other.tolerance;
@@ -54,16 +51,12 @@ bool Configuration::solves_every_instant() const {
 }
 
 std::optional<Configuration> parse_configuration(std::string_view id) {
-  std::size_t slash = std::min(id.find('/'), id.size());
-  Configuration configuration;
-  configuration.formulation = id.substr(0, slash);
+  Configuration configuration{.formulation = std::string(id.substr(0, id.find('/')))};
   std::set<std::string_view> keys;
-  while (slash < id.size()) {
-    const std::size_t end = std::min(id.find('/', slash + 1), id.size());
-    const std::string_view suffix = id.substr(slash + 1, end - slash - 1);
+  for (const auto part : id | std::views::split('/') | std::views::drop(1)) {
+    const std::string_view suffix(part.begin(), part.end());
     if (!add(configuration, suffix) || !keys.insert(suffix.substr(0, suffix.find(':'))).second)
       return std::nullopt;
-    slash = end;
   }
   if (configuration.formulation.empty()) return std::nullopt;
   return configuration;
