@@ -104,7 +104,7 @@ ExitCode tables(const TablesCommand& command) {
     return success;
   }
   std::vector<NewFile> files = figures(document);
-  for (const std::string& format : chosen.empty() ? format_names() : chosen)
+  for (const std::string& format : chosen.empty() ? format_names : chosen)
     std::ranges::move(render(document, format), std::back_inserter(files));
   write_files(command.folder, files);
   write_standard_output(command.all ? to_terminal(document) : front_to_terminal(document));
@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   const auto add_format = [](CLI::App* command, auto& formats) {
     command->add_option("--format", formats, "terminal, csv, json, markdown or html")
-        ->check(CLI::IsMember(format_names()));
+        ->check(CLI::IsMember(format_names));
   };
   TablesCommand command;
   CLI::App* tables_app = app.add_subcommand(

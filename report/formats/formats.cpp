@@ -55,11 +55,6 @@ std::string to_markdown(const Document& document) {
   return text;
 }
 
-const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"terminal", "csv", "json", "markdown", "html"};
-  return names;
-}
-
 std::string escaped(std::string_view text, const std::map<char, std::string>& escapes) {
   std::string result;
   for (const char c : text)

@@ -57,10 +57,10 @@ std::size_t characters(const std::string& text);
 /// Characters of a row in which every entry is its column's longest: how wide a table gets.
 std::size_t row_width(const Table& table);
 
-/// "terminal", "csv", "json", "markdown", "html".
-const std::vector<std::string>& format_names();
+/// Names of all formats.
+inline const std::vector<std::string> format_names{"terminal", "csv", "json", "markdown", "html"};
 
-/// The files of one format: one, or for csv one per table. The format is one of format_names().
+/// The files of one format: one, or for csv one per table. The format is one of format_names.
 std::vector<NewFile> render(const Document& document, const std::string& format);
 
 /// Returns a document in some formats, one after the other. Several tables of csv have a blank line
