@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "formulations/base/index_range.h"
-#include "formulations/model/locking.h"
 #include "formulations/model/members.h"
+#include "formulations/model/part_system.h"
 #include "formulations/model/partition.h"
 
 namespace desmo {
@@ -122,6 +122,33 @@ Members needed_members(const Model& whole, const Upstream& up) {
   for (std::size_t d = 0; d < whole.drivers.size(); ++d)
     if (up.entity_level[whole.drivers[d].coordinate]) needed.drivers.push_back(static_cast<int>(d));
   return needed;
+}
+
+/// Returns whether the slopes of a block's equations by its unknowns stay the same when these
+/// change.
+bool is_linear(const Model& m, const PartDefinition& block, ScalarState<double>& drawn) {
+  const std::vector<double> before = PartSystem<double>(m, block, drawn).jacobian;
+  for (std::size_t k = 0; k < block.unknowns.size(); ++k) drawn.q[block.unknowns[k]] += k + 1;
+  const std::vector<double> after = PartSystem<double>(m, block, drawn).jacobian;
+  for (const int i : block.unknowns) drawn.q[i] = m.estimate[i];
+  return after == before;
+}
+
+/// Returns whether a block may have no solution: a point or vector is among its unknowns, and an
+/// equation is not linear. In a group of one body, such as a crank, equations count as linear that
+/// are so in the block's unknowns.
+/// - owner: entity of each coordinate
+/// - drawn: estimate and fixed values, changed while this is found out
+bool may_lock(const Model& m, const PartDefinition& block, const std::vector<EntityId>& owner,
+              ScalarState<double>& drawn) {
+  const auto is_geometric = [&](int coordinate) {
+    const EntityKind kind = m.entities[owner[coordinate]].kind;
+    return kind == EntityKind::point || kind == EntityKind::vector;
+  };
+  if (std::ranges::none_of(block.unknowns, is_geometric)) return false;
+  if (m.groups[block.groups.front()].bodies.size() == 1) return !is_linear(m, block, drawn);
+  return !std::ranges::all_of(
+      block.equations, [&](const Equation& e) { return is_linear(m.constraints[e.constraint]); });
 }
 
 std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
