@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/mechanism/carriers.h"
+#include "cases/mechanism/disjoint_sets.h"
 
 namespace desmo {
 
@@ -29,6 +30,9 @@ class MechanismError : public std::invalid_argument {
 /// Throws MechanismError "joint 'J1': <what>" for an entry of the mechanism.
 [[noreturn]] void refuse(const Mechanism& mechanism, MechanismError::Part part, int index,
                          const std::string& what);
+
+/// Returns the bodies that fixed joints connect. The first of a set stands for it.
+DisjointSets fixed_bodies(const Mechanism& mechanism);
 
 /// Returns a vector as a body carries it: in the body's frame, if it has one, or as drawn.
 Mechanism::Vec carried_vector(const Mechanism& mechanism, int body, int vector);

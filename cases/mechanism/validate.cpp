@@ -1,5 +1,6 @@
+#include <algorithm>
+
 #include "cases/mechanism/checks.h"
-#include "cases/mechanism/disjoint_sets.h"
 #include "cases/mechanism/joint_forms.h"
 #include "cases/mechanism/names.h"
 
@@ -8,14 +9,6 @@ namespace desmo {
 namespace {
 
 using Part = MechanismError::Part;
-
-// Bodies that move as one.
-DisjointSets fixed_bodies(const Mechanism& d) {
-  DisjointSets fixed(d.bodies.size());
-  for (const Mechanism::Joint& joint : d.joints)
-    if (joint.type == Mechanism::JointType::fixed) fixed.unite(joint.bodies[0], joint.bodies[1]);
-  return fixed;
-}
 
 // The parts of an entity's carriers that joints connect must be one part.
 void check(const Mechanism& d, Part part, const Carriers& carriers,
@@ -55,6 +48,16 @@ void check_sharing(const Mechanism& d, const Carriers& points, const Carriers& v
 }
 
 }  // namespace
+
+DisjointSets fixed_bodies(const Mechanism& d) {
+  DisjointSets fixed(d.bodies.size());
+  for (const Mechanism::Joint& j : d.joints) {
+    if (j.type != Mechanism::JointType::fixed) continue;
+    const auto [first, later] = std::minmax({fixed.find(j.bodies[0]), fixed.find(j.bodies[1])});
+    fixed.unite(later, first);
+  }
+  return fixed;
+}
 
 void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
   // In the order of Part.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cases/mechanism/checks.h"
 #include "cases/mechanism/directions.h"
-#include "cases/mechanism/disjoint_sets.h"
 #include "cases/mechanism/formatted.h"
 #include "cases/numbers/space.h"
 #include "formulations/modelling/bodies/drawing.h"
@@ -103,19 +103,6 @@ void list_carried(const std::vector<int>& carried, int rigid_body, std::vector<i
   }
 }
 
-/// Returns for each body the first of those that it moves with.
-std::vector<int> merge_fixed(const Mechanism& d) {
-  DisjointSets rigid(d.bodies.size());
-  for (const Mechanism::Joint& j : d.joints) {
-    if (j.type != Mechanism::JointType::fixed) continue;
-    const auto [first, later] = std::minmax({rigid.find(j.bodies[0]), rigid.find(j.bodies[1])});
-    rigid.unite(later, first);
-  }
-  std::vector<int> first;
-  for (int b = 0; b < static_cast<int>(d.bodies.size()); ++b) first.push_back(rigid.find(b));
-  return first;
-}
-
 /// Gives the two points of a body their stated length. Where a fixed joint adds other points or the
 /// ground, the drawing must have that length; throws std::invalid_argument if not.
 void state_length(const Mechanism& d, const Mechanism::Body& part, RigidBody& body) {
@@ -204,14 +191,15 @@ void require_representable(const Mechanism& d) {
 
 RigidBodies find_rigid_bodies(const Mechanism& d) {
   RigidBodies rigid;
-  const std::vector<int> first = merge_fixed(d);
+  DisjointSets fixed = fixed_bodies(d);
   rigid.of_body.resize(d.bodies.size());
   for (int b = 0; b < static_cast<int>(d.bodies.size()); ++b) {
-    if (first[b] == b) {
+    const int first = fixed.find(b);
+    if (first == b) {
       rigid.of_body[b] = static_cast<int>(rigid.list.size());
       rigid.list.emplace_back();
     }
-    rigid.of_body[b] = rigid.of_body[first[b]];
+    rigid.of_body[b] = rigid.of_body[first];
     rigid.list[rigid.of_body[b]].bodies.push_back(b);
   }
   rigid.of_point.resize(d.points.size());
