@@ -18,16 +18,10 @@ constexpr int latest_version = 2;
 
 // The mechanism of a scene, with its motions and times where it is of the library or a scalable
 // one.
-struct Start {
-  Mechanism mechanism;
-  DisplayUnits units;  // of the mechanism's file
-  std::vector<Motion> motions;
-  std::optional<TimeGrid> grid;
+struct Start : ReadMechanism {
+  std::vector<Motion> motions{};
+  std::optional<TimeGrid> grid{};
 };
-
-Start without_motion(ReadMechanism read) {
-  return {std::move(read.mechanism), std::move(read.units), {}, {}};
-}
 
 TimeGrid read_time(const JsonValue& value) {
   value.require_object(R"({"end": 1, "step": 0.01})");
@@ -66,7 +60,7 @@ Start from_library(const JsonValue& value) {
   const JsonDocument mechanism(found.mechanism, file_name + ".json"),
       scene(found.scene, file_name + ".scene.json");
   NamedFiles none;
-  Start start = without_motion(mechanism_from(mechanism.root(), none));
+  Start start{mechanism_from(mechanism.root(), none)};
   start.motions = read_motions(scene.root(), start.mechanism,
                                read_units(scene.root(), {start.units}), none, {});
   start.grid = read_time(scene.root()["time"]);
@@ -82,7 +76,7 @@ Start from_generator(const JsonValue& value) {
   try {
     Scene scene = c.with_units(count.whole_number(1, max_units));
     DisplayUnits units{.length = {scene.mechanism.length_unit}};
-    return {std::move(scene.mechanism), std::move(units), std::move(scene.motions), scene.grid};
+    return {{std::move(scene.mechanism), std::move(units)}, std::move(scene.motions), scene.grid};
   } catch (const std::invalid_argument& error) {
     count.complain(std::string(error.what()) + "; choose another number");
   }
@@ -98,14 +92,14 @@ ReadMechanism from_file(const JsonValue& value, NamedFiles& files) {
 }
 
 Start read_start(const JsonValue& value, NamedFiles& files) {
-  if (value.is_string()) return without_motion(from_file(value, files));
+  if (value.is_string()) return {from_file(value, files)};
   if (!value.is_object())
     value.complain(
         "is no mechanism; give a file name, a mechanism, {\"library\": name} or "
         "{\"generator\": name}");
   if (value.find("library")) return from_library(value);
   if (value.find("generator")) return from_generator(value);
-  return without_motion(mechanism_from(value, files));
+  return {mechanism_from(value, files)};
 }
 
 // The unit of length goes with that of the mechanism: a free one is no number of metres.
