@@ -17,12 +17,7 @@ using MeasureKind = RequestedMeasure::Kind;
 class RequestReader {
  public:
   explicit RequestReader(Scene& scene)
-      : d_(scene.mechanism),
-        names_(d_),
-        body_levels_(d_.bodies.size()),
-        wanted_(scene.request),
-        measures_(scene.measures),
-        patterns_(scene.patterns) {}
+      : scene_(scene), names_(scene.mechanism), body_levels_(scene.mechanism.bodies.size()) {}
 
   void read(const std::vector<JsonValue>& entries) {
     for (const JsonValue& entry : entries) read_entry(entry);
@@ -73,19 +68,20 @@ class RequestReader {
   }
 
   void want(Kind kind, int index, Level level) {
-    const auto [place, is_new] = places_.try_emplace({kind, index}, wanted_.size());
-    if (is_new) wanted_.push_back({kind, index, level});
-    Level& known = wanted_[place->second].level;
+    const auto [place, is_new] = places_.try_emplace({kind, index}, scene_.request.size());
+    if (is_new) scene_.request.push_back({kind, index, level});
+    Level& known = scene_.request[place->second].level;
     known = std::max(known, level);
   }
 
   void measure(MeasureKind kind, int index, Level level, std::string_view pattern) {
     const bool by_pattern = !pattern.empty();
-    if (by_pattern) patterns_.emplace(kind, pattern);
-    const auto [place, is_new] = measure_places_.try_emplace({kind, index}, measures_.size());
+    if (by_pattern) scene_.patterns.emplace(kind, pattern);
+    const auto [place, is_new] = measure_places_.try_emplace({kind, index}, scene_.measures.size());
     if (is_new)
-      measures_.push_back({.kind = kind, .index = index, .level = level, .by_pattern = by_pattern});
-    RequestedMeasure& known = measures_[place->second];
+      scene_.measures.push_back(
+          {.kind = kind, .index = index, .level = level, .by_pattern = by_pattern});
+    RequestedMeasure& known = scene_.measures[place->second];
     known.level = std::max(known.level, level);
     known.by_pattern = known.by_pattern && by_pattern;
   }
@@ -96,19 +92,20 @@ class RequestReader {
       value.complain("the name is that of another ratio; choose another");
     const std::vector<JsonValue> of = value.elements();
     if (of.size() != 2) value.complain("has " + std::to_string(of.size()) + " names; give two");
-    measures_.push_back({MeasureKind::ratio,
-                         Mechanism::none,
-                         Level::velocity,
-                         name,
-                         {names_.read_component(of[0]), names_.read_component(of[1])}});
+    scene_.measures.push_back({MeasureKind::ratio,
+                               Mechanism::none,
+                               Level::velocity,
+                               name,
+                               {names_.read_component(of[0]), names_.read_component(of[1])}});
   }
 
   // Once at each level: a request can name a body with many points many times.
   void want_body(int body, Level level) {
     if (body_levels_[body] >= level) return;
     body_levels_[body] = level;
-    for (const int point : d_.bodies[body].points) want(Kind::point, point, level);
-    for (const int vector : d_.bodies[body].vectors) want(Kind::vector, vector, level);
+    const Mechanism::Body& of = scene_.mechanism.bodies[body];
+    for (const int point : of.points) want(Kind::point, point, level);
+    for (const int vector : of.vectors) want(Kind::vector, vector, level);
   }
 
   void want_everything(Level level) {
@@ -118,19 +115,16 @@ class RequestReader {
       want(Kind::point, *names_.points.position(name), level);
     for (const std::string_view name : names_.vectors.names())
       want(Kind::vector, *names_.vectors.position(name), level);
-    for (int i = 0; i < static_cast<int>(d_.coordinates.size()); ++i)
+    for (int i = 0; i < static_cast<int>(scene_.mechanism.coordinates.size()); ++i)
       want(Kind::coordinate, i, level);
   }
 
-  const Mechanism& d_;
+  Scene& scene_;
   Requestable names_;
   std::vector<std::optional<Level>> body_levels_;
   std::optional<Level> everything_level_;
-  std::vector<RequestedEntity>& wanted_;
-  std::vector<RequestedMeasure>& measures_;
-  std::set<std::pair<MeasureKind, std::string>>& patterns_;
-  std::map<std::pair<Kind, int>, std::size_t> places_;                 // in wanted_
-  std::map<std::pair<MeasureKind, int>, std::size_t> measure_places_;  // in measures_
+  std::map<std::pair<Kind, int>, std::size_t> places_;                 // in Scene::request
+  std::map<std::pair<MeasureKind, int>, std::size_t> measure_places_;  // in Scene::measures
   std::set<std::string> ratios_;
 };
 
