@@ -51,19 +51,17 @@ class CoordinateCheck {
     refuse(d_, Part::coordinate, index_, what);
   }
 
-  void check_point(int point) const {
-    if (!is_in(point, d_.points)) complain("refers to a point that does not exist");
-    if (!points_.is_carried(point))
-      complain("the point " + in_quotes(d_.points[point].name) +
+  template <class Entity>
+  void check_carried(int i, const std::vector<Entity>& entities, const Carriers& carriers,
+                     const std::string& kind) const {
+    if (!is_in(i, entities)) complain("refers to a " + kind + " that does not exist");
+    if (!carriers.is_carried(i))
+      complain("the " + kind + " " + in_quotes(entities[i].name) +
                " is carried by no body; list it in one");
   }
 
-  void check_vector(int vector) const {
-    if (!is_in(vector, d_.vectors)) complain("refers to a vector that does not exist");
-    if (!vectors_.is_carried(vector))
-      complain("the vector " + in_quotes(d_.vectors[vector].name) +
-               " is carried by no body; list it in one");
-  }
+  void check_point(int point) const { check_carried(point, d_.points, points_, "point"); }
+  void check_vector(int vector) const { check_carried(vector, d_.vectors, vectors_, "vector"); }
 
   void check_line(const Mechanism::Direction& line) const {
     check_point(line.from);
