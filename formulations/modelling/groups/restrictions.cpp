@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
 #include "cases/mechanism/joint_forms.h"
@@ -25,24 +26,20 @@ std::vector<Restriction> find_restrictions(const Mechanism& d, const RigidBodies
                                   "' measures nothing that can move; drive another coordinate");
   }
   for (const Mechanism::Coupling& coupling : d.couplings) {
-    Restriction r{{}, 1};
-    for (const auto& [coordinate, factor] : coupling.terms) {
-      const std::vector<int> related = bodies_related(rigid, d.coordinates[coordinate]);
-      r.bodies.insert(r.bodies.end(), related.begin(), related.end());
-    }
-    std::ranges::sort(r.bodies);
-    r.bodies.erase(std::unique(r.bodies.begin(), r.bodies.end()), r.bodies.end());
-    if (r.bodies.empty())
+    std::set<int> bodies;
+    for (const auto& [coordinate, factor] : coupling.terms)
+      for (const int b : bodies_related(rigid, d.coordinates[coordinate])) bodies.insert(b);
+    if (bodies.empty())
       throw std::invalid_argument("coupling '" + coupling.name + "' relates nothing that can move");
-    all.push_back(std::move(r));
+    all.push_back({{bodies.begin(), bodies.end()}, 1});
   }
   return all;
 }
 
 std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coordinate& c) {
-  std::vector<int> result;
+  std::set<int> result;
   const auto add = [&](const std::vector<int>& carriers) {
-    if (!carriers.empty() && carriers.front() != 0) result.push_back(carriers.front());
+    if (!carriers.empty() && carriers.front() != 0) result.insert(carriers.front());
   };
   const auto add_direction = [&](const Mechanism::Direction& direction) {
     if (!direction.is_given()) return;
@@ -69,9 +66,7 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coord
   add_direction(c.from);
   add_direction(c.towards);
   if (c.point >= 0) add(rigid.of_point[c.point]);
-  std::ranges::sort(result);
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  return {result.begin(), result.end()};
 }
 
 }  // namespace desmo

@@ -105,8 +105,8 @@ class Matching {
 /// whose bodies its restrictions involve. Ties are broken by the groups' first bodies.
 Structure order_groups(const RigidBodies& rigid, const std::vector<Restriction>& all,
                        const Components& components) {
-  std::vector<std::vector<int>> members(components.count), before(components.count),
-      next(components.count);
+  std::vector<std::vector<int>> members(components.count), next(components.count);
+  std::vector<std::set<int>> before(components.count);
   std::vector<int> restriction_count(components.count, 0);
   for (int b = 1; b < static_cast<int>(rigid.list.size()); ++b)
     members[components.of_body[b]].push_back(b);
@@ -115,12 +115,10 @@ Structure order_groups(const RigidBodies& rigid, const std::vector<Restriction>&
     if (own < 0) continue;
     restriction_count[own] += all[r].count;
     for (const int b : all[r].bodies)
-      if (components.of_body[b] != own) before[own].push_back(components.of_body[b]);
+      if (components.of_body[b] != own) before[own].insert(components.of_body[b]);
   }
   std::vector<int> waiting(components.count);
   for (int c = 0; c < components.count; ++c) {
-    std::ranges::sort(before[c]);
-    before[c].erase(std::unique(before[c].begin(), before[c].end()), before[c].end());
     waiting[c] = static_cast<int>(before[c].size());
     for (const int b : before[c]) next[b].push_back(c);
   }
