@@ -12,11 +12,6 @@ namespace desmo::extremes {
 
 namespace {
 
-ExtremeCase may_fail(ExtremeCase c) {
-  c.may_fail = true;
-  return c;
-}
-
 std::string steps(const char* of, double step, const char* unit) {
   return formatted("%s, steps of %g %s", of, step, unit);
 }

@@ -18,6 +18,11 @@ ExtremeCase case_of(std::string name, const DyadChain& chain, double rate, const
   return case_of(std::move(name), std::vector{chain}, {Polynomial{{chain.start, rate}}}, grid);
 }
 
+ExtremeCase may_fail(ExtremeCase c) {
+  c.may_fail = true;
+  return c;
+}
+
 void add_dyad(DyadChain& chain, double pivot, double coupler, double rocker, int side) {
   const Mechanism::Vec from = chain.dyads.empty() ? crank_pin(chain) : chain.dyads.back().joint;
   chain.dyads.push_back(closed_dyad(from, {pivot, 0, 0}, coupler, rocker, side));

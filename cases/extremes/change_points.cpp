@@ -22,10 +22,8 @@ ExtremeCase beside(const char* family, double distance, const Motion& crank, con
 
 /// A crank of 2 · 10⁻ᵏ turns between links of 6.
 ExtremeCase small_crank(double scale) {
-  ExtremeCase c = case_of(formatted("a crank %.0e as long as the links", scale / 3),
-                          one_dyad(2 * scale, chain_start, 6, 6, 6), 1, {0, 0.125, 33});
-  c.may_fail = true;
-  return c;
+  return may_fail(case_of(formatted("a crank %.0e as long as the links", scale / 3),
+                          one_dyad(2 * scale, chain_start, 6, 6, 6), 1, {0, 0.125, 33}));
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector
 /// Makes a case of one chain, whose crank turns at a constant rate [rad/s].
 ExtremeCase case_of(std::string name, const DyadChain& chain, double rate, const TimeGrid& grid);
 
+/// Returns the case with a flag as good as an answer.
+ExtremeCase may_fail(ExtremeCase c);
+
 /// Adds a dyad that follows the last one, or the crank, and is closed there (closed_dyad).
 void add_dyad(DyadChain& chain, double pivot, double coupler, double rocker, int side = 1);
 
