@@ -87,19 +87,21 @@ struct Mechanism {
                          ///< keeps its distance from the plane through the other
   };
 
-  struct Joint {
-    std::string name;  ///< unique; for messages; see name_joints()
-    JointType type;
-    std::array<int, 2> bodies;
-    std::vector<int> points, vectors;  ///< those of the first body before those of the second
-  };
-
   /// A direction: a vector, or the line from one point to another.
   struct Direction {
     int vector = none;
     int from = none, to = none;  ///< points
     bool is_line() const { return from != none; }
     bool is_given() const { return vector != none || from != none; }
+  };
+
+  struct Joint {
+    std::string name;  ///< unique; for messages; see name_joints()
+    JointType type;
+    std::array<int, 2> bodies;
+    std::vector<int> points, vectors;  ///< those of the first body before those of the second
+    /// Returns the line from the first of its points to the second.
+    Direction line() const { return {none, points[0], points[1]}; }
   };
 
   enum class CoordinateType {

@@ -100,7 +100,7 @@ class Modeller {
         Mechanism::Coordinate& c = result_.measured.emplace_back();
         c.name = j.name + "/distance";
         c.type = Mechanism::CoordinateType::along;
-        c.of = {-1, j.points[0], j.points[1]};
+        c.of = j.line();
         c.vector = j.vectors[0];
       }
     result_.coordinates.assign(result_.measured.size(), -1);

@@ -135,7 +135,7 @@ bool is_rounding(double value, double magnitude) {
 
 bool writes_offset(const EquationWriter& w, const Mechanism::Joint& j) {
   return w.framed || !declares_distance(w.mechanism, j) ||
-         drawn_off(w.mechanism, w.rigid, w.reach, j) > 0;
+         drawn_off(w.mechanism, w.rigid, w.reach, j.line(), j.vectors[0]) > 0;
 }
 
 namespace {

@@ -18,8 +18,6 @@ namespace {
 
 using Exact = Mechanism::ExactVec;
 
-Mechanism::Direction between(const Mechanism::Joint& j) { return {-1, j.points[0], j.points[1]}; }
-
 /// Adds to a mechanism the points through which its lines are drawn.
 class LineMaker {
  public:
@@ -31,7 +29,7 @@ class LineMaker {
     const std::size_t points = d_.points.size();
     for (Mechanism::Joint& j : d_.joints) {
       if (!slides(j.type) || rigid_.of_body[j.bodies[0]] == rigid_.of_body[j.bodies[1]]) continue;
-      const double off = drawn_off(d_, rigid_, reach, j);
+      const double off = drawn_off(d_, rigid_, reach, j.line(), j.vectors[0]);
       if (off == 0 || off > max_off) continue;
       for (const int end : {0, 1})
         if (is_turn_known(j.bodies[end])) {
@@ -52,8 +50,8 @@ class LineMaker {
   /// Replaces a point of a joint by one of the same body, the nearest on the line through the other
   /// point.
   void put_on_line(Mechanism::Joint& j, int end) {
-    const Exact off = across(Drawing<Derived>{d_}.direction(between(j)),
-                             Drawing<Derived>{d_}.vector(j.vectors[0]));
+    const Exact off =
+        across(Drawing<Derived>{d_}.direction(j.line()), Drawing<Derived>{d_}.vector(j.vectors[0]));
     const int old = j.points[end], added = static_cast<int>(d_.points.size());
     Mechanism::Point point = d_.points[old];
     Exact foot = point.exact();
@@ -104,11 +102,6 @@ double drawn_off(const Mechanism& d, const RigidBodies& rigid, double reach,
   const Drawing<double> drawing{d};
   const double off = nominal::norm(cross(drawing.vector(vector), drawing.direction(line)));
   return is_rounding(off, reach) ? 0 : off;
-}
-
-double drawn_off(const Mechanism& d, const RigidBodies& rigid, double reach,
-                 const Mechanism::Joint& j) {
-  return drawn_off(d, rigid, reach, between(j), j.vectors[0]);
 }
 
 std::optional<Mechanism> with_lines_as_drawn(const Mechanism& d, const RigidBodies& rigid) {

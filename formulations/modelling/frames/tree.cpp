@@ -116,8 +116,7 @@ class TreeMaker {
   bool is_off_line(const Mechanism::Joint& j) const {
     if (d_.dimension == 3 || d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return false;
     const Drawing<double> drawing{d_};
-    const auto u = drawing.vector(j.vectors[0]),
-               s = drawing.direction({-1, j.points[0], j.points[1]});
+    const auto u = drawing.vector(j.vectors[0]), s = drawing.direction(j.line());
     const double off = std::abs(u[0] * s[1] - u[1] * s[0]);
     return off > same_direction * std::max(1e-300, nominal::extent(d_));
   }

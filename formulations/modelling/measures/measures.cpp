@@ -116,7 +116,7 @@ class Builder {
       Vector axis{0., 0., 1.};
       if (d_.dimension == 3)
         axis = unit(bodies_.drawn(joint.bodies[0], joint.vectors.empty()
-                                                       ? between(joint)
+                                                       ? joint.line()
                                                        : Mechanism::Direction{joint.vectors[0]}));
       const std::size_t place = add_with_rates(joint.name + ".angle", EntityKind::angle);
       const Frame first = bodies_.find_frame(joint.bodies[0]).drawn;
@@ -125,8 +125,8 @@ class Builder {
     }
     if (slides(joint.type)) {
       const Line along = bodies_.find_line({joint.vectors[0]}),
-                 line_of_both = bodies_.find_line(between(joint));
-      const auto u = drawing.vector(joint.vectors[0]), s0 = drawing.direction(between(joint));
+                 line_of_both = bodies_.find_line(joint.line());
+      const auto u = drawing.vector(joint.vectors[0]), s0 = drawing.direction(joint.line());
       const double start = dot(u, s0);
       const std::size_t place = add_with_rates(joint.name + ".travel", EntityKind::distance);
       rules.emplace_back(place, [=](const Instant& instant, auto values) {
@@ -134,10 +134,6 @@ class Builder {
         values[0] = {s.value - start, s.first, s.second};
       });
     }
-  }
-
-  static Mechanism::Direction between(const Mechanism::Joint& joint) {
-    return {-1, joint.points[0], joint.points[1]};
   }
 
   /// Returns how a body's own frame, if it has one, is drawn.
