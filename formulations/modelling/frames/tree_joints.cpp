@@ -24,9 +24,11 @@ class FrameWriter {
 
   void write() {
     using enum Mechanism::JointType;
-    if (!joint_) return write_free();
+    const bool is_free = !joint_;  // its origin is an unknown, too
     if constexpr (D == 2) {
-      if (joint_->type != prismatic) turn_in_plane();
+      if (is_free || joint_->type != prismatic) turn_in_plane();
+    } else if (is_free) {
+      orient({});
     } else if (joint_->type == universal) {
       turn_about_two();
     } else if (joint_->type == spherical) {
@@ -34,17 +36,10 @@ class FrameWriter {
     } else if (joint_->type != prismatic) {
       turn_about(first_angle(), frame_.axes[2]);
     }
-    if (slides(joint_->type)) slide();
+    if (!is_free && slides(joint_->type)) slide();
   }
 
  private:
-  void write_free() {  // its origin is an unknown, too
-    if constexpr (D == 2)
-      turn_in_plane();
-    else
-      orient({});
-  }
-
   /// Turns by φ, or by θ from the parent: x = R(θ) x_parent
   void turn_in_plane() {
     if (frame_.from < 0) return derive<PlanarDirection>("x", {axis(0), first_angle()}, {});
