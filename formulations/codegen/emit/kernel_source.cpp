@@ -15,12 +15,6 @@ namespace {
 
 using Expressions = std::vector<Expr>;
 
-Expressions values_of(const std::vector<RecordedEntry>& entries) {
-  Expressions result;
-  for (const RecordedEntry& e : entries) result.push_back(e.value);
-  return result;
-}
-
 /// More orders than these make code long, and none is right at a singular position.
 constexpr std::size_t max_orders = 3;
 
@@ -58,7 +52,8 @@ class KernelWriter {
   void of_entries(const std::string& signature, const std::vector<RecordedEntry>& list,
                   std::size_t first) {
     open(signature);
-    const Expressions outputs = values_of(list);
+    Expressions outputs;
+    for (const RecordedEntry& e : list) outputs.push_back(e.value);
     Emitter emitter = begin(outputs);
     emitter.prepare(outputs);
     for (std::size_t e = 0; e < list.size(); ++e)
