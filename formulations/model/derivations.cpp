@@ -9,23 +9,17 @@ namespace desmo {
 
 namespace {
 
-/// Returns whether the derivatives of a constraint by the entity that it derives are (r, r, ±1).
-bool is_explicit(const Constraint& c) {
+/// Returns whether the derivatives of a constraint by the entity that it derives, of this size, are
+/// (r, r, ±1).
+bool is_explicit(const Constraint& c, int size) {
   bool result = true;
   int entries = 0;
-  visit_kind(c.kind, [&]<class Kind>(Kind) {
-    static constexpr std::array<double, max_components> any{1, 1, 1, 1};
-    std::array<const double*, Kind::operand_sizes.size()> x;
-    x.fill(any.data());
-    Kind::jacobian(x.data(), dimensions_at<Kind>(c, x.data()).data(),
-                   [&](int row, int operand, int component, double value) {
-                     if (operand != c.derives) return;
-                     ++entries;
-                     result = result && row == component && std::abs(value) == 1;
-                   });
-    result = result && entries == Kind::rows && entries == Kind::operand_sizes[c.derives];
+  visit_entries(c, [&](int row, int operand, int component, double value) {
+    if (operand != c.derives) return;
+    ++entries;
+    result = result && row == component && std::abs(value) == 1;
   });
-  return result;
+  return result && entries == rows(c) && entries == size;
 }
 
 /// The graph of derivations: the constraint that derives each entity, and its inputs.
@@ -71,7 +65,7 @@ void keep_derivations(Model& m) {
     const EntityId id = derived_entity(c);
     const Entity& e = m.entities[id];
     if (c.left_out || e.fixed || e.group != c.group || independent[e.first] ||
-        graph.deriving(id) >= 0 || !is_explicit(c) || graph.is_circle(i))
+        graph.deriving(id) >= 0 || !is_explicit(c, e.size) || graph.is_circle(i))
       c.derives = no_position;
     else
       graph.add(i);

@@ -24,19 +24,25 @@ auto dimensions_at(const Constraint& constraint, const S* const* x) {
   }
 }
 
-/// Calls visit(row, state) for each structurally nonzero entry of a constraint's Jacobian.
-/// row: row of the constraint. state: index of the variable in the state.
+/// Calls visit(row, operand, component, value) for each structurally nonzero entry of a
+/// constraint's Jacobian. value: the entry where all that it reads is 1.
 template <class Visit>
-void visit_incidence(const Model& m, const Constraint& constraint, Visit&& visit) {
+void visit_entries(const Constraint& constraint, Visit&& visit) {
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
     // The structure does not depend on the values: any values serve.
     static constexpr std::array<double, max_components> any{1, 1, 1, 1};
     std::array<const double*, Kind::operand_sizes.size()> x;
     x.fill(any.data());
-    Kind::jacobian(x.data(), dimensions_at<Kind>(constraint, x.data()).data(),
-                   [&](int row, int operand, int component, double) {
-                     visit(row, m.state_index(constraint.operands[operand]) + component);
-                   });
+    Kind::jacobian(x.data(), dimensions_at<Kind>(constraint, x.data()).data(), visit);
+  });
+}
+
+/// Calls visit(row, state) for each structurally nonzero entry of a constraint's Jacobian.
+/// row: row of the constraint. state: index of the variable in the state.
+template <class Visit>
+void visit_incidence(const Model& m, const Constraint& constraint, Visit&& visit) {
+  visit_entries(constraint, [&](int row, int operand, int component, double) {
+    visit(row, m.state_index(constraint.operands[operand]) + component);
   });
 }
 
