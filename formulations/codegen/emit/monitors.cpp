@@ -1,5 +1,7 @@
 #include "formulations/codegen/emit/monitors.h"
 
+#include "cases/mechanism/names.h"
+
 namespace desmo::generate {
 
 std::vector<Expr> monitored(const Monitors& monitors) {
@@ -32,9 +34,7 @@ std::vector<std::string> conditions(const Emitter& emitter, const Monitors& moni
 }
 
 std::string all_of(const std::vector<std::string>& conditions) {
-  std::string result;
-  for (const std::string& c : conditions) result += (result.empty() ? "" : "\n        & ") + c;
-  return result.empty() ? "true" : result;
+  return conditions.empty() ? "true" : joined(conditions, {}, "\n        & ");
 }
 
 }  // namespace desmo::generate
