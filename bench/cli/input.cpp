@@ -109,7 +109,7 @@ Input load(const std::string& argument, bool mechanism_will_do) {
   }
   std::error_code ignored;
   if (std::filesystem::exists(argument, ignored)) return from_file(argument, mechanism_will_do);
-  std::vector<std::string_view> names = library_names();
+  std::vector<std::string_view> names = names_of(library());
   for (const Case& c : cases()) names.push_back(c.name);
   throw CommandError(unreadable_input, desmo::in_quotes(argument) +
                                            ": there is no such file, library mechanism or " +

@@ -23,11 +23,11 @@ struct ListOptions {
 
 Json mechanisms() {
   Json list = Json::array();
-  for (const std::string_view name : library_names()) {
-    const Input input = load_mechanism(std::string(name));
+  for (const LibraryMechanism& found : library()) {
+    const Input input = load_mechanism(std::string(found.name));
     const Model m = model_mechanism(input).model;
     const Mechanism& d = input.scene.mechanism;
-    list.push_back({{"name", name},
+    list.push_back({{"name", found.name},
                     {"title", d.title},
                     {"dimension", d.dimension},
                     {"bodies", d.bodies.size() - 1},

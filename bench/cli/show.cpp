@@ -18,7 +18,7 @@ void show(const ShowOptions& options) {
   const LibraryMechanism* const found = find_library(options.name);
   if (!found)
     throw CommandError(usage_error,
-                       unknown_name("library mechanism", options.name, library_names()));
+                       unknown_name("library mechanism", options.name, names_of(library())));
   write_standard_output(options.scene ? found->scene : found->mechanism);
 }
 

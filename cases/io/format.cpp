@@ -18,9 +18,7 @@ const DisplayUnit& read_unit(const JsonValue& value, std::span<const DisplayUnit
   const std::string_view name = value.text();
   const auto found = std::ranges::find(units, name, &DisplayUnit::name);
   if (found != units.end()) return *found;
-  std::vector<std::string_view> names;
-  for (const DisplayUnit& unit : units) names.push_back(unit.name);
-  value.complain("unknown unit " + in_quotes(name) + "; " + enumeration(names));
+  value.complain("unknown unit " + in_quotes(name) + "; " + enumeration(names_of(units)));
 }
 
 }  // namespace

@@ -114,13 +114,10 @@ std::string Requestable::read_component(const JsonValue& value) const {
       entity.size() + 2 == name.size() &&
       std::string_view("xyz").substr(0, d_.dimension).find(name.back()) != std::string_view::npos &&
       (points.position(entity) || vectors.position(entity));
-  if (!is_component && !angles.position(name) && !distances.position(name)) {
-    std::vector<std::string_view> known;
-    for (const Mechanism::Coordinate& c : d_.coordinates) known.push_back(c.name);
+  if (!is_component && !angles.position(name) && !distances.position(name))
     value.complain("unknown coordinate " + in_quotes(name) +
                    "; give one, or a component of a point or vector such as 'C.x'; " +
-                   suggestion(name, known));
-  }
+                   suggestion(name, names_of(d_.coordinates)));
   return std::string(name);
 }
 

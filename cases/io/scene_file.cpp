@@ -55,7 +55,7 @@ TimeGrid read_time(const JsonValue& value) {
 Start from_library(const JsonValue& value) {
   value.allow({"library"});
   const LibraryMechanism& found =
-      library()[value["library"].choose("library mechanism", library_names())];
+      library()[value["library"].choose("library mechanism", names_of(library()))];
   const std::string file_name = "library/" + std::string(found.name);
   const JsonDocument mechanism(found.mechanism, file_name + ".json"),
       scene(found.scene, file_name + ".scene.json");
@@ -68,9 +68,7 @@ Start from_library(const JsonValue& value) {
 }
 
 Start from_generator(const JsonValue& value) {
-  std::vector<std::string_view> names;
-  for (const Case& c : cases()) names.push_back(c.name);
-  const Case& c = cases()[value["generator"].choose("generator", names)];
+  const Case& c = cases()[value["generator"].choose("generator", names_of(cases()))];
   value.allow({"generator", c.unit_name});
   const JsonValue count = value[c.unit_name];
   try {

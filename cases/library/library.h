@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
 namespace desmo {
 
@@ -15,9 +14,6 @@ struct LibraryMechanism {
 
 /// Returns all mechanisms of the library, in alphabetical order.
 std::span<const LibraryMechanism> library();
-
-/// Returns their names, in the same order.
-std::vector<std::string_view> library_names();
 
 /// Returns the mechanism of that name, or null.
 const LibraryMechanism* find_library(std::string_view name);

@@ -50,16 +50,21 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
 std::string unknown_name(const std::string& kind, std::string_view name,
                          std::span<const std::string_view> known);
 
+/// Returns the names of a table's entries, in its order; the entries must outlive them.
+template <class Table>
+std::vector<std::string_view> names_of(const Table& table) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : table) names.push_back(entry.name);
+  return names;
+}
+
 /// Returns the entry of a table that has that name. Throws std::invalid_argument, which says that
 /// it is unknown, when there is none.
 template <class Table>
 const auto& entry_named(std::string_view name, const Table& table, const std::string& kind) {
-  std::vector<std::string_view> known;
-  for (const auto& entry : table) {
+  for (const auto& entry : table)
     if (entry.name == name) return entry;
-    known.push_back(entry.name);
-  }
-  throw std::invalid_argument(unknown_name(kind, name, known));
+  throw std::invalid_argument(unknown_name(kind, name, names_of(table)));
 }
 
 /// Returns an external text in a form that is safe on terminals, at most `limit` characters of it.

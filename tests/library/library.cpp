@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cases/io/files.h"
+#include "cases/mechanism/names.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
@@ -127,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(All, LibraryMechanisms,
 TEST(LibraryTable, HasTheMechanismsThatHaveSolutions) {
   std::vector<std::string_view> solved;
   for (const auto& [name, at] : exact::library_solutions()) solved.push_back(name);
-  EXPECT_EQ(library_names(), solved);
+  EXPECT_EQ(names_of(library()), solved);
 }
 
 }  // namespace
