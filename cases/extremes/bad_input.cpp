@@ -65,8 +65,7 @@ std::vector<ExtremeCase> bad_input(Extent) {
           damaged("a rocker's pivots coincide", [](Dyad& d) { d.pivot = d.joint; }),
           refused(driven_by("a motion with NaN", Polynomial{{chain_start, nan}})),
           // Nobody can tell a phase of 1e308 rad, whatever its amplitude.
-          may_fail(driven_by("a driver NaN after 1.75 s", not_a_number_from(1.75))),
-          infinite};
+          may_fail(driven_by("a driver NaN after 1.75 s", not_a_number_from(1.75))), infinite};
 }
 
 }  // namespace desmo::extremes
