@@ -83,6 +83,25 @@ TEST(Gaps, MayLastUntilTheEnd) {
   EXPECT_EQ(s.instants, 16);
 }
 
+/// The output of a drag link makes its turns with the input, and less than half a turn beside it.
+TEST(Gaps, OfAMechanismLeaveTheTurnsOfOthers) {
+  const Scene scene = scene_file("lock_beside_drag_link");
+  const Model m = make_model(scene);
+  for (const char* id : {"group_symbolic_inlined", "global_automatic_klu"}) {
+    const CheckedRows r =
+        solve_checked(m, scene.grid, id, Level::acceleration, {.past_failures = true});
+    EXPECT_EQ(r.summary.gaps.size(), 2u) << id;
+    EXPECT_EQ(r.summary.flagged, 0) << id << ": " << describe(r.summary, m);
+    double turned = 0;
+    for (const CheckedRow& row : r.rows) {
+      turned = row.values.position[m.coordinate("turn")];
+      EXPECT_LT(std::abs(row.values.position[m.coordinate("out")] - turned), std::numbers::pi)
+          << id << ", " << row.time;
+    }
+    EXPECT_GT(turned, 18) << id;
+  }
+}
+
 /// Ends are as accurate as time is, where its rounding is more than 1e-9 s.
 TEST(Gaps, AreFoundAtLateTimes) {
   const double start = std::numbers::pi / 3;

@@ -132,12 +132,17 @@ class CheckedRun final : Observer {
     summary_.table_lock.reset();
   }
 
+  /// Returns an instant that is not solved, of the levels that are asked for.
+  Instant wanted(int index) const {
+    const std::span<const double> any = formulation_.q();
+    Instant at = instant_of(grid_.time(index), {any, any, any}, request_.level);
+    at.index = index;
+    return at;
+  }
+
   /// Solves an instant where the formulation could not.
   bool solves(int index) {
-    const std::span<const double> wanted = formulation_.q();
-    Instant at = instant_of(grid_.time(index), {wanted, wanted, wanted}, request_.level);
-    at.index = index;
-    const CheckedInstant* const found = motion_.solve(at);
+    const CheckedInstant* const found = motion_.solve(wanted(index));
     if (!found) return false;
     withdraw_failure();
     hand_on(*found);
@@ -185,7 +190,7 @@ class CheckedRun final : Observer {
     withdraw_failure();
     tried_ = again;
     if (again == grid_.instants) return false;
-    motion_.begin(grid_.time(again));
+    motion_.begin_again(wanted(again));
     return true;
   }
 

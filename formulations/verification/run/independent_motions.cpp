@@ -70,6 +70,15 @@ void IndependentMotions::begin(double time) {
   begin_ = time;
 }
 
+void IndependentMotions::begin_again(const Instant& wanted) {
+  if (state_.together && !separate()) return begin(wanted.time);
+  for (const auto& each : *each_) {
+    const bool is_followed = each->take(wanted, false);
+    each->motion.return_to_last();
+    if (!is_followed) each->motion.begin(wanted.time);
+  }
+}
+
 bool IndependentMotions::is_on_step(const Instant& instant) const {
   return state_.together && together_.is_on_step(instant, tolerances_);
 }

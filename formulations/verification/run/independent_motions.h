@@ -23,6 +23,9 @@ class IndependentMotions {
   ~IndependentMotions();
 
   void begin(double time);
+  /// Goes on after rows that were left out. Mechanisms that can be followed to the next row are;
+  /// the others begin again there. wanted: the next row, as for solve()
+  void begin_again(const Instant& wanted);
   const CheckedInstant& check(const Instant& solved) { return *take(solved, true); }
   const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
   bool is_on_step(const Instant& instant) const;
