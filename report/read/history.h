@@ -11,8 +11,8 @@ namespace desmo::report {
 
 struct HistoryPoint {
   std::string commit, date, title, compiler;
-  std::vector<std::optional<std::int64_t>> instructions =
-      {};  ///< by candidate; nothing: the commit lacks it
+  /// By candidate; nothing: the commit lacks it.
+  std::vector<std::optional<std::int64_t>> instructions = {};
 };
 
 struct History {

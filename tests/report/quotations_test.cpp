@@ -24,7 +24,8 @@ struct Quotation {
 
 std::vector<Quotation> quotations(const std::string& page) {
   const std::string mark = "<!-- measured: ", end_mark = "<!-- end of measured -->";
-  EXPECT_EQ(count(page, mark), count(page, end_mark)) << page;
+  EXPECT_EQ(count(page, mark), count(page, end_mark));
+  EXPECT_TRUE(count(page, mark) == 0 || page.rfind(mark) < page.rfind(end_mark));
   std::vector<Quotation> found;
   for (const std::string& quoted : texts_between(page, mark, end_mark)) {
     const std::size_t end = quoted.find(" -->");
@@ -42,6 +43,7 @@ TEST_F(Program, PagesQuoteTheirRecords) {
   };
   const fs::path source = DESMO_SOURCE_DIR;
   for (const Page& page : {Page{"README.md", 4, 6}, Page{"formulations/accuracy.md", 1, 9}}) {
+    SCOPED_TRACE(page.name);
     const std::vector<Quotation> quoted = quotations(read_text(source / page.name));
     EXPECT_EQ(quoted.size(), page.records) << page.name;
     std::size_t rows = 0;

@@ -28,6 +28,7 @@ class Truck final : public TreePeer {
  public:
   Truck(const Scene& scene, const Model& model, Guess guess) : motions_(addresses(scene.motions)) {
     const int axles = static_cast<int>(scene.motions.size()) / 2;
+    last_.resize(2 * axles);
     one_before_.resize(2 * axles);
     expected_ = Predictor(guess, {{0, 2 * axles}});
     // The whole mechanism meets the tolerance, like ours.
