@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "cases/io/scene_text.h"
 #include "cases/io/text_file.h"
 #include "cases/mechanism/formatted.h"
+#include "cases/mechanism/names.h"
 #include "formulations/base/per_level.h"
 #include "formulations/verification/condition.h"
 
@@ -89,6 +91,17 @@ KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptio
   return kernels;
 }
 
+/// Returns the motion with its references. Throws CommandError (not_solved) where there is none,
+/// since the mechanism locks or is singular.
+accuracy::TunedMotion motion_of(const Plan& plan, const Input& input) {
+  try {
+    return accuracy::make_tuned_motion(plan, input.scene.grid);
+  } catch (const std::runtime_error& error) {
+    throw CommandError(not_solved, input.source + ": " + printable(error.what(), 500) +
+                                       "; choose a motion that 'desmo solve' proves");
+  }
+}
+
 void tune(const TuneOptions& options) {
   if ((options.goal.max_error > 0) == (options.goal.budget > 0))
     throw CommandError(usage_error, "give either --max-error or --budget");
@@ -107,7 +120,7 @@ void tune(const TuneOptions& options) {
   };
   const KernelTable kernels = make_kernels(plan, input.scene.grid, options);
   say("reference solutions in quadruple precision");
-  accuracy::TunedMotion motion = accuracy::make_tuned_motion(plan, input.scene.grid);
+  accuracy::TunedMotion motion = motion_of(plan, input);
   motion.whole.kernels = motion.beginning.kernels = kernels;
   const accuracy::SearchResult found = accuracy::search(motion, options.goal, {.say = say});
   if (!found.choice) refuse(found, motion.whole, options, input);

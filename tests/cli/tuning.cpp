@@ -30,6 +30,14 @@ TEST_F(Cli, SaysWhenNothingIsAccurateOrFastEnough) {
               "nothing takes at most 1e-06 us a step here; the fastest is ");
 }
 
+/// A rod of 49 cannot follow a crank of 50 over a full turn.
+TEST_F(Cli, TuneSaysThatAMotionCannotBeSolved) {
+  write("locks.json", slider_crank(49, R"(, "time": {"end": 1, "step": 0.01})"));
+  expect_said(1, "tune locks.json --max-error 1e-6 --no-compile --quiet",
+              "desmo: locks.json: short, group 'SG-II': no reference solution at t = 0.22",
+              "; choose a motion that 'desmo solve' proves");
+}
+
 TEST_F(Cli, TuneIsToldWhatToDo) {
   const std::pair<const char*, const char*> wrong[] = {
       {"tune slider_crank", "give either --max-error or --budget"},
