@@ -102,6 +102,16 @@ TEST(Gaps, OfAMechanismLeaveTheTurnsOfOthers) {
   }
 }
 
+TEST(Gaps, OfAllInstantsAreAFailure) {
+  const CheckedSummary s = solve_checked(overswinging, {0.2, 0.01, 10}, "block_automatic_lapack",
+                                         Level::position, {.past_failures = true})
+                               .summary;
+  EXPECT_EQ(s.instants, 0);
+  EXPECT_EQ(s.gaps.size(), 1u);
+  EXPECT_EQ(s.outcome(), Outcome::failed);
+  EXPECT_TRUE(describe(s, overswinging).starts_with("failed: ")) << describe(s, overswinging);
+}
+
 /// Ends are as accurate as time is, where its rounding is more than 1e-9 s.
 TEST(Gaps, AreFoundAtLateTimes) {
   const double start = std::numbers::pi / 3;

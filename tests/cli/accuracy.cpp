@@ -132,6 +132,17 @@ TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {
   EXPECT_EQ(desmo("solve locks.json --past-failures --strict"), 64);
 }
 
+TEST_F(Cli, FailsWhereNoRowCanBeAssembled) {
+  write("never.json", replaced(locks, "[0, 360]", "[90]"));
+  ASSERT_EQ(desmo("solve never.json --no-compile --quiet"), 1);
+  const std::string failure = err_;
+  expect_said(1, "solve never.json --no-compile --quiet --past-failures", failure,
+              "accuracy: not assembled: group 'SG-II' (rod, slider), t = 0 s to 1 s, the end: ");
+  EXPECT_EQ(lines().size(), 1u);
+  EXPECT_EQ(desmo("solve never.json --past-failures -o out/motion.csv"), 1);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
+}
+
 /// What follows "    $ desmo" on the page is run; the lines after it are said, "…" left out.
 TEST_F(Cli, DoesWhatThePageOnStabilityShows) {
   write("between.json", goes_between);

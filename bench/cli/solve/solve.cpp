@@ -98,6 +98,16 @@ CheckedSummary run_through(const Task& task, Formulation& formulation, SeriesWri
   return run_checked(formulation, task.input.scene.grid, Request{task.plan.level()}, writer, check);
 }
 
+/// Returns the failure that ended a run or, where all instants are in gaps, that of the first.
+CheckedSummary failure_of(const CheckedSummary& summary) {
+  CheckedSummary failure = summary;
+  if (!summary.ok()) return failure;
+  const Gap& gap = summary.gaps.front();
+  static_cast<BasicSummary&>(failure) = gap.failure;
+  failure.assembly_error = gap.assembly_error;
+  return failure;
+}
+
 /// Throws where the run failed or strict rules refuse it. Before, rows go to standard output, which
 /// may have any number of them; a file is written whole or not at all.
 void require_success(const Task& task, const CheckedSummary& summary, SeriesWriter& writer) {
@@ -116,7 +126,7 @@ void require_success(const Task& task, const CheckedSummary& summary, SeriesWrit
     say(note_on_gaps(summary, m, units) + note_on_flags(summary, m, units));
   if (!overflow.empty()) fail(overflow, summary.instants - 1);
   if (summary.refused) fail(refusal_text(summary, m, units), summary.instants);
-  if (!all) fail(failure_text(summary, m, units), summary.instants);
+  if (!all) fail(failure_text(failure_of(summary), m, units), summary.instants);
 }
 
 /// Returns the notes on a motion; for a quiet run, those on gaps and flags.

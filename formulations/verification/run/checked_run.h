@@ -21,7 +21,8 @@ namespace desmo {
 enum class Outcome {
   converged,  ///< no flag, no gap
   degraded,   ///< a row is flagged, or an interval that cannot be assembled was left out
-  failed,     ///< no position was found, or a strict run met a flag
+  failed,     ///< no position was found, with `past_failures` at any instant, or a strict run met
+              ///< a flag
 };
 
 /// Reason why a row is no proven number of the motion in the file.
@@ -111,7 +112,8 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
 
   bool ok() const { return status == Status::solved; }  ///< no failure but those in `gaps`
   Outcome outcome() const {
-    return !ok() || refused               ? Outcome::failed
+    const bool has_no_row = instants == 0 && !gaps.empty();
+    return !ok() || refused || has_no_row ? Outcome::failed
            : flagged > 0 || !gaps.empty() ? Outcome::degraded
                                           : Outcome::converged;
   }

@@ -49,7 +49,8 @@ std::string describe(const CheckedSummary& s, const Model& m) {
   const std::string flags = flags_of(s);
   if (s.status != Status::solved)
     return describe(Summary{s}, m) + (flags.empty() ? "" : "; degraded before: " + flags);
-  const char* const outcome = s.outcome() == Outcome::failed     ? "refused: "
+  const char* const outcome = s.refused                          ? "refused: "
+                              : s.outcome() == Outcome::failed   ? "failed: "
                               : s.outcome() == Outcome::degraded ? "degraded: "
                                                                  : "converged: ";
   return outcome + flags + (flags.empty() ? "" : "; ") + std::to_string(s.instants) +
