@@ -130,6 +130,8 @@ TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {
                            "no position was found; at best '", "' is off by ", " mm\n"})
     EXPECT_TRUE(says(text)) << text << "\n" << err_;
   EXPECT_EQ(desmo("solve locks.json --past-failures --strict"), 64);
+  expect_said(64, "solve locks.json --past-failures --check none",
+              "--past-failures with --check none: only a run that is checked goes on ");
 }
 
 TEST_F(Cli, FailsWhereNoRowCanBeAssembled) {

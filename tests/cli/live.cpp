@@ -163,6 +163,8 @@ TEST_F(Cli, GoesOnAfterARowThatFailsWhenItIsTold) {
            {1, "converged"}, {3, "failed"}, {4, "converged"}, {5, "refused"}, {6, "refused"}})
     EXPECT_TRUE(answers[line].ends_with("," + outcome)) << answers[line];
   EXPECT_TRUE(answers[3].starts_with("0.2,,,")) << answers[3];
+  expect_said(0, "solve locks.json --drivers rows --past-failures --check none",
+              "not solved: 3 rows");
 }
 
 TEST_F(Cli, NamesLineAndColumnOfARowThatCannotBeRead) {

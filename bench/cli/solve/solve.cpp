@@ -159,6 +159,12 @@ void solve(const SolveOptions& options) {
   if (options.scene == "-" && options.drivers == "-")
     throw CommandError(usage_error,
                        "scene and drivers both on standard input; give a file for one");
+  if (options.drivers.empty() && options.check.past_failures &&
+      options.check.mode == CheckMode::none)
+    throw CommandError(
+        usage_error,
+        "--past-failures with --check none: only a run that is checked goes on after "
+        "a failure; leave one of them out");
   const SeriesFormat format = format_of(options);
   const Input input = load_scene(options.scene, options.units);
   const Configuration chosen = choose_formulation(options, input);
