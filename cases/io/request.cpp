@@ -58,6 +58,8 @@ class RequestReader {
             "a ratio is one of velocities; give \"velocity\" or leave the level out, in an "
             "entry of its own");
       ratios->require_object(R"({"i": ["s", "C.x"]})");
+      if (ratios->members().empty())
+        ratios->complain("defines nothing; define something or leave it out");
       for (const JsonValue& ratio : ratios->members()) read_ratio(ratio);
     }
   }

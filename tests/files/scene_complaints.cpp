@@ -108,6 +108,7 @@ TEST(SceneFile, MembersThatAreWrongAreNamed) {
        "/request/0/rotations/0: the ground never turns; name a body that moves"},
       {R"("request": [{"joints": ["J2"]}])",
        "/request/0/joints/0: unknown joint that turns or slides 'J2'; did you mean 'J1'?"},
+      {R"("request": [{"ratios": {}}])", "/request/0/ratios: defines nothing; "},
       {R"("request": [{"ratios": {"r": ["s", "C.z"]}}])",
        "/request/0/ratios/r/1: unknown coordinate 'C.z'; give one, or a component"},
       {R"("request": [{"ratios": {"r": ["s"]}}])", "/request/0/ratios/r: has 1 names; give two"},
