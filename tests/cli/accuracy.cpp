@@ -3,8 +3,11 @@
 #include <map>
 #include <regex>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/wheel.h"
 
 namespace desmo::accuracy_test {
 namespace {
@@ -135,12 +138,16 @@ TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {
 }
 
 TEST_F(Cli, FailsWhereNoRowCanBeAssembled) {
-  write("never.json", replaced(locks, "[0, 360]", "[90]"));
-  ASSERT_EQ(desmo("solve never.json --no-compile --quiet"), 1);
-  const std::string failure = err_;
-  expect_said(1, "solve never.json --no-compile --quiet --past-failures", failure,
-              "accuracy: not assembled: group 'SG-II' (rod, slider), t = 0 s to 1 s, the end: ");
-  EXPECT_EQ(lines().size(), 1u);
+  const std::vector<double> at{0, 20, 40, 60, 80, 100, 120}, rise{0, 5, 15, 20, 15, 5, 0};
+  const Wheel beyond{.couplings = coupling_table("rise", at, rise), .driver = "w", .start = 30};
+  for (const std::string& scene : {replaced(locks, "[0, 360]", "[90]"), beyond.text()}) {
+    write("never.json", scene);
+    ASSERT_EQ(desmo("solve never.json --no-compile --quiet"), 1);
+    const std::string failure = err_;
+    expect_said(1, "solve never.json --no-compile --quiet --past-failures", failure,
+                "accuracy: not assembled: group 'SG-II' (", "), t = 0 s to 1 s, the end: ");
+    EXPECT_EQ(lines().size(), 1u);
+  }
   EXPECT_EQ(desmo("solve never.json --past-failures -o out/motion.csv"), 1);
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/cli/view.h"
+#include "tests/wheel.h"
 
 namespace desmo::viewing_contents_test {
 namespace {
@@ -94,6 +95,14 @@ TEST_F(View, FlagsWhatIsNotProven) {
   EXPECT_EQ(flags[0]["from"], 0.31);
   EXPECT_NE(flags[0]["text"].get<std::string>().find("past a singular position"),
             std::string::npos);
+}
+
+TEST_F(View, NamesTheExtremumWhereATableLocks) {
+  const std::vector<double> at{0, 20, 40, 60, 80, 100, 120}, rise{0, 5, 15, 20, 15, 5, 0};
+  const Wheel beyond{.couplings = coupling_table("rise", at, rise), .driver = "w", .start = 30};
+  write("beyond.json", beyond.text());
+  expect_said(1, "view beyond.json -o out/page.html",
+              "the motion locks: the table has an extremum at a = 60 deg");
 }
 
 TEST_F(View, ShowsTheEstimateWhereNothingCanBeAssembled) {

@@ -105,6 +105,7 @@ CheckedSummary failure_of(const CheckedSummary& summary) {
   const Gap& gap = summary.gaps.front();
   static_cast<BasicSummary&>(failure) = gap.failure;
   failure.assembly_error = gap.assembly_error;
+  failure.table_lock = gap.table_lock;
   return failure;
 }
 

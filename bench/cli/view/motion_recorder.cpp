@@ -129,6 +129,7 @@ void MotionRecorder::flag_failures(const CheckedSummary& summary) {
     CheckedSummary failure;
     static_cast<BasicSummary&>(failure) = gap.failure;
     failure.assembly_error = gap.assembly_error;
+    failure.table_lock = gap.table_lock;
     Flag& flag = flags_.emplace_back(Flag::Kind::failed, gap.from, gap.to,
                                      failure_text(failure, model_, units_));
     const int constraint =

@@ -86,10 +86,11 @@ struct CheckedInstant {
 /// Interval in which a mechanism could not be assembled. Its ends are accurate to 1e-9 s or, where
 /// that is more, to what rounding of time and of the drivers leaves.
 struct Gap {
-  double from, to;                       ///< [s]
-  bool ends;                             ///< false: the interval lasts until the end of the run
-  Summary failure;                       ///< failure at the interval's first grid instant
-  std::optional<Misfit> assembly_error;  ///< as in CheckedSummary
+  double from, to;                        ///< [s]
+  bool ends;                              ///< false: the interval lasts until the end of the run
+  Summary failure;                        ///< failure at the interval's first grid instant
+  std::optional<Misfit> assembly_error;   ///< as in CheckedSummary
+  std::optional<TableLock> table_lock{};  ///< likewise
 };
 
 /// Summary of a checked run: counts, flags and gaps. outcome() says whether its answers may be

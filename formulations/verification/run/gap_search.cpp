@@ -36,7 +36,7 @@ std::optional<Misfit> assembly_error_at(const Formulation& formulation, double t
 FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,
                   const CheckedSummary& failure) {
   const double end = grid.time(grid.instants - 1);
-  Gap gap{failure.time, end, false, Summary{failure}, failure.assembly_error};
+  Gap gap{failure.time, end, false, Summary{failure}, failure.assembly_error, failure.table_lock};
   if (failed > 0) gap.from = last_solved(formulation, grid.time(failed - 1), gap.from);
   int next = failed + 1;
   const auto assembled = [&] { return formulation.assemble(grid.time(next)).ok(); };
