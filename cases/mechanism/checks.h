@@ -1,5 +1,5 @@
-// The steps of validate(const Mechanism&), and the error that each throws. Each relies on the
-// previous steps.
+// The steps of validate(const Mechanism&), the error that each throws, and what they share with
+// modelling. Each step relies on the previous ones.
 #pragma once
 
 #include <stdexcept>
@@ -31,7 +31,8 @@ class MechanismError : public std::invalid_argument {
 [[noreturn]] void refuse(const Mechanism& mechanism, MechanismError::Part part, int index,
                          const std::string& what);
 
-/// Returns the bodies that fixed joints connect. The first of a set stands for it.
+/// Returns the bodies that move as one, because fixed joints connect them. The first of a set
+/// stands for it.
 DisjointSets fixed_bodies(const Mechanism& mechanism);
 
 /// Returns a vector as a body carries it: in the body's frame, if it has one, or as drawn.

@@ -100,7 +100,7 @@ struct Mechanism {
     JointType type;
     std::array<int, 2> bodies;
     std::vector<int> points, vectors;  ///< those of the first body before those of the second
-    /// Returns the line from the first of its points to the second.
+    /// Returns the line from the first of its points to the second; it must have two.
     Direction line() const { return {none, points[0], points[1]}; }
   };
 

@@ -6,7 +6,7 @@
 namespace desmo {
 
 /// The state (q, then the components of the fixed entities) and its time derivatives; those of
-/// the fixed entities are zero. All three have Model::state_size() components.
+/// the fixed entities are zero. Of a model, all three have Model::state_size() components.
 struct State {
   std::vector<double> q, qd, qdd;
 

@@ -25,7 +25,7 @@ auto dimensions_at(const Constraint& constraint, const S* const* x) {
 }
 
 /// Calls visit(row, operand, component, value) for each structurally nonzero entry of a
-/// constraint's Jacobian. value: the entry where all that it reads is 1.
+/// constraint's Jacobian. value: the entry where all coordinates are 1.
 template <class Visit>
 void visit_entries(const Constraint& constraint, Visit&& visit) {
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {

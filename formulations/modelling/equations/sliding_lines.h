@@ -16,6 +16,7 @@ inline constexpr double max_off_line = 1e-6;
 /// the mechanism
 double drawn_off(const Mechanism& mechanism, const RigidBodies& rigid, double reach,
                  const Mechanism::Direction& line, int vector);
+
 /// Returns a mechanism in which each sliding joint in space has its points on its line. Where
 /// digits of a file draw them off it, the line leads through the point of the second body as it is
 /// drawn; the first body carries another point on it. Where nothing tells how the first body is
