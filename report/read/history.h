@@ -11,7 +11,7 @@ namespace desmo::report {
 
 struct HistoryPoint {
   std::string commit, date, title, compiler;
-  /// By candidate; nothing: the commit lacks it.
+  /// Counts by candidate; nothing: the commit lacks it.
   std::vector<std::optional<std::int64_t>> instructions = {};
 };
 
