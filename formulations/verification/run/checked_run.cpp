@@ -185,12 +185,16 @@ class CheckedRun final : Observer {
   /// Goes from the instant that failed to the first that can be assembled again. Returns whether
   /// there is one.
   bool pass_gap() {
-    const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_);
+    const auto leads_to = [&](int index) {
+      return motion_.try_again(wanted(index)) &&
+             stepping_of(formulation_).start_at(motion_.followed_to(), grid_.time(index));
+    };
+    const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_, leads_to);
     summary_.gaps.push_back(gap);
     withdraw_failure();
     tried_ = again;
     if (again == grid_.instants) return false;
-    motion_.begin_again(wanted(again));
+    motion_.begin_again(grid_.time(again));
     return true;
   }
 

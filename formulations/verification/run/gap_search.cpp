@@ -34,13 +34,13 @@ std::optional<Misfit> assembly_error_at(const Formulation& formulation, double t
 }
 
 FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,
-                  const CheckedSummary& failure) {
+                  const CheckedSummary& failure, const std::function<bool(int)>& solves) {
   const double end = grid.time(grid.instants - 1);
   Gap gap{failure.time, end, false, Summary{failure}, failure.assembly_error, failure.table_lock};
   if (failed > 0) gap.from = last_solved(formulation, grid.time(failed - 1), gap.from);
   int next = failed + 1;
   const auto assembled = [&] { return formulation.assemble(grid.time(next)).ok(); };
-  while (next < grid.instants && !assembled()) ++next;
+  while (next < grid.instants && !solves(next) && !assembled()) ++next;
   gap.ends = next < grid.instants;
   if (gap.ends) gap.to = last_solved(formulation, grid.time(next), grid.time(next - 1));
   return {gap, next};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "formulations/formulation.h"
@@ -21,7 +22,9 @@ struct FoundGap {
 /// ends first, its positions are unspecified.
 /// - failed: the grid instant that could not be assembled
 /// - failure: the summary of the run, which ended there
+/// - solves: whether an instant is solved otherwise than by assembly. If it is, this has led the
+///   formulation there. It is asked of each instant of the gap, in turn.
 FoundGap find_gap(Formulation& formulation, const TimeGrid& grid, int failed,
-                  const CheckedSummary& failure);
+                  const CheckedSummary& failure, const std::function<bool(int)>& solves);
 
 }  // namespace desmo

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "formulations/model/scales.h"
+#include "formulations/variants.h"
 #include "formulations/verification/run/submodels.h"
 
 namespace desmo {
@@ -51,9 +52,31 @@ struct IndependentMotions::SubmodelMotion {
     return handed_in.view();
   }
 
+  /// Goes on to a row, or begins again there. Returns whether the motion leads there.
+  bool try_again(const Instant& wanted) {
+    if (!is_blocked && take(wanted, false)) return true;
+    is_blocked = true;  // to all later rows, too
+    if (!can_be_assembled(wanted.time)) return false;
+    motion.begin(wanted.time);
+    is_blocked = !take(wanted, false);
+    return !is_blocked;
+  }
+
   Submodel submodel;
   CheckedMotion motion;
   InstantCopy handed_in;
+  bool is_blocked = false;  // while rows are tried again: no way leads on from the last one
+
+ private:
+  /// Asks a formulation first: a way from the drawing that is blocked costs a hundred times as
+  /// much.
+  bool can_be_assembled(double time) {
+    if (!formulation)
+      formulation = make_formulation(find_variant("group_automatic_lapack"), submodel.model);
+    return formulation->assemble(time, Level::position).ok();
+  }
+
+  std::unique_ptr<Formulation> formulation;
 };
 
 IndependentMotions::IndependentMotions(const Model& m, std::span<const Level> levels,
@@ -70,13 +93,18 @@ void IndependentMotions::begin(double time) {
   begin_ = time;
 }
 
-void IndependentMotions::begin_again(const Instant& wanted) {
-  if (state_.together && !separate()) return begin(wanted.time);
-  for (const auto& each : *each_) {
-    const bool is_followed = each->take(wanted, false);
-    each->motion.return_to_last();
-    if (!is_followed) each->motion.begin(wanted.time);
-  }
+bool IndependentMotions::try_again(const Instant& wanted) {
+  if (state_.together && !separate()) return false;
+  last_ = state_;
+  bool all = true;
+  for (const auto& each : *each_) all &= each->try_again(wanted);
+  return all;
+}
+
+void IndependentMotions::begin_again(double time) {
+  if (state_.together) return begin(time);
+  for (const auto& each : *each_) each->is_blocked = false;
+  return_to_last();
 }
 
 bool IndependentMotions::is_on_step(const Instant& instant) const {

@@ -23,9 +23,13 @@ class IndependentMotions {
   ~IndependentMotions();
 
   void begin(double time);
-  /// Goes on after rows that were left out. Mechanisms that can be followed to the next row are;
-  /// the others begin again there. wanted: the next row, as for solve()
-  void begin_again(const Instant& wanted);
+  /// Tries a row after one that could not be solved, where there are several mechanisms. Those that
+  /// can be followed to it are; the others begin again there. Returns whether all get there. Where
+  /// one does not, the others go on from this row: they keep their branches and turns.
+  /// wanted: the row, as for solve()
+  bool try_again(const Instant& wanted);
+  /// Makes the row of the last try_again() the next one: a single mechanism begins again there.
+  void begin_again(double time);
   const CheckedInstant& check(const Instant& solved) { return *take(solved, true); }
   const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
   bool is_on_step(const Instant& instant) const;
