@@ -10,10 +10,10 @@ namespace desmo {
 class PartChain {
  public:
   struct Result {
-    int solved = 0;      ///< members, up to the first that has to be solved by itself
-    int iterations = 0;  ///< the most of any of them …
-    long all = 0;        ///< iterations of all parts together
-    double residual2 = 0;
+    int solved = 0;      ///< number of members before the first that has to be solved by itself
+    int iterations = 0;  ///< largest number of iterations of a member
+    long total_iterations = 0;  ///< sum over the solved members
+    double residual2 = 0;       ///< ‖Φ‖₂² of the solved members together
   };
 
   virtual ~PartChain() = default;

@@ -62,10 +62,10 @@ struct ExplicitResult {
 
 /// Result of solving a chain: several parts of one type one after the other.
 struct ExplicitChainResult {
-  int accepted;      ///< number of accepted parts before the first that was not
-  int iterations;    ///< largest number of iterations of a part
-  long all;          ///< iterations of all parts
-  double residual2;  ///< sum over the accepted parts
+  int accepted;           ///< number of accepted parts before the first that was not
+  int iterations;         ///< largest number of iterations of a part
+  long total_iterations;  ///< sum over the accepted parts
+  double residual2;       ///< sum over the accepted parts
 };
 
 /// Solves `count` parts with one kernel in a plain loop, up to the first that is not accepted.
@@ -74,16 +74,16 @@ template <ExplicitResult<double> (*solve)(double*, double*, double*,
 ExplicitChainResult solve_chain(double* q, double* qd, double* qdd,
                                 const ExplicitBinding<double>* parts, int count) {
   int accepted = 0, iterations = 0;  // in registers: stores to the state might change a result
-  long all = 0;
+  long total_iterations = 0;
   double residual2 = 0;
   for (; accepted < count; ++accepted) {
     const ExplicitResult<double> r = solve(q, qd, qdd, parts[accepted]);
     if (!r.accepted) break;
     iterations = std::max(iterations, r.iterations);
-    all += r.iterations;
+    total_iterations += r.iterations;
     residual2 += r.residual2;
   }
-  return {accepted, iterations, all, residual2};
+  return {accepted, iterations, total_iterations, residual2};
 }
 
 /// Generated code that solves one type of group or block (see PartType) in explicit order. Unknowns

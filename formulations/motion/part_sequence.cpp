@@ -90,7 +90,7 @@ PartSequence::Result PartSequence::solve_in_order(std::span<const PartInStep> pa
     const PartInStep& first = parts.front();
     const PartChain::Result r =
         first.chain->solve(state, first.member, std::min(level, first.level));
-    result.add(r.residual2, r.iterations, r.all * first.unknowns);
+    result.add(r.residual2, r.iterations, r.total_iterations * first.unknowns);
     parts = parts.subspan(static_cast<std::size_t>(r.solved));
     if (first.member + r.solved < first.chain->size()) break;
   }

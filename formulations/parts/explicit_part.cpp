@@ -31,9 +31,9 @@ class ExplicitChain final : public PartChain {
     if (assembled_ < size()) return {};
     ExplicitKernel::Solve* const solve =
         members_.front()->kernel().solve[static_cast<std::size_t>(level)];
-    const auto [accepted, iterations, all, residual2] =
+    const auto [accepted, iterations, total_iterations, residual2] =
         solve(s.q.data(), s.qd.data(), s.qdd.data(), bindings_.data() + first, size() - first);
-    return {accepted, iterations, all, residual2};
+    return {accepted, iterations, total_iterations, residual2};
   }
 
   void forget() override { assembled_ = 0; }
