@@ -66,9 +66,9 @@ class KluFactors final : public LinearSolver {
   /// Returns whether the smallest pivot is large enough compared with the largest (klu_rcond). The
   /// bound is SUNDIALS'.
   bool pivots_are_good() const {
-    static const double trusted = std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0);
+    static const double min_ratio = std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0);
     const auto size = pivot_array().abs();
-    return size.minCoeff() > trusted * size.maxCoeff();
+    return size.minCoeff() > min_ratio * size.maxCoeff();
   }
 
   int n_;
