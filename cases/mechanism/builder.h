@@ -23,39 +23,42 @@ class MechanismBuilder {
  public:
   /// Begins with the ground alone. dimension: 2 or 3.
   explicit MechanismBuilder(std::string name, int dimension) {
-    d_.name = std::move(name);
-    d_.dimension = dimension;
-    d_.bodies.push_back({"ground"});
+    mechanism_.name = std::move(name);
+    mechanism_.dimension = dimension;
+    mechanism_.bodies.push_back({"ground"});
   }
 
   static constexpr int ground = 0;  ///< position of the ground among the bodies
 
+  /// Sets Mechanism::length_unit: "m" (the default) or "1".
+  void set_length_unit(std::string unit) { mechanism_.length_unit = std::move(unit); }
+
   int point(std::string name, const Mechanism::Vec& position) {
-    d_.points.push_back({std::move(name), position});
-    return static_cast<int>(d_.points.size()) - 1;
+    mechanism_.points.push_back({std::move(name), position});
+    return static_cast<int>(mechanism_.points.size()) - 1;
   }
   int vector(std::string name, const Mechanism::Vec& direction) {
-    d_.vectors.push_back({std::move(name), direction});
-    return static_cast<int>(d_.vectors.size()) - 1;
+    mechanism_.vectors.push_back({std::move(name), direction});
+    return static_cast<int>(mechanism_.vectors.size()) - 1;
   }
   /// Adds a vector that always points from one point to another of a body that carries it.
   int vector_along(std::string name, const Mechanism::Vec& direction, int from, int to) {
     const int v = vector(std::move(name), direction);
-    d_.vectors[v].along = {from, to};
+    mechanism_.vectors[v].along = {from, to};
     return v;
   }
   int body(std::string name, std::vector<int> points, std::vector<int> vectors = {}) {
-    d_.bodies.push_back({std::move(name), std::move(points), std::move(vectors)});
-    return static_cast<int>(d_.bodies.size()) - 1;
+    mechanism_.bodies.push_back({std::move(name), std::move(points), std::move(vectors)});
+    return static_cast<int>(mechanism_.bodies.size()) - 1;
   }
   /// Adds a body with two points at that distance, whose nominal positions are only estimates.
   int link(std::string name, int a, int b, double length) {
-    d_.bodies.push_back({std::move(name), {a, b}, {}, length});
-    return static_cast<int>(d_.bodies.size()) - 1;
+    mechanism_.bodies.push_back({std::move(name), {a, b}, {}, length});
+    return static_cast<int>(mechanism_.bodies.size()) - 1;
   }
   /// Lists further points and vectors that a body carries.
   void carry(int body, const std::vector<int>& points, const std::vector<int>& vectors = {}) {
-    Mechanism::Body& b = d_.bodies[body];
+    Mechanism::Body& b = mechanism_.bodies[body];
     b.points.insert(b.points.end(), points.begin(), points.end());
     b.vectors.insert(b.vectors.end(), vectors.begin(), vectors.end());
   }
@@ -63,11 +66,12 @@ class MechanismBuilder {
   /// a name release() gives it the one that it would have in a file.
   void joint(Mechanism::JointType type, int a, int b, std::vector<int> points,
              std::vector<int> vectors = {}, std::string name = {}) {
-    d_.joints.push_back({std::move(name), type, {a, b}, std::move(points), std::move(vectors)});
+    mechanism_.joints.push_back(
+        {std::move(name), type, {a, b}, std::move(points), std::move(vectors)});
   }
   /// Adds a relative coordinate, to be completed through the reference, which the next call voids.
   Mechanism::Coordinate& coordinate(std::string name, Mechanism::CoordinateType type) {
-    Mechanism::Coordinate& c = d_.coordinates.emplace_back();
+    Mechanism::Coordinate& c = mechanism_.coordinates.emplace_back();
     c.name = std::move(name);
     c.type = type;
     return c;
@@ -97,20 +101,17 @@ class MechanismBuilder {
   /// Couples two to four coordinates: Σ factor · coordinate keeps its nominal value. Factors are
   /// for SI units and [rad].
   void couple(std::string name, std::vector<Mechanism::Coupling::Term> terms) {
-    d_.couplings.push_back({std::move(name), std::move(terms)});
+    mechanism_.couplings.push_back({std::move(name), std::move(terms)});
   }
 
   /// Returns the mechanism; the builder is then empty.
   Mechanism release() {
-    name_joints(d_);
-    return std::move(d_);
+    name_joints(mechanism_);
+    return std::move(mechanism_);
   }
 
-  /// Sets Mechanism::length_unit: "m" (the default) or "1".
-  void set_length_unit(std::string unit) { d_.length_unit = std::move(unit); }
-
  private:
-  Mechanism d_;
+  Mechanism mechanism_;
 };
 
 }  // namespace desmo
