@@ -1,6 +1,6 @@
-# desmo_linked_documents(RESULT FILE...): these files of the source tree, and every one that they link
-# to, directly or not: all that an installed document needs for its links, and nothing else that
-# happens to lie in the tree.
+# desmo_linked_documents(RESULT FILE...): these files of the source tree, and every one that they
+# link to, directly or not: all that an installed document needs for its links, and nothing else
+# that happens to lie in the tree.
 function(desmo_linked_documents result)
   set(unread ${ARGN})
   set(documents "")

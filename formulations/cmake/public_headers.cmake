@@ -5,8 +5,8 @@ set(mechanism_h cases/mechanism/mechanism.h cases/mechanism/builder.h)
 set(scene_h cases/mechanism/motion.h cases/mechanism/scene.h)
 set(files_h cases/io/files.h)
 set(cases_h cases/generators/cases.h cases/library/library.h)
-set(model_h formulations/model/model.h formulations/modelling/modelling.h formulations/modelling/measures/measures.h
-  formulations/model/plan.h)
+set(model_h formulations/model/model.h formulations/modelling/modelling.h
+  formulations/modelling/measures/measures.h formulations/model/plan.h)
 set(settings_h formulations/base/settings.h)
 set(summary_h formulations/base/summary.h)
 set(observer_h formulations/base/observer.h)
@@ -20,12 +20,11 @@ set(reference_h formulations/verification/condition.h formulations/verification/
   formulations/verification/reference/reference.h)
 # What these include.
 set(installed_headers cases/io/input_error.h cases/mechanism/level.h cases/numbers/derived.h
-  formulations/base/live_row.h formulations/base/modelling.h formulations/base/output.h formulations/base/per_level.h
-  formulations/base/reference_instant.h formulations/model/misfit.h formulations/model/scales.h
-  formulations/verification/run/check_options.h
-  formulations/verification/run/table_lock.h
-  formulations/verification/branch/followed_step.h formulations/verification/branch/start.h
-  formulations/verification/range/range_limits.h)
+  formulations/base/live_row.h formulations/base/modelling.h formulations/base/output.h
+  formulations/base/per_level.h formulations/base/reference_instant.h formulations/model/misfit.h
+  formulations/model/scales.h formulations/verification/branch/followed_step.h
+  formulations/verification/branch/start.h formulations/verification/range/range_limits.h
+  formulations/verification/run/check_options.h formulations/verification/run/table_lock.h)
 
 set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)
 foreach(name mechanism scene files cases model settings summary observer formulation

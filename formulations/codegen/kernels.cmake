@@ -22,13 +22,15 @@ if(DESMO_HAS_X86_64_V3 AND DESMO_HAS_X86_64_V4 AND NOT DESMO_SANITIZE)
   add_compile_definitions(DESMO_WIDE_LANES)
 endif()
 
-# desmo_kernel_set(SET): the kernels of a set.
+# Straight-line code: nobody asks errno after a square root, traps after a comparison, or for pairs
+# of neighbouring operations where the registers are full. Results stay those of IEEE arithmetic.
+set(straight_line -fno-math-errno -fno-trapping-math -fno-tree-slp-vectorize)
+
+# desmo_kernel_set(SET): the library of a set's kernels, for registers of 256 bits and, where there
+# is code for them, of 512 bits.
 function(desmo_kernel_set set)
   set(start ${CMAKE_CURRENT_BINARY_DIR}/${set})
   set(straight ${start}_explicit_kernels.cpp ${start}_lane_kernels.cpp)
-  # Straight-line code: nobody asks errno after a square root, traps after a comparison, or for
-  # pairs of neighbouring operations where the registers are full. Results stay those of IEEE
-  # arithmetic.
   set_source_files_properties(${straight} PROPERTIES COMPILE_OPTIONS "${straight_line}")
   desmo_library(${set}_kernels NO_HEADERS FILES ${start}_kernels.cpp ${straight})
   add_dependencies(desmo_${set}_kernels desmo_generated)
@@ -50,7 +52,6 @@ function(desmo_kernel_set set)
     -Wno-uninitialized -Wno-maybe-uninitialized)  # in intrinsics of GCC 12 that mean it
   target_sources(desmo_${set}_kernels PRIVATE $<TARGET_OBJECTS:${wide}>)
 endfunction()
-set(straight_line -fno-math-errno -fno-trapping-math -fno-tree-slp-vectorize)
 desmo_kernel_set(cases)
 desmo_kernel_set(library)
 
