@@ -62,7 +62,7 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
   }
   last = state;  // what is solved once is in both
   if (whole_turns_count(model())) {
-    const ContinuationEnd end = lead_drivers_to(t);
+    const ContinuationEnd end = continue_to(t);
     if (end == ContinuationEnd::reached) {
       last.q = state.q;
     } else if (end == ContinuationEnd::too_long && !drivers_.is_live()) {
@@ -88,7 +88,7 @@ Summary TimeStepping::assemble_from_estimate(double t, Level level) {
   return summary;
 }
 
-ContinuationEnd TimeStepping::lead_drivers_to(double t) {
+ContinuationEnd TimeStepping::continue_to(double t) {
   const State start = now_.state;
   const auto solve = [&](State& to, std::span<const double> from) {
     return sequence_.solve_positions(to, from);
@@ -102,7 +102,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   set_read_outside({});
   State &state = now_.state, &last = before_.state;
   begin_at(q);
-  assembled_ = lead_drivers_to(t) == ContinuationEnd::reached;
+  assembled_ = continue_to(t) == ContinuationEnd::reached;
   if (!assembled_) return false;
   now_.time = t;
   last.q = state.q;

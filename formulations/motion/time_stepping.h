@@ -103,9 +103,9 @@ class TimeStepping final : public Formulation {
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
   Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
   Summary assemble_from_estimate(double t, Level level);
-  /// Leads the drivers continuously from the present positions to time t [s]. Restores the state
-  /// where that is not possible.
-  ContinuationEnd lead_drivers_to(double t);
+  /// Continues the present positions to where the drivers are at time t [s]: see
+  /// continue_drivers_to(). Restores the state where that is not possible.
+  ContinuationEnd continue_to(double t);
   void note_failure(int part);
   void find_culprit_of_failure(Summary& summary) const;
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);
