@@ -111,7 +111,6 @@ Turn<S> turn(const S& angle) {
   combined(all.sine, all.of_sine, all.cosine, all.of_cosine, result.sine, result.of_sine);
   combined(all.cosine, all.of_cosine, -all.sine, -all.of_sine, result.cosine, result.of_cosine);
   result.off = S(0x1p-68);  // with three roundings by 2^-71.6 of sums that hold s
-
   return result;
 }
 

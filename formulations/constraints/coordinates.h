@@ -149,8 +149,8 @@ struct Distance : NonlinearKind<1> {
 };
 
 /// Angle φ of a direction w in the plane of x and z, from Sign·x towards z:
-/// cos φ z·w − Sign sin φ x·w = 0. Operands x, z, then w, a vector or the points a, b
-/// of a line with w = b − a, then φ. It holds modulo π; the initial estimate picks the branch.
+/// cos φ z·w − Sign sin φ x·w = 0. Operands x, z, then w, a vector or the points a, b of a line
+/// with w = b − a, then φ. It holds modulo π; the initial estimate picks the branch.
 template <int Sign, DirectionOf of>
 struct FrameAngle : NonlinearKind<1> {
   static_assert(Sign == 1 || Sign == -1);

@@ -5,10 +5,9 @@
 namespace desmo {
 
 /// Constraint equations Φ of one part and their partial derivatives. Φ_φ are those by the part's n
-/// unknowns φ, Φ_h those by the coordinates h that it takes as known. One call
-/// evaluates all equations of the part, without a virtual call for a single equation. It runs
-/// a loop over constraint objects (AutomaticEquations) or generated straight-line code
-/// (SymbolicEquations).
+/// unknowns φ, Φ_h those by the coordinates h that it takes as known. One call evaluates all
+/// equations of the part, without a virtual call for a single equation. It runs a loop over
+/// constraint objects (AutomaticEquations) or generated straight-line code (SymbolicEquations).
 /// - state, rate: the state and its time derivative (Model::state_size())
 /// - values: (pattern().size())
 /// - phi, gamma: (n)

@@ -62,10 +62,9 @@ struct Table {
   std::vector<std::string> notes = {};
   std::vector<Column> columns = {};
   std::vector<std::vector<Entry>> rows = {};  ///< one entry per column
-  bool detail = false;  ///< left out on the terminal, which says so; folded on the page
-  std::string figure =
-      {};                  ///< the design drawn from it, as the figure `name`, above it on the page
-  std::string drawn = {};  ///< the column whose entries are the figure's marks; empty: all numbers
+  bool detail = false;      ///< left out on the terminal, which says so; folded on the page
+  std::string figure = {};  ///< the design of the figure `name` drawn from it, above it on the page
+  std::string drawn = {};   ///< the column whose entries are the figure's marks; empty: all numbers
   std::string caption = {};                                ///< of the figure: one sentence
   std::vector<std::pair<std::string, double>> lines = {};  ///< of the figure: names and values
 };

@@ -37,9 +37,10 @@ std::vector<Column> columns_of(const Model& model, const Output& output, const D
 std::vector<Column> columns_of(const Measures& measures, int coordinates,
                                const DisplayUnits& units);
 
-/// Entity by entity in the order asked for: positions, velocities and
-/// accelerations as far as asked; then the measures. Where everything is asked for, what never
-/// moves is left out. Throws InputError, naming the source, where two columns have one heading.
+/// Returns the columns of entities in the order asked for, of each positions, velocities and
+/// accelerations as far as asked; then those of the measures. Where everything is asked for, what
+/// never moves is left out. Throws InputError, naming the source, where two columns have one
+/// heading.
 std::vector<Column> make_columns(const Plan& plan, const Measures& measures, const Input& input);
 
 }  // namespace desmo::cli

@@ -84,8 +84,8 @@ std::optional<ClosedForm> solve_angle(const Task& task);
 /// Solves a task by the first rule that applies; nullopt when none does.
 std::optional<ClosedForm> solve_closed(const Task& task);
 
-/// Sets form.rates by J ẋ = −Φ̇ and J ẍ = −Φ̈. Φ̇ and Φ̈ are the
-/// total derivatives in which ẋ, or ẍ, is set to zero. solve: returns x with J x = b.
+/// Sets form.rates by J ẋ = −Φ̇ and J ẍ = −Φ̈. Φ̇ and Φ̈ are the total derivatives in which ẋ, or ẍ,
+/// is set to zero. solve: returns x with J x = b.
 void rates_by_equations(ClosedForm& form, std::vector<Expr> equations,
                         std::function<std::vector<Expr>(const std::vector<Expr>& b)> solve);
 

@@ -51,10 +51,9 @@ bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int 
 void require_representable(const Mechanism& mechanism);
 
 /// Merges fixed bodies and chooses their bases. Vectors that do not follow from points are taken
-/// first, in the mechanism's order, then lines from the body's first point. A second
-/// direction within 6° of the first is taken only as a last resort, a third one within 6° of the
-/// plane of two others never. Throws std::invalid_argument,
-/// naming the body, when
+/// first, in the mechanism's order, then lines from the body's first point. A second direction
+/// within 6° of the first is taken only as a last resort, a third one within 6° of the plane of two
+/// others never. Throws std::invalid_argument, naming the body, when
 /// - a body carries neither point nor vector,
 /// - a declared length is not the nominal one, although a fixed joint adds points to the body,
 /// - a body with a frame of its own is drawn as in a mirror, unless it is nearly flat.

@@ -42,10 +42,10 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coord
 
 /// Finds the structural groups of a mechanism: strong components of a maximum matching between
 /// freedoms of bodies and restrictions by joints and drivers (Dulmage & Mendelsohn 1958; paper,
-/// eq. 1). Over-constrained bodies that are connected form one group; the structure
-/// does not show whether their surplus restrictions are consistent. Throws std::invalid_argument,
-/// naming bodies and coordinates, when nothing determines some bodies (a driver is missing), or
-/// when no body moves.
+/// eq. 1). Over-constrained bodies that are connected form one group; the structure does not show
+/// whether their surplus restrictions are consistent. Throws std::invalid_argument, naming bodies
+/// and coordinates, when nothing determines some bodies (a driver is missing), or when no body
+/// moves.
 Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid);
 
 /// Returns the idle freedoms of spatial bodies, in the order of the bodies. A body has one when all
