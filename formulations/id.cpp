@@ -24,7 +24,7 @@ std::string shortest(double value) {
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific);
   std::string result(text.data(), end.ptr);
-  const std::size_t digits = result.find('e') + 2;  // behind the sign
+  const std::size_t digits = result.find('e') + 2;  // after the sign
   result.erase(digits, std::min(result.find_first_not_of('0', digits), result.size() - 1) - digits);
   return result;
 }

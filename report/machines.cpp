@@ -19,7 +19,7 @@ std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& 
   return measured_speed_up(measured(*reference->second), measured(variant)).speed_up;
 }
 
-/// Keys of the points of accuracy that stand beside another machine's: of thousands those in front
+/// Keys of the points of accuracy that stand next to another machine's: of thousands those in front
 /// of a figure, and those with the paper's settings.
 std::set<CandidateKey> points_in_front(const Record& record) {
   std::set<CandidateKey> keys;

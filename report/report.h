@@ -23,7 +23,7 @@ Document make_report(const Record& record, const std::vector<const Record*>& bes
 Section machines(const Record& record, const std::vector<const Record*>& others);
 
 /// Returns the files of a static site by folder: a page with its figures for every record in
-/// results/records, the others beside it, one for results/history.json where it is, and in the
+/// results/records, the others next to it, one for results/history.json where it is, and in the
 /// folder "" an index.html that selects by machine and date. Throws InputError, or MixedRecord.
 std::map<std::string, std::vector<NewFile>> make_site(const std::filesystem::path& results);
 

@@ -56,7 +56,7 @@ __attribute__((noinline, aligned(4096))) double control_kernel() {
   return data.x[0];
 }
 
-/// Returns the least CPU time that one call takes among so many; a first one warms up.
+/// Returns the least CPU time [s] of a call among all repetitions; a first one warms up.
 template <class Call>
 double min_seconds(int repetitions, const Call& call) {
   call();

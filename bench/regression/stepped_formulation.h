@@ -53,7 +53,7 @@ class SteppedFormulation {
   bench::Delivery delivery_;
 };
 
-/// Returns the steps that make the work of so many steps larger by so many percent.
+/// Returns the number of further steps that make the work of `steps` larger by `percent`.
 int extra_steps(int steps, double percent);
 
 }  // namespace desmo::regression

@@ -22,7 +22,7 @@ Scene truck_suspension(int axles);
 struct Case {
   std::string_view name;           ///< "four_bar", "truck_suspension"
   std::string_view unit_name;      ///< plural of its repeated unit: "dyads", "axles"
-  Scene (*with_units)(int units);  ///< makes a scene of so many units; throws as four_bar()
+  Scene (*with_units)(int units);  ///< makes a scene from its number of units; throws as four_bar()
   int base_coordinates;            ///< coordinates(units) = base + per_unit · units
   int coordinates_per_unit;
   std::vector<int> sizes;        ///< numbers of coordinates in the paper's tables, ascending

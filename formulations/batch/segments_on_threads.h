@@ -22,8 +22,8 @@ class SegmentsOnThreads final : public SegmentExecutor {
                              Observer& observer) override;
   void solve_only(std::span<const Level> needed) override;
 
-  /// Returns into how many segments a motion of so many instants is cut: fewer than there are
-  /// threads where each would have little to do.
+  /// Returns the number of segments into which a motion is cut: fewer than there are threads where
+  /// each would have little to do. instants: of the motion.
   int segments(int instants) const;
 
  private:

@@ -48,7 +48,7 @@ std::string breakable(const std::string& text) {
   return is_id ? element("span class=\"id\"", result) : result;
 }
 
-// The number foremost, its interval and its note behind it: the characters of Entry::shown.
+// The number foremost, its interval and its note after it: the characters of Entry::shown.
 std::string entry_html(const Entry& entry) {
   if (!entry.note.empty() && entry.shown == entry.note) return note_html(entry.note);
   if (!entry.has_number() || entry.digits.front().empty() ||
@@ -145,7 +145,7 @@ std::string definitions_html(const Section& section) {
                 paragraphs_html(section.definitions, false));
 }
 
-// Open, with everything that it has on the first screen: words and tables beside the figures.
+// Open, with everything that it has on the first screen: words and tables next to the figures.
 std::string front_html(const Section& section, const std::string& id) {
   std::string figures, tables;
   for (const Table& table : section.tables)

@@ -33,7 +33,7 @@ std::size_t min_width(const std::string& text) {
   return longest;
 }
 
-// An entry in lines of at most so many characters, as far as its pieces allow.
+// An entry in lines of at most `width` characters, as far as its pieces allow.
 std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
   std::vector<std::string> lines{""};
   for (const std::string& piece : pieces(text)) {

@@ -11,7 +11,7 @@
 
 namespace desmo::report {
 
-/// Up to so many coordinates growth is judged.
+/// Largest number of coordinates at which growth is judged.
 inline constexpr std::int64_t max_linear_coordinates = 10'000;
 
 /// A size that has a time.

@@ -19,7 +19,7 @@ namespace desmo::report {
 /// Adds a reservation about what the entry shows.
 void add_note(Entry& entry, const std::string& note);
 
-/// Writes so many significant digits, or the mark of what is missing.
+/// Writes a number with significant digits, or the mark of what is missing.
 Entry number_entry(const std::optional<double>& value, int significant);
 
 /// Returns "1.00 reference", for the candidate that all others are compared with.

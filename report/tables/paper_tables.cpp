@@ -49,7 +49,7 @@ Entry published_speed_up_entry(const std::string& row, const PaperVariant& varia
                                 published(published_improvement_percent, row, variant.paper_name)});
 }
 
-/// Returns a mean over the paper's sizes. With fewer it cannot stand beside the paper's, and says
+/// Returns a mean over the paper's sizes. With fewer it does not compare with the paper's, and says
 /// so: "incomplete 4/5".
 Entry mean_speed_up_entry(const Record& record, std::string_view family,
                           const PaperVariant& variant, bool with_percent = false) {

@@ -7,7 +7,7 @@
 
 namespace desmo::report {
 
-/// The form of a number: chosen for one value and kept for what stands beside it (its spread).
+/// The form of a number: chosen for one value and kept for what stands next to it (its spread).
 struct DigitStyle {
   bool scientific = false;
   int decimals = 0;

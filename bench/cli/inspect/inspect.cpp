@@ -120,7 +120,7 @@ void add_neighbours(const Model& m, const Mechanism& d, const RigidBodies& rigid
   for (const auto& [g, earlier] : joined) groups[g]["joined_to"].push_back(m.groups[earlier].name);
 }
 
-/// Returns the spanning tree of a model with frames, parents first, and the joints beside it.
+/// Returns the spanning tree of a model with frames, parents first, and the joints that are cut.
 std::pair<Json, Json> describe_tree(const Model& m, const Mechanism& d, const RigidBodies& rigid) {
   Json bodies = Json::array(), cut_joints = Json::array();
   if (!has_frames(m.modelling)) return {bodies, cut_joints};

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t max_page = 2'000'000;  // bytes
 constexpr std::size_t max_instants = 8192;   // kept in memory
 constexpr std::size_t min_instants = 16;     // or all; fewer show no motion
-constexpr double text_per_column = 180;      // bytes of a page beside its numbers
+constexpr double text_per_column = 180;      // bytes of a page without its numbers
 
 struct ViewOptions {
   std::string scene, output;

@@ -130,7 +130,7 @@ class Record final : public Observer {
     return Flow::go_on;
   }
 
-  /// A run is over that was to last so many instants.
+  /// Notes the end of a run. grid: the instants that it was to solve.
   void end(const CheckedSummary& summary, const TimeGrid& grid, const Model& m) {
     const std::size_t last = first_ + grid.instants;
     auto& steps = run_.steps;

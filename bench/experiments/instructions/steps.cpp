@@ -1,9 +1,9 @@
-// desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]: assembles and takes so many steps
-// of 10 ms, nothing else, for instruction counts and profilers. With ITERATIONS every step takes
-// exactly so many Newton iterations; 0: as many as it needs. PERCENT repeats that share of the
-// steps: a slowdown on purpose, for tests of what is to find one. The steps after uncounted_steps
-// are all in desmo_counted_steps. With an id that solves more than one instant at once, or that
-// ends in /check:…, the whole motion is in it, assembly included.
+// desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]: assembles and takes STEPS steps of
+// 10 ms, nothing else, for instruction counts and profilers. ITERATIONS: exact number of Newton
+// iterations of every step; 0: as many as it needs. PERCENT repeats that share of the steps: a
+// slowdown on purpose, for tests of what is to find one. The steps after uncounted_steps are all in
+// desmo_counted_steps. With an id that solves more than one instant at once, or that ends in
+// /check:…, the whole motion is in it, assembly included.
 
 #include <malloc.h>
 

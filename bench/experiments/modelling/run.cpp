@@ -25,8 +25,8 @@ using bench::FormulationCandidate;
 using Json = nlohmann::ordered_json;
 
 constexpr int usual_repetitions = 5, quick_repetitions = 3;
-/// Instants of the paper's motion, from its beginning: so many that entering it costs little, so
-/// few that the slowest take a second.
+/// Number of instants of the paper's motion, from its beginning. Entering it costs little compared
+/// with them, and the slowest formulations take a second.
 constexpr int instants = 201;
 
 /// A case at a size, with the formulations that were asked for.

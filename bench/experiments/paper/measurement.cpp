@@ -81,7 +81,7 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
   std::map<std::string, Candidate*> candidates_;
 };
 
-/// Takes one of so many repetitions.
+/// Takes one repetition. repetitions: number of all.
 void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, Progress& progress) {
   if (!candidate.is_verified()) return state.SkipWithError(candidate.message().c_str());
   for (auto _ : state) {

@@ -67,7 +67,7 @@ nlohmann::ordered_json rounded_time_json(const std::vector<double>& seconds);
 /// where nobody counts the work.
 nlohmann::ordered_json windows_json(const TimingWindows& windows);
 
-/// Returns a value with so many significant digits, and at most 1e100: an infinite error is no
+/// Returns a value rounded to significant digits, and at most 1e100: an infinite error is no
 /// number of JSON's.
 double rounded(double value, int digits);
 

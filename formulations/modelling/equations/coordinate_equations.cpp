@@ -163,7 +163,7 @@ void define_component(const Definition& definition) {
 }
 
 /// Returns whether the tree, or equations of a joint, keep the points of a coordinate on its line
-/// or beside it.
+/// or at a distance from it.
 bool is_kept_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   for (int i = 0; i < static_cast<int>(w.mechanism.joints.size()); ++i) {
     const Mechanism::Joint& j = w.mechanism.joints[i];

@@ -18,7 +18,7 @@ struct MotionRow {
   MotionRow from(std::size_t first) const { return {z + first, zd + first, zdd + first}; }
 };
 
-/// Returns the length of a row of so many numbers: whole cache lines.
+/// Returns the length of a row for this number of values: whole cache lines.
 int whole_lines(std::size_t numbers);
 
 /// Sampler of several motions, at one time after the other. Where the times are known in advance,
