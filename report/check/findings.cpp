@@ -10,17 +10,17 @@ namespace {
 
 // 1 slower, -1 faster, 0 neither.
 int direction(const Change& c) {
-  if (c.ratio > alarming_change && c.low > certain_change) return 1;
-  if (c.ratio < 1 / alarming_change && c.high < 1 / certain_change) return -1;
+  if (c.ratio > max_change && c.low > max_certain_change) return 1;
+  if (c.ratio < 1 / max_change && c.high < 1 / max_certain_change) return -1;
   return 0;
 }
 
 bool beyond(double ratio, double limit) { return ratio > limit || ratio < 1 / limit; }
 
-bool is_wide(const Change& c) { return c.high / c.low > max_interval; }
+bool is_wide(const Change& c) { return c.high / c.low > max_interval_width; }
 
 // Not alarming, but not to be trusted either.
-bool is_undecided(const Change& c) { return is_wide(c) || beyond(c.ratio, alarming_change); }
+bool is_undecided(const Change& c) { return is_wide(c) || beyond(c.ratio, max_change); }
 
 using Pass = std::map<std::string, Rounds>;  // by candidate, with the control
 
@@ -44,8 +44,8 @@ Finding finding_of_time(const Change& first, const std::optional<Change>& second
 }
 
 Finding finding_of_work(double percent) {
-  if (percent >= alarming_percent) return Finding::regression;
-  if (percent <= -alarming_percent) return Finding::improvement;
+  if (percent >= min_alarming_percent) return Finding::regression;
+  if (percent <= -min_alarming_percent) return Finding::improvement;
   return Finding::same;
 }
 
@@ -54,7 +54,7 @@ Change change(const Rounds& rounds) { return median_change(rounds.head, rounds.b
 }  // namespace
 
 bool is_unsteady(const Change& control) {
-  return is_wide(control) || beyond(control.ratio, steady_control);
+  return is_wide(control) || beyond(control.ratio, max_control_change);
 }
 
 TimeFindings find_times(const CheckRecord& check) {

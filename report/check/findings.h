@@ -12,17 +12,19 @@
 
 namespace desmo::report {
 
-/// Changes of time that raise an alarm: the median exceeds the first, and the lower end of its
-/// interval the second, in two passes in a row. An improvement is the same with base and head
-/// exchanged.
-inline constexpr double alarming_change = 1.05;
-inline constexpr double certain_change = 1.02;
-/// Wider intervals than this, highest over lowest, do not show that nothing has changed.
-inline constexpr double max_interval = 1.05;
-/// The control's time may not change by more, nor its interval be wider than the above.
-inline constexpr double steady_control = 1.02;
-/// Change of the instructions that raises an alarm, in percent rounded to the tenth that is shown.
-inline constexpr double alarming_percent = 1.0;
+/// Ratios of times, head over base, that raise an alarm: the median is above max_change and the
+/// lower end of its interval above max_certain_change, in two passes in a row. An improvement is
+/// the same with base and head exchanged.
+inline constexpr double max_change = 1.05;
+inline constexpr double max_certain_change = 1.02;
+/// Largest width of an interval, its upper end over its lower one. A wider interval does not show
+/// that nothing has changed.
+inline constexpr double max_interval_width = 1.05;
+/// Largest ratio of the control's times. A larger one, or an interval wider than the above, makes
+/// all times too noisy.
+inline constexpr double max_control_change = 1.02;
+/// Least change of the instructions that raises an alarm [%], rounded to the tenth that is shown.
+inline constexpr double min_alarming_percent = 1.0;
 
 enum class Finding {
   same,
