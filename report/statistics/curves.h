@@ -35,14 +35,15 @@ Curves curves_of(const std::map<CandidateKey, TimedSize>& entries);
 /// Returns the point where a coordinate costs least; null without points.
 const CurvePoint* cheapest(const Curve& curve);
 
-/// A size that two curves have: its unknowns n, and by what the first is slower, d = log(t₁/t₂).
+/// A size that two curves have: its unknowns n, and d = log(t₁/t₂), above 0 where the first is
+/// slower.
 struct SizeOfBoth {
   double n, d;
 };
 
 std::vector<SizeOfBoth> sizes_of_both(const Curve& first, const Curve& second);
 
-/// At each size the faster of the two; where only one has it, that one.
+/// Returns at each size the faster of the two; where only one has the size, that one.
 Curve faster_of(Curve a, const Curve& b);
 
 }  // namespace desmo::report

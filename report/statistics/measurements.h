@@ -23,7 +23,7 @@ struct Measured {
   Clock clock = Clock::cpu;
 };
 
-/// The time of a candidate that the CPU clock measured.
+/// Return the time of a candidate; of a key, that of the CPU clock.
 Measured measured(const Record& record, const CandidateKey& key);
 Measured measured(const Measurement& candidate);
 
@@ -84,8 +84,8 @@ std::map<std::string, std::set<std::int64_t>> recorded_sizes(const Entries& entr
   return sizes;
 }
 
-/// The sparse families that the record has one of the paper's variants of, in whatever state: of a
-/// case, or (empty) of any. No table shows a family of which the record has none, as of a build
+/// Returns the sparse families of which the record has a variant of the paper's, in whatever state.
+/// case_name: of this case alone; empty: of any. No table shows other families, as of a build
 /// without its solver or of a scene of the user's own.
 std::vector<std::string_view> recorded_families(const Record& record,
                                                 std::string_view case_name = {});

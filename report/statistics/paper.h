@@ -11,7 +11,7 @@ namespace desmo::report {
 // Tables, by their files.
 inline constexpr std::string_view published_cpu_seconds = "table1_cpu_seconds.csv";
 inline constexpr std::string_view published_speed_up = "table2_speedup.csv";
-/// In brackets in table 2.
+/// Improvements, in brackets in table 2.
 inline constexpr std::string_view published_improvement_percent = "table2_improvement_percent.csv";
 
 /// Returns what the paper prints in a row ("114" ... "558", "mean") and a column of a table; empty

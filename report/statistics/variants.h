@@ -28,7 +28,7 @@ struct PaperVariant {
   std::string_view id;  ///< "<sparse>" in it gives way to the family
 };
 
-/// In the order of the columns of the paper's table 1.
+/// The paper's analyses in the order of the columns of its table 1.
 inline constexpr std::array<PaperVariant, 7> paper_variants{
     {{"FBL-G_MA27", "four_bar", "global_automatic_<sparse>"},
      {"FBL-TP", "four_bar", "group_symbolic_inlined"},
@@ -59,21 +59,21 @@ bool is_reference(const Configuration& configuration);
 /// Returns how a formulation solves linear systems: "sparse" or "dense", or "generated" code.
 std::string algebra_kind(std::string_view id);
 
-/// The value of a setting in an id: "adams8" of guess in global_automatic_klu/guess:adams8; empty
-/// where the id does not name it.
+/// Returns the value of a setting in an id: "adams8" of guess in global_automatic_klu/guess:adams8;
+/// empty where the id does not name it.
 std::string_view setting(std::string_view id, std::string_view name);
 
-/// The id without a setting.
+/// Returns the id without a setting.
 std::string without_setting(std::string id, const std::string& name);
 
 /// Tells whether a formulation stands next to a peer, with no other setting than its guess.
 bool is_beside(const Peer& peer, std::string_view id);
 bool is_beside_peers(const Record& record, std::string_view id);
 
-/// TS-TPA_MA27 and klu: TS-TPA_klu.
+/// Returns a variant's name in a family: of TS-TPA_MA27 and klu TS-TPA_klu.
 std::string family_name(const PaperVariant& variant, std::string_view family);
 
-/// The candidate that stands for the variant in a family.
+/// Returns the candidate that stands for the variant in a family.
 CandidateKey family_key(const PaperVariant& variant, std::int64_t coordinates,
                         std::string_view family);
 

@@ -48,7 +48,7 @@ struct SearchResult {
 struct SearchOptions {
   std::vector<const Variant*> formulations = {};  ///< none: all that the suite has
   int rounds = 9;                                 ///< samples of each time that decides
-  /// Called with what is being done, for people; may be empty.
+  /// Function that is told what is being done, for people; may be empty.
   std::function<void(const std::string&)> say = {};
 };
 

@@ -21,9 +21,9 @@ struct Result {
 /// The part of the table that is tried.
 struct Selection {
   Extent extent = Extent::full;
-  /// To be found in ids, and in the names of cases; by default they are in all.
+  /// Expressions that are found in ids, and in the names of cases; by default in all.
   std::regex formulations{""}, cases{""};
-  /// Called after each case with its share of the row; may be empty.
+  /// Function that is called after each case with its share of the row; may be empty.
   std::function<void(double)> on_case_done = {};
 };
 
