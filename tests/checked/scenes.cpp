@@ -17,6 +17,8 @@
 #include "formulations/model/plan.h"
 #include "formulations/modelling/measures/measures.h"
 #include "formulations/verification/reference/reference.h"
+#include "formulations/verification/run/live_run.h"
+#include "tests/checked/driver_row.h"
 #include "tests/checked/rows.h"
 #include "tests/every_variant.h"
 
@@ -132,6 +134,25 @@ TEST(ParallelogramStart, IsRightOrFlagged) {
       if (!row.flag)
         EXPECT_NEAR(row.values.position[m.coordinate("o")], (200 + 60 * row.time) * degree, 1e-12)
             << v.id;
+}
+
+/// A third crank, drawn 1e-7 away from its place, contradicts the others in every row. The change
+/// point on the way from the drawing is named all the same.
+TEST(ThirdCrankStart, NamesTheChangePointBesideTheMisfit) {
+  const Scene scene = scene_file("third_crank_start_200");
+  const Model m = make_model(scene);
+  const CheckedRows r = solve_checked(m, scene.grid, "group_automatic_lapack");
+  EXPECT_EQ(r.summary.crossings, 1) << describe(r.summary, m);
+  for (const CheckedRow& row : r.rows) {
+    ASSERT_TRUE(row.flag && row.flag->misfit);
+    EXPECT_EQ(row.flag->kind, row.index == 0 ? RowFlag::Kind::crossing : RowFlag::Kind::misfit);
+  }
+  // So it is where drivers are handed in.
+  const auto f = make_formulation(find_variant("group_automatic_lapack"), m);
+  LiveRun run(*f);
+  const LiveSummary s = run.step(DriverRow(m, 0));
+  ASSERT_TRUE(s.flag && s.flag->misfit);
+  EXPECT_EQ(s.flag->kind, RowFlag::Kind::crossing);
 }
 
 /// A delta robot 6e8 m from the origin, whose rods rounding makes contradict each other.

@@ -50,14 +50,15 @@ bool CheckedMotion::deliver_point(const Instant& at) {
   return true;
 }
 
-/// Flags the result where its branch is unknown.
+/// Flags the result where its branch is unknown, or the way to it from the drawing crosses a change
+/// point. A worse flag stays, a misfit in any.
 void CheckedMotion::complete_flag() {
-  if (state_.lost && !(result_.flag && result_.flag->kind == RowFlag::Kind::unproven)) {
+  for (const std::optional<RowFlag>& flag : {state_.lost, state_.first_flag}) {
+    if (!flag || (result_.flag && result_.flag->kind <= flag->kind)) continue;
     const std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
-    result_.flag = state_.lost;
+    result_.flag = flag;
     result_.flag->misfit = misfit;
   }
-  if (state_.first_flag && !result_.flag) result_.flag = state_.first_flag;
   state_.first_flag.reset();
   if (result_.flag) result_.flag->time = result_.instant.time;
 }

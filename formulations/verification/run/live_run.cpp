@@ -112,7 +112,7 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   const RefinedInstant* found = c.motions.has_begun() ? follow(row, summary) : start(row, summary);
   if (!found) return;
   summary.condition = found->last.condition;
-  if (!options_.scales) c.scales->take(found->instant);
+  if (!options_.scales && found->proven) c.scales->take(found->instant);
   keep(row.time, found->instant);
   for (const Level level : all_levels)
     std::ranges::copy(found->radius[level], radius_[level].begin());
@@ -127,8 +127,12 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
                       .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
-    else if (const std::optional<RowFlag> flag = c.follower->misfit_flag(*found, &row))
-      summary.flag = flag;
+    else if (const std::optional<RowFlag> flag = c.follower->misfit_flag(*found, &row)) {
+      if (summary.flag)  // a change point stays, with the misfit
+        summary.flag->misfit = flag->misfit;
+      else
+        summary.flag = flag;
+    }
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
     summary.flag = {.kind = RowFlag::Kind::unproven,
