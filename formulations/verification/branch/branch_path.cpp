@@ -137,10 +137,9 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       result.group = c.group;
       if (c.proven) {
         ++result.sub_steps;
-        result.time = time;
-        // Rates of a proven instant may be lost in rounding: then the next step begins with what is
-        // known here.
+        // Rates of a proven instant may be lost in rounding: then no step begins there.
         if (start_at(*to)) result.end = PathEnd::same;
+        result.time = present_.time;
         return result;
       }
       if (tries_whole) {
