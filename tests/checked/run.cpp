@@ -54,6 +54,9 @@ TEST(CheckedRun, RefusesWhatItCannotCheck) {
   const std::vector<Level> one(1);
   EXPECT_THROW(static_cast<void>(run_checked(*f, {0, 0.1, 2}, {}, rows, {.levels = one})),
                std::invalid_argument);
+  const CheckOptions no_row{.mode = CheckMode::sample, .sample = 0};
+  EXPECT_THROW(static_cast<void>(run_checked(*f, {0, 0.1, 2}, {}, rows, no_row)),
+               std::invalid_argument);
   EXPECT_TRUE(rows.indices.empty());
 }
 

@@ -224,6 +224,9 @@ CheckedSummary run_checked(Formulation& formulation, const TimeGrid& grid, const
   const int n = formulation.model().coordinates();
   if (!options.levels.empty() && std::ssize(options.levels) != n)
     throw std::invalid_argument("a checked run is not given one level for each coordinate");
+  if (options.mode == CheckMode::sample && options.sample < 1)
+    throw std::invalid_argument("a checked run is told to check every " +
+                                std::to_string(options.sample) + "th row");
   if (options.mode != CheckMode::none) require_natural(formulation.model());
   if (!options.levels.empty()) formulation.solve_only(options.levels);
   if (options.mode == CheckMode::none) {

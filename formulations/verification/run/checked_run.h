@@ -144,7 +144,8 @@ struct CheckOptions {
 /// The run ends, as a failure, where there is no position. All instants before it were delivered.
 /// With `past_failures` it continues at the next instant that Formulation::assemble() solves.
 /// Throws std::invalid_argument for a request that names coordinates, for a model whose coordinates
-/// are not natural, and where `levels` is neither empty nor has one level for each coordinate.
+/// are not natural, where `levels` is neither empty nor has one level for each coordinate, and
+/// where `sample` is used and below 1.
 ///
 ///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
 ///   const CheckedSummary s = run_checked(*formulation, grid, {Level::acceleration}, observer);
