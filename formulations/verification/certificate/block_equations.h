@@ -11,9 +11,9 @@
 
 namespace desmo {
 
-/// The n equations of up to four blocks of one shape, one in each lane, by the functions of the
-/// constraint kinds. States are local, in intervals (BlockShape::states()); results have n
-/// equations. Φ and its rates use only the midpoints of states.
+/// The n equations of up to four blocks of one shape, one in each lane, evaluated by the functions
+/// of the constraint kinds. States are local (BlockShape::states() intervals). Φ and its rates use
+/// only their midpoints.
 class BlockEquations {
  public:
   using States = PerLevel<const LaneInterval*>;
@@ -24,15 +24,16 @@ class BlockEquations {
   const BlockShape& shape() const { return shape_; }
   bool is_linear() const { return shape_.linear; }
   const LinearEquations& linear() const { return linear_; }
-  /// Returns by how much a fixed local state may differ from its double; 0 for others.
+  /// Returns a bound on |number of the file − double| of a fixed local state; 0 for others.
   const LaneNumbers& radius(int state) const { return radii_[state]; }
 
-  /// Evaluates Φ and its time derivatives up to a level, nearly without rounding. Overwrites phi.
+  /// Evaluates Φ and its time derivatives up to a level in compensated arithmetic. Φ is widened by
+  /// ShapedBlock::slack. Overwrites phi (n at each level).
   void motion(const States& x, Level level, const PerLevel<LaneInterval*>& phi) const;
   /// Evaluates Φ_q. Overwrites all entries of equations that are not linear.
   void jacobian(const LaneInterval* q, LaneMatrix& to) const;
-  /// Evaluates Φ̇_q and, at the level of accelerations, Φ̈_q: entries that vary. Sets constant ones
-  /// to zero, at `level` alone.
+  /// Evaluates the entries of Φ̇_q that vary; at Level::acceleration those of Φ̈_q, too. Sets
+  /// constant entries to zero at `level` alone: velocity comes before acceleration.
   void jacobian_rates(const States& x, Level level, PerLevel<LaneMatrix>& to) const;
 
  private:
@@ -47,8 +48,8 @@ class BlockEquations {
     const Compensated<LaneNumbers>* constants;
     const LaneInterval* enclosed_constants;
     const Compensated<LaneNumbers>* remainders;  ///< of local states
-    bool quadratic;                              ///< Φ_q is constant or linear in each entry
-    std::vector<int> rate_slots;                 ///< slots without those of constant entries
+    bool quadratic;  ///< each entry of Φ_q is constant or homogeneous of degree 1 in q
+    std::vector<int> rate_slots;  ///< slots, with -1 for constant entries
   };
   void add(const BlockShape::Object& object);
 
@@ -56,10 +57,10 @@ class BlockEquations {
   std::vector<Compensated<LaneNumbers>> constants_;
   std::vector<LaneInterval> enclosed_constants_;
   std::vector<Compensated<LaneNumbers>> remainders_;  // of local states that are fixed, value 0
-  std::vector<LaneNumbers> radii_;                    // the same as radii of the values
+  std::vector<LaneNumbers> radii_;                    // bounds on |remainders|
   std::vector<Object> objects_;
   LinearEquations linear_;
-  std::vector<LaneNumbers> slack_;     // by how much each row of Φ may be off; empty: none
+  std::vector<LaneNumbers> slack_;     // bound on the error of each row of Φ (n); empty: 0
   std::vector<int> constant_entries_;  // of Φ_q
 };
 

@@ -14,28 +14,30 @@ namespace desmo {
 /// intervals around the delivered values.
 class BlockProof {
  public:
-  /// largest: of the batches that are to be proven.
+  /// Allocates for batches up to these sizes.
   explicit BlockProof(const BatchSizes& largest);
 
-  /// Proves bounds on the errors of the unknowns, up to a level. errors: those of the inputs are
-  /// known. time: of the instant; only a homotopy reads it. Writes those of the unknowns; their sum
-  /// is infinite where no proof succeeds. Returns in which lanes each level is proven.
+  /// Proves bounds on the errors of a batch's unknowns, up to a level. Returns in which lanes each
+  /// level is proven.
+  /// - errors: in, errors of the inputs; out, errors of the unknowns, whose sum is infinite where
+  ///   no proof succeeds
+  /// - time: of the instant; only a homotopy reads it
   PerLevel<LaneMask> prove(BlockBatch& batch, Level level, PerLevel<ErrorTable>& errors,
                            double time = 0);
-  /// Returns why a lane of that batch is not proven.
+  /// Returns why a lane of the batch that prove() took last is not proven.
   ProofFailure failure(int lane) const;
   /// Returns the condition number of each block of that batch (Preconditioner::condition); 0 where
   /// the errors of its inputs are not known.
   const LaneNumbers& condition() const { return condition_; }
 
  private:
-  /// Errors at one level (see ErrorTable::Row), for each variable of a block. Those of its unknowns
-  /// count once they are bounded.
+  /// Errors at one level (see ErrorTable::Row) of each column of a block (n + m). Those of the
+  /// unknowns are bounds only after finish().
   struct ErrorColumns {
     std::vector<LaneNumbers> centre, own, sum;
-    std::vector<LaneNumbers> weight;  ///< own, and what rounding of a product with the error adds
+    std::vector<LaneNumbers> weight;  ///< own + rounding × sum
   };
-  /// factor × derivative times the errors of a lower level: a term of an equation for rates.
+  /// Term of an equation for rates: factor × Φ̇_q or Φ̈_q × the errors of a lower level.
   struct LowerTerm {
     Level derivative;
     double factor;
@@ -60,17 +62,18 @@ class BlockProof {
   const BlockShape* shape_ = nullptr;
   Level up_to_ = Level::position;
   const Preconditioner* y_ = nullptr;
-  std::vector<LowerTerm> lower_;               // of the present level
+  std::vector<LowerTerm> lower_;               // terms of the present level
   PerLevel<std::vector<LaneInterval>> state_;  // local states
   PerLevel<std::vector<LaneInterval>> phi_;    // Φ, Φ̇, Φ̈ of the delivered values (n)
   PerLevel<LaneMatrix> rates_;                 // Φ̇_q, Φ̈_q
   PerLevel<ErrorColumns> errors_;              // (n + m)
   Preconditioner preconditioner_;
   LaneNumbers condition_;
-  std::vector<LaneNumbers> centre_, uncertainty_;  // of the equations (n)
-  std::vector<LaneNumbers> trial_;                 // radii of X (n)
-  std::vector<LaneNumbers> contracted_;            // bound on |(I − Y Φ_φ(X)) X| (n)
-  std::vector<double> generators_;                 // of the equations (n × columns)
+  // Midpoint and radius of Φ + Φ_h δ + lower terms, or of a rate of it (n).
+  std::vector<LaneNumbers> centre_, uncertainty_;
+  std::vector<LaneNumbers> trial_;       // radii of X (n)
+  std::vector<LaneNumbers> contracted_;  // bound on |(I − Y Φ_φ(X)) X| (n)
+  std::vector<double> generators_;       // symbols of the same (n × columns)
 };
 
 }  // namespace desmo

@@ -12,15 +12,16 @@ namespace desmo {
 
 /// A structural group that is a link of a long chain.
 struct ChainLink {
-  /// Lent rows of an interface that the group reads. All else it reads as boxes.
+  /// Interface of an earlier group that this one reads, by lent rows of ErrorTable. All other
+  /// inputs are boxes.
   struct Source {
     int interface;
-    int row;     ///< the first one
+    int row;     ///< first lent row
     int symbol;  ///< number of symbols before its own, at each level
   };
   std::vector<Source> sources;
-  std::vector<int> interfaces;  ///< those that later groups read of this one
-  int symbols = 0;              ///< at each level
+  std::vector<int> interfaces;  ///< interfaces of this group that later groups read
+  int symbols = 0;              ///< symbols of all sources, at each level
 };
 
 /// Batches that are certified one after the other. Their inputs come from earlier steps or, in a
@@ -30,18 +31,18 @@ struct CertificationStep {
   int link = -1;  ///< position of their group's link in BlockSchedule::links. -1: none
 };
 
-/// The blocks of a model in an order of solution, equal and independent ones together.
+/// The blocks of a model in a solution order. A batch holds equal blocks that are independent.
 struct BlockSchedule {
   std::vector<CertificationStep> steps;
   std::vector<ChainLink> links;
   std::vector<GroupInterface> interfaces;
   BatchSizes largest;
-  int lent_rows = 0, max_generators = 0;  ///< of ErrorTable
+  int lent_rows = 0, max_generators = 0;  ///< sizes of ErrorTable
 };
 
-/// Cuts a model into blocks. levels: up to which each coordinate is solved; empty: all. Errors go
-/// from block to block as boxes, but along chains of many groups in bases: there boxes would grow
-/// without limit.
+/// Cuts a model into blocks. levels: level up to which each coordinate is solved; empty: all.
+/// Errors go from block to block as boxes. Groups of long chains, where boxes may grow without
+/// limit, are links: ErrorSets::bases hands on their errors in bases.
 BlockSchedule block_schedule(const Model& model, std::span<const Level> levels);
 
 }  // namespace desmo

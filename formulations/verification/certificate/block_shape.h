@@ -21,7 +21,7 @@ struct BlockShape {
   struct Object {
     int kind;
     std::array<int, max_operands> operands;  ///< first local state of each
-    std::array<int, max_rows> rows;          ///< row in the block; -1: of another block
+    std::array<int, max_rows> rows;          ///< row in the block; -1: not of this block
     int first_constant;
     /// Position in `entries` of each entry that Kind::jacobian emits. -1: none.
     std::vector<int> slots;
@@ -30,13 +30,16 @@ struct BlockShape {
 
   int unknowns = 0, inputs = 0;  ///< n, m
   std::vector<Object> objects;
-  std::vector<int> columns;  ///< of each local state; or one of these:
+  /// Column of each local state. `fixed`: of a fixed entity. `unread`: no equation of the block
+  /// depends on it.
+  std::vector<int> columns;
   static constexpr int fixed = -1, unread = -2;
-  /// Columns of the entries of Φ_q that are not always zero, row by row, each in ascending order.
+  /// Column of each entry of Φ_q that is not always zero, row by row, ascending in a row.
   std::vector<int> entries;
   std::vector<int> row_begins;  ///< position of each row's first entry, and the end (n + 1)
-  /// The same entries column by column: position of each column's first one, and the end (n + m +
-  /// 1); row and position in `entries` of each.
+  /// The same entries column by column.
+  /// - column_begins: number of the first entry of each column, and the end (n + m + 1)
+  /// - column_rows, column_entries: row of each entry, and its position in `entries`
   std::vector<int> column_begins, column_rows, column_entries;
   std::vector<int> input_begins;  ///< position of each row's first entry of an input (n)
   bool linear = true;             ///< Φ_q is constant
@@ -61,9 +64,9 @@ struct ShapedBlock {
   std::vector<int> states;       ///< position of each local state in the state of the model
   std::vector<int> coordinates;  ///< coordinate of each column
   std::vector<Derived> constants;
-  std::vector<Remainder> remainders;  ///< of each local state; empty: none
-  /// Bounds on how far each row of Φ may be off (n); empty: none. They count for positions alone:
-  /// rates and paths have no bound for it.
+  std::vector<Remainder> remainders;  ///< of each local state; 0 where it is not fixed
+  /// Bound on the error of each row of Φ (n), from Constraint::slack; 0: exact. Only proofs of
+  /// positions read it: rates and paths know no bound.
   std::vector<double> slack;
   std::vector<double> initial;  ///< Φ₀ of a homotopy (n); empty: none
 
@@ -71,6 +74,7 @@ struct ShapedBlock {
   std::span<const int> inputs() const { return std::span(coordinates).subspan(shape.unknowns); }
 };
 
+/// Returns the shape and the numbers of a part of the model.
 ShapedBlock shaped_block(const Model& model, const PartDefinition& block);
 
 }  // namespace desmo

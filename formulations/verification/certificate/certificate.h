@@ -14,17 +14,17 @@ namespace desmo {
 enum class ProofFailure {
   none,
   singular,  ///< the position is too near a singular one
-  drivers,   ///< rounding of the drivers' values is more than the block can take
-  time,      ///< the drivers' motions are not known to enough digits at the time
-  origin,    ///< rounding of coordinates is, so far from the origin
-  sizes,     ///< rounding is, with lengths or rates of so different sizes
-  far_off,   ///< the delivered numbers are too far off; corrections did not reach the solution
+  drivers,   ///< known errors of the inputs are too large: as a rule rounding of driver values
+  time,      ///< radii of the inputs are too large: as a rule those of the motions at the time
+  origin,    ///< rounding of coordinates is too large, so far from the origin
+  sizes,     ///< rounding is too large, with lengths or rates of so different sizes
+  far_off,   ///< the delivered numbers are off by more than their rounding, too much for a proof
 };
 
 /// Sets that enclose the errors which a group of a long chain hands to the next.
 enum class ErrorSets {
-  boxes,  ///< along the coordinates; bases where these prove nothing
-  bases,  ///< orthonormal, which turn with the errors; at twice the price
+  boxes,  ///< boxes along the coordinates; bases where boxes prove nothing
+  bases,  ///< boxes in orthonormal bases, which turn with the errors; at twice the price
 };
 
 struct BlockSchedule;
@@ -32,7 +32,7 @@ struct BlockSchedule;
 /// Proof about one instant. Where `proven` is true, Φ(q, t) = 0 has exactly one solution
 /// within the radii of the positions around the delivered ones, and the rates of that solution are
 /// within the radii of the rates. Numbers of the file and the instant's time count as exact;
-/// dimensions are those derived from them (Constraint::dimension). Whether that solution lies on
+/// dimensions are those derived from them (Constraint::constants). Whether that solution lies on
 /// the branch that is meant is not part of the proof.
 struct Certificate {
   bool proven = false;
@@ -47,17 +47,17 @@ struct Certificate {
   double condition = 1;
   GroupId worst_conditioned = no_position;
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
-  /// Infinite where no proof succeeded: in that block and in what depends on it. Infinite at levels
-  /// that are not solved, too. Driven coordinates count from the exact motion at the time.
-  /// Valid until the next certify().
+  /// Infinite where no proof succeeded, in what depends on such a block, and at levels that are not
+  /// solved. A driven coordinate is exact at its motion at the time. Valid until the next
+  /// certify().
   PerLevel<std::span<const double>> radius{};
   /// Newton's correction of each coordinate in compensated arithmetic, and a bound on
-  /// |delivered + correction − exact|, infinite where `radius` is. Blocks without a proof have a
-  /// correction, too, where all that they read is proven; others have none, 0.
+  /// |delivered + correction − exact|, infinite where `radius` is. A block without a proof has a
+  /// correction, too, if the errors of its inputs are bounded; else its correction is 0.
   PerLevel<std::span<const double>> correction{}, rest{};
 };
 
-/// A prover of radii of solved instants, whichever formulation solved them. It verifies the blocks
+/// Prover of radii of solved instants, whichever formulation solved them. It verifies the blocks
 /// of the equations in solution order, each by Krawczyk's test about the delivered values. φ are
 /// the block's unknowns, h its inputs with known errors δ. With an approximate inverse Y of Φ_φ and
 /// a trial box X,
@@ -74,7 +74,7 @@ struct Certificate {
 /// - Φ_φ and Φ_h within X and δ, and their rates: BlockEquations::jacobian(), jacobian_rates()
 /// - errors of drivers: Certifier::Proof::take()
 /// - what dimensions and fixed values lack of those in the file: BlockEquations, LinearEquations
-/// - by how much rows may be off: BlockEquations::motion()
+/// - bounds on the error of rows of Φ (Constraint::slack): BlockEquations::motion()
 /// - errors δ of earlier blocks: BlockProof::gather(); centres and radii go through Y Φ_h in
 ///   find_image(), symbols in find_generators()
 /// - errors of lower levels, which rates depend on: BlockProof::bound_rates()
@@ -93,9 +93,9 @@ struct Certificate {
 class Certifier {
  public:
   /// Cuts the model into blocks and allocates everything. levels: the level up to which each
-  /// coordinate is solved (Plan::levels); empty: as far as the instant. The memory of both must
-  /// last as long as the certifier. In a homotopy (Constraint::initial_residual) the times of
-  /// instants are its parameter.
+  /// coordinate is solved (Plan::levels); empty: up to that of the instant. The memory of both must
+  /// last as long as the certifier. In a homotopy (Constraint::initial_residual) the time of an
+  /// instant is the parameter.
   explicit Certifier(const Model& model, std::span<const Level> levels = {});
   explicit Certifier(const Model&& model, std::span<const Level> levels = {}) = delete;
   ~Certifier();
@@ -108,7 +108,7 @@ class Certifier {
 
   /// Returns whether the model has chains so long that ErrorSets::bases may bound errors better.
   bool has_long_chains() const;
-  /// Returns the blocks of the model, for proofs that take turns with this one's.
+  /// Returns the blocks of the model, whose memory a PathProof shares.
   const std::shared_ptr<BlockSchedule>& schedule() const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-/// Returns the levels that values have: those above are empty.
+/// Returns the levels at which there are values; they are ascending from positions.
 inline std::span<const Level> levels_of(const PerLevel<std::span<const double>>& values) {
   return std::span(all_levels)
       .first(values.velocity.empty()       ? 1
@@ -21,7 +21,7 @@ struct CertifiedInstant {
   PerLevel<std::span<const double>> values{};  ///< all coordinates; empty above the levels it has
   std::span<const double> radius{};            ///< of the positions (Certificate::radius)
   std::span<const Level>
-      levels{};  ///< up to which each coordinate is solved; empty: as far as values
+      levels{};  ///< up to which each coordinate is solved; empty: up to that of `values`
 };
 
 /// A copy of a certified instant, in memory of its own.
@@ -31,12 +31,13 @@ struct InstantCopy {
   std::vector<double> radius{};            ///< of the positions (coordinates), or empty
 
   InstantCopy() = default;
-  /// Takes memory for all levels.
+  /// Allocates all levels.
   explicit InstantCopy(int coordinates) : radius(coordinates) {
     for (const Level level : all_levels) values[level].resize(coordinates);
   }
 
-  /// Copies an instant, no view of this, but for its levels. Takes memory at most the first time.
+  /// Copies an instant without its levels. It must not be a view of this copy. Allocates at most
+  /// the first time.
   void assign(const CertifiedInstant& instant) {
     time = instant.time;
     for (const Level level : all_levels)

@@ -24,8 +24,8 @@ class ErrorBasis {
   /// Encloses all errors. Allocates nothing.
   void enclose();
 
-  /// Returns a bound on ‖I − QᵀQ‖∞ for a matrix Q (d × d) whose columns are nearly orthonormal, and
-  /// on the rounding of all else relative to the widest radius.
+  /// Returns a bound on ‖I − QᵀQ‖∞ for a matrix Q (d × d, by rows) whose columns are nearly
+  /// orthonormal, plus a bound on all other rounding of enclose() over the widest radius.
   static double deviation(std::span<const double> q, int d);
 
   int size() const { return size_; }
@@ -38,10 +38,10 @@ class ErrorBasis {
   int size_ = 0, columns_ = 0;
   std::vector<double> generators_;  // G (size × columns)
   std::vector<double> own_;         // (size)
-  std::vector<double> scale_;       // (size) powers of two that make rows about equal
+  std::vector<double> scale_;       // (size) powers of two: scaled errors are of about one size
   std::vector<double> basis_;       // Q (size × size)
-  std::vector<double> radii_;       // (size)
-  std::vector<double> rest_;        // what is left of G after the directions so far
+  std::vector<double> radii_;       // of the box in the basis (size)
+  std::vector<double> rest_;        // G without its parts along the directions so far
   std::vector<double> sums_;        // workspace (columns)
 };
 

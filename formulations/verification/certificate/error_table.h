@@ -12,13 +12,13 @@ namespace desmo {
 
 /// Errors (exact minus delivered) at one level, row by row. Error i is
 /// centre(i) + Σ G(i, k) t(k) + own(i) w(i) with all |t(k)|, |w(i)| ≤ 1. The first rows are those
-/// of the state, without symbols t. Rows after them are lent to one structural group of a long
-/// chain after the other; they share the symbols t, and so do levels.
+/// of the state, without symbols t. The rows after them are lent to the groups of a long chain, to
+/// one group at a time. All lent rows, at all levels, have the same symbols t.
 struct ErrorTable {
   struct alignas(32) Row {
     double delivered = 0;
     double centre = 0, own = 0;
-    double sum = 0;  ///< |centre| + Σ |G(k)| + own, rounded up
+    double sum = 0;  ///< |centre| + Σ |G(k)| + own, a bound on the error
 
     /// Sets an error without a radius of its own.
     void set_error(double mid, std::span<const double> symbols) {
@@ -33,10 +33,10 @@ struct ErrorTable {
   std::vector<double> radius;      ///< bounds on their errors
   std::vector<double> correction;  ///< centres of their errors; 0: unknown
   std::vector<double> rest;        ///< bounds on what corrections leave of the errors
-  std::vector<double> generators;  ///< G of the lent rows
+  std::vector<double> generators;  ///< G of the lent rows (lent rows × columns)
   int columns = 0, first_lent = 0;
 
-  /// Lends a row to an error without symbols.
+  /// Copies an error without symbols to a lent row.
   void lend(int row, const Row& box) {
     rows[row] = box;
     std::fill_n(of_row(row), columns, 0);

@@ -9,19 +9,18 @@
 
 namespace desmo {
 
-/// Coordinates of a group that a later group of a long chain reads. Their errors go from one group
-/// to the other in a basis.
+/// Coordinates of a group of a long chain that a later group reads. A basis hands their errors on.
 struct GroupInterface {
-  std::vector<int> coordinates, rows;  ///< rows in ErrorTable, while its group is certified
+  std::vector<int> coordinates, rows;  ///< rows in ErrorTable, while their group is certified
   ErrorBasis basis;                    ///< errors of all coordinates, one level after the other
   PerLevel<std::vector<double>> centre;
-  bool enclosed = false;  ///< by the basis, at this instant; otherwise only by radii
+  bool enclosed = false;  ///< the basis holds the errors of this instant; else only radii do
 
   int size() const { return static_cast<int>(coordinates.size()); }
-  /// Encloses the errors of its rows at these levels. Without levels, or where an error is not
-  /// bounded, lend() hands on radii.
+  /// Encloses the errors of `rows` at these levels in the basis. Without levels, or if an error is
+  /// not bounded, lend() hands on radii.
   void enclose(std::span<const Level> solved, const PerLevel<ErrorTable>& errors);
-  /// Writes the errors at a level to lent rows from `row` on, whose symbols begin at this column.
+  /// Writes the errors at a level to the lent rows from `row` on, with symbols from `column` on.
   void lend(Level level, int row, int column, ErrorTable& to) const;
 };
 

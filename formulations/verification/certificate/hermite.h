@@ -6,13 +6,13 @@
 
 namespace desmo {
 
-/// Value and derivatives with respect to s of a coordinate at an end of a path.
+/// Value of a coordinate at an end of a path, and its derivatives with respect to s.
 template <class S>
 struct EndValues {
   S q, first{0}, second{0};
 };
 
-/// A polynomial Σ c[k] sᵏ of degree 5.
+/// Coefficients c of a polynomial Σ c[k] sᵏ of degree 5 or less.
 template <class S>
 using Quintic = std::array<S, 6>;
 
@@ -21,7 +21,7 @@ using Quintic = std::array<S, 6>;
 template <class S>
 Quintic<S> hermite(const EndValues<S>& a, const EndValues<S>& b, Level level) {
   const S half(0.5), three(3);
-  // Half of sums and differences: even and odd parts of the polynomial.
+  // Half sums and half differences of the ends determine the even and the odd part by themselves.
   const S mean = (a.q + b.q) * half, rise = (b.q - a.q) * half;
   if (level == Level::position) return {mean, rise};
   const S slope = (a.first + b.first) * half, bend = (b.first - a.first) * half;

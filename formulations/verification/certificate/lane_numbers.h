@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// Four numbers, one of each of four equal blocks: operations are those of each lane by itself.
+/// Four numbers in a register, one for each of four equal blocks. Operations act lane by lane.
 struct LaneNumbers {
   static constexpr int count = 4;
   using Numbers [[gnu::vector_size(32)]] = double;
@@ -65,7 +65,7 @@ struct LaneNumbers {
                         : of_each([](double x) { return std::cos(x); }, a);
   }
 
-  /// Returns whether all lanes have the same bits, as those of a single block have.
+  /// Returns whether all lanes have the same bits: a batch of a single block repeats it.
   bool are_same() const {
     const Bits bits = (Bits)v;
     return ((bits[0] ^ bits[1]) | (bits[0] ^ bits[2]) | (bits[0] ^ bits[3])) == 0;
@@ -78,7 +78,7 @@ struct LaneNumbers {
   }
   void store(double* to) const { __builtin_memcpy(to, &v, sizeof v); }
 
-  /// Returns a function of each lane.
+  /// Applies a function lane by lane.
   template <class Function, class... Arguments>
   static LaneNumbers of_each(Function&& function, const Arguments&... arguments) {
     LaneNumbers result;

@@ -26,36 +26,35 @@ struct LaneMatrix {
   }
 };
 
-/// Linear equations among the n of a batch: Φ = Σ factor × local state + Φ(0). Proofs about
-/// instants and proofs about paths take them from here.
+/// The linear ones among the n equations of a batch: Φ = Σ factor × local state + Φ(0). Proofs
+/// about instants and proofs about paths share them.
 class LinearEquations {
  public:
   /// A term of an equation: factor × local state.
   struct Term {
     int state;
-    int slot;  ///< in the Jacobian; -1: none
+    int slot;  ///< position in BlockShape::entries; -1: none
     Compensated<LaneNumbers> factor;
-    LaneInterval enclosed;  ///< the factor, about its double
+    LaneInterval enclosed;  ///< the factor, as an interval about its double
   };
-  /// An equation, which is a row of the block.
   struct Equation {
-    int row;
-    LaneInterval at_origin;           ///< Φ(0), about its double
-    Compensated<LaneNumbers> offset;  ///< Φ(0), and what remainders of fixed states add
+    int row;                          ///< of the block
+    LaneInterval at_origin;           ///< Φ(0), as an interval about its double
+    Compensated<LaneNumbers> offset;  ///< Φ(0) + Σ factor × remainder of a fixed state
     std::vector<Term> terms;
   };
 
   LinearEquations() = default;
   /// Takes the linear equations of a shape.
-  /// - constants: of all objects
+  /// - constants: those of all objects, one after the other
   /// - remainders: numbers of the file minus their doubles, for fixed local states; 0 for others
   LinearEquations(const BlockShape& shape, const std::vector<Compensated<LaneNumbers>>& constants,
                   const std::vector<Compensated<LaneNumbers>>& remainders);
 
   const std::vector<Equation>& equations() const { return equations_; }
 
-  /// Evaluates Φ and its time derivatives up to a level, nearly without rounding. Overwrites the
-  /// rows of linear equations in phi.
+  /// Evaluates Φ and its time derivatives up to a level at the midpoints of x, in compensated
+  /// arithmetic. Overwrites the rows of linear equations in phi.
   void motion(const PerLevel<const LaneInterval*>& x, Level level,
               const PerLevel<LaneInterval*>& phi) const;
   /// Writes the entries of linear equations in Φ_q, as midpoints and radii, and zeros elsewhere.

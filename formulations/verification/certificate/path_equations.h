@@ -7,26 +7,28 @@
 
 namespace desmo {
 
-/// The equations of a batch of blocks along a path: functions of s in [−1, 1] in Taylor models, by
-/// the functions of the constraint kinds. States are local (BlockShape::states()). Rows of Φ count
-/// as exact: ShapedBlock::slack, which no model of a motion has, is not read.
+/// The equations of a batch along a path, as functions of s in [−1, 1] in Taylor models. The
+/// functions of the constraint kinds evaluate them. States are local (BlockShape::states()). Rows
+/// of Φ count as exact: ShapedBlock::slack, which no model of a motion has, is not read.
 class PathEquations {
  public:
-  /// Degree of what residuals are evaluated in: that of the path, a quintic.
+  /// Degree of the Taylor models of Φ: that of the path, a quintic.
   static constexpr int degree = 5;
   using Value = TaylorModel<LaneNumbers, degree>;
-  /// States of which derivatives are taken: what turns with the step is linear in s.
+  /// Scalar of Φ_q. Linear parts of points that move together cancel in differences, where plain
+  /// intervals would add up.
   using Slope = TaylorModel<LaneNumbers, 1>;
 
-  /// The batch must outlive this, and stay where it is.
+  /// The batch must outlive this object, and stay where it is.
   PathEquations(const Model& model, const BlockBatch& batch);
 
-  /// Writes the states that are fixed, and zeros for those that no equation reads.
+  /// Writes the fixed states, and zeros for states that no equation reads.
   void write_fixed(Value* x) const;
 
   /// Evaluates Φ. Overwrites phi (n).
   void residual(const Value* x, Value* phi) const;
-  /// Evaluates Φ_q over the whole path. Overwrites the entries of equations that are not linear.
+  /// Encloses Φ_q for all s at once: midpoint at s = 0. Overwrites the entries of equations that
+  /// are not linear.
   void jacobian(const Slope* x, LaneMatrix& to) const;
 
  private:
@@ -47,8 +49,8 @@ class PathEquations {
   void add(const BlockShape::Object& object);
 
   const LinearEquations& linear_;
-  std::vector<LaneInterval> constants_;  // about the doubles, with what these lack
-  std::vector<Object> objects_;          // that are not linear
+  std::vector<LaneInterval> constants_;  // midpoints: doubles; radii: what these lack
+  std::vector<Object> objects_;          // constraints that are not linear
   std::vector<FixedState> fixed_;
 };
 

@@ -19,26 +19,26 @@ namespace desmo {
 /// Proof about the motion between two instants.
 struct PathCertificate {
   bool proven = false;
-  /// Structural group of the block whose proof failed; no_position where none has, or a knot lies
+  /// Structural group of the block whose proof failed. no_position: no proof failed, or a knot lies
   /// in the step.
   GroupId group = no_position;
 };
 
-/// The path of a coordinate and the tube about it, in two registers.
+/// The path of a coordinate and the tube about it: eight numbers, two registers.
 struct alignas(32) CoordinatePath {
   Quintic<double> path{};
-  double gap = 0;     ///< from the path to the instants
+  double gap = 0;     ///< bound on the distance of the path's ends from the certified boxes
   double radius = 0;  ///< of the tube; infinite: not proven
 
   void set(const LaneNumbers& low, const LaneNumbers& high) {
     low.store(path.data());
-    high.store(path.data() + LaneNumbers::count);  // and what follows it
+    high.store(path.data() + LaneNumbers::count);  // c[4], c[5], gap, radius
   }
 };
 static_assert(sizeof(CoordinatePath) == 8 * sizeof(double));
 
-/// Time along a path, s in [−1, 1]: middle + half s, with exact doubles whose range covers both
-/// ends.
+/// Time along a path [s]: middle + half s for s in [−1, 1]. Both doubles count as exact; the range
+/// covers both ends.
 struct TimeSpan {
   double middle, half;
 
@@ -49,8 +49,9 @@ struct TimeSpan {
   double time(double s) const { return middle + half * s; }
 };
 
-/// Returns the first knot of a driver's spline between two times [s], both excluded: where a step
-/// is to be split. The first and the last knot of a table are none: its outer cubics reach beyond.
+/// Returns the first knot of a driver's spline between two times [s], both excluded: a step is to
+/// be split there. The first and the last knot of a spline do not count: its outer cubics reach
+/// beyond them.
 std::optional<double> first_knot(const Model& model, double from, double to);
 
 /// Proves that two certified instants lie on one smooth motion: between them, Φ(q, t) = 0 has
@@ -64,11 +65,11 @@ std::optional<double> first_knot(const Model& model, double from, double to);
 ///
 ///   −Y Φ(p(s), y(s)) − Y Φ_h(p(s), y(s) + δ) δ + (I − Y Φ_φ(p(s) + X, y(s) + δ)) X  inside X
 ///
-/// where Y is the inverse of Φ_φ in the middle. Φ along the path is evaluated in Taylor models, Φ_φ
-/// and Φ_h in those of degree 1: what turns with a body while the step lasts then stays small.
-/// Drivers are Taylor models of their motions, so that one which turns back within the step is
-/// inside. X holds the distance of the path from both instants and their radii, so the solution in
-/// the tube is the one that the certificates speak of.
+/// where Y is an approximate inverse of Φ_φ at s = 0. Φ along the path is evaluated in Taylor
+/// models of degree 5. Φ_φ and Φ_h are in those of degree 1: in differences of points that move
+/// together the linear parts cancel. Drivers are Taylor models of their motions, so a driver that
+/// turns back within the step is inside. X covers the certified boxes of both instants, so the
+/// solution in the tube is the one that the certificates speak of.
 ///
 ///   PathProof path(model, certifier);
 ///   if (path.prove(before, now).proven) …   // `now` continues `before`
@@ -76,23 +77,24 @@ std::optional<double> first_knot(const Model& model, double from, double to);
 /// Costs one to three steps of `global_automatic_klu`.
 class PathProof {
  public:
-  /// Allocates everything. Shares the blocks of the model, and of a homotopy, with a certifier, so
-  /// that one thread at a time may use both. The model must outlive this.
+  /// Allocates everything. Shares blocks and their memory with the certifier: one thread at a time
+  /// may use both. Both have the same model, which must outlive this object.
   PathProof(const Model& model, const Certifier& certifier);
   PathProof(const PathProof&) = delete;
   PathProof& operator=(const PathProof&) = delete;
 
   /// Proves the step between two instants of the model's motions, from.time < to.time. A step
-  /// across an inner knot of a spline has no proof: it would follow one piece alone. Allocates
-  /// nothing.
+  /// across an inner knot of a spline is not proven: its Taylor model would be that of one piece.
+  /// Allocates nothing.
   PathCertificate prove(const CertifiedInstant& from, const CertifiedInstant& to);
 
   /// Returns the radius of the tube of each coordinate after a proof.
   std::span<const double> radius() const { return radius_; }
-  /// Returns the tube's centre line at a time, up to rounding.
+  /// Returns the tube's centre line at a time [s], up to rounding.
   double centre(int coordinate, double time) const;
-  /// Returns the tube's centre line as a polynomial of s, and the time at s [s].
+  /// Returns the tube's centre line as a polynomial of s.
   const Quintic<double>& path(int coordinate) const { return paths_[coordinate].path; }
+  /// Returns the time at s [s].
   double time_at(double s) const { return span_.time(s); }
 
  private:
@@ -119,13 +121,13 @@ class PathProof {
   // Values of the present batch.
   std::vector<Value> states_, phi_;
   std::vector<Slope> slopes_;
-  std::vector<LaneNumbers> curved_;       // what slopes_ lack of states_
-  std::vector<LaneNumbers> errors_;       // δ of the inputs (m)
-  std::vector<LaneNumbers> gaps_;         // of the unknowns (n)
-  std::vector<LaneNumbers> image_;        // −Y Φ − Y Φ_h δ (n)
-  std::vector<LaneNumbers> uncertainty_;  // of the equations (n)
+  std::vector<LaneNumbers> curved_;       // bounds on the terms of states_ above degree 1
+  std::vector<LaneNumbers> errors_;       // radii of δ of the inputs (m)
+  std::vector<LaneNumbers> gaps_;         // CoordinatePath::gap of the unknowns (n)
+  std::vector<LaneNumbers> image_;        // bounds on |Y Φ + Y Φ_h δ| (n)
+  std::vector<LaneNumbers> uncertainty_;  // bounds, row by row (n)
   std::vector<LaneNumbers> trial_;        // radii of X (n)
-  std::vector<LaneNumbers> contracted_;   // (I − Y Φ_φ) X (n)
+  std::vector<LaneNumbers> contracted_;   // bounds on |(I − Y Φ_φ) X| (n)
   Preconditioner preconditioner_;
   const Preconditioner* y_ = nullptr;
 };

@@ -8,16 +8,17 @@
 
 namespace desmo {
 
-/// An approximate inverse Y of the matrices Φ_φ (n × n) of four blocks, and what depends on it. An
-/// inaccurate inverse only makes a proof fail.
+/// Approximate inverses Y of the matrices Φ_φ (n × n) of four blocks, and products with them. An
+/// inaccurate inverse can only make a proof fail. BlockBatch::rounding covers the rounding of
+/// products.
 struct Preconditioner {
-  std::vector<LaneNumbers> inverse;  ///< Y (n × n)
-  std::vector<LaneNumbers>
-      remainder;  ///< |I − Y Φ_φ|, rounded, without what rounding Y Φ_φ adds (n × n)
-  std::vector<LaneNumbers> slopes;  ///< |Y Φ_h|, rounded, h: the m inputs (n × m)
+  std::vector<LaneNumbers> inverse;    ///< Y (n × n)
+  std::vector<LaneNumbers> remainder;  ///< |I − Y Φ_φ| as computed (n × n)
+  std::vector<LaneNumbers> slopes;     ///< |Y Φ_h| as computed, h: the m inputs (n × m)
 
   void resize(int n, int m);
-  /// Finds all from the midpoints of Φ_q. Lanes share pivots where these suit all.
+  /// Finds Y, remainder and slopes from the midpoints of Φ_q. Lanes share pivots; a lane that these
+  /// do not suit gets its own. lanes: the ones that count.
   void find(const BlockShape& shape, const LaneNumbers* jacobian, LaneMask lanes);
   /// Returns the condition number of Φ_φ, rounded: ‖S⁻¹ Y R‖∞. S holds the magnitudes of the
   /// unknowns, R the row sums of |Φ_q| with the magnitudes of all n + m columns. Infinite where the
@@ -42,7 +43,7 @@ struct Preconditioner {
 
   std::vector<LaneNumbers> work_;    // (n × n)
   std::vector<LaneNumbers> scales_;  // of rows (n): for pivots, and R
-  std::vector<int> rows_;            // of the pivots (n)
+  std::vector<int> rows_;            // row of each pivot (n)
   bool is_single_ = false;           // all lanes have the same matrix
   SingleMatrix single_;
 };

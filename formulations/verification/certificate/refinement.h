@@ -10,27 +10,29 @@ namespace desmo {
 
 /// An instant to which the corrections of its certificates were added.
 struct RefinedInstant {
-  Instant instant{};  ///< as it was where no certificate is proven
+  Instant instant{};  ///< with corrections; as it was given if no certificate is proven
   bool proven = false;
   /// Bounds on |instant − exact| of each coordinate, at the levels of the instant alone.
   PerLevel<std::span<const double>> radius{};
-  Certificate last{};  ///< of the last pass; of the last proven one, if any is
+  /// Certificate of the last pass; of the last proven pass, if one is. Its spans are those of the
+  /// last pass in either case.
+  Certificate last{};
   int passes = 0;
 };
 
-/// Refinement of solved instants, whatever solved them: certifies one and adds the corrections,
-/// again while Newton's method converges. One pass is the rule. All formulations then deliver the
-/// same numbers but for the last digits.
+/// Refinement of solved instants, whatever solved them. It certifies an instant and adds the
+/// corrections, and repeats this while Newton's method converges. One pass is the rule. All
+/// formulations then deliver the same numbers but for the last digits.
 ///
 ///   Refinement refinement(model);
 ///   const RefinedInstant r = refinement.refine(instant);   // in an observer, for example
 class Refinement {
  public:
-  /// Passes to the first proof, and from it on. Digits double in each: six lead from one to 53
-  /// bits, and two more to the first one.
+  /// Maximum number of passes up to the first proof, and again after it. Correct bits double in
+  /// each pass: six lead from one bit to 53; two more may be needed to the first one.
   static constexpr int max_passes = 8;
 
-  /// Contract of Certifier.
+  /// Takes the same arguments as Certifier, with the same lifetimes.
   explicit Refinement(const Model& model, std::span<const Level> levels = {});
   explicit Refinement(const Model&& model, std::span<const Level> levels = {}) = delete;
 
@@ -42,11 +44,11 @@ class Refinement {
 
  private:
   using Values = PerLevel<std::vector<double>>;
-  /// Errors at a level.
+  /// Bounds on the errors at a level. Kinds: 0, lengths; 1, rotations.
   struct Digits {
-    double before = 0;             ///< before the corrections: roundings of the largest number
-    double open = 0;               ///< after them, likewise
-    std::array<double, 2> rest{};  ///< after them, of each kind, in its unit
+    double before = 0;             ///< before the corrections, over u × largest number of the kind
+    double open = 0;               ///< after the corrections, likewise
+    std::array<double, 2> rest{};  ///< after the corrections, of each kind, in its unit
   };
 
   void add_corrections(const Certificate& certificate);
@@ -56,8 +58,8 @@ class Refinement {
   Certifier certifier_;
   std::vector<LaneMask> lengths_;  // which of each four coordinates are lengths, not rotations
   std::span<const Level> levels_;  // of the present instant
-  Values next_, radius_;           // with corrections of the last pass
-  Values best_, best_radius_;
+  Values next_, radius_;           // numbers with the corrections of the last pass, their radii
+  Values best_, best_radius_;      // the same of the best pass at each level
   RefinedInstant result_;
 };
 

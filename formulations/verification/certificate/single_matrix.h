@@ -15,19 +15,19 @@ class SingleMatrix {
 
   /// Inverts Φ_φ by Gauss–Jordan elimination, from the first lane of Φ_q.
   void invert(const BlockShape& shape, const LaneNumbers* jacobian);
-  /// Writes Y (n × n) to all lanes. To be called before multiply().
+  /// Writes Y (n × n) to all lanes. Must be called before multiply().
   void write_inverse(LaneNumbers* to);
-  /// Writes |D − Y C| to all lanes, for the columns C of Φ_q from `first` to `last`, this one
-  /// excluded. D is I for unknowns, and 0 for inputs.
+  /// Writes |D − Y C| to all lanes, where C are the columns first … last − 1 of Φ_q. D is I in the
+  /// columns of unknowns, 0 in those of inputs.
   void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
                 LaneNumbers* to);
 
  private:
-  int n_ = 0, stride_ = 0;       // of rows and columns: n rounded up to whole registers
-  std::vector<double> rows_;     // of the matrix, then of Y with columns in another order
-  std::vector<double> columns_;  // of Y
-  std::vector<double> scales_;   // of rows, for pivots
-  std::vector<int> order_;       // in rows_, of each column of Y
+  int n_ = 0, stride_ = 0;       // stride: n rounded up to whole registers
+  std::vector<double> rows_;     // rows of Φ_φ, then those of Y with columns in another order
+  std::vector<double> columns_;  // columns of Y
+  std::vector<double> scales_;   // 1/largest entry of each row, for pivots
+  std::vector<int> order_;       // position in rows_ of each column of Y
   std::vector<int> pivots_;
   std::vector<double> product_;
 };

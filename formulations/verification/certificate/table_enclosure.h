@@ -15,13 +15,14 @@ namespace desmo {
 /// Returns number k of a table (formulations/constraints/table.h) as the file means it.
 using TableNumbers = std::function<Derived(int k)>;
 
-/// Encloses a table f by Taylor's coefficients aₖ: f(at + y) = Σ aₖ yᵏ for |y| ≤ distance. The same
-/// holds for f′ and f″; each of the three takes its own numbers from the aₖ. Radii include the
-/// neighbouring pieces within the distance. All aₖ are not numbers where `at` is outside of the
-/// table. Radii are infinite where too many knots are that near, or the distance is not finite.
+/// Encloses a table f by Taylor's coefficients aₖ about `at`. For each |y| ≤ distance there are
+/// numbers in the aₖ with f(at + y) = Σ aₖ yᵏ, others for f′ and others for f″. Radii cover the
+/// neighbouring pieces within the distance. All aₖ are NaN where `at` is outside of the table.
+/// Radii are infinite where too many knots are that near, or the distance is not finite.
 std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance);
 
-// Scalars of proofs, by lanes: their leading digits, magnitudes, and how a number is set.
+// Access to the scalars of proofs, lane by lane: lead() returns the leading double, size_of() a
+// bound on the magnitude, set_lane() sets a number.
 
 inline double in_lane(double x, int) { return x; }
 inline double in_lane(const LaneNumbers& x, int lane) { return x[lane]; }
@@ -50,7 +51,7 @@ auto size_of(const S& x) {
   return x.magnitude();
 }
 
-/// Bounds what a double lacks of a number, with what radii of many operations lose by rounding.
+/// Returns a bound on |x − x.value|. The factor covers the rounding of radii.
 template <class S>
 S rest_of(const Compensated<S>& x) {
   using std::abs;
@@ -74,8 +75,9 @@ void set_lane(TaylorModel<S, D>& x, int lane, const Derived& to) {
   set_lane(x.rest, lane, rest_of(to));
 }
 
-/// Sets what follows the dimensions in c: the argument of the table at positions x, and an
-/// enclosure of the cubic about it. number(lane, k): number k of the table in a lane.
+/// Sets the constants of a table in c, after its dimensions c[0 … 2]. c[3] is the leading double
+/// of the argument at positions x; c[4 … 7] enclose the cubic about it. number(lane, k): number k
+/// of the table in a lane.
 template <class Kind, class S, class Constants, class Number>
 void read_table(Constants& c, const S* const* x, const Number& number) {
   const S argument = c[1] * x[1][0];

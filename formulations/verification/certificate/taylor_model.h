@@ -12,8 +12,8 @@
 
 namespace desmo {
 
-/// Rule by which a Taylor model bounds its coefficients. S: double or LaneNumbers, whose operations
-/// round: the remainder takes that up; or Compensated<double>, which bounds its own error.
+/// Rule by which a Taylor model with coefficients S bounds rounding. Operations of double and of
+/// LaneNumbers round: the remainder takes that up. Compensated<double> bounds its own error.
 template <class S>
 struct Coefficient {
   using Bound = S;
@@ -27,10 +27,10 @@ struct Coefficient {
     using std::fma;
     return fma(a, b, sum);
   }
-  /// Returns whether a product with it is to be left out, which pays where numbers are expensive.
+  /// Returns whether x is 0 and products with it are skipped. To ask pays only where numbers are
+  /// expensive.
   static constexpr bool is_none(const S&) { return false; }
-  /// Returns by how much the function of a number that is f there may be off: sine and cosine are
-  /// within one unit in the last place.
+  /// Returns a bound on the error of a computed sine or cosine f: one unit in the last place.
   static S uncertainty_of_turn(const S& f) { return magnitude(f) * S(2 * unit); }
 };
 template <>
@@ -67,7 +67,7 @@ struct TaylorModel {
 
   TaylorModel() = default;
   TaylorModel(double exact) { c[0] = S(exact); }
-  /// A number as the file means it: what the double lacks of it is in the remainder.
+  /// Takes a number as the file means it. The remainder covers what a double c[0] lacks of it.
   explicit TaylorModel(const Derived& x) {
     if constexpr (std::is_constructible_v<S, const Derived&>) {
       c[0] = S(x);
@@ -77,17 +77,17 @@ struct TaylorModel {
     }
   }
 
-  /// Returns a bound of the polynomial's magnitude, but for the rounding of this sum.
+  /// Returns a bound on the polynomial's magnitude, but for the rounding of this sum.
   Bound polynomial() const { return Traits::magnitude(c[0]) + slopes(); }
-  /// Returns a bound of what all terms but the constant one make up, but for its rounding.
+  /// Returns a bound on the sum of all terms but the constant one, but for its rounding.
   Bound slopes() const {
     Bound sum = Traits::magnitude(c[1]);
     for (int k = 2; k <= D; ++k) sum = sum + Traits::magnitude(c[k]);
     return sum;
   }
-  /// Returns a bound of the function's magnitude.
+  /// Returns a bound on the function's magnitude.
   Bound magnitude() const { return (polynomial() + rest) * Bound(above); }
-  /// Returns a bound of the distance from the constant term.
+  /// Returns a bound on the function's distance from the constant term.
   Bound variation() const { return (slopes() + rest) * Bound(above); }
 
   friend TaylorModel operator-(const TaylorModel& a) {
@@ -127,7 +127,7 @@ struct TaylorModel {
                            [&] { return Bound(D + 1) * (of_a * all_of_b); });
     return r;
   }
-  /// Adds a number × x.
+  /// Adds number × x.
   void add_product(const BasicInterval<S>& number, const TaylorModel& x) {
     for (int k = 0; k <= D; ++k) c[k] = Traits::sum(number.mid, x.c[k], c[k]);
     rest = with_rounding(
@@ -146,8 +146,8 @@ struct TaylorModel {
     const S sine = sin(a.c[0]), cosine = cos(a.c[0]);
     return turned(a, {cosine, -sine, -cosine, sine});
   }
-  /// Compares the constant terms: the order in which a spline looks up its pieces. Whoever samples
-  /// a spline makes sure that no knot lies within.
+  /// Compares the constant terms: a spline looks up its pieces by it. Callers make sure that no
+  /// knot lies within the range of the function.
   friend bool operator<(const TaylorModel& a, const TaylorModel& b) { return a.c[0] < b.c[0]; }
 
  private:
@@ -163,8 +163,8 @@ struct TaylorModel {
     else
       return rest * Bound(above) + Bound(Interval::tiny);
   }
-  /// Returns a sine or cosine from its derivatives at the constant term, by Taylor's formula
-  /// f(c₀ + d) = Σ f⁽ᵏ⁾(c₀) dᵏ/k! + f⁽ᴰ⁺¹⁾(ξ) dᴰ⁺¹/(D + 1)!, whose last derivative is at most 1.
+  /// Returns f(a) for f = sin or cos, from f … f‴ at c₀. By Taylor's formula, f(c₀ + d) =
+  /// Σ f⁽ᵏ⁾(c₀) dᵏ/k! + f⁽ᴰ⁺¹⁾(ξ) dᴰ⁺¹/(D + 1)!, where the last derivative is at most 1.
   static TaylorModel turned(const TaylorModel& a, const std::array<S, 4>& derivatives) {
     if (D > 1 && std::all_of(a.c.begin() + 2, a.c.end(), Traits::is_none))
       return turned_line(a, derivatives);
@@ -178,8 +178,8 @@ struct TaylorModel {
     sum.rest = with_rounding(sum.rest + last, [] { return Bound(0); });
     return sum;
   }
-  /// Returns the same of a line c₀ + c₁ s, without Horner's rule. Its remainder changes f by itself
-  /// at most.
+  /// Returns the same for a line c₀ + c₁ s, without Horner's rule. The remainder of a changes f by
+  /// no more than itself.
   static TaylorModel turned_line(const TaylorModel& a, const std::array<S, 4>& derivatives) {
     constexpr double up = 1 + 0x1p-51;
     const Bound far = Traits::magnitude(a.c[1]);
@@ -199,7 +199,7 @@ struct TaylorModel {
     r.rest = with_rounding(rest + last, [&] { return Bound(D + 1) * r.polynomial(); });
     return r;
   }
-  /// Returns f/k!, a constant, of a sine or cosine f.
+  /// Returns the constant f/k! for a sine or cosine f.
   static TaylorModel term(int k, const S& f) {
     double factorial = 1;
     for (int i = 2; i <= k; ++i) factorial *= i;

@@ -7,16 +7,19 @@
 
 namespace desmo {
 
-/// Trial boxes X of a block, each larger than the one before. A contraction of 0.8 needs ten.
+/// Maximum number of trial boxes X of a block, each larger than the one before (inflated()). Where
+/// A = |I − Y Φ_φ| hardly depends on X, ten boxes prove a path with A X ≤ 0.9 X, and an instant,
+/// whose test wants A X < X/2, with A X ≤ 0.44 X.
 inline constexpr int max_trial_boxes = 10;
 
-/// Radius of the first X of a certificate relative to the magnitude of its coordinate: so large
-/// that one evaluation will do, and so small that it costs no digits, for X² is far below a unit.
+/// Radius of the first X of a certificate over the magnitude of its coordinate. It exceeds the
+/// usual errors, so that one evaluation will do. Its square is far below the roundoff u, so that it
+/// costs no digits.
 inline constexpr double first_trial = 0x1p-36;
 
-/// Returns the radius of the next X from the image of the last one: somewhat larger (epsilon
-/// inflation; Rump). Bounds of rates are divided by it, so it must not be zero: it has the rounding
-/// of a number of the coordinate's magnitude, too.
+/// Returns the radius of the next X: 1.1 × the image of the last one (epsilon inflation; Rump) plus
+/// u × the magnitude of the coordinate. The second term keeps it from zero, since bound_rates()
+/// divides by it.
 inline LaneNumbers inflated(const LaneNumbers& image, const LaneNumbers& magnitude) {
   constexpr double growth = 1.1;
   return fma(magnitude, Interval::unit, image * growth);
@@ -24,7 +27,7 @@ inline LaneNumbers inflated(const LaneNumbers& image, const LaneNumbers& magnitu
 
 /// Bounds |(I − Y Φ_φ(X)) X| of a batch, whose `jacobian` is Φ_φ(X). All are (n).
 /// - trial: radii of X
-/// - uncertainty: of the equations; overwritten
+/// - uncertainty: workspace; overwritten
 /// - contracted: the bound; overwritten. The top of block_image.cpp says what rounding is in it
 void contract(const BlockBatch& batch, const Preconditioner& y, const LaneNumbers* trial,
               LaneNumbers* uncertainty, LaneNumbers* contracted);
