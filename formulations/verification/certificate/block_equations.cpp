@@ -11,7 +11,7 @@ namespace desmo {
 
 namespace {
 
-/// The degree of a polynomial all of whose terms have the same one; others have `mixed`.
+/// Scalar that finds the degree of a homogeneous polynomial; all other functions are `mixed`.
 struct Degree {
   static constexpr int mixed = 99;
   int value = 0;
@@ -57,7 +57,7 @@ struct BlockEquations::FunctionsOf {
     assign(to.value, o, k);
   }
 
-  /// Sets the constants, those of a table about the operands x.
+  /// Sets the constants of a kind. Those of a table are taken about the operands x.
   template <class S>
   static void set_constants(Constants<S>& c, const Object& o, const S* const* x) {
     if constexpr (has_table<Kind>) {
@@ -83,7 +83,7 @@ struct BlockEquations::FunctionsOf {
     }
   }
 
-  /// Operands in another scalar, made from each local state by a function.
+  /// Operands and constants in the scalar S. make(i) returns local state i in it.
   template <class S>
   struct Operands {
     std::array<std::array<S, max_components>, operands> components;
@@ -239,7 +239,7 @@ void BlockEquations::jacobian_rates(const States& x, Level level, PerLevel<LaneM
       o.functions->jacobian_rates(o, x, level, to);
       continue;
     }
-    // Rates of entries that are linear in q are the same entries of q̇ and q̈.
+    // Entries are homogeneous of degree 1 in q, so their rates are the same functions of q̇ and q̈.
     o.functions->jacobian(o, o.rate_slots, x.velocity, to.velocity);
     if (level == Level::acceleration)
       o.functions->jacobian(o, o.rate_slots, x.acceleration, to.acceleration);

@@ -6,7 +6,7 @@
 namespace desmo {
 
 /// Returns the largest cause of failure at the unknown that is farthest from a proof. Compares the
-/// terms of the image and of the contraction of X.
+/// terms of the image and of the contraction of the last X.
 ProofFailure BlockProof::failure(int lane) const {
   const ErrorColumns& e = errors_.position;
   const int n = shape_->unknowns;
@@ -27,8 +27,8 @@ ProofFailure BlockProof::failure(int lane) const {
       drivers += slope * std::abs(e.centre[j][lane]);
       time += slope * e.own[j][lane];
     }
-  // X is what errors need and the rounding of the block's size, which is all that is needed where
-  // the origin is near.
+  // Errors above the rounding of the block's size, u × magnitude, are themselves the cause. Below
+  // it X is hardly more than that rounding, and its contraction is the cause.
   const double size = batch_->magnitudes[worst][lane], error = e.sum[worst][lane];
   const double at = std::abs(state_.position[batch_->locals[worst]].mid[lane]);
   if (error > size * Interval::unit) {

@@ -6,22 +6,22 @@
 
 namespace desmo {
 
-// Rounding. Errors are b + A X: b from find_image(), A X from contract(), with A = |I − Y Φ_φ|. Let
-// P = |Y| |Φ_φ| X, and Q = |Y| (|Φ_h| |δ| + the magnitudes of lower terms). These functions add
-// `rounding` times P and Q. That covers the following, in units of roundoff, for a block of w
-// columns, n of them unknown, and K symbols:
+// Rounding. Errors are at most b + A X: b from find_image(), A X from contract(), with A =
+// |I − Y Φ_φ|. Let P = |Y| |Φ_φ| X, and Q = |Y| (|Φ_h| |δ| + the magnitudes of lower terms). These
+// functions add `rounding` times P and Q. That covers the following, in units of roundoff, for a
+// block of w columns, n of them unknown, and K symbols:
 //
 // - Y Φ_φ and Y Φ_h: n (X + P) and n Q, since each entry takes n roundings
 // - centres and symbols: (3 w + 2) (P + 2 Q). They take 3 w + 2 roundings from Φ on, and
 //   |Φ| ≤ |Φ_φ| X + |Φ_h| |δ| + … where b + A X ≤ X
-// - constant entries of Φ_q: P and Q
-// - bounds: (3 w + K + 6) X. They are sums of positive products, which take so many roundings
+// - constant entries of Φ_q: P and Q, if each were rounded once
+// - bounds: (3 w + K + 6) X. They are sums of positive products with at most so many roundings
 //
-// Of rates, X is what bound_rates() multiplies A with. A proof requires A X ≤ X/2, so X ≤ A X + P
-// is at most 2 P. All of it is at most (12 w + 2 K + 15) P + (7 w + 5) Q, and `rounding` is 32 (w +
-// K) units.
+// For rates, X is what bound_rates() multiplies A with. A proof requires A X ≤ X/2, so X ≤ A X + P
+// is at most 2 P. The sum is at most (12 w + 2 K + 15) P + (7 w + 5) Q, and `rounding` is
+// 32 (w + K) units.
 
-/// Finds what errors are without those that X causes: −Y Φ − Y Φ_h δ, and at higher levels −Y times
+/// Finds b, the part of the errors that X does not cause: −Y Φ − Y Φ_h δ, and for rates −Y times
 /// the lower terms.
 template <int N>
 void BlockProof::find_image(Level level) {
@@ -59,7 +59,7 @@ void BlockProof::find_image(Level level) {
   }
   for (int i = 0; i < n; ++i) {
     const LaneNumbers *y = &y_->inverse[i * n], *slopes = y_->slopes.data() + i * m;
-    LaneNumbers centre(0), own(0);  // Φ has a radius, so none of these stays zero
+    LaneNumbers centre(0), own(0);  // own ends positive: radii of Φ are
     for (int r = 0; r < n; ++r) {
       centre = fma(-y[r], centre_[r], centre);
       own = fma(abs(y[r]), uncertainty_[r], own);
@@ -71,7 +71,7 @@ void BlockProof::find_image(Level level) {
   }
 }
 
-/// Finds the symbols of the unknowns in the same way.
+/// Finds the symbols of the unknowns in the same way. The batch has a single block.
 void BlockProof::find_generators(Level level, PerLevel<ErrorTable>& errors) {
   const BlockShape& s = *shape_;
   const std::vector<int>& rows = batch_->rows;

@@ -10,7 +10,7 @@ namespace desmo {
 namespace {
 
 LaneNumbers loaded(const ErrorTable::Row& row) {
-  return LaneNumbers::load(&row.delivered);  // and what follows it
+  return LaneNumbers::load(&row.delivered);  // all four numbers of the row
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ BlockProof::BlockProof(const BatchSizes& largest) {
   lower_.reserve(2);
 }
 
-/// Takes the delivered numbers and the errors of the inputs.
+/// Takes the delivered numbers of all states and the errors of the inputs.
 void BlockProof::gather(Level level, const ErrorTable& errors) {
   const BlockBatch& b = *batch_;
   LaneInterval* x = state_[level].data();
@@ -51,7 +51,8 @@ void BlockProof::gather(Level level, const ErrorTable& errors) {
     e.centre[j] = centre;
     e.own[j] = own;
     e.sum[j] = sum;
-    // Derivatives at higher levels are those at the delivered rates, for the time being.
+    // Rates have no radius yet: bound_rates() takes derivatives at the delivered rates of its
+    // level. finish() then sets the radii for the next level.
     x[b.locals[j]] = {delivered, level == Level::position ? sum : LaneNumbers(0)};
   }
 }
@@ -63,7 +64,8 @@ LaneMask BlockProof::is_known(Level level) const {
   return is_finite(sum);
 }
 
-/// Adds to the errors of the unknowns what X causes, and completes them.
+/// Adds to the errors of the unknowns what X causes: factor × contracted_. Then sets the weights
+/// and radii that the next level reads.
 void BlockProof::finish(Level level, const LaneNumbers& factor) {
   ErrorColumns& e = errors_[level];
   for (int i = 0; i < shape_->unknowns; ++i) {
@@ -71,7 +73,7 @@ void BlockProof::finish(Level level, const LaneNumbers& factor) {
     e.own[i] += more;
     e.sum[i] += more;
   }
-  if (shape_->linear || level == up_to_) return;  // nobody reads what follows
+  if (shape_->linear || level == up_to_) return;  // no level reads what follows
   for (int j = 0; j < shape_->width(); ++j) {
     e.weight[j] = fma(batch_->rounding, e.sum[j], e.own[j]);
     state_[level][batch_->locals[j]].radius = e.sum[j];
@@ -89,7 +91,7 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
   LaneMask proven{};
   for (int attempt = 0; attempt < max_trial_boxes && (lanes & !proven).any(); ++attempt) {
     for (int i = 0; i < n; ++i) {
-      // The trial box is never zero: rates are compared with it.
+      // Trial radii are never zero: bound_rates() divides by them.
       const LaneNumbers last = attempt < 2 ? LaneNumbers(0) : 2 * contracted_[i];
       const LaneNumbers trial = attempt == 0 && !linear
                                     ? b.magnitudes[i] * first_trial
@@ -98,7 +100,8 @@ LaneMask BlockProof::prove_positions(PerLevel<ErrorTable>& all, LaneMask lanes) 
       state_.position[b.locals[i]].radius = trial_[i];
     }
     if (!linear) {
-      b.equations.jacobian(state_.position.data(), b.jacobian);  // with the same midpoints
+      // Midpoints do not depend on the radii, so that Y of the first attempt serves all.
+      b.equations.jacobian(state_.position.data(), b.jacobian);
       if (attempt == 0) {
         preconditioner_.find(*shape_, b.jacobian.mid.data(), lanes);
         condition_ = preconditioner_.condition(*shape_, b.jacobian.mid.data(), b.magnitudes.data());
@@ -119,7 +122,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   const BlockBatch& b = *batch_;
   lower_.clear();
   if (!shape_->linear) {
-    // Φ̇_q and Φ̈_q within the errors of all lower levels, at the delivered rates of this one.
+    // Φ̇_q and Φ̈_q over the errors of all lower levels, at the delivered rates of this level.
     b.equations.jacobian_rates(
         {state_.position.data(), state_.velocity.data(), state_.acceleration.data()}, level,
         rates_);
@@ -144,7 +147,7 @@ void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTabl
   for (int i = 0; i < shape_->unknowns; ++i) {
     const int* const row = &b.rows[LaneNumbers::count * i];
     const int coordinate = b.coordinates[LaneNumbers::count * i];
-    // Whoever reads what is not proven is not proven either.
+    // An infinite sum leaves the blocks that read it unproven, too.
     LaneNumbers a = state_[level][b.locals[i]].mid,
                 centre = select(tried & is_finite(e.centre[i]), e.centre[i], 0), c = e.own[i],
                 d = select(proven, e.sum[i], INFINITY);
@@ -154,13 +157,13 @@ void BlockProof::scatter(Level level, LaneMask tried, LaneMask proven, ErrorTabl
     if (blocks > 2) c.store(&to.rows[row[2]].delivered);
     if (blocks > 3) d.store(&to.rows[row[3]].delivered);
     if (row[0] == coordinate) continue;
-    // Whoever reads the coordinate does not know the symbols.
+    // The row of the coordinate has no symbols: its own radius takes up their part.
     ErrorTable::Row& box = to.rows[coordinate] = to.rows[row[0]];
     box.own = box.sum - std::abs(box.centre);
   }
 }
 
-/// Makes Φ(q, t) − (1 − t) Φ₀ of Φ, and likewise its rates.
+/// Subtracts (1 − t) Φ₀ from Φ, and the time derivative of it, −Φ₀, from Φ̇.
 void BlockProof::add_homotopy(Level up_to, double time) {
   const LaneInterval share = LaneInterval(1) - LaneInterval(time);
   for (int r = 0; r < shape_->unknowns; ++r) {
@@ -186,7 +189,7 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
   condition_ = 0;
   for (const Level level : all_levels) {
     if (level > up_to) break;
-    lanes = lanes & is_known(level);  // others would fail, too, but later
+    lanes = lanes & is_known(level);  // lanes with unbounded inputs would fail later anyway
     const LaneMask tried = lanes;
     if (lanes.any())
       lanes = level == Level::position ? prove_positions(errors, lanes)

@@ -10,7 +10,7 @@ namespace desmo {
 
 namespace {
 
-/// Number of groups in a chain, above which errors are handed on in bases.
+/// A chain is long if it has more groups than this.
 constexpr int max_boxed_chain = 8;
 constexpr int level_count = static_cast<int>(all_levels.size());
 
@@ -45,7 +45,8 @@ class Builder {
   }
 
  private:
-  /// Blocks whose inputs are all of lower depths.
+  /// Steps that may follow those of lower depths: blocks whose inputs all have lower depths, and
+  /// groups of long chains whose inputs have.
   struct Depth {
     std::vector<CertificationStep> links;
     std::vector<BlockBatch::Member> members;
@@ -76,7 +77,7 @@ class Builder {
   }
   bool is_long(int group) const { return group >= 0 && chain_[group] > max_boxed_chain; }
 
-  /// Returns a block with its rows; those of its coordinates where no others are given.
+  /// Returns a block with the rows of its columns. row: of each coordinate; empty: its own number.
   BlockBatch::Member member(const PartDefinition& part, const std::vector<int>& row) {
     BlockBatch::Member made{
         shaped_block(m_, part), part.groups.front(), order_++, Level::acceleration, {}};
@@ -102,7 +103,7 @@ class Builder {
     }
   }
 
-  /// Puts equal blocks together.
+  /// Returns a step of batches, each of up to LaneNumbers::count equal blocks.
   CertificationStep batched(const std::vector<BlockBatch::Member>& members) const {
     std::vector<std::vector<BlockBatch::Member>> batches;
     for (const BlockBatch::Member& made : members) {
@@ -123,7 +124,7 @@ class Builder {
   void add_link(const PartDefinition& definition, int group) {
     ChainLink link;
     int rows = 0, depth = 0;
-    std::vector<int> row = row_;  // of inputs, in this group
+    std::vector<int> row = row_;  // row of each coordinate while this group is certified
     const int lent = m_.state_size();
     for (const auto& [from, coordinates] : reads_[group]) {
       const int size = static_cast<int>(coordinates.size());
@@ -154,7 +155,7 @@ class Builder {
     result_.links.push_back(std::move(link));
   }
 
-  /// Returns the interface of these coordinates of a group.
+  /// Returns the interface of these coordinates of a group; makes it if it is new.
   int interface(int group, const std::vector<int>& coordinates) {
     ChainLink& from = result_.links[link_of_[group]];
     for (const int i : from.interfaces)
@@ -173,7 +174,7 @@ class Builder {
   std::span<const Level> up_to_;
   const std::vector<double> magnitudes_;
   std::vector<std::map<int, std::vector<int>>> reads_;  // coordinates by group; -1: driven
-  std::vector<int> chain_;                              // length of the longest through each group
+  std::vector<int> chain_;                              // groups in the longest chain through each
   std::vector<bool> is_link_;                           // of each group
   std::map<int, int> link_of_;
   std::vector<int> group_, row_;  // of each coordinate; -1: driven, or not in a link

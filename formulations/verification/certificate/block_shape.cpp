@@ -52,7 +52,7 @@ class Builder {
     constraints_.push_back(&c);
   }
 
-  /// Returns the first local state of an entity.
+  /// Returns the first local state of an entity; numbers its states if they are new.
   int local(EntityId entity) {
     const int first = m_.state_index(entity);
     const auto known = std::ranges::find(block_.states, first);

@@ -11,7 +11,7 @@
 
 namespace desmo {
 
-/// The proof of one instant after the other, step by step.
+/// Schedule, errors and workspace of a certifier.
 class Certifier::Proof {
  public:
   Proof(const Model& model, std::span<const Level> levels);
@@ -49,7 +49,8 @@ Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
     errors_.position.rows[m.coordinates() + i].delivered = m.fixed_values[i];
 }
 
-/// Takes the delivered numbers, and the errors of driven ones from the exact motions.
+/// Takes the delivered numbers. Finds the errors of driven ones from the exact motions or from
+/// drivers that were handed in; all others are unknown, infinite.
 void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   using Number = Compensated<double>;
   const PerLevel<std::span<const double>> values{instant.q, instant.qd, instant.qdd};
@@ -76,7 +77,7 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   }
 }
 
-/// Fills the lent rows of what a group reads, at each of the solved levels.
+/// Fills the lent rows that a group reads, at each of the solved levels.
 void Certifier::Proof::load(const ChainLink& link) {
   const int count = sets_ == ErrorSets::bases ? static_cast<int>(solved_.size()) : 0;
   for (const Level level : solved_) {
@@ -87,7 +88,7 @@ void Certifier::Proof::load(const ChainLink& link) {
   }
 }
 
-/// Encloses what later groups of a chain read of this one.
+/// Encloses the errors of the interfaces that later groups of a chain read.
 void Certifier::Proof::leave(const ChainLink& link) {
   const std::span<const Level> enclosed =
       solved_.first(sets_ == ErrorSets::bases ? solved_.size() : 0);
@@ -95,7 +96,7 @@ void Certifier::Proof::leave(const ChainLink& link) {
   for (const Level level : solved_) errors_[level].columns = 0;
 }
 
-/// Writes bounds on the errors of all coordinates; of levels that are not solved nothing is known.
+/// Writes bounds on the errors of all coordinates: infinite at levels that are not solved.
 void Certifier::Proof::write_bounds() {
   for (const Level level : all_levels) {
     ErrorTable& e = errors_[level];
@@ -134,7 +135,7 @@ Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* 
           result.condition = condition;
           result.worst_conditioned = member.group;
         }
-        if (proven[solved_.back()][lane]) continue;  // as are lower levels
+        if (proven[solved_.back()][lane]) continue;  // lower levels are then proven, too
         for (const Level level : solved_) {
           if (proven[level][lane] || level > member.solved || member.order > first_failure)
             continue;

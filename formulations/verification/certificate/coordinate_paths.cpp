@@ -1,4 +1,4 @@
-// The paths of all coordinates over a step: what a tube lies about.
+// Paths of all coordinates over a step, about which the tubes of a PathProof lie.
 #include <array>
 
 #include "formulations/verification/certificate/path_proof.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr int degree = PathEquations::degree;
 constexpr double unit = Interval::unit;
 
-/// Four coordinates in a row; fewer at the end, where the last one is repeated.
+/// Four consecutive coordinates. At the end of the model there may be fewer: the last is repeated.
 struct CoordinateRange {
   int first, last;
 
@@ -19,14 +19,15 @@ struct CoordinateRange {
     const double second = x[std::min(first + 1, last)], third = x[std::min(first + 2, last)];
     return LaneNumbers(LaneNumbers::Numbers{x[first], second, third, x[last]});
   }
-  /// Returns their values at an end of a path, up to a level. half: of the path's time [s]
+  /// Returns their values and derivatives by s at an end of a path, up to a level. half: half of
+  /// the path's duration [s], which is dt/ds
   EndValues<LaneNumbers> at(const CertifiedInstant& end, Level level, double half) const {
     EndValues<LaneNumbers> values{of(end.values.position)};
     if (level >= Level::velocity) values.first = of(end.values.velocity) * half;
     if (level >= Level::acceleration) values.second = of(end.values.acceleration) * (half * half);
     return values;
   }
-  /// Returns up to which level each of them is solved at both ends.
+  /// Returns the level up to which each of them is solved at both ends.
   std::array<Level, LaneNumbers::count> levels(const CertifiedInstant& a,
                                                const CertifiedInstant& b) const {
     std::array<Level, LaneNumbers::count> all;
@@ -45,15 +46,16 @@ LaneNumbers distance(const Quintic<LaneNumbers>& path, double s, const LaneNumbe
   return abs(value_at(path, LaneNumbers(s)) - q) + radius;
 }
 
-/// Bounds the larger of both distances.
+/// Bounds the larger of the distances at the first and the last end, with all rounding.
 LaneNumbers gap(const Quintic<LaneNumbers>& path, const LaneNumbers& first,
                 const LaneNumbers& last) {
   LaneNumbers size(0);
   for (const LaneNumbers& c : path) size += abs(c);
-  // Horner's rule rounds twice for each degree. Two roundings of s count `degree` times at most.
+  // Horner's rule rounds twice for each degree. The two roundings of s count `degree` times at
+  // most.
   constexpr double rounding = (4 * degree + 2) * unit;
   const LaneNumbers widest = (max(first, last) + rounding * size) * (1 + 8 * unit);
-  return select(is_finite(first + last), widest, INFINITY);  // max() drops what is not a number
+  return select(is_finite(first + last), widest, INFINITY);  // max() may drop a NaN
 }
 
 }  // namespace
@@ -83,8 +85,8 @@ void PathProof::find_paths(const CertifiedInstant& from, const CertifiedInstant&
   }
 }
 
-/// Replaces the path of driven coordinates by Taylor polynomials of their motions, with their
-/// tubes.
+/// Replaces the paths of driven coordinates by Taylor polynomials of their motions, and sets the
+/// radii of their tubes to the remainders.
 void PathProof::find_driven_paths() {
   using Exact = TaylorModel<Compensated<double>, degree>;
   Exact time(span_.middle);

@@ -31,7 +31,8 @@ void ErrorBasis::set(int i, const double* generators, double own) {
   for (int k = 0; k < columns_; ++k) generators_[i * columns_ + k] = generators[k] * scale_[i];
 }
 
-/// Gram–Schmidt with pivoting: the longest column of G first, and so on with what is left of them.
+/// Finds Q by Gram–Schmidt with pivoting: the longest column of G gives the first direction, the
+/// longest of what is left of G the next one.
 void ErrorBasis::find_directions() {
   const int d = size_, n = columns_;
   std::copy_n(generators_.begin(), d * n, rest_.begin());
@@ -53,8 +54,9 @@ void ErrorBasis::find_directions() {
       }
       double length = 0;
       for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
-      // A direction that depends on those before is replaced by the next unit vector. Of one of
-      // them a squared length of 1/d or more is left; of those tried, less than 1/2 in all.
+      // A direction that depends on earlier ones keeps a squared length below 1/(2 d): the next
+      // unit vector replaces it. One is found, since the squared lengths that all d unit vectors
+      // keep sum up to d − s ≥ 1, those of rejected ones to less than 1/2.
       again = length * (2 * d) < 1 && unit < d;
       length = again ? 1 : 1 / std::sqrt(length);
       for (int i = 0; i < d; ++i)

@@ -11,6 +11,7 @@ namespace desmo {
 
 namespace {
 
+/// Returns a number as an interval about its leading double.
 LaneInterval about_double(const Compensated<LaneNumbers>& x) { return {x.value, rest_of(x)}; }
 
 bool is_some(const Compensated<LaneNumbers>& x) {

@@ -9,7 +9,7 @@ namespace desmo {
 
 template <class Kind>
 struct PathEquations::FunctionsOf {
-  /// Operands and constants of a constraint in a scalar.
+  /// Operands and constants of a constraint in the scalar S.
   template <class S>
   struct Arguments {
     std::array<const S*, Kind::operand_sizes.size()> x;
@@ -59,7 +59,7 @@ PathEquations::PathEquations(const Model& m, const BlockBatch& batch)
   const BlockShape& shape = batch.equations.shape();
   for (const BlockShape::Object& o : shape.objects) add(o);
   for (int i = 0; i < shape.states(); ++i) {
-    // Linear equations read no others.
+    // A block of linear equations never reads unread states.
     if (shape.columns[i] >= 0 || (shape.linear && shape.columns[i] == BlockShape::unread)) continue;
     FixedState made{i, {}};
     for (int lane = 0; lane < LaneNumbers::count && shape.columns[i] == BlockShape::fixed; ++lane) {

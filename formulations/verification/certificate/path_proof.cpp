@@ -40,7 +40,7 @@ PathProof::PathProof(const Model& m, const Certifier& certifier)
   preconditioner_.resize(n, width);
 }
 
-/// Takes the paths and errors that a batch reads.
+/// Takes the paths, gaps and errors of a batch's states.
 void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
@@ -80,7 +80,7 @@ void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
   for (int j = n; j < shape.width(); ++j) slopes_[b.locals[j]].rest += errors_[j - n];
 }
 
-/// Makes Φ − (1 − t) Φ₀ of Φ along the path.
+/// Subtracts (1 − t) Φ₀ from Φ along the path.
 void PathProof::add_homotopy(const BlockBatch& b) {
   Value time(span_.middle), one(1);
   time.c[1] = span_.half;
@@ -91,7 +91,7 @@ void PathProof::add_homotopy(const BlockBatch& b) {
   }
 }
 
-/// Bounds −Y Φ − Y Φ_h δ for all s.
+/// Bounds |Y Φ + Y Φ_h δ| for all s.
 void PathProof::find_image(const BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns, m = shape.inputs;
@@ -112,7 +112,7 @@ void PathProof::find_image(const BlockBatch& b, const PathEquations& equations) 
   }
 }
 
-/// Bounds (I − Y Φ_φ(X)) X for the radii of X.
+/// Bounds |(I − Y Φ_φ(X)) X| for the radii of X.
 void PathProof::contract(BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
@@ -124,13 +124,13 @@ void PathProof::contract(BlockBatch& b, const PathEquations& equations) {
   for (int i = 0; i < n; ++i) contracted_[i] *= 1 + b.rounding;
 }
 
-/// Returns in which lanes the tube of the batch is proven, and writes its radii there.
+/// Returns in which lanes the tubes of a batch are proven, and writes their radii.
 LaneMask PathProof::prove(BlockBatch& b, const PathEquations& equations) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
   gather(b, equations);
   if (!shape.linear) {
-    equations.jacobian(slopes_.data(), b.jacobian);  // with the inputs' errors, and X of no width
+    equations.jacobian(slopes_.data(), b.jacobian);  // with the inputs' errors δ, and X = 0
     preconditioner_.find(shape, b.jacobian.mid.data(), LaneMask::all());
   }
   y_ = shape.linear ? &b.constant : &preconditioner_;

@@ -12,13 +12,13 @@ namespace desmo {
 
 namespace {
 
-/// Returns the smallest number in some lanes.
+/// Returns the smallest number in the given lanes.
 double smallest(const LaneNumbers& x, LaneMask lanes) {
   const LaneNumbers y = select(lanes, x, INFINITY);
   return std::min(std::min(y[0], y[1]), std::min(y[2], y[3]));
 }
 
-/// Gauss–Jordan elimination of row k and column k, in place.
+/// Makes step k of an inversion by Gauss–Jordan elimination, in place.
 template <int N>
 void eliminate(LaneNumbers* a, int size, int k) {
   const int n = N > 0 ? N : size;
@@ -47,8 +47,8 @@ void Preconditioner::resize(int n, int m) {
   single_.resize(n);
 }
 
-/// Finds Y with pivots that these lanes share. An entry counts by its ratio to its row, in the lane
-/// where that is least.
+/// Finds Y with pivots that these lanes share. Each pivot maximises |entry| / largest entry of its
+/// row, where the lane with the smallest ratio counts.
 template <int N>
 void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
   const int n = N > 0 ? N : s.unknowns;
@@ -76,7 +76,7 @@ void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, La
     }
     eliminate<N>(a, n, k);
   }
-  // Columns go to their places, after rows were exchanged.
+  // Rows were exchanged, so columns of the inverse are exchanged back.
   for (int k = n; k-- > 0;)
     if (rows_[k] != k)
       for (int i = 0; i < n; ++i) std::swap(a[i * n + k], a[i * n + rows_[k]]);
@@ -108,7 +108,7 @@ void Preconditioner::invert_three(const BlockShape& s, const LaneNumbers* jacobi
     for (int j = 0; j < 3; ++j) inverse[3 * j + i] = cofactor(i, j) * scale;
 }
 
-/// Finds |D − Y c| for a column c of Φ_q, with so many entries. D has a 1 in row `one`, else zeros.
+/// Finds |d − Y c| for a column c of Φ_q with Count entries. d has a 1 in row `one`, else zeros.
 template <int N, int Count>
 void Preconditioner::multiply(const int* rows, const int* entries, const LaneNumbers* jacobian,
                               int size, int one, LaneNumbers* to, int stride) const {
@@ -127,7 +127,8 @@ void Preconditioner::multiply(const int* rows, const int* entries, const LaneNum
   if (one < n) to[one * stride] = product(one, 1);
 }
 
-/// Finds |D − Y C| for columns C of Φ_q, from `first` on. D is I, or 0 from the inputs on.
+/// Finds |D − Y C| for the columns first … last − 1 of Φ_q. D is I in the columns of unknowns, 0 in
+/// those of inputs.
 template <int N>
 void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, int first, int last,
                               LaneNumbers* to) const {
@@ -189,7 +190,7 @@ void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, Lane
   if (s.unknowns > 1) {
     LaneNumbers worst(0);
     for (int i = 0; i < s.unknowns * s.unknowns; ++i) worst += remainder[i];
-    // Below this bound the remainder changes a first X by less than a unit.
+    // Below it, |I − Y Φ_φ| takes a first X, of about first_trial, to less than one roundoff.
     constexpr double good = Interval::unit / first_trial;
     const LaneMask poor = lanes & !less(worst, good);
     if (poor.any()) {

@@ -12,14 +12,14 @@ namespace desmo {
 
 namespace {
 
-/// Largest share of the bounds that a pass leaves while Newton's method converges. A pass takes
-/// errors e to c e² (curvature c). Their proof needs 16 c e < 1, so less than e/16 is left. Bounds
-/// are of second order in e: less than 1/256 of them is left. Bounds that fall less are rounding.
+/// Share of the last pass' bounds below which Newton's method still converges. A pass takes errors
+/// e to c e² (curvature c). Their proof needs 16 c e < 1, so less than e/16 is left. Bounds are of
+/// second order in e, so less than 1/256 of them is left. Bounds that fall less are rounding.
 constexpr double max_left = 1.0 / 256;
 
 constexpr int count = LaneNumbers::count;
 
-/// Returns four numbers, zeros after the last one.
+/// Returns four numbers from `first` on, with zeros beyond the end of x.
 LaneNumbers four(std::span<const double> x, std::size_t first) {
   if (first + count <= x.size()) return LaneNumbers::load(&x[first]);
   LaneNumbers some(0);
@@ -27,7 +27,7 @@ LaneNumbers four(std::span<const double> x, std::size_t first) {
   return some;
 }
 
-/// Returns the numbers that are finite, zeros for others.
+/// Returns the numbers with 0 in place of those that are not finite.
 LaneNumbers finite(const LaneNumbers& x) { return select(is_finite(x), x, 0); }
 
 double largest(const LaneNumbers& x) { return std::max({x[0], x[1], x[2], x[3]}); }
@@ -62,15 +62,15 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     result_.last = c;
     add_corrections(c);
     if (!c.proven) continue;
-    if (!result_.proven) left = max_passes;  // an instant that was far off has yet to settle
+    if (!result_.proven) left = max_passes;  // an instant that was far off has yet to converge
     const PerLevel<Digits> now = digits(c);
-    // Each level counts by itself: where a motion rests, rates are nothing but rounding.
+    // Each level keeps its own best pass: where a motion rests, rates are mere rounding.
     bool converges = false, is_right = true;
     double before = 0;
     for (const Level level : levels_) {
       is_right &= now[level].open <= 1;
       before = std::max(before, now[level].before);
-      // Sizes of rates fall, too, where a motion rests: what counts is the error itself.
+      // Compares errors themselves, not errors over sizes: sizes of rates shrink, too, at rest.
       double share = result_.proven ? 1 : 0;
       for (const int kind : {0, 1})
         if (least[level][kind] > 0) share *= now[level].rest[kind] / least[level][kind];
@@ -82,7 +82,8 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
     }
     result_.proven = true;
     if (is_right) break;
-    // Another pass takes off an amount of second order in the errors. Is it seen in the last digit?
+    // With errors of `before` units, another pass changes (κ before)² u units. It is worth its time
+    // above half a unit.
     const double second = c.condition * before;
     if (converges && second * second * Interval::unit > 0.5) continue;
     if (sets == ErrorSets::bases || !certifier_.has_long_chains()) break;
@@ -95,8 +96,8 @@ const RefinedInstant& Refinement::refine(const Instant& instant) {
   return result_;
 }
 
-/// Adds the corrections, and finds radii of the sums: what corrections leave, and the rounding of
-/// the sum, which is known exactly.
+/// Adds the corrections and finds the radii of the sums: what corrections leave, plus the rounding
+/// of the sum, which is known exactly (Knuth).
 void Refinement::add_corrections(const Certificate& c) {
   for (const Level level : all_levels) {
     const double *correction = c.correction[level].data(), *rest = c.rest[level].data();
@@ -112,8 +113,8 @@ void Refinement::add_corrections(const Certificate& c) {
   }
 }
 
-/// Returns the errors at each level. A kind that does not move has the size that the other's rates,
-/// or its velocity, give it (Scales).
+/// Returns bounds on the errors at each level, over sizes that are found like Scales: a kind at
+/// rest takes the velocity of the other, and accelerations are at least velocity²/size.
 PerLevel<Refinement::Digits> Refinement::digits(const Certificate& c) const {
   PerLevel<Digits> result{};
   PerLevel<std::array<double, 2>> correction{}, size{};

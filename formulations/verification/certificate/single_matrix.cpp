@@ -13,7 +13,7 @@ constexpr int count = LaneNumbers::count;
 
 int rounded_up(int n) { return (n + count - 1) / count * count; }
 
-/// Adds factor × x to y. size: a multiple of registers.
+/// Adds factor × x to y. size: a multiple of LaneNumbers::count.
 void add_product(double factor, const double* x, int size, double* y) {
   const LaneNumbers f(factor);
 #pragma GCC unroll 4
@@ -71,7 +71,7 @@ void SingleMatrix::invert(const BlockShape& s, const LaneNumbers* jacobian) {
 }
 
 void SingleMatrix::write_inverse(LaneNumbers* to) {
-  // The exchange of rows has changed the order of columns.
+  // Rows were exchanged, so columns of the inverse are in another order.
   std::iota(order_.begin(), order_.begin() + n_, 0);
   for (int k = n_; k-- > 0;) std::swap(order_[k], order_[pivots_[k]]);
   const int n = n_, stride = stride_, *const order = order_.data();

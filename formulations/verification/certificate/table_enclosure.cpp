@@ -10,7 +10,8 @@ namespace desmo {
 
 namespace {
 
-/// Knots on one side that are looked at: steps of a motion pass fewer.
+/// Maximum number of knots on one side within the distance; with more, radii are infinite. Steps of
+/// a motion pass fewer.
 constexpr int max_knots = 16;
 
 struct Table {
@@ -19,11 +20,11 @@ struct Table {
   bool repeats = number(1).value != 0;
   Derived length = number(3 + pieces) - number(3);
 
-  /// Returns where a knot is, seen from an argument.
+  /// Returns a knot, `turns` lengths of the table on, minus an argument.
   Derived distance(int knot, double turns, double at) const {
     return number(3 + knot) + length * turns - at;
   }
-  /// Returns a piece as a polynomial of the distance from an argument.
+  /// Returns the coefficients of a piece, `turns` lengths on, as a polynomial about an argument.
   std::array<Derived, 4> about(int piece, double turns, double at) const {
     const Derived t = -distance(piece, turns, at);
     const auto c = [&](int k) { return number(4 + pieces + 4 * piece + k); };
@@ -33,7 +34,8 @@ struct Table {
   }
 };
 
-/// Adds to radii what two polynomials differ by, and their derivatives, within a distance.
+/// Raises radii k to at least |f⁽ᵏ⁾|/k! within a distance of 0, where f is the difference of two
+/// polynomials.
 void add_difference(const std::array<Derived, 4>& a, const std::array<Derived, 4>& b,
                     double distance, std::array<double, 4>& radii) {
   constexpr int binomial[4][4] = {{1, 1, 1, 1}, {0, 1, 2, 3}, {0, 0, 1, 3}, {0, 0, 0, 1}};
