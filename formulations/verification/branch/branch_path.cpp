@@ -39,8 +39,8 @@ void BranchPath::keep(const RefinedInstant& r) {
   worst_conditioned_ = r.last.worst_conditioned;
 }
 
-/// Rates that an instant does not have are found first: they are linear, so corrections lead to
-/// them from anywhere.
+/// Finds rates that the instant does not have from zeros: their equations are linear, so that
+/// corrections lead to them from anywhere.
 bool BranchPath::start_at(const CertifiedInstant& instant) {
   bool complete = true;
   for (const Level level : all_levels) {
@@ -66,7 +66,7 @@ bool BranchPath::start_at(const CertifiedInstant& instant) {
   return refined.proven;
 }
 
-/// Finds the solution near Taylor's polynomial of the present instant.
+/// Finds the solution at a time by corrections from Taylor's polynomial about the present instant.
 const RefinedInstant& BranchPath::predict(double time) {
   const double h = time - present_.time;
   const auto& [q, qd, qdd] = memory_.values;
@@ -93,7 +93,7 @@ PathCertificate BranchPath::prove(const CertifiedInstant& to) {
   return c;
 }
 
-/// Returns that time, or the first knot on the way there.
+/// Returns `time`, or the first knot on the way there from the present time.
 double BranchPath::up_to_knot(double time) const {
   while (const std::optional<double> knot =
              first_knot(m_, std::min(time, present_.time), std::max(time, present_.time)))
@@ -114,8 +114,8 @@ FollowedStep BranchPath::follow(const CertifiedInstant& to) { return go(to.time,
 
 FollowedStep BranchPath::go_to(double time) { return go(time, nullptr); }
 
-/// to: the instant at that time; null: there is none. Each turn of the loop costs a test of the
-/// budget or halves the step.
+/// Goes to a time. to: the instant there; null: none. Each turn of the loop costs a test of the
+/// budget or halves the step, so it ends.
 FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   FollowedStep result;
   if (time == present_.time) {
@@ -126,7 +126,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   double step = time - present_.time;
   const double shortest = std::abs(step) * Interval::unit;
   StepGrowth growth;
-  bool tries_whole = to != nullptr;  // no sub-step yet: the instant is what is to be tested
+  bool tries_whole = to != nullptr;  // the step straight to the instant is not tested yet
   while (result.tests < budget_ && std::abs(step) > shortest &&
          present_.time + step != present_.time) {
     const double left = time - present_.time;
@@ -137,7 +137,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       result.group = c.group;
       if (c.proven) {
         ++result.sub_steps;
-        // Rates of a proven instant may be lost in rounding: then no step begins there.
+        // Missing rates may be lost in rounding. Then the step counts as stuck where it began.
         if (start_at(*to)) result.end = PathEnd::same;
         result.time = present_.time;
         return result;
@@ -158,7 +158,8 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     } else {
       result.group = found.last.group;
     }
-    // If both ends may be the same solution, the last sub-step was too long to tell them apart.
+    // The step to the instant failed, but the end that was found may be the same solution: the last
+    // sub-step was too long to tell.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
       growth.failed();
       step = (next - present_.time) / 2;
@@ -176,7 +177,7 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
   }
   result.time = present_.time;
   result.out_of_tests = result.tests >= budget_;
-  // What is nearly singular spoils what is solved after it, and that may fail first.
+  // A nearly singular group spoils later ones, whose proofs may fail before its own.
   if (worst_conditioned_ != no_position) result.group = std::min(result.group, worst_conditioned_);
   return result;
 }

@@ -12,50 +12,52 @@
 
 namespace desmo {
 
-/// Returns a refined instant that is proven as a certified one in the same memory. levels: up to
-/// which each coordinate is solved (CertifiedInstant).
+/// Returns a view of a refined instant, which must be proven, as a certified instant. levels: level
+/// up to which each coordinate is solved (CertifiedInstant::levels).
 inline CertifiedInstant certified(const RefinedInstant& r, std::span<const Level> levels = {}) {
   return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position, levels};
 }
 
-/// The one follower of paths: goes from a proven instant along the motion, in steps that are all
-/// proven (PathProof), and says whether an instant lies on it. Sub-steps need no formulation: the
-/// corrections of certificates (Refinement) lead from Taylor's polynomial to the solution.
+/// Follower of a motion from a proven instant, in steps that are all proven (PathProof). It says
+/// whether an instant lies on the motion. Sub-steps need no formulation: the corrections of
+/// certificates (Refinement) lead from Taylor's polynomial to the solution.
 ///
 ///   BranchPath path(model);
-///   path.start_at(first);                                   // a refined instant
+///   path.start_at(first);                                   // certified instants
 ///   if (path.follow(next).end == PathEnd::other) …          // the step has jumped
 class BranchPath {
  public:
   static constexpr int max_tests = 10000;
 
-  /// budget: path proofs of one step, after which it counts as stuck. The model must outlive this.
+  /// budget: maximum number of path proofs in one call of follow() or go_to(), after which it is
+  /// stuck. The model must outlive this object.
   explicit BranchPath(const Model& model, int budget = max_tests);
   explicit BranchPath(const Model&& model, int budget = max_tests) = delete;
 
-  /// Asks about each step that is proven. Where the answer is false, shorter ones are taken.
+  /// Sets a function that is asked about each proven step. If it returns false, the step counts as
+  /// unproven, and shorter ones are tried.
   void ask_about_steps(std::function<bool(const PathProof&)> is_accepted) {
     is_accepted_ = std::move(is_accepted);
   }
 
-  /// Begins at a copy of an instant. Trusts one that has all rates, else proves it and finds them.
-  /// Returns whether that succeeds.
+  /// Begins at a copy of an instant. Trusts an instant with all rates; else finds and proves the
+  /// missing ones. Returns whether that succeeds.
   bool start_at(const CertifiedInstant& instant);
 
-  /// Goes to the time of an instant, later or earlier. The next step begins there: at the instant
-  /// if that continues the motion, else at the end that was found; where the motion is stuck, at
-  /// the last proven instant. At the present time it says whether the instant is the present one.
+  /// Goes to the time of an instant, later or earlier. Then present() is the instant (`same`), the
+  /// end of the motion at that time (`other`), or the last proven instant (`stuck`). An instant at
+  /// the present time is `same` if its box meets that of present().
   FollowedStep follow(const CertifiedInstant& to);
-  /// Goes to another time, where present() then is (`same`), or as far as the motion leads
-  /// (`stuck`).
+  /// Goes to another time (`same`), or as far as the motion leads (`stuck`).
   FollowedStep go_to(double time);
 
-  /// Returns whether positions lie in the tube of the last step, which was proven at the first try,
-  /// or no farther from it than so many tolerances (coordinates).
+  /// Returns whether |q − centre| ≤ radius + count × tolerance of each coordinate, with the tube of
+  /// the last step at a time [s]. That step must have been proven at the first try.
+  /// - q, tolerances: (coordinates)
   bool contains(double time, std::span<const double> q, std::span<const double> tolerances,
                 double count) const;
 
-  /// Returns the instant where the next step begins, up to its accelerations.
+  /// Returns the instant where the next step begins, with all rates.
   const CertifiedInstant& present() const { return present_; }
 
  private:
@@ -68,11 +70,11 @@ class BranchPath {
   const Model& m_;
   const int budget_;
   Refinement refinement_;
-  PathProof path_;  // shares its blocks
+  PathProof path_;  // shares the blocks of refinement_
   std::function<bool(const PathProof&)> is_accepted_;
   InstantCopy memory_;
-  CertifiedInstant present_;                 // what is in memory
-  GroupId worst_conditioned_ = no_position;  // there, if it is known
+  CertifiedInstant present_;                 // view of memory_
+  GroupId worst_conditioned_ = no_position;  // group of the worst condition number at present_
   InstantCopy predicted_;
 };
 

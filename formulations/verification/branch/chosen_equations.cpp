@@ -13,10 +13,10 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Least ratio of the smallest pivots, new over old, at which other equations are taken.
+/// Other equations are taken if their smallest pivot is more than this times that of the kept ones.
 constexpr double better = 1.5;
 
-/// Rows of a group in the order of their pivots, and the pivot of the last one needed.
+/// Rows of a group in the order of their pivots, and the pivot of the last row that is needed.
 struct RankedRows {
   Eigen::VectorXi order;
   double last;

@@ -7,18 +7,17 @@
 
 namespace desmo {
 
-/// Chooses anew which equations groups keep that have more than they need. Modelling chooses them
-/// once, and they may become dependent at single positions where all equations are not: Bennett's
-/// linkage folded.
+/// Chooses anew which equations to keep in groups that have more equations than unknowns. Modelling
+/// chooses them once. At single positions the kept ones may be dependent although all equations
+/// together have full rank, as in Bennett's linkage when it is folded.
 ///
-/// Returns the model with equations that are independent of each other at positions q
-/// (coordinates), those that differ most first (QR with pivoting of each group's scaled Jacobian).
-/// A group keeps its equations where others are hardly better. Null: all do, or have no others.
-/// Dense in each group that has.
+/// Returns the model with the equations that QR with column pivoting picks first, from each group's
+/// scaled Jacobian at positions q (coordinates). A group changes its equations only if the smallest
+/// pivot grows more than 1.5-fold. Returns null if no group changes. The Jacobian of each such
+/// group is dense.
 std::unique_ptr<const Model> with_chosen_equations(const Model& model, std::span<const double> q);
 
-/// Returns whether a group that moves has equations that were left out, not counting those between
-/// constants.
+/// Returns whether a group that moves has left-out equations, other than those between constants.
 bool has_other_equations(const Model& model);
 
 }  // namespace desmo

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns the time between one inside and one away at which drivers begin to be away.
+/// Bisects the times from `inside`, where is_away is false, to `away`, where it is true. Returns
+/// the end of the change.
 double first_away(double inside, double away, const auto& is_away) {
   for (int i = 0; i < 64; ++i) {
     const double middle = inside + (away - inside) / 2;
@@ -35,8 +36,8 @@ PerLevel<std::vector<double>> drivers_at(const Model& m, double time) {
   return z;
 }
 
-/// Doubles steps from each knot on, since drivers that rest there depart as a power of time; so
-/// they end at infinity.
+/// Doubles steps from each knot on, since drivers that rest there depart as a power of time.
+/// Doubled steps also reach infinity, where the search ends.
 double Departure::time_at(double distance) const {
   const auto is_away = [&](double t) {
     return line_.distance(drivers_at(m_, t).position, 0) >= distance;
@@ -75,7 +76,7 @@ double Departure::turn_after(double time, double until) const {
 bool Departure::has_corner(double near, double far) const {
   if (line_.count() == 1) return false;
   const double first = time_at(near), second = time_at(far);
-  if (second == infinity) return true;  // there is too little to see
+  if (second == infinity) return true;  // the path is too short to tell
   const std::vector<double> z = drivers_at(m_, first).position,
                             far_off = drivers_at(m_, second).position;
   double rounding = 0;

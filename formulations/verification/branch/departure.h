@@ -10,26 +10,27 @@ namespace desmo {
 /// Returns the drivers' values and rates at a time [s].
 PerLevel<std::vector<double>> drivers_at(const Model& model, double time);
 
-/// The motion of a line's drivers as it leaves the line's origin. Knots are those of all drivers.
-/// Distances are in the unit of arc.
+/// The motion of the drivers as it leaves the origin of a line. Only the line's drivers count.
+/// Distances are in the unit of the line's arc.
 class Departure {
  public:
-  /// start: of the motion [s]: where the drivers are at the origin. Model and line must outlive
-  /// this.
+  /// start: time at which the drivers are at the line's origin [s]. Model and line must outlive
+  /// this object.
   Departure(const Model& model, const DriverLine& line, double start)
       : m_(model), line_(line), start_(start) {}
 
-  /// Returns about the first time at which the drivers are so far away; infinity where they never
-  /// are.
+  /// Returns about the first time [s] at which the drivers are at least `distance` away from the
+  /// origin; infinity if they never are.
   double time_at(double distance) const;
 
-  /// Returns about the time after `time` at which one of the drivers first turns back; `until`
-  /// where none does before it. Steps are doubled: a turn and its return between two of them are
-  /// not seen.
+  /// Returns about the first time after `time` at which one of the drivers turns back; `until` if
+  /// none does before. Looks at doubled steps: a turn and its return between two of them are not
+  /// seen.
   double turn_after(double time, double until) const;
 
-  /// Returns whether the drivers' path fails to be tangent to the line at the origin, or the
-  /// drivers never reach the distance `far`. near < far: distances at which the path is looked at.
+  /// Returns whether the path of several drivers is not tangent to the line at the origin: beyond
+  /// rounding, its angle to the line at the distance `near` is more than half of that at `far` >
+  /// `near`. Also returns true if they never reach `far`. A single driver has no corner.
   bool has_corner(double near, double far) const;
 
  private:

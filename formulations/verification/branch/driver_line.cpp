@@ -14,8 +14,8 @@ std::vector<double> of_drivers(const Model& m, std::span<const double> coordinat
   return result;
 }
 
-/// Returns which drivers a group depends on, by what its equations and those of groups before it
-/// read.
+/// Returns for each driver whether a group depends on it: whether the equations of the group, or
+/// those of groups that it needs, read it.
 std::vector<bool> drivers_of(const Model& m, GroupId group) {
   std::vector<bool> is_needed(m.groups.size()), is_read(m.entities.size());
   is_needed[group] = true;

@@ -13,9 +13,9 @@ namespace desmo {
 namespace {
 
 constexpr double last_digit = 2 * 0x1p-53;        // relative, of a number of the file
-constexpr double stated_digits = 3 * last_digit;  // of a product or ratio of three of them
+constexpr double stated_digits = 3 * last_digit;  // relative, of a product or ratio of three
 
-/// Covers the second order, and rounding of radii.
+/// Factor that covers terms of second order and the rounding of radii.
 constexpr double above = 1 + 0x1p-20;
 
 template <class Kind>
@@ -28,7 +28,7 @@ class VariedDrawing {
  public:
   explicit VariedDrawing(const Model& m) : m_(m), state_(m.state_size()) {
     for (const Entity& e : m.entities) {
-      // A component of a direction varies with the others, which its length is made of.
+      // Directions are divided by their lengths, so that each component varies with the others.
       const double direction = e.kind == EntityKind::vector ? last_digit : 0;
       const int first = m_.state_index(static_cast<EntityId>(&e - m.entities.data()));
       for (int i = 0; i < e.size; ++i) {
@@ -41,7 +41,7 @@ class VariedDrawing {
 
   double radius(int state) const { return state_[state].radius; }
 
-  /// Adds to the radii of a constraint's dimensions, or to those of its rows.
+  /// Widens the dimensions of a constraint, or sets the slack of its rows.
   void vary(Constraint& c) const {
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       if constexpr (has_table<Kind>) {
@@ -56,7 +56,7 @@ class VariedDrawing {
   }
 
  private:
-  /// Lets a direction vary with the ends of a line along which it points.
+  /// Lets a direction vary with the two points that it is measured from.
   void vary_line(const Constraint& c) {
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       if constexpr (Kind::linear && Kind::constants == 1 && is_measured<Kind>) {
@@ -71,8 +71,9 @@ class VariedDrawing {
     });
   }
 
-  /// Dimensions vary with what they are measured between. Those that the drawing does not have come
-  /// from a stated length or a frame: they are products or ratios of up to three more numbers.
+  /// Widens dimensions by the variation of the operands that they are measured between. Dimensions
+  /// that differ from the drawing's come from a stated length or a frame: they are products or
+  /// ratios of up to three more numbers.
   template <class Kind>
   void vary_dimensions(Constraint& c) const {
     std::array<Derived, Kind::constants> drawn;
@@ -88,9 +89,9 @@ class VariedDrawing {
     }
   }
 
-  /// Factors of a linear kind vary with all that is in it. A body carries what that leaves of Φ
-  /// along, turned: each row may be off by its length. Radii of the factors themselves would be
-  /// multiplied by how far points are from the origin.
+  /// Sets the slack of a linear kind, whose factors vary with its operands. What the variation
+  /// leaves of Φ is a vector that turns with the body: each row may be off by its length. (Radii of
+  /// the factors themselves would be multiplied by the distance of points from the origin.)
   template <class Kind>
   void vary_rows(Constraint& c) const {
     const auto x = operands_of<Kind>(m_, c, state_.data());
@@ -109,13 +110,13 @@ class VariedDrawing {
     c.slack.assign(Kind::rows, radius * above);
   }
 
-  /// The equation of a table may be off by what the digits of its arguments and values make up.
+  /// Sets the slack of a table's equation to what the digits of its arguments and values make up.
   template <class Kind>
   void vary_table(Constraint& c) const {
     const std::vector<Derived>& numbers = c.constants;
     const auto size = [&](std::size_t k) { return std::abs(numbers[Kind::table + k].value); };
     const auto pieces = static_cast<std::size_t>(numbers[Kind::table].value);
-    double largest = 0;  // of f
+    double largest = 0;  // |value of the table| + |slope × argument|, at knots
     for (std::size_t i = 0; i < pieces; ++i) {
       const std::size_t first = 4 + pieces + 4 * i;
       largest =

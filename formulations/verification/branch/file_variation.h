@@ -4,13 +4,13 @@
 
 namespace desmo {
 
-/// Returns a model whose derived numbers stand for those of every mechanism that rounds to the same
-/// file: radii of dimensions, rows and fixed values hold what becomes of them when each number of
-/// the file varies by its last digit (u times itself when it is read, and again when it is turned
-/// into metres). Values and corrections are unchanged. A model's estimate is its drawing, at which
-/// dimensions are measured anew. They vary each by itself, although they come from the same points.
+/// Returns a model that encloses every mechanism that rounds to the same file. Each number of the
+/// file varies by its last digit: by u times itself when it is read, and again when it is turned
+/// into metres. The radii of dimensions and fixed values, and Constraint::slack of rows, grow by
+/// what that makes of them; values and corrections are unchanged. Dimensions are measured anew at
+/// the estimate, which is the drawing. Each varies by itself, although they share points.
 ///
-/// Not varied are motions, and zeros outside directions.
+/// Motions do not vary, nor do zeros outside directions.
 Model with_file_variation(const Model& model);
 
 }  // namespace desmo

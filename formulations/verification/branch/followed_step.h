@@ -6,8 +6,8 @@ namespace desmo {
 
 /// End of a followed motion.
 enum class PathEnd {
-  same,   ///< in the instant that was handed in
-  other,  ///< at its time, but elsewhere: the instant is on another branch
+  same,   ///< at the time that was asked for, in the instant that was handed in, if one was
+  other,  ///< at that time, but elsewhere: the instant is on another branch
   stuck,  ///< before it: the motion locks, passes a singular position, or takes too many tests
 };
 
@@ -17,7 +17,7 @@ struct FollowedStep {
   int tests = 0;                ///< path proofs
   int sub_steps = 0;            ///< 1: the step was proven at the first try
   double time = 0;              ///< of the last proven instant [s]
-  GroupId group = no_position;  ///< stuck: where the last test failed
+  GroupId group = no_position;  ///< stuck: of the last failed proof, or nearly singular before
   bool out_of_tests = false;    ///< stuck: the budget ended; a smaller step may lead on
 };
 
