@@ -21,8 +21,9 @@ using Number = Compensated<double>;
 
 constexpr int degree = 5;  // of a step's path
 
-/// Places on a step, of s, where misfits are looked for. Nearer to its ends, which are instants, a
-/// choice of other equations would be called for where a step only begins or ends.
+/// Values of s in a step at which misfits are looked for. check() looks at the ends, which are
+/// instants. Right next to them a misfit would call for other equations although the step only
+/// begins or ends there.
 constexpr std::array looks{-0.875, -0.75, -0.625, -0.5, -0.375, -0.25, -0.125, 0.,
                            0.125,  0.25,  0.375,  0.5,  0.625,  0.75,  0.875};
 
@@ -34,7 +35,7 @@ std::vector<Equation> left_out_of(const Model& m) {
   return all;
 }
 
-/// Evaluates Φ of an equation in a scalar. coordinate(i): coordinate i in that scalar.
+/// Evaluates Φ of an equation in the scalar S. coordinate(i): coordinate i in S.
 template <class S>
 S value_of(const Model& m, const Equation& equation, const auto& coordinate) {
   const Constraint& c = m.constraints[equation.constraint];
@@ -75,8 +76,8 @@ LeftOutEquations::LeftOutEquations(const Model& m) : m_(m), equations_(left_out_
   state_ = m.state_of(m.estimate);
 }
 
-/// Returns an interval that holds Φ of an equation for all dimensions of the model and all
-/// positions within their radii.
+/// Returns an interval that holds Φ of an equation for all dimensions of the varied model and all
+/// positions within `radius` of q.
 Interval LeftOutEquations::residual(const Equation& equation, std::span<const double> q,
                                     std::span<const double> radius) const {
   Interval phi = value_of<Number>(varied_, equation, [&](int i) {
@@ -123,7 +124,8 @@ bool LeftOutEquations::look_along(const PathProof& step) {
   using Path = TaylorModel<double, degree>;
   go_to(step, 0);
   for (std::size_t i = 0; i < equations_.size(); ++i) {
-    if (is_constant(m_, m_.constraints[equations_[i].constraint])) continue;  // its ends tell
+    // Equations between constants do not change along a step: check() is enough.
+    if (is_constant(m_, m_.constraints[equations_[i].constraint])) continue;
     const Path phi = value_of<Path>(varied_, equations_[i], [&](int k) {
       Path x;
       x.c = step.path(k);
@@ -138,12 +140,12 @@ bool LeftOutEquations::look_along(const PathProof& step) {
   return true;
 }
 
-/// Lays the positions of a step's path in `state_`.
+/// Sets `state_` to the positions of a step's path at s.
 void LeftOutEquations::go_to(const PathProof& step, double s) {
   for (int k = 0; k < m_.coordinates(); ++k) state_[k] = value_at(step.path(k), s);
 }
 
-/// Returns about where on the path of a step equation i misses by most.
+/// Returns the s among `looks` at which |Φ| of equation i is largest on the path of a step.
 double LeftOutEquations::worst_place(std::size_t i, const PathProof& step) {
   double largest = -1, place = 0;
   for (const double s : looks) {
@@ -154,14 +156,14 @@ double LeftOutEquations::worst_place(std::size_t i, const PathProof& step) {
   return place;
 }
 
-/// Looks at equation i in a point of a step, and notes its misfit. Returns false where it may hold
-/// there: then a shorter step has a tighter enclosure.
+/// Looks at equation i at a point of a step, and notes its misfit, if it has one. Returns false if
+/// a shorter step, whose enclosure is tighter, may tell more.
 bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s) {
   go_to(step, s);
   const std::span<const double> q = std::span(state_).first(m_.coordinates());
   const RefinedInstant& point = refinement_->refine(instant_of(step.time_at(s), {q}));
   if (!point.proven) return false;
-  // Next to a singular position, another one may be near.
+  // Next to a singular position, corrections may lead to another solution.
   for (int k = 0; k < m_.coordinates(); ++k)
     if (!(std::abs(point.instant.q[k] - state_[k]) <= step.radius()[k] + point.radius.position[k]))
       return false;
@@ -172,7 +174,8 @@ bool LeftOutEquations::is_told_at(std::size_t i, const PathProof& step, double s
     note(Between{*misfit, point.instant.time});
     return true;
   }
-  // Digits of a point leave this open; a shorter step does not help.
+  // No misfit is proven at the point. If its own digits leave half of max_misfit open, a shorter
+  // step does not help.
   const Interval phi = residual(equations_[i], point.instant.q, point.radius.position);
   return !(relative(i, phi.magnitude()) <= max_misfit / 2);
 }

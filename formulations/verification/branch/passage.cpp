@@ -13,8 +13,9 @@ namespace desmo {
 
 namespace {
 
-/// Proves the instant of the motion at a time, on the branch to which the line leads, and that the
-/// motion goes on from there to a later time, or up to a point of another group than this one.
+/// Proves the instant of the motion at a time, on the branch to which the line leads. Proves also
+/// that the motion goes on from there to a later time, or far enough that another group is stuck at
+/// a point of its own. Writes point.before and point.first.
 bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, double time,
                   double later, PassedPoint& point) {
   const PerLevel<std::vector<double>> z = drivers_at(m, time);
@@ -38,7 +39,7 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, dou
   BranchPath path(m);
   if (!path.start_at(certified(r))) return false;
   const FollowedStep step = path.go_to(later);
-  // Another group that is stuck far enough from here is at a point of its own.
+  // Another group may be stuck at a point of its own, if that is as far from here again.
   const bool leads_away =
       step.group != group && path.present().time - point.after >= 2 * (time - point.after);
   if (step.end != PathEnd::same && !(group != no_position && leads_away)) return false;
@@ -47,9 +48,10 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, dou
   return true;
 }
 
-/// Returns the model whose tables go on for ever as the pieces do that are read at positions q;
-/// nothing where it has no tables. A knot on a change point, where third derivatives jump, is none
-/// of this model: what continues smoothly here is where the motion goes on to within third order.
+/// Returns the model with each table replaced by its piece at positions q, continued for eight
+/// lengths of the table to both sides; nothing if it has no tables. At a knot on a change point
+/// third derivatives jump, so no continuation is smooth there. The branch that is smooth in this
+/// model agrees with the motion up to second derivatives.
 std::optional<Model> with_tables_continued(const Model& m, std::span<const double> q) {
   constexpr int table = TableCoupling::table, numbers = table + table_size(1);
   std::optional<Model> smooth;
@@ -84,8 +86,8 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
   return smooth;
 }
 
-/// Passes a change point of a model on the branches of another one, which is the same on this side
-/// and smooth.
+/// Passes a change point of model m. The crossing is that of `smooth`, which has the same equations
+/// on this side of the point and no knots there.
 std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const CertifiedInstant& last,
                                 std::span<const double> direction, double start, GroupId group) {
   StraightCrossing crossing(smooth, last, direction, group);
@@ -97,12 +99,13 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
                     .width = crossing.width(),
                     .polynomials = crossing.positions()};
   const Departure departure(m, crossing.line(), start);
-  // Nearest to the point, rates may have too few digits to be proven.
+  // Right next to the point rates may have too few digits to be proven: the distance is doubled
+  // until they are.
   for (double d = std::max(4 * crossing.nearest(), Interval::unit); d < crossing.reach(); d *= 2) {
     const double time = departure.time_at(d);
     if (time == INFINITY) return point;
     if (departure.has_corner(d, crossing.reach())) return {};
-    // Drivers that turn back may be at the point again.
+    // Drivers that turn back may come to the point again: proofs end before they do.
     const double far = departure.time_at(crossing.reach());
     const double later = departure.turn_after(time, far < INFINITY ? far : time + (time - start));
     if (!prove_beyond(m, crossing, group, time, later, point)) continue;
@@ -114,8 +117,8 @@ std::optional<PassedPoint> pass(const Model& m, const Model& smooth, const Certi
 
 }  // namespace
 
-/// Shifts the line to where its other drivers are now, and the polynomials with it: their ends,
-/// which are proven, are led there. Returns whether they can be.
+/// Shifts the line to drivers z in those that are not its own. Leads the two ends of the
+/// polynomials there by proven paths, and joins them anew. Returns whether this is possible.
 bool PassedPoint::move_line_to(std::span<const double> z, StraightPath& path) {
   DriverLine to = line;
   for (std::size_t k = 0; k < z.size(); ++k)
@@ -159,8 +162,8 @@ std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInst
   return pass_change_point(m, last, drivers_at(m, last.time).velocity, last.time, group);
 }
 
-/// Passes a change point with the drivers that `group` depends on. Where they lead to no point
-/// beyond, another group may be singular there, too: then all drivers move.
+/// Passes a change point with the drivers that `group` depends on. If they lead to no instant
+/// beyond, another group may be singular there, too: then tries with all drivers.
 std::optional<PassedPoint> pass_change_point(const Model& m, const CertifiedInstant& last,
                                              std::span<const double> direction, double start,
                                              GroupId group) {

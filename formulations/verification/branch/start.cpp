@@ -22,22 +22,22 @@ namespace {
 using Stage = FoundStart::Stage;
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Makes the equations of a model Newton's homotopy, which begins at the drawing.
+/// Turns the equations of a model into Newton's homotopy from the drawing: Φ₀ = Φ(drawing).
 void begin_at_drawing(Model& m) {
   const std::vector<double> state = m.state_of(m.estimate);
   for (Constraint& c : m.constraints) c.initial_residual = residual_of(m, c, state);
 }
 
-/// Returns the motion from a value, at 0, to that of another motion at a time, at 1, but for whole
-/// turns that are left out.
+/// Returns the motion that is `from` at 0 and, but for whole turns that are left out, motion(time)
+/// at 1.
 Polynomial straight(double from, const Motion& motion, double time, double left_out_turns) {
   using Number = Compensated<double>;
   const Number way = sample(motion, Number(time)).position - Number(from);
   return {{from, {std::fma(-left_out_turns, turn, way.value), {way.correction, way.radius}}}};
 }
 
-/// Returns the angles that are neither driven nor coupled. Equations read them as sines and
-/// cosines, so whole turns do not matter.
+/// Returns the coordinates that are angles neither driven nor coupled. Equations read their sines
+/// and cosines, so whole turns do not matter.
 std::vector<int> free_angles(const Model& m) {
   const std::vector<bool> driven = independent_coordinates(m), coupled = coupled_angles(m);
   std::vector<int> angles;
@@ -48,8 +48,9 @@ std::vector<int> free_angles(const Model& m) {
   return angles;
 }
 
-/// Passes the change point on which the motion begins, if the way of the drivers ends at one.
-/// going: the model with the drivers on that way, of which found.share is proven
+/// Passes the change point on which the motion begins, if the drivers' way from the drawing ends at
+/// one; writes found.point. going: the model with its drivers on that way, which is proven up to
+/// found.share
 void pass_at_start(const Model& m, const Model& going, double time, FoundStart& found) {
   std::vector<double> direction;
   for (const Driver& d : going.drivers) direction.push_back(sample(d.motion, found.share).velocity);
@@ -63,13 +64,13 @@ void pass_at_start(const Model& m, const Model& going, double time, FoundStart& 
   found.point = std::make_shared<PassedPoint>(std::move(*point));
 }
 
-/// Whole turns of the drivers, and those that coordinates make with them.
+/// Whole turns of each driver, and those that each coordinate makes with them.
 struct Turns {
   std::vector<double> of_drivers, of_coordinates;
 };
 
-/// Returns whether a driver goes so far that a step of a radian is lost in the rounding of the
-/// whole way, 1: way × unit > 1 rad. No path ends there, and each step seems to be stuck.
+/// Returns whether an angle goes so far that a step of a radian is lost in the rounding of the time
+/// 1: way × u > 1 rad. A path would be stuck at every step.
 bool is_lost_in_rounding(const Model& going) {
   return std::ranges::any_of(going.drivers, [&](const Driver& d) {
     const double way = sample(d.motion, 0.).velocity;
@@ -78,8 +79,8 @@ bool is_lost_in_rounding(const Model& going) {
   });
 }
 
-/// Leads the drivers from the drawing to their values at a time, but for turns that lead back.
-/// Returns whether it could.
+/// Leads the drivers from the drawing to their values at a time, without the turns left out.
+/// Returns whether that is proven.
 bool lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart& found) {
   Model going = m;
   for (std::size_t d = 0; d < m.drivers.size(); ++d) {
@@ -102,15 +103,15 @@ bool lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart
   return true;
 }
 
-/// Brings free angles near others.
+/// Changes free angles by whole turns, to within half a turn of `others`.
 void take_nearest_turns(const Model& m, std::span<const double> others, std::span<double> q) {
   for (const int i : free_angles(m)) q[i] -= turn * std::round((q[i] - others[i]) / turn);
 }
 
-/// Returns whether turns of the drivers lead back to where they begin; then further ones do so,
-/// too. Adds the turns that coordinates make in all of them.
-/// - signs: 1 or −1, of the drivers that turn; 0
-/// - count: number of turns
+/// Returns whether one turn of some drivers leads back to where it begins; then further turns do,
+/// too. Adds the whole turns that coordinates make in all of them.
+/// - signs: direction of each driver's turn, 1 or −1; 0: it rests
+/// - count: number of turns in all
 bool add_turns(const Model& m, const std::vector<double>& signs, double count,
                const FoundStart& nominal, std::vector<double>& of_coordinates) {
   Model going = m;
@@ -130,7 +131,8 @@ bool add_turns(const Model& m, const std::vector<double>& signs, double count,
 }
 
 /// Returns the whole turns of drivers on the way to their values at a time, if these lead back to
-/// where they begin: together where all make as many, else those of each driver by itself.
+/// where they begin. Turns of all drivers at once are tried if all have the same number, else those
+/// of each driver by itself.
 std::optional<Turns> turns_that_lead_back(const Model& m, double time, const FoundStart& nominal) {
   Turns all{std::vector<double>(m.drivers.size()), std::vector<double>(m.coordinates())};
   std::vector<double> signs(m.drivers.size());
@@ -159,8 +161,8 @@ std::optional<Turns> turns_that_lead_back(const Model& m, double time, const Fou
   return all;
 }
 
-/// Returns whether a driver makes so many turns that a path has too few tests for: a step is hardly
-/// longer than a radian.
+/// Returns whether a path has too few tests for a driver's turns: way > max_tests / 6 turns. A step
+/// is hardly longer than a radian, a sixth of a turn.
 bool has_too_many_turns(const Model& m, double time) {
   constexpr double max_turns = BranchPath::max_tests / 6.;
   return std::ranges::any_of(m.drivers, [&](const Driver& d) {
@@ -177,8 +179,8 @@ FoundStart find_start(const Model& m, double time) {
   Model at_drawing = m;
   for (Driver& d : at_drawing.drivers)
     d.motion = Polynomial{{m.estimate[m.entities[d.coordinate].first]}};
-  // A certificate of the drawing proves all of the homotopy. Its X is symmetric about the drawing,
-  // and the homotopy's image is the certificate's with λ times the centre, which is inside, too.
+  // If the drawing has a certificate, no homotopy is needed: the same test proves all of it. X is
+  // symmetric about the drawing, and the homotopy's image, with λ times the centre, is inside, too.
   const Certificate drawing = Certifier(at_drawing).certify({0, 0, found.q, {}, {}});
   if (!drawing.proven) {
     found.group = drawing.group;

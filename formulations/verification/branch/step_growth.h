@@ -2,9 +2,10 @@
 
 namespace desmo {
 
-/// A rule for when to try a longer step. Where every step is equally hard, doubled steps would fail
-/// every other time: so after each try that failed, twice as many steps must succeed before the
-/// next one. An easier part of a motion is thus found late by at most as many steps as were hard.
+/// Rule for when to try a step of twice the length. Where all steps are equally hard, every other
+/// step would be a failing try. So after each try that failed, twice as many steps must succeed
+/// before the next one. An easier part of a motion is thus noticed late by at most as many steps as
+/// were taken before.
 class StepGrowth {
  public:
   /// Notes that a step succeeded. Returns whether the next one is to be twice as long.
@@ -20,7 +21,7 @@ class StepGrowth {
   }
 
  private:
-  int wait_ = 1, left_ = 0;  // steps; at most twice those that were taken
+  int wait_ = 1, left_ = 0;  // steps between two tries; steps left before the next try
   bool is_try_ = false;      // the present step is twice as long as the one before
 };
 

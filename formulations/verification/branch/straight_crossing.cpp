@@ -9,7 +9,7 @@ namespace desmo {
 
 namespace {
 
-/// Instants at −2h and −h are at −1 and 1 of a polynomial's argument; then h is here.
+/// Argument of a polynomial at s = h, where its arguments −1 and 1 are at s = −2h and −h.
 constexpr double extension = 5;
 
 bool may_be_same(const Interval& a, const Interval& b) {
@@ -37,8 +37,8 @@ StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
 }
 
 /// Finds the first node, up to two units of arc before the point. The last instant is so near to
-/// the point that no path leads back from it; Taylor's polynomial leads to another start. Both are
-/// on the same branch where the nodes, extended to the point, meet the last instant (leads_to()).
+/// the point that no path leads back from it: a path starts from a point of its Taylor polynomial.
+/// That is on the same branch if the nodes, extended to s = 0, meet the last instant (leads_to()).
 void StraightCrossing::find_nodes(const CertifiedInstant& last) {
   const std::optional<Node> here = node({0, {last.values.position, no_rates_, no_rates_}, {}});
   if (!here) return;
@@ -50,7 +50,7 @@ void StraightCrossing::find_nodes(const CertifiedInstant& last) {
     for (std::size_t i = 0; i < q.size(); ++i)
       q[i] = here->values.position[i] - s * (here->values.velocity[i] - s / 2 * acceleration[i]);
     if (!before_.start_at({-s, {q, {}, {}}, {}})) continue;
-    // Two units of arc are as good as any: a way that is too long is halved.
+    // The value 2 does not matter: where it is too far, h is halved.
     before_.go_to(-2);
     if (before_.present().time > -8 * s) continue;  // too few halvings
     nodes_.clear();
@@ -61,7 +61,8 @@ void StraightCrossing::find_nodes(const CertifiedInstant& last) {
   nodes_.clear();
 }
 
-/// Returns whether the branch of the nodes, up to that s, leads to an instant at s = 0.
+/// Returns whether the branch of the nodes leads to the instant `end` at s = 0. Adds nodes up to
+/// s = nearest, and extends the polynomial through the last two.
 bool StraightCrossing::leads_to(const Node& end, double nearest) {
   if (nodes_.empty()) return false;
   int count = 2;
@@ -69,8 +70,8 @@ bool StraightCrossing::leads_to(const Node& end, double nearest) {
   if (!reach_nodes(count)) return false;
   const Node &far = nodes_[count - 2], &near = nodes_[count - 1];
   for (int i = 0; i < model_.coordinates(); ++i) {
-    // From −2h and −h to 0: the argument is 3. So near to the point branches may differ by their
-    // rates alone.
+    // The argument is 3 at s = 0. Compares rates, too: so near to the point, branches may differ by
+    // these alone.
     Quintic<Interval> branch = polynomial(far, near, i);
     double unit = 1;
     for (const Level level : all_levels) {
@@ -99,7 +100,7 @@ std::optional<StraightCrossing::Node> StraightCrossing::node(const CertifiedInst
   return copy;
 }
 
-/// Finds nodes before the point until there are that many. Returns whether they are proven.
+/// Adds nodes before the point until there are `count`. Returns whether all are proven.
 bool StraightCrossing::reach_nodes(int count) {
   while (static_cast<int>(nodes_.size()) < count) {
     if (before_.go_to(nodes_.back().s / 2).end != PathEnd::same) return false;
@@ -120,7 +121,7 @@ Quintic<Interval> StraightCrossing::polynomial(const Node& a, const Node& b, int
   return hermite(end(a), end(b), Level::acceleration);
 }
 
-/// Compares the continuation at a level with an instant beyond: its miss of each coordinate.
+/// Compares the quintic through two nodes, extended at a level, with an instant beyond.
 StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) const {
   const Node &far = nodes_[level], &near = nodes_[level + 1];
   Miss result;
@@ -128,33 +129,35 @@ StraightCrossing::Miss StraightCrossing::miss(int level, const Node& beyond) con
     const Interval extended = value_at(polynomial(far, near, i), Interval(extension));
     result.amount.push_back(std::abs(extended.mid - beyond.values.position[i]));
     result.rounding.push_back(extended.radius + beyond.radius.position[i]);
-    // Rounding at most halves the fall of what is more than twice as much.
+    // Above twice the rounding, a miss is known to a factor of two, and so is its fall.
     result.is_hidden &= result.amount[i] <= 2 * result.rounding[i];
     result.shows_jumps &= result.rounding[i] < magnitudes_[i] * std::pow(beyond.s, 5);
   }
   return result;
 }
 
-/// Returns the largest ratio of a miss to its unit, the rounding of this miss or of another one.
+/// Returns the largest ratio of the miss of a coordinate to its unit.
 double StraightCrossing::Miss::over(const std::vector<double>& unit) const {
   double largest = 0;
   for (std::size_t i = 0; i < unit.size(); ++i) largest = std::max(largest, amount[i] / unit[i]);
   return largest;
 }
 
-/// Ends where the distance, which is halved each time, is rounded.
+/// Ends at the latest where the distance, halved each time, falls to the roundoff u.
 double StraightCrossing::measure_fall(int level, std::span<const double> positions) {
   if (!beyond_.start_at({distance(level), {positions, {}, {}}, {}})) return 0;
   Miss last;
   double least = INFINITY, bottom = 0, deepest = 0;
   bool falls = true;
   for (int k = level;; ++k) {
-    // Branches that are led to where the line itself is rounded pass through without a point.
+    // At a distance of u points of the line are rounded themselves: paths would pass without a
+    // change point.
     const bool is_led = distance(k) > Interval::unit && reach_nodes(k + 2) &&
                         beyond_.go_to(distance(k)).end == PathEnd::same;
     const std::optional<Node> end = is_led ? node(beyond_.present()) : std::nullopt;
-    // Lengths may be in line but for their rounding. Then branches pass each other by, and the miss
-    // grows again towards the point. The miss of another branch falls all the way.
+    // Branches may meet only but for the rounding of lengths. They then pass each other by, and the
+    // miss grows again towards the point. The miss of another branch that really meets falls all
+    // the way.
     if (!end) return !falls && deepest >= bottom ? least : 0;
     const Miss now = miss(k, *end);
     if (k == level) {
@@ -165,7 +168,7 @@ double StraightCrossing::measure_fall(int level, std::span<const double> positio
       deepest = now.over(last.rounding);
       continue;
     }
-    // A motion that is a quintic itself is extended without a miss.
+    // A miss hidden from the start counts only if jumps would be seen: the motion may be a quintic.
     if (now.is_hidden && k == level && !(level == 0 && now.shows_jumps)) return 0;
     const double coarse = k > level ? last.over(now.rounding) : 0;
     const double fine = std::max(now.over(now.rounding), 2.0);
@@ -183,7 +186,7 @@ double StraightCrossing::measure_fall(int level, std::span<const double> positio
   }
 }
 
-/// Lays the polynomials across the point.
+/// Lays the polynomials across the point, through a node before it and one beyond.
 void StraightCrossing::join(const Node& before, const Node& beyond) {
   width_ = beyond.s;
   positions_.resize(model_.coordinates());
@@ -195,7 +198,7 @@ void StraightCrossing::join(const Node& before, const Node& beyond) {
 
 bool StraightCrossing::find() {
   if (nodes_.empty()) return false;
-  // Nearer to the point, rounding hides what even the first derivative does.
+  // At smaller h, rounding hides even jumps of the first derivative.
   for (int level = 0; distance(level) > std::sqrt(Interval::unit); ++level) {
     if (!reach_nodes(level + 2)) return false;
     const Node &far = nodes_[level], &near = nodes_[level + 1];
@@ -212,7 +215,7 @@ bool StraightCrossing::find() {
 
 const CertifiedInstant* StraightCrossing::go_to(double s) {
   BranchPath& path = s > 0 ? beyond_ : before_;
-  // Towards the point: next to it no path leads away.
+  // Starts at a distance and goes towards the point: right next to it no path leads away.
   if (!path.start_at({std::copysign(reach_, s), {about_[s > 0], {}, {}}, {}})) return nullptr;
   return path.go_to(s).end == PathEnd::same ? &path.present() : nullptr;
 }

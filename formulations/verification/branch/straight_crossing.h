@@ -12,28 +12,28 @@
 
 namespace desmo {
 
-/// The smooth continuation of a branch through a change point, as far as drivers go straight there.
+/// The smooth continuation of a branch through a change point, along a straight line of drivers.
 ///
-/// On the point itself Φ_q is singular, and no path is proven to pass it. Which of the branches
-/// beyond continues the one before is told by its derivatives with respect to the *arc* s of the
-/// drivers. (Not by those with respect to time: where a driver rests, all branches are alike.) The
-/// quintic through two instants before the point, at −2h and −h, is extended to one beyond, at h.
-/// It misses the smooth continuation by an amount that falls 64-fold where h is halved; another
-/// branch, whose m-th derivative jumps, 2ᵐ-fold. A fold has no instant beyond.
+/// On the point itself Φ_q is singular, and no path is proven to pass it. Derivatives with respect
+/// to the *arc* s of the drivers tell which of the branches beyond continues the one before. (Those
+/// with respect to time do not: where a driver rests, all branches are alike.) The quintic through
+/// two instants before the point, at s = −2h and −h, is extended to h and compared with a solution
+/// there. Where h is halved, this *miss* falls 64-fold on the smooth continuation, and 2ᵐ-fold on
+/// another branch, whose m-th derivative jumps. A fold has no instant beyond.
 ///
-/// A straight line of drivers needs no instants of the motion: it leads as far before and beyond as
-/// the mechanism moves, where the motion starts, ends, rests or turns back on the point. Both sides
-/// of it are proven paths (BranchPath).
+/// The line needs no instants of the motion, which may start, end, rest or turn back on the point.
+/// It leads as far before and beyond as the mechanism moves. Both sides of it are proven paths
+/// (BranchPath).
 class StraightCrossing {
  public:
-  /// Smallest factor by which the miss has to fall where h is halved: 2⁵, as where the fifth
-  /// derivative jumps.
+  /// A continuation counts as smooth if the miss falls at least by this factor where h is halved:
+  /// 2⁵, as where the fifth derivative jumps.
   static constexpr double min_fall = 32;
 
   /// Draws the line.
-  /// - last: a proven instant, just before the point. s is 0 there
+  /// - last: a proven instant just before the point; s is 0 there
   /// - direction: rates of the drivers, of any length
-  /// - group: that is singular on the point, as in DriverLine
+  /// - group: the group that is singular on the point (see DriverLine)
   StraightCrossing(const Model& model, const CertifiedInstant& last,
                    std::span<const double> direction, GroupId group = no_position);
   StraightCrossing(const StraightCrossing&) = delete;
@@ -42,27 +42,28 @@ class StraightCrossing {
   /// Finds the smooth continuation. Returns whether there is one.
   bool find();
 
-  /// Returns the least factor by which the miss falls, from one halving to the next until rounding
-  /// hides it, or the first one where that is less than min_fall. Rounding of lengths counts as
-  /// rounding: branches that meet but for it pass each other by, and the miss grows again towards
-  /// the point. 0: nothing is proven or seen beyond. Overwrites reach(), positions() and width().
-  /// - level: number of halvings before the first
-  /// - beyond: positions at the distance h that belongs to the level, or near them
+  /// Returns the least factor by which the miss falls from one halving to the next, until rounding
+  /// hides it. If the first factor is less than min_fall, returns that one; 0 if nothing is proven
+  /// or seen beyond. Lengths may make branches meet only but for their rounding: such branches pass
+  /// each other by, and a miss that grows again towards the point is due to that. Overwrites
+  /// reach(), positions() and width().
+  /// - level: number of halvings before the first h, distance(level)
+  /// - beyond: positions at the distance h, or near them
   double measure_fall(int level, std::span<const double> beyond);
   /// Returns the distance h of a level.
   double distance(int level) const;
 
   const DriverLine& line() const { return line_; }
-  /// Return the distances from s = 0 at which the continuation begins to be proven, and up to which
-  /// both sides are.
+  /// Returns the s beyond the point from which on the continuation is proven.
   double nearest() const { return nearest_; }
+  /// Returns the distance from s = 0 up to which both sides are proven.
   double reach() const { return reach_; }
 
-  /// Goes along the line, on the branch before the point (s < 0) or on the one beyond. Returns the
-  /// instant there, whose rates are those with respect to s; null: it is not proven.
+  /// Goes along the line to s, on the branch before the point (s < 0) or on the one beyond. Returns
+  /// the instant there, with rates with respect to s; null: it is not proven.
   const CertifiedInstant* go_to(double s);
 
-  /// Returns a polynomial of each coordinate across the point, of s / width().
+  /// Returns a polynomial of each coordinate across the point, with argument s / width().
   const std::vector<Quintic<double>>& positions() const { return positions_; }
   double width() const { return width_; }
 
@@ -73,11 +74,13 @@ class StraightCrossing {
     PerLevel<std::vector<double>> values, radius;
   };
 
-  /// Distance by which a continuation misses an instant beyond.
+  /// Distance by which an extended quintic misses an instant beyond.
   struct Miss {
     std::vector<double> amount, rounding;  ///< of each coordinate
-    bool is_hidden = true;                 ///< no coordinate's miss is more than rounding
-    bool shows_jumps = true;  ///< those of fifth derivatives, of the coordinates' magnitudes, are
+    bool is_hidden = true;                 ///< amount ≤ 2 × rounding of each coordinate
+    /// A jump of a fifth derivative as large as the coordinate's magnitude would be seen: rounding
+    /// < magnitude × s⁵ of each coordinate.
+    bool shows_jumps = true;
 
     double over(const std::vector<double>& unit) const;
   };
@@ -98,7 +101,7 @@ class StraightCrossing {
   BranchPath before_, beyond_;
   Refinement refinement_;
   std::vector<double> no_rates_;
-  std::vector<Node> nodes_;  // before the point, each half as far from s = 0 as the last
+  std::vector<Node> nodes_;  // before the point, each half as far from s = 0 as the one before
   std::array<std::vector<double>, 2> about_;  // positions at −reach_ and reach_
   std::vector<Quintic<double>> positions_;
   double nearest_ = 0, reach_ = 0, width_ = 0;

@@ -8,11 +8,11 @@
 
 namespace desmo {
 
-/// Paths of a mechanism whose drivers go straight, on the branch of given positions. All share one
-/// memory.
+/// Follower of paths along which the drivers go straight, on the branch of given positions. All
+/// paths share one memory.
 class StraightPath {
  public:
-  /// The model must outlive this; its motions do not count.
+  /// The model must outlive this object; its motions are not read.
   explicit StraightPath(const Model& model) : m_(model), straight_(model), path_(straight_) {}
   explicit StraightPath(const Model&& model) = delete;
   StraightPath(const StraightPath&) = delete;
@@ -20,12 +20,12 @@ class StraightPath {
 
   const Model& model() const { return m_; }
 
-  /// Leads positions q (coordinates) from one point of the drivers to another one. Returns whether
-  /// all the way is proven; else they are as they were.
+  /// Leads positions q (coordinates) from driver values `from` to `to` (drivers). Returns whether
+  /// all the way is proven; if not, q does not change.
   bool lead(std::span<const double> from, std::span<const double> to, std::vector<double>& q);
 
-  /// Finds the instant at arc s of a line, near positions q, with rates with respect to s. Null: it
-  /// is not proven. Valid until the next call.
+  /// Finds the instant at arc s of a line, near positions q, with rates with respect to s. Returns
+  /// null if it is not proven. Valid until the next call.
   const CertifiedInstant* find(const DriverLine& line, double s, std::span<const double> q);
 
  private:

@@ -12,10 +12,10 @@
 
 namespace desmo {
 
-/// Rounds end: each but the last chooses other equations at a new place, or passes a change point.
-/// Each round in which a path has begun counts as one test at least.
+/// The loop ends: each round but the last chooses other equations at a new place, or passes a
+/// change point. Each round in which a path has begun counts as at least one test of the budget.
 bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
-  std::unique_ptr<const Model> chosen;  // other equations, by which the way goes on; null: none
+  std::unique_ptr<const Model> chosen;  // the model with other equations; null: m itself
   auto path = std::make_unique<BranchPath>(m);
   const auto model = [&]() -> const Model& { return chosen ? *chosen : m; };
   const auto choose = [&] {
@@ -33,7 +33,7 @@ bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
   };
   FollowedStep step;
   int tests = 0;
-  double chosen_at = -1;  // share at which other equations were asked for
+  double chosen_at = -1;  // share at which other equations were asked for last
   found.share = 0;
   bool begun = path->start_at({0, {found.q, {}, {}}});
   while (true) {
@@ -60,7 +60,7 @@ bool follow_way(const Model& m, bool may_pass, FoundStart& found) {
   }
   found.out_of_tests = step.end == PathEnd::stuck && tests >= BranchPath::max_tests;
   if (begun) found.group = step.group;
-  // The last step may have ended with digits to correct.
+  // Corrects the last digits at the end of the way.
   if (step.end == PathEnd::same && path->start_at({1, {found.q, {}, {}}})) take_positions();
   return step.end == PathEnd::same;
 }
