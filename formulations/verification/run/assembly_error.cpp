@@ -14,7 +14,7 @@ namespace desmo {
 
 namespace {
 
-/// The weighted equations of a group as a function of its unknowns, these in nominal magnitudes.
+/// The weighted equations of a group as a function of its unknowns over nominal magnitudes.
 struct WeightedEquations {
   using Scalar = double;
   using InputType = Eigen::VectorXd;
@@ -23,7 +23,7 @@ struct WeightedEquations {
 
   const DenseGroup& group;
   const std::vector<double>& magnitudes;
-  std::vector<double>& state;  // the last one asked for
+  std::vector<double>& state;  // where the function was evaluated last
 
   int inputs() const { return static_cast<int>(group.unknowns().size()); }
   int values() const { return inputs(); }
@@ -45,7 +45,7 @@ struct WeightedEquations {
   }
 };
 
-/// Comes as near to solving a group as it can: Levenberg and Marquardt's method, which also gets
+/// Minimises the weighted equations of a group by Levenberg and Marquardt's method, which also gets
 /// through singular positions.
 void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
               std::vector<double>& state) {
@@ -70,8 +70,8 @@ std::optional<Misfit> find_assembly_error(const Model& m, std::vector<double> st
     approach(group, nominal_magnitudes(m), nearest);
     const Eigen::VectorXd residual = group.residual(nearest),
                           weighted = group.weights().cwiseProduct(residual);
-    // Equations may hold where Newton's method does not accept it: rounding may leave more than a
-    // small tolerance.
+    // Newton's method may refuse equations that hold: rounding may leave more than a small
+    // tolerance. So at least default_tolerance is allowed here.
     if (weighted.norm() < std::max(settings.tolerance, default_tolerance)) {
       state = nearest;
       continue;

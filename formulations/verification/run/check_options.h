@@ -5,9 +5,9 @@ namespace desmo {
 /// Extent to which a run is checked.
 enum class CheckMode {
   none,       ///< nothing: numbers are what the formulation makes of them
-  sample,     ///< one path over N instants, each instant inside it; every N-th with radii
+  sample,     ///< every N-th instant, with radii, and one path between two such; others lie in it
   proof,      ///< every instant and every step of what is requested
-  mechanism,  ///< the same, and the positions of all else
+  mechanism,  ///< like proof, and the positions of all that is not requested
 };
 
 }  // namespace desmo

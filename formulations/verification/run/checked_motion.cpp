@@ -54,12 +54,13 @@ bool CheckedMotion::is_on_step(const Instant& instant, std::span<const double> t
          follower_->path.contains(instant.time, instant.q, tolerances, result_.condition);
 }
 
-/// Makes an instant the result, which a formulation has solved or not. Returns null where it has
-/// not, and the motion does not lead there.
+/// Makes the result of an instant, which a formulation has solved or not. Returns null if it has
+/// not, and the motion does not lead there either.
 const CheckedInstant* CheckedMotion::take(const Instant& at, bool is_solved) {
   last_ = state_;
   if (follows()) last_instant_.assign(follower_->path.present());
-  // A position that is regular by other equations is no change point.
+  // First tries other equations, then passages: a position that is regular by other equations is no
+  // change point.
   for (bool may_pass = !has_other_equations(m_);; may_pass = true) {
     result_ = {};
     result_.is_elsewhere = !is_solved;
@@ -67,7 +68,7 @@ const CheckedInstant* CheckedMotion::take(const Instant& at, bool is_solved) {
     const RefinedInstant* const found = refined && refined->proven ? refined : nullptr;
     if (reach(at, found, may_pass) && (may_pass || !is_led_astray())) break;
     if (!may_pass && (is_solved || follows())) {
-      if (is_led_astray()) {  // what was found since the present check began is forgotten
+      if (is_led_astray()) {  // forgets what the present check has found
         return_to_last();
         follower_->left_out.take_between();
       }
@@ -76,8 +77,8 @@ const CheckedInstant* CheckedMotion::take(const Instant& at, bool is_solved) {
     }
     if (!is_solved) return nullptr;
     if (found) {
-      // The instant is proven, but no proven path leads to it: its branch is unknown. The motion
-      // starts anew from it.
+      // The instant is proven, but no proven path leads to it: its branch is unknown. The path
+      // begins anew from it.
       if (!state_.lost)
         state_.lost = {.kind = RowFlag::Kind::branch,
                        .after = step_.time,
@@ -85,27 +86,27 @@ const CheckedInstant* CheckedMotion::take(const Instant& at, bool is_solved) {
                        .group = step_.group,
                        .out_of_tests = step_.out_of_tests};
       state_.point.reset();
-      // Tests that ran out once would do so in each step: the path does not begin again.
+      // If tests ran out, they would do so in each step: then the path does not begin again.
       state_.on_path =
           !state_.lost->out_of_tests && follower_->path.start_at(certified(*found, levels_));
     }
     deliver(*refined);
     break;
   }
-  if (!state_.point) follower_->straight.reset();  // its memory serves rows on a point alone
+  if (!state_.point) follower_->straight.reset();  // only rows on a change point need its memory
   complete_flag();
   return &result_;
 }
 
-/// Follows the motion to an instant, through change points, and makes it the result, or the end
-/// that was found. found: what the formulation has found, if that is proven. Returns false where
-/// the motion cannot be followed. may_pass: change points are passed.
+/// Follows the motion to the time of an instant. Makes `found` the result if the motion leads to
+/// it, else the end of the path. Returns false if the motion cannot be followed.
+/// - found: the refined instant of the formulation; null: it has none that is proven
+/// - may_pass: change points are passed
 bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool may_pass) {
   if (!state_.on_path) return false;
   std::optional<PassedPoint>& point = state_.point;
   BranchPath& path = follower_->path;
-  // A motion that has worn out the budget of a step is not led on by passages, of which each counts
-  // as a test at least.
+  // All passages share the budget of one step. Each counts as at least one test, so the loop ends.
   for (int tests = 0; tests < BranchPath::max_tests; tests += std::max(1, step_.tests)) {
     if (point) {
       if (at.time < point->before) return deliver_point(at);
@@ -133,9 +134,9 @@ bool CheckedMotion::reach(const Instant& at, const RefinedInstant* found, bool m
   return false;
 }
 
-/// Returns whether the way from the last instant contradicts equations that are left out: where a
-/// linkage closes but for its digits, branches of some equations pass each other by where all of
-/// them go straight on.
+/// Returns whether the way from the last instant contradicts left-out equations by more than digits
+/// of the file explain. Where a linkage closes but for its digits, branches of the kept equations
+/// may miss each other where all equations together go straight on.
 bool CheckedMotion::is_led_astray() const {
   const LeftOutEquations& left_out = follower_->left_out;
   std::optional<Misfit> misfit = result_.flag ? result_.flag->misfit : std::nullopt;
@@ -143,13 +144,13 @@ bool CheckedMotion::is_led_astray() const {
   return last_.on_path && !last_.point && misfit && left_out.is_contradiction(*misfit);
 }
 
-/// Takes other equations of overconstrained groups, where those that are kept are nearly dependent
-/// at positions q. Returns false where there are none that are better.
+/// Takes other equations of overconstrained groups if the kept ones are nearly dependent at
+/// positions q. Returns false if no others are better or they do not agree on the last instant.
 bool CheckedMotion::choose_other_equations(std::span<const double> q) {
   auto chosen = with_chosen_equations(follower_->model, q);
   if (!chosen) return false;
   auto other = std::make_unique<Follower>(std::move(chosen), m_, levels_);
-  if (follows()) {  // both choices have to agree on the last instant
+  if (follows()) {  // the last instant must be a solution by the other equations, too
     const CertifiedInstant& present = follower_->path.present();
     const RefinedInstant& r = other->refinement.refine(instant_of(present.time, present.values));
     if (!r.proven || !other->path.start_at(certified(r, levels_))) return false;

@@ -16,13 +16,14 @@ namespace desmo {
 /// the steps between them, and says what is proven of each.
 class CheckedMotion {
  public:
-  /// levels: up to which each coordinate is solved (Plan::levels). Model and levels must outlive
-  /// this.
+  /// levels: level up to which each coordinate is solved (Plan::levels); empty: as each instant.
+  /// Model and levels must outlive this object.
   CheckedMotion(const Model& model, std::span<const Level> levels);
 
-  /// Goes from the drawing to a time, where the motion begins. The next instant is the one there.
+  /// Goes from the drawing to a time [s], at which the motion begins. The next instant that is
+  /// checked is the one at that time.
   void begin(double time);
-  /// Goes on from a proven instant instead, wherever the motion was before. Returns whether it can.
+  /// Begins at a proven instant instead, wherever the motion was before. Returns whether it can.
   bool continue_from(const CertifiedInstant& instant);
 
   /// Checks the next instant, which a formulation has solved. The result is valid until the next
@@ -32,29 +33,31 @@ class CheckedMotion {
   /// there. wanted: its index, time and, by the sizes of their spans, its levels.
   const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
 
-  /// Returns whether an instant is in the last step's tube; false after sub-steps. tolerances: how
-  /// far a coordinate that meets the tolerance of the equations may be from the exact one.
+  /// Returns whether an instant between those of the last step lies in its tube, widened by
+  /// condition × tolerance; false after sub-steps. tolerances: of each coordinate, the nominal
+  /// magnitude × the tolerance of the equations.
   bool is_on_step(const Instant& instant, std::span<const double> tolerances) const;
-  /// Returns to where the last check() began.
+  /// Returns to the state before the last check() or solve().
   void return_to_last();
 
   /// Returns the last proven instant, where the path is.
   const CertifiedInstant& present() const { return follower_->path.present(); }
 
-  /// Returns the positions up to which the motion was followed from the drawing.
+  /// Returns the positions up to which the motion was followed from the drawing; empty: not known.
   std::vector<double> followed_to() const {
     if (!follows()) return start() == FoundStart::Stage::reached ? std::vector<double>() : start_.q;
     const std::span<const double> q = present().values.position;
     return {q.begin(), q.end()};
   }
 
-  /// Returns where the way from the drawing is blocked, if it is.
+  /// Returns the stage at which the way from the drawing is blocked. A change point on which the
+  /// motion begins counts as reached.
   FoundStart::Stage start() const {
     return start_.point ? FoundStart::Stage::reached : start_.stage;
   }
 
  private:
-  /// Returns whether the path begins at the last proven instant.
+  /// Returns whether follower_->path is at the last proven instant.
   bool follows() const { return state_.on_path && !state_.point; }
   const CheckedInstant* take(const Instant& at, bool is_solved);
   bool reach(const Instant& at, const RefinedInstant* found, bool may_pass);
@@ -67,19 +70,19 @@ class CheckedMotion {
 
   /// State in which the next check begins, but for the path's instant.
   struct State {
-    bool on_path = false;               // the branch is known
-    std::optional<RowFlag> lost;        // since then the branch is unknown
-    std::optional<RowFlag> first_flag;  // of the first row, whose way from the drawing crosses
-    std::optional<PassedPoint> point;   // beyond it the path has not begun
+    bool on_path = false;         // the motion is followed, from the drawing or, since `lost`, anew
+    std::optional<RowFlag> lost;  // flag of all rows since the branch became unknown
+    std::optional<RowFlag> first_flag;  // flag of the first row: the way to it crosses a point
+    std::optional<PassedPoint> point;   // change point that the motion has not left yet
   };
 
   const Model& m_;
   const std::span<const Level> levels_;
   std::unique_ptr<Follower> follower_;
-  State state_, last_;        // last_: in which the last check began
-  InstantCopy last_instant_;  // where the path was then
+  State state_, last_;        // last_: before the last check
+  InstantCopy last_instant_;  // instant of the path before the last check
   FoundStart start_;
-  FollowedStep step_;  // the last one
+  FollowedStep step_;  // last step of the path
   std::vector<double> on_point_, no_rates_;
   CheckedInstant result_;
 };

@@ -14,8 +14,8 @@ namespace desmo {
 
 namespace {
 
-/// One run, in spans between the intervals that cannot be assembled. As an observer of the
-/// formulation it hands on what is checked, and stops the run where the formulation is elsewhere.
+/// One checked run. As an observer of the formulation it checks instants and hands them on. It
+/// stops the formulation's run where that is on another branch, and then goes on step by step.
 class CheckedRun final : Observer {
   enum class From { estimate, last };
 
@@ -62,7 +62,7 @@ class CheckedRun final : Observer {
     const CheckedInstant& end = motion_.check(instant);
     const auto is_on_step = [&](const Instant& i) { return motion_.is_on_step(i); };
     if (end.flag || end.is_elsewhere || !std::ranges::all_of(waiting_, is_on_step)) {
-      // one by one
+      // Something is wrong with the long step: checks its rows one by one.
       motion_.return_to_last();
       return check_waiting() == Flow::stop ? Flow::stop : check(instant);
     }
@@ -73,7 +73,8 @@ class CheckedRun final : Observer {
     return flow == Flow::go_on ? hand_on(end) : flow;
   }
 
-  /// Returns whether an instant is only to lie in the step between two that are checked.
+  /// Returns whether an instant is not checked itself: it must lie in the step between two that
+  /// are.
   bool waits(int index) const {
     return options_.mode == CheckMode::sample && index % options_.sample != 0 &&
            index + 1 < grid_.instants;
@@ -132,7 +133,7 @@ class CheckedRun final : Observer {
     summary_.table_lock.reset();
   }
 
-  /// Returns an instant that is not solved, of the levels that are asked for.
+  /// Returns an instant with the levels that are requested, whose numbers mean nothing.
   Instant wanted(int index) const {
     const std::span<const double> any = formulation_.q();
     Instant at = instant_of(grid_.time(index), {any, any, any}, request_.level);
@@ -140,7 +141,8 @@ class CheckedRun final : Observer {
     return at;
   }
 
-  /// Solves an instant where the formulation could not.
+  /// Solves an instant by the path alone, where the formulation could not. Returns whether that
+  /// succeeds.
   bool solves(int index) {
     const CheckedInstant* const found = motion_.solve(wanted(index));
     if (!found) return false;
@@ -149,8 +151,9 @@ class CheckedRun final : Observer {
     return true;
   }
 
-  /// Solves the rows that are left, each by a step from the one before, with a stride, too: none is
-  /// interpolated where the motion was hard to follow. from: whether the first one is assembled.
+  /// Solves all remaining rows, each by a step from the one before. None is interpolated, whatever
+  /// the stride, since the motion was hard to follow. from: the first row is assembled from the
+  /// estimate, or reached by a step from the last one.
   void go_on(From from) {
     const auto next = [&] { return tried_ + static_cast<int>(waiting_.size()); };
     while (next() < grid_.instants && summary_.ok() && !summary_.refused && !summary_.stopped) {
@@ -173,7 +176,7 @@ class CheckedRun final : Observer {
     }
   }
 
-  /// Adds to the summary what explains a failure: the lock of a table, or the assembly error.
+  /// Writes to the summary what explains a failure: a table's extremum, or the assembly error.
   void explain_failure() {
     if (summary_.status == Status::not_finite)
       summary_.table_lock =
@@ -206,11 +209,11 @@ class CheckedRun final : Observer {
   RowTally tally_;
   const OutputWriter output_;
   Observer& next_;
-  std::vector<InstantCopy> memory_;  // of those that wait
+  std::vector<InstantCopy> memory_;  // of the rows that wait
   std::vector<Instant> waiting_;     // CheckMode::sample: rows since the last one that was checked
   CheckedSummary summary_;
-  double max_residual_ = 0;   // of the rows, while that of a failure is in the summary
-  int tried_ = 0;             // rows handed on, or left out
+  double max_residual_ = 0;   // of the rows, while the summary has that of a failure
+  int tried_ = 0;             // index of the next row: all before are handed on or left out
   bool elsewhere_ = false;    // the formulation is not where the last row is
   std::vector<double> last_;  // positions of that row
 };

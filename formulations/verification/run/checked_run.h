@@ -21,52 +21,52 @@ namespace desmo {
 enum class Outcome {
   converged,  ///< no flag, no gap
   degraded,   ///< a row is flagged, or an interval that cannot be assembled was left out
-  failed,     ///< no position was found, with `past_failures` at any instant, or a strict run met
-              ///< a flag
+  failed,     ///< no position was found (with `past_failures`: of no row), or a strict run met a
+              ///< flag
 };
 
-/// Reason why a row is no proven number of the motion in the file.
+/// Reason why the numbers of a row are not proven to be those of the motion in the file.
 struct RowFlag {
-  /// Kinds, the worst first.
+  /// Kinds of flags, the worst first.
   enum class Kind {
     unproven,  ///< the instant has no proof: `failure` says why
     branch,    ///< proven, but on an unknown branch since the interval from `after` to `before`:
-               ///< a singular position lies there, or the tests ended
+               ///< a singular position lies there, or the path ran out of tests
     on_point,  ///< the row lies on a change point: it has a position and no rates
     crossing,  ///< the step passes a change point, on its smooth continuation, or begins on it
-    misfit,    ///< an equation that was left out does not hold there, or on the way from the row
-               ///< before: there is no exact motion
+    misfit,    ///< a left-out equation does not hold at the row, or on the way from the row before:
+               ///< there is no exact motion
   };
   Kind kind = Kind::unproven;
   double time = 0;  ///< of the row [s]
-  /// Ends of the interval [s]; of a misfit: where it was found, at the row or on the way to it.
-  /// before: infinite where the motion rests on a change point for good.
+  /// Ends of the interval in which the cause lies [s]; both are the time at which a misfit was
+  /// found. `before` is infinite where the motion rests on a change point for good.
   double after = 0, before = 0;
-  GroupId group = no_position;  ///< of the test that failed, if known
+  GroupId group = no_position;  ///< of the failed proof or the misfit, if known
   bool out_of_tests = false;    ///< branch: the budget of tests ended before the interval did
-  ProofFailure failure = ProofFailure::none;
+  ProofFailure failure = ProofFailure::none;  ///< unproven: why
   std::optional<Misfit> misfit{};
 
   /// Returns whether the motion passes a change point, or is on one.
   bool is_of_change_point() const { return kind == Kind::crossing || kind == Kind::on_point; }
 };
 
-/// Returns a word for a flag, as columns have it: "unproven", "branch", "misfit", "crossing".
+/// Returns the word for a flag in tables: "unproven", "branch", "misfit" or "crossing".
 std::string_view word_of(const RowFlag& flag);
 
-/// A row and what is proven of it.
+/// A row of a checked run, and what is proven of it.
 struct CheckedInstant {
   Instant instant;  ///< with corrections; valid until the next row
   /// Bounds on |instant − exact| of each coordinate. Infinite: there is no proof. Empty: none was
   /// certified.
   PerLevel<std::span<const double>> radius{};
-  /// The largest radius over its scale so far. Infinite: of some coordinates there is no proof. 0:
-  /// `radius` is empty, and the row lies between two that are proven.
+  /// Largest radius over its scale in the motion so far. Infinite: some coordinates have no proof.
+  /// 0: `radius` is empty, since the row lies between two that are proven.
   PerLevel<double> relative_radius{};
   double condition = 0;  ///< of the instant (Certificate::condition)
-  /// The instant is another than the formulation's, which is elsewhere or has found none.
+  /// The instant is not the formulation's, which is on another branch or has found none.
   bool is_elsewhere = false;
-  std::optional<RowFlag> flag{};           ///< none: proven. Of independent mechanisms, the worst
+  std::optional<RowFlag> flag{};  ///< empty: proven. The worst flag of the independent mechanisms
   std::span<const RowFlag> other_flags{};  ///< of the other mechanisms
 
   /// Calls a function with each flag, the worst first.
@@ -98,18 +98,18 @@ struct Gap {
 struct [[nodiscard]] CheckedSummary : BasicSummary {
   bool refused = false;  ///< a strict run ended at a row that is flagged: `first_flag`
   FoundStart::Stage start = FoundStart::Stage::reached;  ///< of the way from the drawing
-  long flagged = 0;                                      ///< rows
+  long flagged = 0;                                      ///< number of flagged rows
   std::optional<RowFlag> first_flag{};
-  long crossings = 0;  ///< change points that rows or steps are flagged for
+  long crossings = 0;  ///< number of change points in flags of rows
   std::optional<RowFlag> first_crossing{};
-  std::optional<Misfit> misfit{};  ///< the largest
-  PerLevel<double> radius{};       ///< largest of proven rows, relative to `scales`
+  std::optional<Misfit> misfit{};  ///< the largest of the rows
+  PerLevel<double> radius{};       ///< largest of proven rows, over `scales`
   Scales scales{};                 ///< of the motion
   double condition = 0;            ///< largest of the rows
-  /// On failure, where no position was found: of the equation that closes worst, at best.
+  /// Status::not_converged: error of the group that cannot be assembled (find_assembly_error()).
   std::optional<Misfit> assembly_error{};
-  std::optional<TableLock> table_lock{};  ///< on failure, where a table is concerned
-  std::vector<Gap> gaps{};                ///< after which the run went on
+  std::optional<TableLock> table_lock{};  ///< Status::not_finite: the extremum of a table, if any
+  std::vector<Gap> gaps{};                ///< intervals that were left out
 
   bool ok() const { return status == Status::solved; }  ///< no failure but those in `gaps`
   Outcome outcome() const {
@@ -124,8 +124,8 @@ struct [[nodiscard]] CheckedSummary : BasicSummary {
 struct CheckOptions {
   CheckMode mode = CheckMode::proof;
   int sample = 16;  ///< CheckMode::sample: N, 1 or more
-  /// Level asked for of each coordinate (Plan::levels); empty: that of the request. It lasts in the
-  /// formulation (solve_only()); the memory, until run_checked() returns.
+  /// Level requested of each coordinate (Plan::levels); empty: that of the request. The formulation
+  /// keeps to it after the run (solve_only()). The memory must last until run_checked() returns.
   std::span<const Level> levels{};
   bool strict = false;         ///< ends at the first row that is flagged
   bool past_failures = false;  ///< continues after an interval that cannot be assembled
@@ -137,15 +137,15 @@ struct CheckOptions {
 /// Runs a motion like Formulation::run() and proves it. Each number that the observer receives is
 /// within its radius of the exact motion of the mechanism in the file, on the branch of the
 /// drawing, continued smoothly through change points that are flagged; or the row's flag says why
-/// not. The certificate of an instant corrects it (Certifier), a path proof follows each step
-/// (PathProof). Where the formulation finds another branch, or nothing, the end of the path is
-/// delivered, and the formulation goes on from there.
+/// not. Certificates correct each instant (Refinement), path proofs follow each step (BranchPath).
+/// Where the formulation finds another branch, or nothing, the end of the path is delivered, and
+/// the formulation goes on from there.
 ///
 /// The run ends, as a failure, where there is no position. All instants before it were delivered.
-/// With `past_failures` it continues at the next instant that Formulation::assemble() solves.
+/// With `past_failures` it continues at the next instant that can be assembled.
 /// Throws std::invalid_argument for a request that names coordinates, for a model whose coordinates
-/// are not natural, where `levels` is neither empty nor has one level for each coordinate, and
-/// where `sample` is used and below 1.
+/// are not natural (but for CheckMode::none), for `levels` that is neither empty nor has one level
+/// for each coordinate, and for a `sample` below 1 that CheckMode::sample uses.
 ///
 ///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
 ///   const CheckedSummary s = run_checked(*formulation, grid, {Level::acceleration}, observer);
@@ -153,8 +153,8 @@ struct CheckOptions {
 CheckedSummary run_checked(Formulation& formulation, const TimeGrid& grid, const Request& request,
                            Observer& observer, const CheckOptions& options = {});
 
-/// Returns the outcome in a line: what failed when and where, and what was flagged before; or what
-/// was flagged first, and the radii.
+/// Returns the outcome in a line. On failure: what failed when and where, and what was flagged
+/// before. Otherwise: what was flagged first, and the largest radii.
 std::string describe(const CheckedSummary& summary, const Model& model);
 
 /// Returns the largest radii in words, up to a level, rounded up: "condition 4.1e+02, errors at

@@ -1,4 +1,4 @@
-// What a checked motion delivers, and says of it.
+// Rows that a checked motion delivers, and their flags.
 #include <cmath>
 
 #include "formulations/verification/run/checked_motion.h"
@@ -11,7 +11,7 @@ void CheckedMotion::deliver(const RefinedInstant& r) {
   result_.condition = r.last.condition;
   if (r.proven) {
     const std::optional<RowFlag> flag = follower_->misfit_flag(r);
-    if (flag && result_.flag)  // it stays, with the misfit
+    if (flag && result_.flag)  // the flag stays of its kind, and has the misfit, too
       result_.flag->misfit = flag->misfit;
     else if (flag)
       result_.flag = flag;
@@ -24,7 +24,7 @@ void CheckedMotion::deliver(const RefinedInstant& r) {
                   .failure = r.last.failure};
 }
 
-/// Delivers the end of the path, with the levels of an instant.
+/// Delivers the end of the path, up to the levels of `at`.
 void CheckedMotion::deliver_path(const Instant& at) {
   result_.is_elsewhere = true;
   deliver(follower_->refinement.refine(with_values(at, follower_->path.present().values)));
@@ -37,7 +37,7 @@ bool CheckedMotion::deliver_point(const Instant& at) {
   if (!path) path = std::make_unique<StraightPath>(follower_->model);
   on_point_ = point.find_positions(*path, at.time);
   if (on_point_.empty()) {
-    step_.group = no_position;  // another one is stuck
+    step_.group = no_position;  // the group that is stuck now is not known
     return false;
   }
   result_.is_elsewhere = true;

@@ -13,21 +13,21 @@
 
 namespace desmo {
 
-/// Follower of a motion by one choice of equations: refinement, path proofs, equations left out.
+/// Follower of a motion by one choice of equations: refinement, path and left-out equations.
 struct Follower {
-  /// - chosen: equations that were chosen anew; null: the model's
-  /// - model, levels: of Refinement
-  /// - budget: of BranchPath
+  /// - chosen: model with equations that were chosen anew; null: `model` is followed
+  /// - levels: see Refinement
+  /// - budget: see BranchPath
   Follower(std::unique_ptr<const Model> chosen, const Model& model, std::span<const Level> levels,
            int budget = BranchPath::max_tests);
   Follower(const Follower&) = delete;
   Follower& operator=(const Follower&) = delete;
 
-  /// Returns the flag, but for its row's time, of a row where an equation that was left out does
-  /// not hold, or does not on the way from the last row; nothing where all do. What left_out has
-  /// noted on that way it forgets.
+  /// Returns a flag if a left-out equation does not hold at a row, or on the way from the row
+  /// before; nothing if all may hold. The caller sets RowFlag::time. Forgets the misfit that
+  /// left_out has noted on the way.
   /// - refined: the row's instant
-  /// - live: row that was handed in, whose time is 0 in the path; null: the model's motions drive
+  /// - live: row that was handed in, whose time is 0 in `path`; null: the model's motions drive
   std::optional<RowFlag> misfit_flag(const RefinedInstant& refined, const LiveRow* live = nullptr);
 
   std::unique_ptr<const Model> chosen;
@@ -38,7 +38,8 @@ struct Follower {
   std::unique_ptr<StraightPath> straight{};  ///< null: not needed so far
 };
 
-/// Returns the flag of a first row [s]: of a crossing, or of an unknown branch, on the way to it.
+/// Returns the flag of the first row, at a time [s], for the way to it from the drawing: that
+/// passed a change point (crossing), or is blocked (branch).
 RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time);
 
 }  // namespace desmo
