@@ -12,8 +12,8 @@ namespace {
 /// Width [s] of the bracket in which the search for an end of a gap stops.
 constexpr double bracket = 1e-9;
 
-/// Returns the last time [s], to within `bracket`, that can be solved on the way from a good one,
-/// where the formulation is, to a bad one.
+/// Returns the last time [s], to within `bracket`, that can be solved between `good`, where the
+/// formulation is, and `bad`, where it fails. Bisects.
 double last_solved(Formulation& formulation, double good, double bad) {
   while (std::abs(bad - good) > bracket) {
     const double middle = good + (bad - good) / 2;

@@ -12,20 +12,20 @@ namespace desmo {
 
 namespace {
 
-/// Copies a mechanism's numbers to `own`, out of those of all coordinates.
+/// Copies the numbers of a mechanism's coordinates out of those of all.
 void gather(const Submodel& s, std::span<const double> all, std::vector<double>& own) {
   own.clear();
   if (all.empty()) return;
   for (const int i : s.coordinates) own.push_back(all[i]);
 }
 
-/// Writes a mechanism's numbers to those of all coordinates.
+/// Writes the numbers of a mechanism's coordinates into those of all.
 void scatter(const Submodel& s, std::span<const double> own, std::span<double> all) {
   for (std::size_t k = 0; k < own.size(); ++k) all[s.coordinates[k]] = own[k];
 }
 
-/// Returns whether the mechanisms of a row are to be looked at one by one. Equations that were left
-/// out are looked at one by one anyway.
+/// Returns whether a flag calls for following the mechanisms one by one. A misfit does not: it is
+/// of one equation in any case.
 bool concerns_one(const std::optional<RowFlag>& flag) {
   return flag && flag->kind != RowFlag::Kind::misfit;
 }
@@ -43,7 +43,7 @@ struct IndependentMotions::SubmodelMotion {
     return is_solved ? &motion.check(instant) : motion.solve(instant);
   }
 
-  /// Returns a copy of the mechanism's numbers, which is valid until the next one.
+  /// Returns a copy of the mechanism's numbers, which is valid until the next call.
   CertifiedInstant part_of(const CertifiedInstant& whole) {
     handed_in.time = whole.time;
     for (const Level level : all_levels)
@@ -152,8 +152,8 @@ const CheckedInstant* IndependentMotions::take(const Instant& at, bool is_solved
   return &result_;
 }
 
-/// Goes back to the last row, from which each mechanism is followed by itself. Returns whether
-/// there are several.
+/// Goes back to the last row, and follows each mechanism by itself from there. Returns false, and
+/// does nothing, if there is only one.
 bool IndependentMotions::separate() {
   if (!each_) {
     each_.emplace();
@@ -171,7 +171,7 @@ bool IndependentMotions::separate() {
   return true;
 }
 
-/// Follows all mechanisms together from a row on that is proven of each.
+/// Follows all mechanisms together again, from the present row, in which each is proven.
 void IndependentMotions::join() {
   state_.together =
       together_.continue_from({result_.instant.time,
@@ -180,7 +180,7 @@ void IndependentMotions::join() {
                                levels_});
 }
 
-/// Makes the rows of all mechanisms the result. Returns false where one of them does not move on.
+/// Makes the result from the rows of all mechanisms. Returns false if one of them has no row.
 bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
   flags_.clear();
   for (const Level level : all_levels) {

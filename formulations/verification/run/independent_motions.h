@@ -11,14 +11,14 @@ namespace desmo {
 
 struct Submodel;
 
-/// The motion of a checked run. Mechanisms of a model that do not depend on each other are followed
-/// as if each stood alone in its file: a change point, or a branch that is lost, concerns one of
-/// them alone. While all are proven they are followed together, which costs less.
+/// The motion of a checked run, by independent mechanisms. Each is followed as if it stood alone in
+/// its file: a change point or a lost branch concerns one of them alone. While all are proven they
+/// are followed together, which costs less.
 ///
 /// Functions are those of CheckedMotion. A row has the flags of all mechanisms, the worst first.
 class IndependentMotions {
  public:
-  /// tolerance: Formulation::tolerance(), of the instants that is_on_step() is asked about.
+  /// tolerance: Formulation::tolerance(), which the instants of is_on_step() meet.
   IndependentMotions(const Model& model, std::span<const Level> levels, double tolerance);
   ~IndependentMotions();
 
@@ -34,7 +34,7 @@ class IndependentMotions {
   const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
   bool is_on_step(const Instant& instant) const;
   void return_to_last();
-  /// Empty: one of the mechanisms has not been followed.
+  /// Returns nothing if one of the mechanisms has not been followed.
   std::vector<double> followed_to() const;
   FoundStart::Stage start() const;
 
@@ -53,11 +53,11 @@ class IndependentMotions {
 
   const Model& m_;
   const std::span<const Level> levels_;
-  std::vector<double> tolerances_;  // of each coordinate
+  std::vector<double> tolerances_;  // nominal magnitude × tolerance of each coordinate
   CheckedMotion together_;
-  std::optional<std::vector<std::unique_ptr<SubmodelMotion>>> each_;  // none: not needed so far
-  State state_, last_;  // last_: in which the last check began
-  double begin_ = 0;    // s
+  std::optional<std::vector<std::unique_ptr<SubmodelMotion>>> each_;  // empty: not needed so far
+  State state_, last_;  // last_: before the last check
+  double begin_ = 0;    // time at which the motion begins [s]
   PerLevel<std::vector<double>> values_, radius_;
   std::vector<RowFlag> flags_;  // of the mechanisms, the worst first
   CheckedInstant result_;

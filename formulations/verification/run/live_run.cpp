@@ -22,7 +22,7 @@ struct LiveRun::Checks {
   std::optional<RunningScales> scales{};
   std::optional<Follower> follower{};
   InstantCopy begin{};            // the last proven row
-  std::optional<RowFlag> lost{};  // since that row the branch is unknown
+  std::optional<RowFlag> lost{};  // flag of all rows since the branch became unknown
 };
 
 std::string unsupported_live_reason(const Formulation& f) {
@@ -100,12 +100,13 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   return summary;
 }
 
-/// Returns the row that the formulation has solved. Its time is 0 in what it is checked with.
+/// Returns the row that the formulation has solved, at time 0 as RowMotions counts.
 Instant LiveRun::solved() const {
   return instant_of(0, {formulation_.q(), formulation_.qd(), formulation_.qdd()}, options_.level);
 }
 
-/// Checks a row that was solved or not, and makes it the last good one if it is good.
+/// Checks a row, which the formulation has solved or not. Makes it the last good row unless it
+/// fails.
 void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   c.begin.time = c.motions.lead_to(row);
@@ -142,9 +143,9 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   if (summary.flag) summary.flag->time = row.time;
 }
 
-/// Goes to a row that no proven one comes before, the first one from the drawing. Where no way
-/// leads there, and after rows without a proof, the answer is what the formulation has found; null:
-/// it has found nothing, either.
+/// Finds the instant of a row that no proven row comes before. The first row is reached from the
+/// drawing. If no way leads there, and after rows without a proof, takes what the formulation has
+/// found. Returns null if it has found nothing.
 const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   const bool is_solved = summary.status == Status::solved;
@@ -160,14 +161,14 @@ const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
     } else {
       c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
     }
-  } else if (is_solved && !c.lost) {  // on which branch that is, nobody knows
+  } else if (is_solved && !c.lost) {  // no proven row before: the branch is unknown
     c.lost = {.kind = RowFlag::Kind::branch, .after = time_, .before = row.time};
   }
   return is_solved ? &c.follower->refinement.refine(solved()) : nullptr;
 }
 
-/// Follows the motion from the last proven row to this one. Where the formulation is elsewhere, or
-/// has found nothing, the end of the path is the answer; null: the motion does not lead there.
+/// Follows the motion from the last proven row to this one. If the formulation is on another branch
+/// or has found nothing, takes the end of the path. Returns null if the motion does not lead there.
 const RefinedInstant* LiveRun::follow(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   const bool is_solved = summary.status == Status::solved;
@@ -188,7 +189,7 @@ const RefinedInstant* LiveRun::follow(const LiveRow& row, LiveSummary& summary) 
   return return_to(row.time, c.follower->refinement.refine(end), summary);
 }
 
-/// Makes a refined instant the row's result. The formulation continues from its positions.
+/// Makes a refined instant the row's result, and lets the formulation go on from its positions.
 const RefinedInstant* LiveRun::return_to(double time, const RefinedInstant& found,
                                          LiveSummary& summary) {
   stepping_of(formulation_).return_to(found.instant.q, time);

@@ -20,14 +20,15 @@ struct RefinedInstant;
 /// Options of a live run, which hold for all its rows.
 struct LiveOptions {
   Level level = Level::acceleration;  ///< highest level that is solved and proven
-  /// Level asked for of each coordinate (Plan::levels); empty: `level`. The memory must last until
-  /// the constructor of LiveRun returns, which calls the formulation's solve_only(): that lasts.
+  /// Level requested of each coordinate (Plan::levels); empty: `level`. The constructor of LiveRun
+  /// hands it to the formulation (solve_only()), which keeps to it. The memory must last until the
+  /// constructor returns.
   std::span<const Level> levels{};
-  /// The velocities and accelerations that radii are relative to, which only the caller can know
-  /// in advance; empty: the largest so far, which at the beginning may be small.
+  /// Scales that radii are divided by, which only the caller can know in advance. Empty: the
+  /// largest velocities and accelerations so far, which at the beginning may be small.
   std::optional<Scales> scales{};
-  /// Largest number of sub-steps in which a row is solved, and of path proofs after the first by
-  /// which it is followed.
+  /// Maximum number of sub-steps in which a row is solved; max_sub_steps + 1 path proofs may follow
+  /// it.
   int max_sub_steps = 64;
   CheckMode check = CheckMode::proof;  ///< none or proof
 };
@@ -40,16 +41,16 @@ enum class RowFault {
   time_not_later,  ///< the time is that of the last good position, or before it
 };
 
-/// The outcome of one row of driver values; LiveRun itself has the coordinates that it led to.
-/// outcome() says whether they may be used. It is no Summary, whose ok() tells no flagged rows.
+/// Summary of one row of driver values. LiveRun has the coordinates; outcome() says whether they
+/// may be used. (Summary::ok() would not tell flagged rows.)
 struct [[nodiscard]] LiveSummary : BasicSummary {
-  /// Not none: the row was refused before anything was tried. `status` then says that the row
-  /// failed, and no more; describe() gives the reason.
+  /// If not `none`, the row was refused before anything was tried. `status` then says only that the
+  /// row failed; describe() gives the reason.
   RowFault fault = RowFault::none;
-  std::optional<RowFlag> flag{};  ///< of a row that was solved; none: proven, or not checked
-  PerLevel<double> radius{};      ///< largest of the row, relative to LiveRun::scales()
+  std::optional<RowFlag> flag{};  ///< of a row that was solved; empty: proven, or not checked
+  PerLevel<double> radius{};      ///< largest of the row, over LiveRun::scales()
   double condition = 0;           ///< Certificate::condition; 0: not checked
-  /// Report on the drivers' way from the last proven row. time: as far as that is proven.
+  /// Report on the way from the last proven row. path.time: time up to which it is proven [s].
   FollowedStep path{};
 
   /// Returns whether the row failed because no proven motion leads to it. The formulation may have
@@ -64,11 +65,11 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   }
 };
 
-/// Returns a sentence for people, like that of a Summary; of a row that was refused, why.
+/// Returns a sentence for people, like that of a Summary; for a refused row, the reason.
 std::string describe(const LiveSummary& summary, const Model& model);
 
-/// A run whose driver values are handed in at every step, for a controller, a simulator in a loop
-/// or an optimiser:
+/// A run whose driver values are handed in at every step: for a controller, a simulator in a loop
+/// or an optimiser.
 ///
 ///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
 ///   LiveRun run(*formulation, {.scales = scales});
@@ -77,12 +78,12 @@ std::string describe(const LiveSummary& summary, const Model& model);
 ///     if (answer.outcome() != Outcome::failed) use(run.q(), run.qd(), run.qdd());
 ///   }
 ///
-/// The motions of the model's drivers are not used: any will do. The values of a row are exact.
-/// Every answer is proven like those of run_checked(), or flagged. The first row is reached from
-/// the drawing (find_start). Between rows the drivers follow the polynomial of lowest degree
-/// through both (RowMotions): the proof is that this motion leads from the last proven row to the
-/// answer. Where the formulation is elsewhere, or finds nothing, the end of the path is the answer,
-/// and the formulation goes on from there.
+/// The motions of the model's drivers are not used: any will do. The values of a row count as
+/// exact. Every answer is proven like those of run_checked(), or flagged. The first row is reached
+/// from the drawing (find_start()). Between rows the drivers follow the polynomial of lowest degree
+/// through both (RowMotions). The proof is that this motion leads from the last proven row to the
+/// answer. Where the formulation is on another branch, or finds nothing, the end of the path is the
+/// answer, and the formulation goes on from there.
 ///
 /// Outcomes of unusual rows:
 /// - NaN, infinity or a wrong size: failed, with a `fault`; nothing was tried
@@ -94,15 +95,17 @@ std::string describe(const LiveSummary& summary, const Model& model);
 ///   one to which the way passes a change point: degraded alone
 /// - a first row in a singular position, or where rounding leaves too few digits: degraded
 ///
-/// After a failure the values are those of the last good row, and the next row starts there. From
-/// the second good row on nothing is taken from the heap, but by libraries of linear algebra.
-/// explain() does, for it is not for the loop. A row of 558 coordinates takes some 0.2 ms.
+/// A row is good unless it failed. After a failure the values are those of the last good row, and
+/// the next row starts there. From the second good row on step() allocates nothing, but for
+/// libraries of linear algebra. A row of 558 coordinates takes some 0.2 ms.
 class LiveRun {
  public:
-  /// The formulation outlives the run, which is the only one to use it. Throws
-  /// std::invalid_argument where the formulation needs a motion known in advance
-  /// (unsupported_live_reason), for options that are out of range, and where `levels` is not empty
-  /// and has not one level for each coordinate.
+  /// The formulation must outlive the run, and nothing else may use it. Throws
+  /// std::invalid_argument
+  /// - for a formulation that needs a motion known in advance (unsupported_live_reason),
+  /// - for options that are out of range,
+  /// - for `levels` that is neither empty nor has one level for each coordinate,
+  /// - for coordinates that are not natural, unless CheckMode is `none`.
   explicit LiveRun(Formulation& formulation, const LiveOptions& options = {});
   ~LiveRun();
 
@@ -116,14 +119,14 @@ class LiveRun {
 
   /// Returns whether there is a good row.
   bool has_position() const { return has_position_; }
-  /// The last good row: time [s] and values in coordinate order (Model::coordinates()). Those that
-  /// the options leave out are unspecified.
+  /// Return the last good row: time [s] and values in coordinate order (Model::coordinates()).
+  /// Levels above those of the options are empty or unspecified.
   double time() const { return time_; }
   std::span<const double> q() const { return good_.position; }
   std::span<const double> qd() const { return good_.velocity; }
   std::span<const double> qdd() const { return good_.acceleration; }
-  /// Bounds on |value − exact| of the last good row, in units of the coordinates; infinite where
-  /// there are none.
+  /// Returns bounds on |value − exact| of the last good row, in units of the coordinates; infinite:
+  /// no bound is proven.
   const PerLevel<std::vector<double>>& radius() const { return radius_; }
   /// Returns the scales that radii are relative to: those given, or the motion's so far.
   Scales scales() const;
@@ -135,7 +138,8 @@ class LiveRun {
     std::optional<Misfit> assembly_error;
     std::optional<TableLock> table_lock{};
   };
-  /// Finds what kept the row that failed last from being solved. Allocates, and takes long.
+  /// Finds what kept the last failed row from being solved. Allocates and takes long: call it
+  /// outside of the loop.
   Obstacle explain() const;
 
  private:

@@ -14,7 +14,7 @@ RelativeRadius relative_radius(const Model& m, const PerLevel<std::span<const do
       if (e.fixed || radius[level].empty()) continue;
       double squares = 0;
       for (const double x : radius[level].subspan(e.first, e.size)) squares += x * x;
-      if (!std::isfinite(squares)) continue;  // of a level that is not solved
+      if (!std::isfinite(squares)) continue;  // unproven, or of a level that is not solved
       const double own = std::sqrt(squares) * above;
       double& largest = (is_length(e.kind) ? result.length : result.rotation)[level];
       largest = std::max(largest, own);

@@ -8,19 +8,19 @@
 
 namespace desmo {
 
-/// Largest radii of an instant, over scales and as they are, and the group of the worst.
+/// Largest radii of an instant, over scales and in their own units.
 struct RelativeRadius {
   PerLevel<double> largest{};             ///< over scales
   PerLevel<double> length{}, rotation{};  ///< in their own units
-  double worst = 0;
-  GroupId group = no_position;
+  double worst = 0;                       ///< maximum of `largest`
+  GroupId group = no_position;            ///< structural group of the worst
 
-  /// A radius of this part of a scale proves no digit.
+  /// Returns whether a radius exceeds half of its scale: then no digit is proven.
   bool proves_no_digit() const { return worst > 0.5; }
 };
 
-/// Returns the largest radii of points, directions, angles and distances, rounded up, over their
-/// scales. Infinite radii are left out, unproven or not solved; so are ratios to scales of 0.
+/// Returns the largest radii of points, directions, angles and distances, rounded up. Leaves out
+/// infinite radii, which are unproven or not solved, and ratios to scales of 0.
 RelativeRadius relative_radius(const Model& model, const PerLevel<std::span<const double>>& radius,
                                const Scales& scales);
 

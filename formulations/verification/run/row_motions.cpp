@@ -27,9 +27,9 @@ double RowMotions::lead_to(const LiveRow& row) {
   return begin;
 }
 
-/// Finds the coefficients of z(t) = Σ cₖ tᵏ. The first ones, of Taylor's polynomial, are the row's.
-/// By off, rate_off and second_off that polynomial misses the earlier row, at time h; the further
-/// coefficients make up for it:
+/// Finds the coefficients of z(t) = Σ cₖ tᵏ. The first are those of Taylor's polynomial about the
+/// later row z, ż, z̈, at time 0. At time h < 0 it misses the earlier row z₀, ż₀, z̈₀ by off,
+/// rate_off and second_off, which determine the further coefficients:
 ///
 ///   z₀ = z + h ż + h²/2 z̈ + h³ off,  ż₀ = ż + h z̈ + h² rate_off,  z̈₀ = z̈ + h second_off
 void RowMotions::lead_driver(std::size_t driver, const LiveRow& row, double h) {

@@ -10,12 +10,12 @@
 namespace desmo {
 
 /// Motions of drivers that are known in rows alone. Between two rows they are polynomials: quintics
-/// where the rows have accelerations, cubics where they have velocities, else straight lines. The
-/// later row has time 0, where the polynomial has the row's numbers exactly. At the earlier one the
-/// remainder of the last coefficient covers what rounding leaves.
+/// if the rows have accelerations, cubics if they have velocities, else straight lines. The later
+/// row has time 0, where the polynomial has its numbers exactly. The radius of the last coefficient
+/// is so large that the position of the earlier row is enclosed, too.
 class RowMotions {
  public:
-  /// Copies the model, whose own motions do not count. level: the highest one that rows have.
+  /// Copies the model, whose own motions are not used. level: the highest level of the rows.
   RowMotions(const Model& model, Level level);
 
   /// Returns the model with the present motions.
@@ -26,11 +26,11 @@ class RowMotions {
   /// Makes a row the earlier one.
   void begin_at(const LiveRow& row);
   bool has_begun() const { return has_begun_; }
-  /// Lets the earlier row be later by a time [s].
+  /// Shifts the earlier row by a time [s].
   void shift_time(double later) { time_ += later; }
 
-  /// Sets the motions from the earlier row to a later one. Returns the time of the earlier one as
-  /// the motions count it, negative [s]; 0 where there is none.
+  /// Sets the motions from the earlier row to a later one. Returns the time of the earlier row [s],
+  /// counted from the later one and thus negative; 0 if there is none.
   double lead_to(const LiveRow& row);
 
  private:

@@ -13,7 +13,8 @@ class RowTally {
   /// The model must outlive this.
   RowTally(const Model& model, const TimeGrid& grid) : m_(model), scales_(model, grid) {}
 
-  /// Includes a row, and writes its relative radii. Flags it where they leave no digit.
+  /// Includes a row, and writes its relative radii. Flags it if they leave no digit
+  /// (RelativeRadius::proves_no_digit()).
   void take(CheckedInstant& row, CheckedSummary& summary);
   /// Writes the scales of the motion, and the largest radii over them.
   void finish(CheckedSummary& summary) const;
@@ -25,7 +26,7 @@ class RowTally {
   const Model& m_;
   RunningScales scales_;
   PerLevel<double> length_{}, rotation_{};  // largest radii of proven rows
-  std::map<GroupId, double> last_point_;    // of a group, RowFlag::after
+  std::map<GroupId, double> last_point_;    // RowFlag::after of each group's last change point
 };
 
 }  // namespace desmo

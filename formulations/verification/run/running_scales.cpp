@@ -7,8 +7,9 @@ namespace desmo {
 
 namespace {
 
-/// Least scale of unknowns over that of the drivers, before any instant is seen; also the least
-/// acceleration over velocity² / position.
+/// Lower limits of scales. Lengths move at least with this × size × the rates of driven angles, and
+/// rotations with this × the rates of driven distances / size. Accelerations are at least this ×
+/// velocity² / position.
 constexpr double min_scale = 0.01;
 
 }  // namespace
@@ -17,11 +18,11 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid) {
   for (const Entity& e : m.entities)
     if (!e.fixed) moving_.push_back({e.first, e.size, is_length(e.kind)});
   const double size = nominal_size(m);
-  PerLevel<double> length, rotation;  // the largest of drivers
+  PerLevel<double> length, rotation;  // largest rates of drivers
   for (const Driver& d : m.drivers)
     for (int i = 0; i < std::max(1, grid.instants); ++i) {
       const MotionSample<double> z = sample(d.motion, grid.time(i));
-      // A rate that is no finite number ends the motion before that instant.
+      // Left out: the motion ends before an instant at which a rate is not finite.
       if (!std::isfinite(z.velocity) || !std::isfinite(z.acceleration)) continue;
       PerLevel<double>& most = is_length(m.entities[d.coordinate].kind) ? length : rotation;
       most.velocity = std::max(most.velocity, std::abs(z.velocity));

@@ -9,8 +9,8 @@
 
 namespace desmo {
 
-/// Scales of a motion (see Scales) while it is being solved. They start from the drivers' rates and
-/// grow with the instants so far.
+/// Scales of a motion (see Scales) while it is being solved. They start at the largest rates of the
+/// drivers over the grid, and grow with each instant.
 class RunningScales {
  public:
   RunningScales(const Model& model, const TimeGrid& grid);

@@ -10,14 +10,15 @@ namespace desmo {
 
 namespace {
 
-/// Returns an operand that moves; no_position: none does.
+/// Returns the first operand that moves; no_position: none does.
 EntityId moving_operand(const Model& m, const Constraint& c) {
   const auto moving =
       std::ranges::find_if(c.operands, [&](EntityId e) { return !m.is_at_rest(e); });
   return moving == c.operands.end() ? no_position : *moving;
 }
 
-/// Returns the set of each entity: no equation joins two sets. no_position: it is at rest.
+/// Returns for each entity the number of its set; no_position: it is at rest. No equation joins
+/// moving entities of two sets.
 std::vector<int> independent_sets(const Model& m) {
   const auto entities = static_cast<EntityId>(m.entities.size());
   DisjointSets joined(m.entities.size());
@@ -33,8 +34,8 @@ std::vector<int> independent_sets(const Model& m) {
   return set;
 }
 
-/// Returns fixed points that are farthest out along the axes. With them a submodel has the size
-/// (nominal_size()) of the whole ground.
+/// Returns the fixed points that are farthest out along each axis. With them nominal_size() of a
+/// submodel includes the whole ground.
 std::vector<EntityId> outermost_fixed_points(const Model& m) {
   std::vector<EntityId> points, outermost;
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
@@ -47,7 +48,7 @@ std::vector<EntityId> outermost_fixed_points(const Model& m) {
   return outermost;
 }
 
-/// Returns the members of the submodels.
+/// Returns the members of each submodel.
 std::vector<Members> independent_members(const Model& m) {
   const std::vector<int> set = independent_sets(m);
   std::vector<Members> all(set.empty() ? 0 : std::ranges::max(set) + 1);
@@ -58,7 +59,7 @@ std::vector<Members> independent_members(const Model& m) {
       for (Members& each : all) (each.*list).push_back(member);
   };
   const std::vector<bool> is_driven = independent_coordinates(m);
-  std::vector<std::set<int>> solving(m.groups.size());  // sets with unknowns of a group
+  std::vector<std::set<int>> solving(m.groups.size());  // sets that have unknowns of each group
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e) {
     const Entity& entity = m.entities[e];
     if (entity.fixed) continue;

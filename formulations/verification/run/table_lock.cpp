@@ -18,7 +18,7 @@ std::optional<TableLock> find_table_lock(const Model& m, int constraint,
   const auto table = [&c](int k) { return c.constants[TableCoupling::table + k].value; };
   const double to_end = std::min(at - table(3), table(3 + static_cast<int>(table(0))) - at);
   const double slope = table_number<1>(table, at), curvature = 2 * table_number<2>(table, at);
-  const double to_extremum = std::abs(slope / curvature);  // by Newton's method
+  const double to_extremum = std::abs(slope / curvature);  // one step of Newton's method
   const bool locks = table(1) != 0 || to_extremum < to_end;
   return locks ? std::optional(TableLock{argument, value}) : std::nullopt;
 }

@@ -7,17 +7,18 @@
 
 namespace desmo {
 
-/// A position in which a coordinate that follows a table cannot go on as it is driven, since the
-/// table has an extremum there.
+/// A position in which the value of a table is driven beyond an extremum of the table, so that its
+/// argument cannot go on.
 struct TableLock {
-  EntityId argument;  ///< coordinate that the table is read at
-  double at;          ///< its value [unit of length] or [rad]
+  EntityId argument;  ///< coordinate that is the argument of the table
+  double at;          ///< its last proven value [unit of length] or [rad], near the extremum
 };
 
-/// Returns the lock of a motion that a formulation led outside of a table (Status::not_finite,
-/// Summary::constraint); nothing where an end of the table is nearer than an extremum, or no table
-/// is concerned.
-/// - followed_to: the positions up to which the motion was proven; may be empty
+/// Returns the lock of a motion that a formulation led outside of a table (Status::not_finite);
+/// nothing if an end of the table is nearer than an extremum, or the constraint has no table. A
+/// table that repeats has no end.
+/// - constraint: BasicSummary::constraint
+/// - followed_to: positions up to which the motion was proven; may be empty
 std::optional<TableLock> find_table_lock(const Model& model, int constraint,
                                          std::span<const double> followed_to);
 
