@@ -10,10 +10,10 @@
 
 namespace desmo {
 
-/// A search for double roots of the determinants of irreducible blocks, point by point along a
-/// curve: for singular positions at which none changes its sign. There the square root of a
-/// determinant changes its sign like a line: of three points in a row the middle one tells whether
-/// it may. An evaluation costs a step.
+/// Search for singular positions along a curve, point by point, at which no determinant of an
+/// irreducible block changes its sign: double roots. Near one, √|det| with its sign changed on one
+/// side is about linear in the arc. So the middle one of three successive points tells whether
+/// there may be a root. Each evaluation of the search costs a step of the curve.
 class DoubleRootSearch {
  public:
   /// Both must outlive the search.
@@ -25,16 +25,17 @@ class DoubleRootSearch {
     since_ = 0;
   }
 
-  /// Adds the point that lies a length after the last one, and its determinants, none of which is
-  /// zero or has changed its sign since then. Returns the first double root around the last point,
-  /// to 1e-9 rad or characteristic lengths.
+  /// Adds a point that lies an arc `length` after the last one, with its determinants, none of
+  /// which is zero or has changed its sign since then. Returns a double root near the point that
+  /// was added before: that of the first block which has one. The driver's value is exact to 1e-9
+  /// rad or characteristic lengths.
   std::optional<ChangePoint> add(const SolutionCurve::Point& point, const Determinants& there,
                                  double length);
 
  private:
   struct Sample {
     SolutionCurve::Point point;
-    double length;  // since the one before
+    double length;  // arc from the sample before
     Determinants determinants;
 
     double root(int block) const { return std::exp(determinants.logs[block] / 2); }  // √|det|
@@ -48,7 +49,7 @@ class DoubleRootSearch {
   SolutionCurve& curve_;
   const BlockDeterminants& determinants_;
   std::vector<Sample> last_;  // three at most
-  double since_ = 0;          // length since the last of them
+  double since_ = 0;          // arc since the last of them
 };
 
 }  // namespace desmo

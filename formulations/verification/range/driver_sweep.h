@@ -18,13 +18,16 @@ class DriverSweep {
  public:
   using Point = SolutionCurve::Point;
 
-  /// start: on the model's curve for that driver. The model must outlive the sweep.
+  /// - start: a point of the model's curve for that driver
+  /// - direction: of the driver, 1 or −1
+  /// The model must outlive the sweep.
   DriverSweep(const Model& m, int driver, const RangeLimits& limits, Point start, double direction);
 
   /// Sweeps from the start. Returns where it ends, and why.
   RangeEnd run();
   /// Sweeps back on the other branch, which meets this one at the dead point where run() has ended.
-  /// Nothing where several loops lock at once: there are several branches.
+  /// Returns nothing if run() ended otherwise, or where several loops lock at once and several
+  /// branches meet.
   std::optional<RangeEnd> run_after_dead_point();
   /// Returns the change points of all sweeps, in the order in which they were passed.
   const std::vector<ChangePoint>& change_points() const { return change_points_; }
@@ -41,19 +44,19 @@ class DriverSweep {
   bool is_start(const Point& point) const;
   std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
   bool choose_equations(Point& point);
-  /// Returns whether two values of the driver are one.
+  /// Returns whether two values of the driver are equal to the accuracy.
   bool is_same(double a, double b) const {
     return std::abs(a - b) < limits_.accuracy * curve().scale();
   }
   RangeEnd end(RangeStop stop, const Point& point) const;
   RangeEnd stuck_at(const Point& point, const EarlierPoint& far);
 
-  /// A curve by the equations that a model keeps.
+  /// A curve by the equations that a model keeps, and what is evaluated along it.
   struct Followed {
     Followed(const Model& m, int driver, const RangeLimits& limits)
         : model(m), curve(m, driver, limits) {}
 
-    std::unique_ptr<const Model> own{};  // where it is not the sweep's
+    std::unique_ptr<const Model> own{};  // the model, if equations were chosen anew
     const Model& model;
     SolutionCurve curve;
     BlockDeterminants determinants{model};
@@ -69,9 +72,9 @@ class DriverSweep {
   std::unique_ptr<Followed> followed_;
   Point start_;
   double direction_;
-  int turns_ = 1;  // after which it is looked for the start
+  int turns_ = 1;  // number of turns after which the start may be reached again
   std::vector<ChangePoint> change_points_;
-  std::optional<Point> turned_;  // after the dead point
+  std::optional<Point> turned_;  // point beyond the dead point
 };
 
 }  // namespace desmo

@@ -10,45 +10,51 @@
 
 namespace desmo {
 
-/// Dead point of a curve, and a point beyond it.
+/// Dead point of a curve, and a point of the curve after it.
 struct DeadPoint {
   RangeEnd end;
   SolutionCurve::Point after;
 };
 
-/// A point of a curve so far from a later one that its tangent is known well, and the arc between.
+/// A point of a curve, far enough from a singular one that its tangent is known well, and the arc
+/// from it to the present point.
 struct EarlierPoint {
   SolutionCurve::Point point;
   double arc = 0;
 };
 
-/// Returns whether the driver may turn back and forth within a step: it goes forward at both ends,
-/// but its speed in the middle, by Simpson's rule, is not forward. direction: 1 or −1.
+/// Returns whether the driver may turn back and forth within a step of arc `length`: it goes
+/// forward at both ends, but by Simpson's rule not in the middle. direction: forward, 1 or −1
 bool turns_twice(const SolutionCurve& curve, const SolutionCurve::Point& from,
                  const SolutionCurve::Point& to, double length, double direction);
 
 /// Finds the dead point in a step at whose end the driver goes back. The driver's value is
-/// stationary there, so it is known far better than the position. Returns nothing where it cannot
-/// be bracketed to the accuracy. direction: of the driver before, 1 or −1.
+/// stationary there, so it is known far better than the position. Returns nothing if it cannot be
+/// bracketed to the accuracy.
+/// - from, length: start and arc of the step
+/// - far: a point before it; its arc leads to `from`
+/// - direction: of the driver before the dead point, 1 or −1
 std::optional<DeadPoint> find_dead_point(const Model& model, SolutionCurve& curve,
                                          const SolutionCurve::Point& from, const EarlierPoint& far,
                                          double length, double direction);
 
-/// Finds the dead point just beyond the last point to which a curve can be followed, where several
-/// loops lock at once: curves cross there, and det B vanishes, too. The driver's speed and singular
-/// values of Φ_φ fall like the distance. Returns nothing where they do not, or the driver's value
-/// is not known to the accuracy. before: a locking_arc from the last point.
+/// Finds the dead point at which several loops lock at once, just beyond the last point to which a
+/// curve can be followed: curves cross there, and det B vanishes, too. Towards it the driver's
+/// speed and singular values of Φ_φ fall like the distance. Returns nothing if they do not, or if
+/// the driver's value is not known to the accuracy. before: a locking_arc before the last point
 std::optional<RangeEnd> find_joint_lock(const Model& model, SolutionCurve& curve,
                                         const SolutionCurve::Point& before,
                                         const SolutionCurve::Point& last, double direction);
 
-/// Returns at x Lagrange's polynomial through points (xs, ys).
+/// Returns the value at x of Lagrange's polynomial through the points (xs, ys).
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x);
 
-/// Returns the driver's value at a crossing in a step of a length, a little after an earlier
-/// point. Positions next to a crossing are not well known; so the value at which det B vanishes is
-/// interpolated from points further away, to which the curve leads from the earlier one. det B
-/// vanishes like the distance to the power of the number of blocks that become singular.
+/// Returns the driver's value at a crossing, which a step crosses. Positions next to a crossing are
+/// not well known, so the value at which det B vanishes is interpolated from points further away;
+/// if these are not found, it is the middle between the ends.
+/// - before: an earlier point, from which steps lead to these; its arc leads to the step
+/// - length: arc of the step
+/// - blocks: number of blocks that become singular. det B vanishes like the distance to this power
 double find_crossing(SolutionCurve& curve, const EarlierPoint& before, double length,
                      std::size_t blocks);
 

@@ -13,13 +13,13 @@
 
 namespace desmo {
 
-/// The positions that a mechanism can take while one driver moves and the others rest: a curve
-/// Φ(φ, z) = 0 in the unknowns φ that depend on the driver, and the driver's value z. It is
-/// followed by its arc (Keller 1977): a predictor along the tangent, and Newton's method in the
-/// plane across it, whose matrix
+/// Curve of the positions that a mechanism can take while one driver moves and the others rest:
+/// Φ(φ, z) = 0, with the unknowns φ that depend on the driver, and the driver's value z. It is
+/// followed by its arc (Keller 1977): a predictor goes along the tangent t, and Newton's method
+/// corrects in the plane across it. Its matrix
 ///
 ///   B = [Φ_φ  Φ_z]  rows over their sums, columns times characteristic lengths (rad for angles)
-///       [   tᵀ   ]  t: the tangent
+///       [   tᵀ   ]
 ///
 /// is regular at dead points, where Φ_φ is singular and the driver turns back.
 class SolutionCurve {
@@ -27,11 +27,12 @@ class SolutionCurve {
   /// A position on the curve.
   struct Point {
     std::vector<double> state;  ///< q, then the fixed components
-    Eigen::VectorXd tangent;  ///< scaled, its largest component 1 or −1; the driver's comes last
-    int sign = 0;             ///< of det B; changes where curves cross
-    double log_determinant = 0;  ///< log |det B| with rows as they are
+    /// Components over scale(), of the unknowns and then the driver; the largest is 1 or −1.
+    Eigen::VectorXd tangent;
+    int sign = 0;                ///< of det B; changes where curves cross
+    double log_determinant = 0;  ///< log |det B|, with rows not divided by their sums
 
-    /// Returns how the driver moves along the curve, over its scale: 0 at a dead point.
+    /// Returns the driver's component of the tangent: 0 at a dead point.
     double speed() const { return tangent[tangent.size() - 1]; }
   };
 
@@ -42,36 +43,37 @@ class SolutionCurve {
   /// Returns whether no unknown depends on the driver.
   bool is_idle() const { return unknowns_.empty(); }
 
-  /// Returns the point of the curve at or next to a position that is nearly solved, with the
-  /// driver's value where that determines it. The driver moves upwards along the tangent. At a
-  /// crossing the position stays as it is. Returns nothing where no position is found.
+  /// Returns the point of the curve at or next to a position that is nearly solved; nothing if none
+  /// is found. It has the driver's value of the position unless a dead point is near. The driver
+  /// moves upwards along the tangent. At a crossing the position is not corrected.
   std::optional<Point> start(std::vector<double> state);
   /// Returns whether the last start() was at a crossing of two curves, to rounding.
   bool is_crossing() const { return crosses_; }
 
-  /// Returns the point a step further, the largest scaled change of any component being about
-  /// `length`, which may be negative; nothing where Newton's method does not go there at once.
+  /// Returns the point a step further along the curve: the largest scaled change of a component is
+  /// about `length`, which may be negative. Returns nothing if Newton's method does not converge at
+  /// once, or the tangent turns too far.
   std::optional<Point> step(const Point& from, double length);
 
-  /// Returns the point with this value of the driver, from one that is near.
+  /// Returns the point at which the driver has a value, starting from a point nearby.
   std::optional<Point> at(const Point& from, double value);
 
-  /// Returns the same point with its tangent turned round: step() then leaves it in the other
+  /// Returns the same point with its tangent reversed: step() then leaves it in the other
   /// direction.
   static Point reversed(Point point);
 
   /// Magnitudes of Lagrange multipliers, of rows over their sums, for a unit force on the driver.
   struct Forces {
-    std::vector<double> of_constraints;  ///< by constraint, divided by the largest
-    double rounding;  ///< change of the driver's value that a rounding error in Φ may cause
+    std::vector<double> of_constraints;  ///< largest of each constraint, over the largest of all
+    double rounding;  ///< change of the driver's value that rounding of Φ may cause
   };
-  /// Returns the forces at a point: at a dead point, of what stops the driver. Zeros where B is
-  /// singular.
+  /// Returns the forces at a point. At a dead point they tell what stops the driver. If B is
+  /// singular, forces are 0 and `rounding` is infinite.
   Forces forces(const Point& point);
 
   const RangeLimits& limits() const { return limits_; }
   double value(const Point& point) const { return point.state[driver_]; }
-  double scale() const { return scale_.back(); }                  ///< of the driver
+  double scale() const { return scale_.back(); }  ///< of the driver: 1 rad or a length
   const std::vector<int>& unknowns() const { return unknowns_; }  ///< coordinates, ascending
   double scale(int unknown) const { return scale_[unknown]; }
   /// Irreducible blocks that depend on the driver, in solution order.
@@ -90,13 +92,13 @@ class SolutionCurve {
 
   const RangeLimits limits_;
   WholeSystem system_;
-  int driver_;  // its component of the state
+  int driver_;  // the driver's component of the state
   std::vector<int> unknowns_;
   std::vector<double> scale_;  // of the unknowns, then of the driver
   std::vector<PartDefinition> blocks_;
-  std::vector<int> column_;      // by component of the state; -1: at rest
-  std::vector<int> row_;         // by row of the whole system; -1: it has no unknown
-  std::vector<int> constraint_;  // by row
+  std::vector<int> column_;      // column in B of each component of the state; -1: at rest
+  std::vector<int> row_;         // row in B of each row of the whole system; -1: no unknown in it
+  std::vector<int> constraint_;  // constraint of each row in B
   std::size_t constraints_;
   Eigen::VectorXd row_sums_;
   std::vector<double> phi_;
