@@ -15,7 +15,7 @@ using Point = SolutionCurve::Point;
 std::optional<ChangePoint> DoubleRootSearch::add(const Point& point, const Determinants& there,
                                                  double length) {
   since_ += length;
-  // The middle of three points tells nothing where it lies next to one of them.
+  // A middle point too near to an outer one tells nothing: waits for a later point.
   if (last_.size() > 1 && since_ < last_.back().length / 2) return {};
   last_.push_back({point, std::exchange(since_, 0), there});
   if (last_.size() < 3) return {};
@@ -29,35 +29,36 @@ std::optional<ChangePoint> DoubleRootSearch::add(const Point& point, const Deter
   return found;
 }
 
-/// Returns whether the middle of three points is nearer to a line through the outer ones with the
-/// sign of one changed than to the line without.
+/// Returns whether √|det| of the middle point is nearer to the line through the outer points with
+/// one sign changed than to the line without.
 bool DoubleRootSearch::may_have_root(int block) const {
   const double a = last_[0].root(block), b = last_[1].root(block), c = last_[2].root(block),
                share = last_[1].length / (last_[1].length + last_[2].length);
   return b <= a && b <= c && b < std::max(share * c, (1 - share) * a);
 }
 
-/// Returns √|det| a distance from the middle point; 0 where no position is found.
+/// Returns √|det| at an arc `distance` from the middle point; 0 if no position is found there.
 double DoubleRootSearch::root_at(int block, double distance) {
   const std::optional<Point> p = curve_.step(last_[1].point, distance);
   const Determinants there = p ? determinants_.at(p->state) : Determinants{};
   return there.empty() ? 0 : std::exp(there.logs[block] / 2);
 }
 
-/// Returns the distance from the middle point at which a determinant is least, by Brent's method.
-/// It is off by less than the distances that value_of_root() looks at.
+/// Returns the arc from the middle point at which a determinant is smallest, by Brent's method. Its
+/// error is less than double_root_distance().
 double DoubleRootSearch::least(int block) {
   const int bits = 3 - std::ilogb(curve_.limits().double_root_distance());
   const double end = last_[2].length;
-  // The search begins at the end, whose value is known: a single step may not lead so far.
+  // Brent's method begins at `end`, to which a single step may not lead: the value is known.
   const auto root = [&](double distance) {
     return distance == end ? last_[2].root(block) : root_at(block, distance);
   };
   return boost::math::tools::brent_find_minima(root, -last_[1].length, end, bits).first;
 }
 
-/// Returns the driver's value where √|det| with a sign on either side vanishes, if det does: both
-/// interpolated from around, as positions next to a singular one are not well known.
+/// Returns the driver's value at which ±√|det|, negative on one side, is zero; nothing if det is
+/// not zero there. Both are interpolated from points around, since positions right next to a
+/// singular one are not well known. about: arc of the root from the middle point, roughly
 std::optional<double> DoubleRootSearch::value_of_root(int block, double about) {
   const double apart = curve_.limits().double_root_distance();
   std::vector<double> distances, roots, determinants, values;
@@ -72,10 +73,11 @@ std::optional<double> DoubleRootSearch::value_of_root(int block, double about) {
     distances.push_back(distance);
     values.push_back(curve_.value(*p));
   }
+  // det counts as zero if it is smaller than at a locking_arc from a double root.
   const double there = interpolated(roots, distances, 0),
                determinant = interpolated(distances, determinants, there),
                edge = determinants[2] + determinants[3],
-               zero = curve_.limits().locking_arc() / apart;  // that far from a root it is none
+               zero = curve_.limits().locking_arc() / apart;
   if (!(std::abs(there - about) < apart && std::abs(determinant) < edge * zero * zero)) return {};
   return interpolated(roots, values, 0);
 }

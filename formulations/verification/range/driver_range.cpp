@@ -23,7 +23,7 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
     throw std::invalid_argument("find_range: driver " + std::to_string(driver) +
                                 " does not exist; the model has " +
                                 std::to_string(model.degrees_of_freedom()));
-  // Equations that modelling keeps may be dependent at the start.
+  // The equations that modelling has kept may be dependent at the start.
   const std::unique_ptr<const Model> chosen = with_chosen_equations(model, q);
   const Model& m = chosen ? *chosen : model;
   std::vector<double> state = m.state_of(q);
@@ -45,7 +45,7 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
     range.down.stop = range.up.stop = RangeStop::start;
     return range;
   }
-  // At a dead point the driver has no direction: a little further it has.
+  // At a dead point the driver does not move along the tangent: starts a little further.
   if (start && std::abs(start->speed()) < half_digits) {
     start = curve.step(*start, limits.max_crossing_step);
     if (start && start->speed() < 0) start = SolutionCurve::reversed(*std::move(start));
@@ -68,10 +68,10 @@ DriverRange find_range(const Model& model, std::span<const double> q, int driver
   for (const DriverSweep* sweep : {&down, &up})
     range.change_points.insert(range.change_points.end(), sweep->change_points().begin(),
                                sweep->change_points().end());
-  for (ChangePoint& c : range.change_points)  // no digit of such a value means anything
+  for (ChangePoint& c : range.change_points)  // a value below the accuracy has no correct digit
     if (std::abs(c.value) < limits.accuracy * curve.scale()) c.value = 0;
   std::ranges::sort(range.change_points, {}, &ChangePoint::value);
-  // A double root next to an end of a turn is found at both.
+  // A double root next to the ends of a full turn is found at both ends: keeps one.
   const auto is_double = [&](const ChangePoint& c, double value) {
     return c.is_double && std::abs(c.value - value) < limits.accuracy * curve.scale();
   };

@@ -25,8 +25,8 @@ bool crosses(const SolutionCurve::Point& a, const Determinants& at_a, const Solu
   return a.sign != b.sign || !at_a.changed(at_b).empty();
 }
 
-/// Returns whether a driver is a distance between two points, whose equation holds for its
-/// negative, too.
+/// Returns whether a driver is the distance of two points. Its equation is quadratic, so that it
+/// holds for negative values, too, which mean nothing.
 bool is_positive(const Model& m, EntityId driver) {
   const auto is_square = [&](const Constraint& c) {
     return (c.kind == kind_index<Distance<2>>() || c.kind == kind_index<Distance<3>>()) &&
@@ -45,8 +45,8 @@ DriverSweep::DriverSweep(const Model& m, int driver, const RangeLimits& limits, 
       start_(std::move(start)),
       direction_(direction) {}
 
-/// Goes on by other equations of overconstrained groups where those kept become dependent, though
-/// all are not. Returns whether it does; the point is then one of their curve.
+/// Takes other equations of overconstrained groups if the kept ones become dependent and others are
+/// better (with_chosen_equations()). Returns whether it does: the point is then on their curve.
 bool DriverSweep::choose_equations(Point& point) {
   auto chosen = with_chosen_equations(
       model(), std::span(point.state).first(static_cast<std::size_t>(model().coordinates())));
@@ -61,8 +61,8 @@ bool DriverSweep::choose_equations(Point& point) {
   return true;
 }
 
-/// Returns whether an equation that was left out as dependent does not hold, by more than digits of
-/// a file leave: on another branch, or where the others allow what it forbids.
+/// Returns whether the misfit of a left-out equation over its length exceeds max_misfit: the point
+/// is on another branch, or the kept equations allow what the left-out one forbids.
 bool DriverSweep::is_violated(const Point& point) const {
   const CharacteristicLengths lengths(model());
   for (int c = 0; c < static_cast<int>(model().constraints.size()); ++c) {
@@ -95,7 +95,7 @@ RangeEnd DriverSweep::end(RangeStop stop, const Point& point) const {
   return {.stop = stop, .value = value, .beyond = value};
 }
 
-/// Returns the end at the last point that is reached: several loops lock there, or nobody knows.
+/// Returns the end at the last point that is reached: several loops lock there, or not_reached.
 RangeEnd DriverSweep::stuck_at(const Point& point, const EarlierPoint& far) {
   if (const std::optional<Point> before = curve().step(far.point, far.arc - limits_.locking_arc()))
     if (auto lock = find_joint_lock(model(), curve(), *before, point, direction_))
@@ -103,7 +103,8 @@ RangeEnd DriverSweep::stuck_at(const Point& point, const EarlierPoint& far) {
   return end(RangeStop::not_reached, point);
 }
 
-/// Looks whether a step passes a whole turn, and whether that is the start again.
+/// Returns the end if a step passes a whole turn that leads to the start again, or the second turn;
+/// for a driver that is no angle, if it passes ten times the nominal magnitude.
 std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point& to) {
   const Entity& driver = model().entities[driven()];
   const bool turns = driver.kind == EntityKind::angle;
@@ -124,8 +125,8 @@ std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point&
   return {};
 }
 
-/// Looks for a double root around the last point. What lies before the start is of the sweep in
-/// the other direction.
+/// Looks for a double root near the last point. Roots before the start belong to the sweep in the
+/// other direction.
 void DriverSweep::look_for_double_root(const Point& next, const Determinants& there,
                                        double length) {
   if (const std::optional<ChangePoint> root = followed_->double_roots.add(next, there, length))
@@ -134,7 +135,7 @@ void DriverSweep::look_for_double_root(const Point& next, const Determinants& th
       change_points_.push_back(*root);
 }
 
-/// Looks for a double root as far as one more point, unless a determinant changes its sign before.
+/// Looks for a double root up to one more point, unless a determinant changes its sign before that.
 void DriverSweep::look_beyond(const Point& point, const Determinants& here, double length) {
   if (here.empty()) return;
   const std::optional<Point> next = curve().step(point, length);
@@ -143,8 +144,8 @@ void DriverSweep::look_beyond(const Point& point, const Determinants& here, doub
     look_for_double_root(*next, there, std::abs(length));
 }
 
-/// Adds the change point at a crossing in a step. Returns the end where a driven distance is zero
-/// there.
+/// Adds the change point at a crossing in a step. If a driven distance is zero there, returns that
+/// end instead.
 std::optional<RangeEnd> DriverSweep::add_crossing(const EarlierPoint& before, double length,
                                                   const std::vector<int>& changed) {
   const double value = find_crossing(curve(), before, length, changed.size());
@@ -171,8 +172,8 @@ RangeEnd DriverSweep::run_from(Point point) {
   Determinants before = determinants(point);
   look_beyond(point, before, -length);
   if (!before.empty()) look_for_double_root(point, before, length);
-  double since = 0;         // the last point that was looked at
-  EarlierPoint far{point};  // the last one from which more than a locking_arc was gone
+  double since = 0;         // arc since the last point that double roots were looked for at
+  EarlierPoint far{point};  // the last point from which a step longer than a locking_arc was made
   for (int step = 0; step < limits_.max_steps; ++step) {
     const auto again = [&] { return (length /= 2) > limits_.accuracy; };
     const auto leads_across = [&](const std::optional<Point>& p) {
@@ -193,7 +194,7 @@ RangeEnd DriverSweep::run_from(Point point) {
       return stuck_at(point, far);
     }
     const bool turns = forward(*next) <= 0;
-    // Signs of B do not change at a dead point: a step across a gap is not one.
+    // det B keeps its sign at a dead point. A step across a gap between branches changes it.
     if (turns && next->sign == point.sign)
       if (auto dead = find_dead_point(model(), curve(), point, far, length, direction_)) {
         turned_ = std::move(dead->after);

@@ -13,17 +13,17 @@ namespace desmo {
 namespace {
 
 using Eigen::MatrixXd;
-/// Finds small singular values as well as large ones.
+/// Decomposition whose small singular values are as exact as the large ones.
 using Decomposition = Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner>;
 
-/// Returns Φ_φ of a block, scaled.
+/// Returns Φ_φ of a block, with columns times lengths and rows over their sums.
 MatrixXd scaled_jacobian(const Model& m, const PartDefinition& block,
                          std::span<const double> lengths, std::span<const double> state) {
   ScalarState<double> at(m.state_size());
   std::ranges::copy(state, at.q.begin());
   const PartSystem<double> system(m, block, at);
   const auto n = static_cast<Eigen::Index>(system.n);
-  MatrixXd jacobian = MatrixXd::Map(system.jacobian.data(), n, n).transpose();  // it is by rows
+  MatrixXd jacobian = MatrixXd::Map(system.jacobian.data(), n, n).transpose();  // stored by rows
   for (Eigen::Index j = 0; j < n; ++j) jacobian.col(j) *= lengths[block.unknowns[j]];
   for (Eigen::Index i = 0; i < n; ++i)
     if (const double sum = jacobian.row(i).lpNorm<1>(); sum > 0) jacobian.row(i) /= sum;
@@ -55,7 +55,7 @@ LockedLoops find_locked_loops(const Model& m, const SolutionCurve& curve,
     }
     if (nullity == 0) continue;
     for (const GroupId group : block.groups) add(locked.groups, group);
-    // Norms of rows do not depend on the basis, which is any where several values are equal.
+    // Several equal singular values have no unique vectors; norms of rows do not depend on these.
     const Eigen::VectorXd change = here.matrixV().rightCols(nullity).rowwise().norm();
     for (Eigen::Index j = 0; j < n; ++j)
       if (change[j] > curve.limits().locking_arc() * change.maxCoeff())

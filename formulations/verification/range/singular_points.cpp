@@ -17,7 +17,8 @@ using Point = SolutionCurve::Point;
 
 constexpr double u = std::numeric_limits<double>::epsilon();
 
-/// Names the loops that lock, and the equations that hold them.
+/// Writes to an end the loops that lock and the constraints that hold them. Moves `beyond` by what
+/// rounding of Φ may change.
 void name_culprits(SolutionCurve& curve, LockedLoops locked, const Point& point, double direction,
                    RangeEnd& e) {
   e.groups = std::move(locked.groups);
@@ -44,8 +45,10 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
   Point low = from;
   std::optional<Point> high = curve.step(from, length);
   double at_low = 0, at_high = length;
-  double weight_low = forward(low), weight_high = -forward(*high);  // Illinois' method
-  // The driver's speed falls between both, so neither end is farther off than at its own speed.
+  // False position, with a weight halved when its end stays (Illinois' method).
+  double weight_low = forward(low), weight_high = -forward(*high);
+  // The speed falls towards the dead point. So the driver's value at either end is off by at most
+  // its speed × the arc between both.
   while (std::min(forward(low), -forward(*high)) * (at_high - at_low) > u) {
     const double at = at_low + (at_high - at_low) * weight_low / (weight_low + weight_high);
     std::optional<Point> middle = curve.step(from, at);
@@ -75,7 +78,7 @@ std::optional<DeadPoint> find_dead_point(const Model& m, SolutionCurve& curve, c
   const std::optional<Point> before =
       curve.step(far.point, far.arc + (is_low ? at_low : at_high) - curve.limits().locking_arc());
   LockedLoops all = before ? find_locked_loops(m, curve, *before, nearest) : first;
-  // Rounding may hide the singular values; the tangent then tells of one loop at least.
+  // Rounding may hide that singular values fall. The tangent then still tells one of the loops.
   const bool is_seen = std::ranges::find(all.groups, first.groups.front()) != all.groups.end();
   name_culprits(curve, is_seen ? std::move(all) : first, nearest, direction, e);
   return DeadPoint{std::move(e), *std::move(high)};
@@ -87,10 +90,11 @@ std::optional<RangeEnd> find_joint_lock(const Model& m, SolutionCurve& curve, co
   const double speed = direction * before.speed(),
                mean = direction * (curve.value(last) - curve.value(before)) / curve.scale() /
                       locking_arc;
-  if (!(speed > 0 && 2 * mean - speed < speed / 2)) return {};  // it has to halve, too
+  // A speed that falls like a line is 2 mean − speed at the end: it must have halved.
+  if (!(speed > 0 && 2 * mean - speed < speed / 2)) return {};
   RangeEnd e{
       .stop = RangeStop::dead_point, .value = curve.value(last), .beyond = curve.value(last)};
-  // A tangent so near to a crossing may be that of any of its curves.
+  // The tangent so near to a crossing may be that of any curve: takes the earlier one.
   const Point end{last.state, before.tangent, last.sign, last.log_determinant};
   LockedLoops locked = find_locked_loops(m, curve, before, end);
   if (locked.moving.empty()) return {};

@@ -20,10 +20,11 @@ struct SolutionCurve::Factors {
 
 namespace {
 
-/// Makes the border, a dense row, the last choice of a pivot: chosen early it fills the factors.
+/// Factor of the border, the last row of B, which is dense. Being small it is the last choice of a
+/// pivot: as an early one it would fill the factors.
 constexpr double border_scale = 1e-3;
 
-/// A border that hardly any curve is at right angles to. shift: gives another one.
+/// Returns a border that is at right angles to hardly any curve. Another shift gives another one.
 Eigen::VectorXd any_direction(int n, double shift) {
   Eigen::VectorXd v(n);
   for (int i = 0; i < n; ++i) v[i] = std::cos(1 + shift + 2.4 * i);
@@ -103,8 +104,8 @@ void SolutionCurve::move(std::vector<double>& state, double factor,
   state[driver_] += factor * scale_.back() * change[size()];
 }
 
-/// Solves Φ = 0 in the plane through the state across the border. Fails where the first correction
-/// is larger than `max_first`, or a later one than half of the one before.
+/// Solves Φ = 0 in the plane through the state at right angles to the border. Fails if the first
+/// correction is larger than `max_first`, or a later one larger than half of the one before.
 bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& border,
                             double max_first) {
   Settling<double> settled;
@@ -124,11 +125,11 @@ bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& b
   return false;
 }
 
-/// Returns the point of a solved state; its tangent goes along a direction.
+/// Returns the point of a solved state. The tangent is oriented along a direction.
 std::optional<SolutionCurve::Point> SolutionCurve::settle(std::vector<double> state,
                                                           const Eigen::VectorXd& along) {
   Eigen::VectorXd tangent = along;
-  for (int pass = 0; pass < 2; ++pass) {  // the second with its own border, for the sign
+  for (int pass = 0; pass < 2; ++pass) {  // the second with the tangent as border, for det B
     if (!factor(state, tangent)) return {};
     tangent = scaled_to_one(factors_->lu.solve(along_driver()));
     if (!tangent.allFinite()) return {};
@@ -147,13 +148,13 @@ std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> sta
     crosses_ = true;
     return {};
   }
-  // Two tangents where one was expected: a crossing, to rounding.
+  // At a regular point both borders give the same tangent. Two tangents mean a crossing.
   const Eigen::VectorXd a = point->tangent.normalized(), b = other->tangent.normalized();
   crosses_ = (a - a.dot(b) * b).norm() > half_digits;
   if (crosses_) return point;
   if (!correct(state, point->tangent, limits_.max_step)) return {};
   point = settle(std::move(state), point->tangent);
-  // Next to a dead point there may be none with all digits of the value.
+  // Next to a dead point there may be no position with exactly this value of the driver.
   if (std::optional<Point> exact = point ? at(*point, value) : point) point = std::move(exact);
   if (point && point->speed() < 0) *point = reversed(*std::move(point));
   return point;
@@ -164,7 +165,7 @@ std::optional<SolutionCurve::Point> SolutionCurve::step(const Point& from, doubl
   move(state, length, from.tangent);
   if (!correct(state, from.tangent, limits_.max_correction * std::abs(length))) return {};
   std::optional<Point> point = settle(std::move(state), from.tangent);
-  // Next to a crossing rounding may turn the tangent to another branch without a correction.
+  // Next to a crossing, rounding may turn the tangent to another branch without a correction.
   const double max_turn = 2 * limits_.max_correction;
   if (point && !((point->tangent - from.tangent).cwiseAbs().maxCoeff() <= max_turn)) return {};
   return point;
@@ -187,7 +188,7 @@ SolutionCurve::Point SolutionCurve::reversed(Point point) {
 }
 
 SolutionCurve::Forces SolutionCurve::forces(const Point& point) {
-  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();  // of Φ over row sums
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();  // of rows over sums
   Forces result{std::vector<double>(constraints_, 0), std::numeric_limits<double>::infinity()};
   if (!factor(point.state, point.tangent)) return result;
   const Eigen::VectorXd left = factors_->lu.transpose().solve(along_driver()).head(size());
