@@ -81,7 +81,7 @@ double GlobalSolver<S>::correct(std::span<const S> residual, std::vector<S>& val
 }
 
 template class GlobalSolver<Quadruple>;
-// Follows the motion, for which positions are enough.
+// The double one only follows the motion, for which positions are enough.
 template void GlobalSolver<double>::set_homotopy(double);
 template double GlobalSolver<double>::correct_positions();
 template void GlobalSolver<double>::solve_positions(double);

@@ -15,7 +15,7 @@ namespace desmo {
 
 namespace {
 
-/// Follows the motion in double precision and solves each of the times again in quadruple.
+/// Follows the motion in double precision and, at each of the times, solves it again in quadruple.
 template <template <class> class Solver>
 std::vector<WideInstant> quadruple_solution(const Model& m, std::span<const double> times) {
   Solver<double> walker(m);
@@ -33,7 +33,7 @@ std::vector<WideInstant> quadruple_solution(const Model& m, std::span<const doub
   return result;
 }
 
-/// The nearest double, and what it leaves.
+/// Returns the nearest doubles, and the remainders as doubles.
 std::pair<std::vector<double>, std::vector<double>> split(const std::vector<Quadruple>& values) {
   std::pair<std::vector<double>, std::vector<double>> result;
   for (const Quadruple& x : values) {
@@ -44,7 +44,8 @@ std::pair<std::vector<double>, std::vector<double>> split(const std::vector<Quad
   return result;
 }
 
-/// Returns the largest difference of two solutions at an instant, at one level.
+/// Returns the largest difference of two solutions' outputs at an instant, at one level, over the
+/// scales.
 double at_level(const Model& m, const std::vector<Quadruple>& a, const std::vector<Quadruple>& b,
                 const Scales& scales, Level level) {
   double largest = 0;

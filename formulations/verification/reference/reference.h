@@ -10,15 +10,15 @@
 
 namespace desmo {
 
-/// Precision of a reference solution: double, or 113 bits.
+/// Precision of a reference solution: double (53 bits), or quadruple (113 bits).
 enum class Precision { standard, quadruple };
 
 /// Returns positions, velocities and accelerations at ascending times [s], solved group by group.
 /// The code shares with the formulations only the constraint kinds, the motions and the list of
-/// parts. It uses dense matrices, pivoting, Newton's method, and steps of at most 10 ms from an
-/// assembly at times.front(), on the drawn branch if DrawnStart finds it. With quadruple precision
-/// each instant is solved again in that precision, and has remainders. Iterations end when the
-/// precision is exhausted, whatever the units. Throws std::runtime_error, naming the group and the
+/// parts. It uses Newton's method with dense matrices and pivoting, in steps of at most 10 ms from
+/// an assembly at times.front(), on the drawn branch if DrawnStart finds it. With quadruple
+/// precision each instant is solved again in that precision, and has remainders. Iterations end
+/// when only rounding is left (Settling). Throws std::runtime_error, naming the group and the
 /// instant, when one does not converge.
 std::vector<ReferenceInstant> reference_solution(const Model& model, std::span<const double> times,
                                                  Precision precision);
@@ -28,18 +28,19 @@ struct Reference {
   std::vector<ReferenceInstant> instants;  ///< the solution group by group
   Scales scales;                           ///< scales of the motion
   /// Largest difference of the two solutions over all outputs and instants, relative to the scales,
-  /// taken before rounding to double. Errors below it mean nothing. It is about 1e-25 for a
-  /// well-conditioned model; above 1e-20 the solution is no reference.
+  /// taken before rounding to double. Measured errors below it mean nothing. It is about 1e-25 for
+  /// a well-conditioned model; with floor > 1e-20 the solution is no reference.
   PerLevel<double> floor;
 };
 
 /// Solves a motion twice in quadruple precision: with reference_solution(), and likewise with all
 /// equations at once (GlobalSolver). The second refines sparse factors in doubles, and finds rates
 /// from the residuals alone, by jets. The two share only the constraint kinds' residuals, the
-/// motions and how an instant is set, read and corrected (ReferenceSolver). An error in the
-/// partition, in a derivative or in an elimination, or a wrong branch in one of them, shows in
-/// `floor`. Throws std::runtime_error, naming the instant, when either does not converge.
-/// ErrorMeasure (error.h) compares a run with it:
+/// motions, how an instant is set, read and corrected (ReferenceSolver), and the rules for steps
+/// and for the end of iterations (DrawnStart, Settling). An error in the partition, in a derivative
+/// or in an elimination, or a wrong branch in one of them, shows in `floor`. Throws
+/// std::runtime_error, naming the instant, when either does not converge. ErrorMeasure (error.h)
+/// compares a run with it:
 ///
 ///   const Reference reference = make_reference(model, times);
 ///   ErrorMeasure measure(model, reference.instants, reference.scales);

@@ -8,8 +8,8 @@
 
 namespace desmo {
 
-/// Sparse LU factors of a whole model's A = R⁻¹ Φ_φ S, in double precision. S holds the nominal
-/// magnitudes of the unknowns; R makes the row sums of |A| one.
+/// Sparse LU factors of A = R⁻¹ Φ_φ S, all equations of a model at once, in double precision. S
+/// holds the nominal magnitudes of the unknowns, R the row sums of |Φ_φ S|.
 class ScaledFactors {
  public:
   /// The model must outlive this object.
@@ -19,12 +19,12 @@ class ScaledFactors {
   const WholeSystem& system() const { return system_; }
   int size() const { return system_.rows(); }
 
-  /// Factorises at a state, with pivots chosen there. Returns whether A is regular in doubles.
+  /// Factorises A at a state, with pivots chosen there. Returns whether A is regular in doubles.
   bool factor(std::span<const double> state);
 
-  /// Solves A x = b in place (size()). Needs factors.
+  /// Solves A x = b (size()) in place: b, then x. Needs a factor() that returned true.
   void solve(std::vector<double>& x);
-  /// Solves Φ_φ x = b in place (size()). Needs factors.
+  /// Solves Φ_φ x = b likewise.
   void solve_unscaled(std::vector<double>& x);
 
  private:

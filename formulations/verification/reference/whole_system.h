@@ -11,7 +11,8 @@
 
 namespace desmo {
 
-/// Returns the dimensions of a constraint for jets: those at their values, which do not move.
+/// Returns the constants that the functions of a kind take for jets x: those at the values of x, as
+/// jets that are constant in time.
 template <class Kind, class S>
 auto dimensions_at(const Constraint& constraint, const Jet<S>* const* x) {
   std::array<std::array<S, max_components>, Kind::operand_sizes.size()> values;
@@ -26,8 +27,8 @@ auto dimensions_at(const Constraint& constraint, const Jet<S>* const* x) {
   return all;
 }
 
-/// Equations of a whole model at once, whatever the partition. Rows are those of the constraints in
-/// their order, without those left out; columns are the coordinates that are not driven, ascending.
+/// The equations of a whole model at once, whatever the partition. Rows are the kept rows of the
+/// constraints, in their order. Columns are the coordinates that are not driven, ascending.
 class WholeSystem {
  public:
   /// The model must outlive this object.
@@ -43,9 +44,9 @@ class WholeSystem {
 
   int rows() const { return rows_; }
   const std::vector<int>& unknowns() const { return unknowns_; }  ///< (columns)
-  int column(int state) const { return column_[state]; }          ///< -1: not an unknown
+  int column(int state) const { return column_[state]; }          ///< of a state; -1: no unknown
 
-  /// Evaluates Φ of a state in any scalar. Overwrites phi (rows()).
+  /// Evaluates Φ at a state in any scalar. Overwrites phi (rows()).
   template <class S>
   void residual(std::span<const S> state, std::span<S> phi) const {
     int row = 0;
@@ -60,8 +61,8 @@ class WholeSystem {
       });
   }
 
-  /// Calls entry(row, state component, ∂Φ_row/∂component), always in the same order. Components of
-  /// driven and fixed entities are included.
+  /// Calls entry(row, component, ∂Φ_row/∂component) for each entry, always in the same order.
+  /// Components are those of the state; driven and fixed entities are included.
   template <class S, class Entry>
   void jacobian(std::span<const S> state, Entry&& entry) const {
     int row = 0;

@@ -18,11 +18,12 @@ struct WideInstant {
   std::vector<Quadruple> q, qd, qdd;
 };
 
-/// Returns an instant rounded to double, with what that leaves.
+/// Returns an instant rounded to double, with the remainders of the rounding.
 ReferenceInstant rounded(const WideInstant& wide);
 
-/// Returns the largest difference of two solutions at the same instants over all outputs (see
-/// ErrorMeasure), relative to the scales. Differences are taken in quadruple precision.
+/// Returns the largest difference of two solutions over all outputs (see ErrorMeasure) and
+/// instants, relative to the scales. Both have the same instants. Differences are taken in
+/// quadruple precision.
 PerLevel<double> disagreement(const Model& model, std::span<const WideInstant> a,
                               std::span<const WideInstant> b, const Scales& scales);
 
