@@ -8,11 +8,12 @@
 
 namespace desmo {
 
-/// Computes the condition number of a model's equations at a position: ‖A⁻¹‖∞ of A = R⁻¹ Φ_φ S, all
-/// equations at once. S holds the nominal magnitudes of the unknowns: one radian, or a length of
-/// the mechanism. R makes the row sums of |A| one, so that ‖A‖∞ = 1. The number bounds the relative
-/// change of position that a relative change of an equation causes, whatever the units and the
-/// partition. The inverse is not estimated: n solves with a sparse LU factorisation, O(n²).
+/// Evaluator of the condition number of all equations of a model at a position: ‖A⁻¹‖∞ of
+/// A = R⁻¹ Φ_φ S. S holds the nominal magnitudes of the unknowns: 1 for angles and directions, the
+/// mechanism's size for points and distances. R holds the row sums of |Φ_φ S|, so that ‖A‖∞ = 1.
+/// To first order the number bounds the relative change of position that a relative change of an
+/// equation causes, whatever the units and the partition. The inverse is computed, not estimated:
+/// n solves with sparse LU factors.
 class ConditionNumber {
  public:
   /// Analyses the model, which must outlive this object.
@@ -20,8 +21,8 @@ class ConditionNumber {
   explicit ConditionNumber(const Model&& model) = delete;
   ~ConditionNumber();
 
-  /// Returns the condition number at positions q, in coordinate order; infinity where Φ_φ is
-  /// singular in double precision.
+  /// Returns the condition number at positions q (coordinates): infinity if Φ_φ is singular in
+  /// double precision, 1 if there are no unknowns.
   double operator()(std::span<const double> q);
 
  private:
@@ -29,9 +30,9 @@ class ConditionNumber {
   std::unique_ptr<Matrix> matrix_;
 };
 
-/// Returns the order of the relative error that conditioning allows: κ u in position, κ² u in
-/// velocity, κ³ u in acceleration. u is the scalar's unit roundoff, 2⁻⁵³ for double, 2⁻²⁴ for
-/// float. Each level divides once more by Φ_φ, which depends on the erroneous level before.
+/// Returns the order of the relative errors that conditioning allows: κ u in position, κ² u in
+/// velocity, κ³ u in acceleration. u is the scalar's unit roundoff: 2⁻⁵³ for double, 2⁻²⁴ for
+/// float. Each level solves with Φ_φ once more, and amplifies the error of the level before by κ.
 inline PerLevel<double> accuracy_limit(double condition, double u) {
   return {condition * u, condition * condition * u, condition * condition * condition * u};
 }

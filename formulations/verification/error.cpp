@@ -37,7 +37,7 @@ void ErrorMeasure::compare(Level level, std::span<const double> found,
     if (o.level < level) continue;
     double squares = 0;
     for (int i = o.first; i < o.first + o.size; ++i) {
-      // Neighbours subtract exactly, so that the rest of the reference still counts.
+      // Doubles within a factor of two subtract exactly, so that the remainder still counts.
       const double difference = (found[i] - reference[i]) - (remainder.empty() ? 0 : remainder[i]);
       const double error = relative(difference, o.scale[level]);
       squares += error * error;

@@ -11,7 +11,7 @@
 
 namespace desmo {
 
-/// Errors at one level, relative to Scales. They are infinite where a solved number is NaN.
+/// Errors at one level, relative to Scales; infinite if a solved number is NaN.
 struct LevelError {
   double max = 0;     ///< maximum over all outputs and instants
   double rms = 0;     ///< root mean square over all outputs and instants
@@ -24,7 +24,7 @@ struct SolutionError : PerLevel<LevelError> {
 };
 
 /// Observer that compares the instants of a run (Formulation::run) with a reference. Instants that
-/// the reference does not have are skipped. No heap memory is allocated.
+/// the reference does not have are skipped. observe() allocates nothing.
 ///
 /// Outputs are the points, directions, angles and distances of the model. Driven outputs are
 /// included, fixed ones are not. The error of an output is the Euclidean norm of its difference,
@@ -33,8 +33,8 @@ struct SolutionError : PerLevel<LevelError> {
 /// then shows as 1e-20.
 class ErrorMeasure final : public Observer {
  public:
-  /// outputs: compared up to their levels (Plan::outputs), but for fixed ones; empty: all outputs
-  /// at all levels. The reference must outlive the measure.
+  /// outputs: entities to compare, each up to its level (Plan::outputs); fixed ones are skipped.
+  /// Empty: all entities at all levels. The reference must outlive the measure.
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales, std::span<const Output> outputs = {});
   ErrorMeasure(const Model& model, const std::vector<ReferenceInstant>&& reference,
@@ -42,7 +42,7 @@ class ErrorMeasure final : public Observer {
 
   Flow observe(const Instant& instant) noexcept override;
   /// Returns the errors of the instants observed so far. SolutionError::instants counts the
-  /// compared ones; after a complete run it is the size of the reference.
+  /// compared ones: the size of the reference if the run had all of its instants.
   SolutionError error() const;
 
  private:
@@ -57,7 +57,7 @@ class ErrorMeasure final : public Observer {
   std::span<const ReferenceInstant> reference_;
   std::vector<Compared> compared_;
   std::size_t next_ = 0;  // index of the next reference instant
-  SolutionError so_far_;  // with sums of squares in place of their roots
+  SolutionError so_far_;  // `rms` are sums of squares
 };
 
 }  // namespace desmo
