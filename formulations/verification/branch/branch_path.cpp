@@ -158,8 +158,8 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
     } else {
       result.group = found.last.group;
     }
-    // The step to the instant failed, but the end that was found may be the same solution: the last
-    // sub-step was too long to tell.
+    // The step to the instant failed, but the end that was found may be the same solution. Shorter
+    // sub-steps tell.
     if (!proven || (next == time && to && !are_apart(*to, certified(found)))) {
       growth.failed();
       step = (next - present_.time) / 2;

@@ -12,8 +12,8 @@
 
 namespace desmo {
 
-/// Returns a view of a refined instant, which must be proven, as a certified instant. levels: level
-/// up to which each coordinate is solved (CertifiedInstant::levels).
+/// Returns a view of a refined instant, which must be proven, as a certified instant.
+/// - levels: see CertifiedInstant
 inline CertifiedInstant certified(const RefinedInstant& r, std::span<const Level> levels = {}) {
   return {r.instant.time, {r.instant.q, r.instant.qd, r.instant.qdd}, r.radius.position, levels};
 }

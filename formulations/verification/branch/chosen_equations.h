@@ -8,8 +8,8 @@
 namespace desmo {
 
 /// Chooses anew which equations to keep in groups that have more equations than unknowns. Modelling
-/// chooses them once. At single positions the kept ones may be dependent although all equations
-/// together have full rank, as in Bennett's linkage when it is folded.
+/// chooses them once. At single positions the kept ones may be dependent although all together have
+/// full rank. Bennett's linkage is an example, when it is folded.
 ///
 /// Returns the model with the equations that QR with column pivoting picks first, from each group's
 /// scaled Jacobian at positions q (coordinates). A group changes its equations only if the smallest

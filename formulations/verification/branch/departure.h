@@ -28,9 +28,10 @@ class Departure {
   /// seen.
   double turn_after(double time, double until) const;
 
-  /// Returns whether the path of several drivers is not tangent to the line at the origin: beyond
-  /// rounding, its angle to the line at the distance `near` is more than half of that at `far` >
-  /// `near`. Also returns true if they never reach `far`. A single driver has no corner.
+  /// Returns whether the path of several drivers is not tangent to the line at the origin. It is
+  /// not if its angle to the line at the distance `near` is more than half of the angle at `far` >
+  /// `near`, beyond rounding. Also returns true if they never reach `far`. A single driver has no
+  /// corner.
   bool has_corner(double near, double far) const;
 
  private:

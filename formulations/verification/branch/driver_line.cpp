@@ -14,8 +14,8 @@ std::vector<double> of_drivers(const Model& m, std::span<const double> coordinat
   return result;
 }
 
-/// Returns for each driver whether a group depends on it: whether the equations of the group, or
-/// those of groups that it needs, read it.
+/// Returns for each driver whether a group depends on it. It does if its equations, or those of
+/// groups that it needs, read the driver.
 std::vector<bool> drivers_of(const Model& m, GroupId group) {
   std::vector<bool> is_needed(m.groups.size()), is_read(m.entities.size());
   is_needed[group] = true;

@@ -71,9 +71,9 @@ class VariedDrawing {
     });
   }
 
-  /// Widens dimensions by the variation of the operands that they are measured between. Dimensions
-  /// that differ from the drawing's come from a stated length or a frame: they are products or
-  /// ratios of up to three more numbers.
+  /// Widens dimensions by the variation of the operands that they are measured between. If they
+  /// differ from the drawing's, they come from a stated length or a frame. They are then products
+  /// or ratios of up to three more numbers.
   template <class Kind>
   void vary_dimensions(Constraint& c) const {
     std::array<Derived, Kind::constants> drawn;

@@ -38,8 +38,9 @@ class LeftOutEquations {
   bool any() const { return !equations_.empty(); }
 
   /// Returns the largest misfit, over the length of its equation, among the equations that are
-  /// proven not to hold; nothing if there is none or the instant is not proven. drivers: values
-  /// that were handed in, which count as exact; null: the model's motions. Allocates nothing.
+  /// proven not to hold. Returns nothing if there is none or the instant is not proven. Allocates
+  /// nothing.
+  /// - drivers: values that were handed in, which count as exact; null: the model's motions
   std::optional<Misfit> check(const RefinedInstant& refined, const LiveRow* drivers = nullptr);
 
   /// A misfit, and the time where it was found [s].
@@ -64,9 +65,9 @@ class LeftOutEquations {
   }
 
   /// Returns a bound on the distance of each coordinate from that of any mechanism that rounds to
-  /// the same file; infinite where none is known. Two choices of equations mean the same motion if
-  /// their instants are within these radii. Needs any(). Valid until the next call of this, check()
-  /// or look_along().
+  /// the same file. Infinite: none is known. Two choices of equations mean the same motion if their
+  /// instants are within these radii. Needs any(). Valid until the next call of this, check() or
+  /// look_along().
   std::span<const double> find_radius(const Instant& instant, const LiveRow* drivers = nullptr);
 
  private:

@@ -14,8 +14,8 @@ namespace desmo {
 namespace {
 
 /// Proves the instant of the motion at a time, on the branch to which the line leads. Proves also
-/// that the motion goes on from there to a later time, or far enough that another group is stuck at
-/// a point of its own. Writes point.before and point.first.
+/// that the motion goes on from there to a later time. If another group is stuck before that, at a
+/// point of its own, this is enough. Writes point.before and point.first.
 bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, double time,
                   double later, PassedPoint& point) {
   const PerLevel<std::vector<double>> z = drivers_at(m, time);
@@ -48,10 +48,10 @@ bool prove_beyond(const Model& m, StraightCrossing& crossing, GroupId group, dou
   return true;
 }
 
-/// Returns the model with each table replaced by its piece at positions q, continued for eight
-/// lengths of the table to both sides; nothing if it has no tables. At a knot on a change point
-/// third derivatives jump, so no continuation is smooth there. The branch that is smooth in this
-/// model agrees with the motion up to second derivatives.
+/// Returns the model with each table replaced by its piece at positions q, which goes on for eight
+/// lengths of the table to both sides. Returns nothing if it has no tables. At a knot on a change
+/// point third derivatives jump, so no continuation is smooth there. The branch that is smooth in
+/// this model agrees with the motion up to second derivatives.
 std::optional<Model> with_tables_continued(const Model& m, std::span<const double> q) {
   constexpr int table = TableCoupling::table, numbers = table + table_size(1);
   std::optional<Model> smooth;

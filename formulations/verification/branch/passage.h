@@ -27,7 +27,7 @@ struct PassedPoint {
   /// Finds positions of all coordinates at a time [s] between `after` and `before`, where no
   /// instant is proven and rates have no digits. Shifts line and polynomials to the values that the
   /// other drivers have then. Returns nothing if no proven path leads the positions there.
-  /// path: of the model that passes the point
+  /// - path: of the model that passes the point
   std::vector<double> find_positions(StraightPath& path, double time);
 
  private:
@@ -36,9 +36,8 @@ struct PassedPoint {
 
 /// Passes the change point on which a motion is stuck (PathEnd::stuck), if there is a smooth
 /// continuation (StraightCrossing). Then the motion goes on beyond the point or, where its drivers
-/// turn back, on the branch that it came from. Returns nothing if there is none: at a fold, where
-/// branches are too alike to be told apart, and where the path of several drivers on which the
-/// point depends has a corner.
+/// turn back, on the branch that it came from. There is none at a fold, where branches are too
+/// alike to be told apart, and where the path of the drivers has a corner: then returns nothing.
 /// - last: the last proven instant, where BranchPath::present() is
 /// - group: the singular group (FollowedStep::group); no_position: it is not known
 ///
@@ -52,8 +51,8 @@ struct PassedPoint {
 std::optional<PassedPoint> pass_change_point(const Model& model, const CertifiedInstant& last,
                                              GroupId group = no_position);
 
-/// Passes the change point on which a motion begins, after a path of other drivers has led there:
-/// the one from the drawing.
+/// Passes the change point on which a motion begins. The path that led there is another one: that
+/// from the drawing.
 /// - last: the last proven instant on that path; its time is not read
 /// - direction: rates of the drivers on that path, of any length
 /// - start: time at which the motion begins [s], which becomes PassedPoint::after although no

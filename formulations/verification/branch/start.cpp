@@ -49,8 +49,8 @@ std::vector<int> free_angles(const Model& m) {
 }
 
 /// Passes the change point on which the motion begins, if the drivers' way from the drawing ends at
-/// one; writes found.point. going: the model with its drivers on that way, which is proven up to
-/// found.share
+/// one. Writes found.point.
+/// - going: the model with its drivers on that way, which is proven up to found.share
 void pass_at_start(const Model& m, const Model& going, double time, FoundStart& found) {
   std::vector<double> direction;
   for (const Driver& d : going.drivers) direction.push_back(sample(d.motion, found.share).velocity);
@@ -69,8 +69,8 @@ struct Turns {
   std::vector<double> of_drivers, of_coordinates;
 };
 
-/// Returns whether an angle goes so far that a step of a radian is lost in the rounding of the time
-/// 1: way × u > 1 rad. A path would be stuck at every step.
+/// Returns whether way × u > 1 rad for a driven angle. A step of a radian is then lost in the
+/// rounding of the time 1, and a path would be stuck at every step.
 bool is_lost_in_rounding(const Model& going) {
   return std::ranges::any_of(going.drivers, [&](const Driver& d) {
     const double way = sample(d.motion, 0.).velocity;
@@ -130,9 +130,9 @@ bool add_turns(const Model& m, const std::vector<double>& signs, double count,
   return true;
 }
 
-/// Returns the whole turns of drivers on the way to their values at a time, if these lead back to
-/// where they begin. Turns of all drivers at once are tried if all have the same number, else those
-/// of each driver by itself.
+/// Returns the whole turns that drivers make up to a time, if these lead back to where they begin.
+/// Turns of all drivers at once are tried if all have the same number, else those of each driver by
+/// itself.
 std::optional<Turns> turns_that_lead_back(const Model& m, double time, const FoundStart& nominal) {
   Turns all{std::vector<double>(m.drivers.size()), std::vector<double>(m.coordinates())};
   std::vector<double> signs(m.drivers.size());

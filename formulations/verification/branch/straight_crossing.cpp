@@ -37,8 +37,9 @@ StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
 }
 
 /// Finds the first node, up to two units of arc before the point. The last instant is so near to
-/// the point that no path leads back from it: a path starts from a point of its Taylor polynomial.
-/// That is on the same branch if the nodes, extended to s = 0, meet the last instant (leads_to()).
+/// the point that no path leads back from it. So a path starts from a point of its Taylor
+/// polynomial. That is on the same branch if the nodes, extended to s = 0, meet the last instant
+/// (leads_to()).
 void StraightCrossing::find_nodes(const CertifiedInstant& last) {
   const std::optional<Node> here = node({0, {last.values.position, no_rates_, no_rates_}, {}});
   if (!here) return;

@@ -17,9 +17,9 @@ namespace desmo {
 /// On the point itself Φ_q is singular, and no path is proven to pass it. Derivatives with respect
 /// to the *arc* s of the drivers tell which of the branches beyond continues the one before. (Those
 /// with respect to time do not: where a driver rests, all branches are alike.) The quintic through
-/// two instants before the point, at s = −2h and −h, is extended to h and compared with a solution
-/// there. Where h is halved, this *miss* falls 64-fold on the smooth continuation, and 2ᵐ-fold on
-/// another branch, whose m-th derivative jumps. A fold has no instant beyond.
+/// two instants before the point, at s = −2h and −h, is extended to h. Its distance from a solution
+/// there is the *miss*. Where h is halved, it falls 64-fold on the smooth continuation, and 2ᵐ-fold
+/// on another branch, whose m-th derivative jumps. A fold has no instant beyond.
 ///
 /// The line needs no instants of the motion, which may start, end, rest or turn back on the point.
 /// It leads as far before and beyond as the mechanism moves. Both sides of it are proven paths
@@ -44,8 +44,8 @@ class StraightCrossing {
 
   /// Returns the least factor by which the miss falls from one halving to the next, until rounding
   /// hides it. If the first factor is less than min_fall, returns that one; 0 if nothing is proven
-  /// or seen beyond. Lengths may make branches meet only but for their rounding: such branches pass
-  /// each other by, and a miss that grows again towards the point is due to that. Overwrites
+  /// or seen beyond. Lengths may make branches meet only but for their rounding. Such branches pass
+  /// each other by: a miss that grows again towards the point counts as rounding. Overwrites
   /// reach(), positions() and width().
   /// - level: number of halvings before the first h, distance(level)
   /// - beyond: positions at the distance h, or near them

@@ -11,9 +11,9 @@
 
 namespace desmo {
 
-/// The n equations of up to four blocks of one shape, one in each lane, evaluated by the functions
-/// of the constraint kinds. States are local (BlockShape::states() intervals). Φ and its rates use
-/// only their midpoints.
+/// The n equations of up to four blocks of one shape, one in each lane. The functions of the
+/// constraint kinds evaluate them. States are local (BlockShape::states() intervals). Φ and its
+/// rates use only their midpoints.
 class BlockEquations {
  public:
   using States = PerLevel<const LaneInterval*>;

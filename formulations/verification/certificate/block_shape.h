@@ -12,7 +12,7 @@ namespace desmo {
 
 /// Structure of the equations of an irreducible block. Blocks of equal shape have the same
 /// equations; they differ in dimensions and in the states that they read. Local states are numbered
-/// by first appearance; columns of Jacobians are the n unknowns, then the m inputs: coordinates
+/// by first appearance. Columns of Jacobians are the n unknowns, then the m inputs: coordinates
 /// that other blocks or drivers determine.
 struct BlockShape {
   static constexpr int max_operands = 5, max_rows = 3;

@@ -29,11 +29,11 @@ enum class ErrorSets {
 
 struct BlockSchedule;
 
-/// Proof about one instant. Where `proven` is true, Φ(q, t) = 0 has exactly one solution
-/// within the radii of the positions around the delivered ones, and the rates of that solution are
-/// within the radii of the rates. Numbers of the file and the instant's time count as exact;
-/// dimensions are those derived from them (Constraint::constants). Whether that solution lies on
-/// the branch that is meant is not part of the proof.
+/// Proof about one instant. If `proven` is true, Φ(q, t) = 0 has exactly one solution within the
+/// radii around the delivered positions. The rates of that solution are within the radii around the
+/// delivered rates. Numbers of the file and the instant's time count as exact; dimensions are those
+/// derived from them (Constraint::constants). Whether that solution lies on the branch that is
+/// meant is not part of the proof.
 struct Certificate {
   bool proven = false;
   /// Structural group of the first irreducible block without a proof; no_position where all are
@@ -41,9 +41,9 @@ struct Certificate {
   GroupId group = no_position;
   ProofFailure failure = ProofFailure::none;  ///< of that block
   /// Condition number of the worst block at the delivered position, and its structural group. It is
-  /// like ConditionNumber (condition.h), but of the block alone, with characteristic lengths in
-  /// place of the mechanism's size, and with row sums that count what other blocks determine, too.
-  /// Infinite where a position is singular. Rounded, and no bound.
+  /// like ConditionNumber (condition.h), but of the block alone, and with characteristic lengths in
+  /// place of the mechanism's size. Row sums count the columns of inputs, too. Infinite where a
+  /// position is singular. Rounded, and no bound.
   double condition = 1;
   GroupId worst_conditioned = no_position;
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
@@ -57,10 +57,10 @@ struct Certificate {
   PerLevel<std::span<const double>> correction{}, rest{};
 };
 
-/// Prover of radii of solved instants, whichever formulation solved them. It verifies the blocks
-/// of the equations in solution order, each by Krawczyk's test about the delivered values. φ are
-/// the block's unknowns, h its inputs with known errors δ. With an approximate inverse Y of Φ_φ and
-/// a trial box X,
+/// Prover of radii of solved instants, whichever formulation solved them. It verifies the blocks of
+/// the equations in solution order, each by Krawczyk's test about the delivered values. φ are the
+/// block's unknowns, h its inputs with known errors δ. With an approximate inverse Y of Φ_φ and a
+/// trial box X,
 ///
 ///   −Y Φ − Y Φ_h δ + (I − Y Φ_φ(X)) X  inside X
 ///
@@ -81,8 +81,8 @@ struct Certificate {
 /// - inflation of X, and the limit of its contraction: BlockProof::prove_positions()
 /// - (I − Y Φ_φ(X)) X: contract() (trial_box.h); BlockProof::finish() adds it
 /// - rounding: `rounding`, counted at the top of block_image.cpp
-/// - change of basis: where boxes grow, GroupInterface encloses what later groups of a long chain
-///   read in an orthonormal basis that turns with the errors (ErrorBasis), and hands it on
+/// - change of basis: where boxes grow, GroupInterface encloses the errors that later groups of a
+///   long chain read, in an orthonormal basis that turns with them (ErrorBasis)
 ///
 ///   Certifier certifier(model);
 ///   const Certificate c = certifier.certify(instant);   // in an observer, for example

@@ -19,8 +19,8 @@ struct CoordinateRange {
     const double second = x[std::min(first + 1, last)], third = x[std::min(first + 2, last)];
     return LaneNumbers(LaneNumbers::Numbers{x[first], second, third, x[last]});
   }
-  /// Returns their values and derivatives by s at an end of a path, up to a level. half: half of
-  /// the path's duration [s], which is dt/ds
+  /// Returns their values and derivatives by s at an end of a path, up to a level.
+  /// - half: half of the path's duration [s], which is dt/ds
   EndValues<LaneNumbers> at(const CertifiedInstant& end, Level level, double half) const {
     EndValues<LaneNumbers> values{of(end.values.position)};
     if (level >= Level::velocity) values.first = of(end.values.velocity) * half;
@@ -60,8 +60,8 @@ LaneNumbers gap(const Quintic<LaneNumbers>& path, const LaneNumbers& first,
 
 }  // namespace
 
-/// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants, and its gap:
-/// the distance at the ends from the farthest point of the certified boxes.
+/// Finds the path p(s) of each coordinate, a Hermite polynomial through both instants. Finds also
+/// its gap: the distance at the ends from the farthest point of the certified boxes.
 void PathProof::find_paths(const CertifiedInstant& from, const CertifiedInstant& to) {
   span_ = TimeSpan(from.time, to.time);
   const double s0 = span_.s(from.time), s1 = span_.s(to.time);

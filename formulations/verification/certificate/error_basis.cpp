@@ -31,8 +31,8 @@ void ErrorBasis::set(int i, const double* generators, double own) {
   for (int k = 0; k < columns_; ++k) generators_[i * columns_ + k] = generators[k] * scale_[i];
 }
 
-/// Finds Q by Gram–Schmidt with pivoting: the longest column of G gives the first direction, the
-/// longest of what is left of G the next one.
+/// Finds Q by Gram–Schmidt with pivoting. The longest column of G gives the first direction, the
+/// longest column of what is then left of G the next one.
 void ErrorBasis::find_directions() {
   const int d = size_, n = columns_;
   std::copy_n(generators_.begin(), d * n, rest_.begin());
@@ -55,8 +55,8 @@ void ErrorBasis::find_directions() {
       double length = 0;
       for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
       // A direction that depends on earlier ones keeps a squared length below 1/(2 d): the next
-      // unit vector replaces it. One is found, since the squared lengths that all d unit vectors
-      // keep sum up to d − s ≥ 1, those of rejected ones to less than 1/2.
+      // unit vector replaces it. One always serves. The squared lengths that the d unit vectors
+      // keep sum up to d − s ≥ 1, and those of rejected ones to less than 1/2.
       again = length * (2 * d) < 1 && unit < d;
       length = again ? 1 : 1 / std::sqrt(length);
       for (int i = 0; i < d; ++i)

@@ -24,8 +24,8 @@ class ErrorBasis {
   /// Encloses all errors. Allocates nothing.
   void enclose();
 
-  /// Returns a bound on ‖I − QᵀQ‖∞ for a matrix Q (d × d, by rows) whose columns are nearly
-  /// orthonormal, plus a bound on all other rounding of enclose() over the widest radius.
+  /// Returns a bound on ‖I − QᵀQ‖∞ for a matrix Q (d × d, by rows) with nearly orthonormal columns.
+  /// It includes a bound on all other rounding of enclose(), over the widest radius.
   static double deviation(std::span<const double> q, int d);
 
   int size() const { return size_; }

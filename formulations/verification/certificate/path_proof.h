@@ -54,14 +54,14 @@ struct TimeSpan {
 /// beyond them.
 std::optional<double> first_knot(const Model& model, double from, double to);
 
-/// Proves that two certified instants lie on one smooth motion: between them, Φ(q, t) = 0 has
-/// exactly one solution for each time in a tube about a path, it is smooth, and both instants are
-/// on it. So the step has not jumped to another branch, nor passed a singular position.
+/// Prover that two certified instants lie on one smooth motion. In a tube about a path between
+/// them, Φ(q, t) = 0 has exactly one solution for each time. It is smooth, and both instants are on
+/// it. So the step has not jumped to another branch, nor passed a singular position.
 ///
-/// The path p(s), s in [−1, 1], is the Hermite polynomial through both instants: a quintic where
-/// accelerations are solved, a cubic where velocities are, else a chord. Krawczyk's test is that of
-/// a certificate (certificate.h), for all s at once. With the inputs' paths y(s) and their errors
-/// δ,
+/// The path p(s), s in [−1, 1], is the Hermite polynomial through both instants. It is a quintic
+/// where accelerations are solved, a cubic where velocities are, else a chord. Krawczyk's test is
+/// that of a certificate (certificate.h), for all s at once. With the inputs' paths y(s) and their
+/// errors δ,
 ///
 ///   −Y Φ(p(s), y(s)) − Y Φ_h(p(s), y(s) + δ) δ + (I − Y Φ_φ(p(s) + X, y(s) + δ)) X  inside X
 ///

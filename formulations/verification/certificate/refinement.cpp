@@ -113,8 +113,9 @@ void Refinement::add_corrections(const Certificate& c) {
   }
 }
 
-/// Returns bounds on the errors at each level, over sizes that are found like Scales: a kind at
-/// rest takes the velocity of the other, and accelerations are at least velocity²/size.
+/// Returns bounds on the errors at each level, over the largest numbers of each kind. These are
+/// completed like Scales: a kind at rest takes the velocity of the other kind, and accelerations
+/// count as at least velocity²/size.
 PerLevel<Refinement::Digits> Refinement::digits(const Certificate& c) const {
   PerLevel<Digits> result{};
   PerLevel<std::array<double, 2>> correction{}, size{};

@@ -21,8 +21,8 @@ using TableNumbers = std::function<Derived(int k)>;
 /// Radii are infinite where too many knots are that near, or the distance is not finite.
 std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance);
 
-// Access to the scalars of proofs, lane by lane: lead() returns the leading double, size_of() a
-// bound on the magnitude, set_lane() sets a number.
+// Access to the scalars of proofs, lane by lane. lead() returns the leading double, size_of() a
+// bound on the magnitude; set_lane() sets a number.
 
 inline double in_lane(double x, int) { return x; }
 inline double in_lane(const LaneNumbers& x, int lane) { return x[lane]; }
@@ -75,9 +75,9 @@ void set_lane(TaylorModel<S, D>& x, int lane, const Derived& to) {
   set_lane(x.rest, lane, rest_of(to));
 }
 
-/// Sets the constants of a table in c, after its dimensions c[0 … 2]. c[3] is the leading double
-/// of the argument at positions x; c[4 … 7] enclose the cubic about it. number(lane, k): number k
-/// of the table in a lane.
+/// Sets the constants of a table in c, after its dimensions c[0 … 2]. c[3] is the leading double of
+/// the argument at positions x; c[4 … 7] enclose the cubic about it.
+/// - number(lane, k): number k of the table in a lane
 template <class Kind, class S, class Constants, class Number>
 void read_table(Constants& c, const S* const* x, const Number& number) {
   const S argument = c[1] * x[1][0];

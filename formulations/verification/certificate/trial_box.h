@@ -7,9 +7,9 @@
 
 namespace desmo {
 
-/// Maximum number of trial boxes X of a block, each larger than the one before (inflated()). Where
-/// A = |I − Y Φ_φ| hardly depends on X, ten boxes prove a path with A X ≤ 0.9 X, and an instant,
-/// whose test wants A X < X/2, with A X ≤ 0.44 X.
+/// Maximum number of trial boxes X of a block, each larger than the one before (inflated()). Let
+/// A = |I − Y Φ_φ| hardly depend on X. Ten boxes then prove a path with A X ≤ 0.9 X. They prove an
+/// instant, whose test wants A X < X/2, with A X ≤ 0.44 X.
 inline constexpr int max_trial_boxes = 10;
 
 /// Radius of the first X of a certificate over the magnitude of its coordinate. It exceeds the

@@ -58,7 +58,8 @@ double DoubleRootSearch::least(int block) {
 
 /// Returns the driver's value at which ±√|det|, negative on one side, is zero; nothing if det is
 /// not zero there. Both are interpolated from points around, since positions right next to a
-/// singular one are not well known. about: arc of the root from the middle point, roughly
+/// singular one are not well known.
+/// - about: arc of the root from the middle point, roughly
 std::optional<double> DoubleRootSearch::value_of_root(int block, double about) {
   const double apart = curve_.limits().double_root_distance();
   std::vector<double> distances, roots, determinants, values;

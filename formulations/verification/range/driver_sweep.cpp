@@ -61,8 +61,8 @@ bool DriverSweep::choose_equations(Point& point) {
   return true;
 }
 
-/// Returns whether the misfit of a left-out equation over its length exceeds max_misfit: the point
-/// is on another branch, or the kept equations allow what the left-out one forbids.
+/// Returns whether the misfit of a left-out equation over its length exceeds max_misfit. The point
+/// is then on another branch, or the kept equations allow what the left-out one forbids.
 bool DriverSweep::is_violated(const Point& point) const {
   const CharacteristicLengths lengths(model());
   for (int c = 0; c < static_cast<int>(model().constraints.size()); ++c) {
@@ -103,8 +103,8 @@ RangeEnd DriverSweep::stuck_at(const Point& point, const EarlierPoint& far) {
   return end(RangeStop::not_reached, point);
 }
 
-/// Returns the end if a step passes a whole turn that leads to the start again, or the second turn;
-/// for a driver that is no angle, if it passes ten times the nominal magnitude.
+/// Returns the end if a step passes a whole turn that leads to the start again, or the second turn.
+/// A driver that is no angle ends where it passes ten times its nominal magnitude.
 std::optional<RangeEnd> DriverSweep::after_turns(const Point& from, const Point& to) {
   const Entity& driver = model().entities[driven()];
   const bool turns = driver.kind == EntityKind::angle;

@@ -15,7 +15,7 @@ struct LockedLoops {
 };
 
 /// Finds the loops that lock right after a point of a curve. Towards a lock a singular value of its
-/// block's Φ_φ falls like the distance: it counts if it more than halves from `before` to `point`.
+/// block's Φ_φ falls like the distance. It counts if it more than halves from `before` to `point`.
 /// Rows are divided by their sums, columns multiplied by characteristic lengths. Entities move if
 /// their components of null vectors exceed locking_arc × the largest. The algebra is dense in each
 /// block.

@@ -6,8 +6,8 @@
 namespace desmo {
 
 /// Limits of find_range(). Lengths are arcs of a curve of positions, in rad or characteristic
-/// lengths (*scaled*). tests/range/limits.cpp shows what goes wrong if one is ten times smaller or
-/// larger; for max_correction, if it is smaller.
+/// lengths (*scaled*). The tests in tests/range/limits.cpp show what goes wrong if one is ten times
+/// smaller or larger; for max_correction, if it is smaller.
 struct RangeLimits {
   /// Accuracy of the driver's values [scaled]. A dead point has |beyond − value| < accuracy. Values
   /// with a smaller difference are equal. Steps are not halved to less than it.
@@ -35,7 +35,7 @@ struct RangeLimits {
   int max_steps = 100'000;
 
   /// Return the distances [scaled] from a crossing and from a double root at which a determinant
-  /// that is linear or quadratic in them has about the size sample_determinant.
+  /// has about the size sample_determinant: it is linear or quadratic in the distance.
   double crossing_distance() const { return sample_determinant; }
   double double_root_distance() const { return std::sqrt(sample_determinant); }
 

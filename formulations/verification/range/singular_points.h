@@ -23,8 +23,9 @@ struct EarlierPoint {
   double arc = 0;
 };
 
-/// Returns whether the driver may turn back and forth within a step of arc `length`: it goes
-/// forward at both ends, but by Simpson's rule not in the middle. direction: forward, 1 or −1
+/// Returns whether the driver may turn back and forth within a step of arc `length`. It does if it
+/// goes forward at both ends, but by Simpson's rule not in the middle.
+/// - direction: forward, 1 or −1
 bool turns_twice(const SolutionCurve& curve, const SolutionCurve::Point& from,
                  const SolutionCurve::Point& to, double length, double direction);
 
@@ -39,9 +40,10 @@ std::optional<DeadPoint> find_dead_point(const Model& model, SolutionCurve& curv
                                          double length, double direction);
 
 /// Finds the dead point at which several loops lock at once, just beyond the last point to which a
-/// curve can be followed: curves cross there, and det B vanishes, too. Towards it the driver's
+/// curve can be followed. Curves cross there, and det B vanishes, too. Towards it the driver's
 /// speed and singular values of Φ_φ fall like the distance. Returns nothing if they do not, or if
-/// the driver's value is not known to the accuracy. before: a locking_arc before the last point
+/// the driver's value is not known to the accuracy.
+/// - before: a locking_arc before the last point
 std::optional<RangeEnd> find_joint_lock(const Model& model, SolutionCurve& curve,
                                         const SolutionCurve::Point& before,
                                         const SolutionCurve::Point& last, double direction);
@@ -49,8 +51,8 @@ std::optional<RangeEnd> find_joint_lock(const Model& model, SolutionCurve& curve
 /// Returns the value at x of Lagrange's polynomial through the points (xs, ys).
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x);
 
-/// Returns the driver's value at a crossing, which a step crosses. Positions next to a crossing are
-/// not well known, so the value at which det B vanishes is interpolated from points further away;
+/// Returns the driver's value at a crossing of curves in a step. Positions next to a crossing are
+/// not well known. So the value at which det B vanishes is interpolated from points further away;
 /// if these are not found, it is the middle between the ends.
 /// - before: an earlier point, from which steps lead to these; its arc leads to the step
 /// - length: arc of the step

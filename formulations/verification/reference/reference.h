@@ -15,11 +15,11 @@ enum class Precision { standard, quadruple };
 
 /// Returns positions, velocities and accelerations at ascending times [s], solved group by group.
 /// The code shares with the formulations only the constraint kinds, the motions and the list of
-/// parts. It uses Newton's method with dense matrices and pivoting, in steps of at most 10 ms from
-/// an assembly at times.front(), on the drawn branch if DrawnStart finds it. With quadruple
-/// precision each instant is solved again in that precision, and has remainders. Iterations end
-/// when only rounding is left (Settling). Throws std::runtime_error, naming the group and the
-/// instant, when one does not converge.
+/// parts. It uses Newton's method with dense matrices and pivoting, in steps of at most 10 ms. They
+/// begin at an assembly at times.front(), on the drawn branch if DrawnStart finds it. With
+/// quadruple precision each instant is solved again in that precision, and has remainders.
+/// Iterations end when only rounding is left (Settling). Throws std::runtime_error, naming the
+/// group and the instant, when one does not converge.
 std::vector<ReferenceInstant> reference_solution(const Model& model, std::span<const double> times,
                                                  Precision precision);
 
@@ -36,9 +36,9 @@ struct Reference {
 /// Solves a motion twice in quadruple precision: with reference_solution(), and likewise with all
 /// equations at once (GlobalSolver). The second refines sparse factors in doubles, and finds rates
 /// from the residuals alone, by jets. The two share only the constraint kinds' residuals, the
-/// motions, how an instant is set, read and corrected (ReferenceSolver), and the rules for steps
-/// and for the end of iterations (DrawnStart, Settling). An error in the partition, in a derivative
-/// or in an elimination, or a wrong branch in one of them, shows in `floor`. Throws
+/// motions, and how an instant is set, read and corrected (ReferenceSolver). They also share the
+/// rules for steps and for the end of iterations (DrawnStart, Settling). An error in the partition,
+/// in a derivative or in an elimination, or a wrong branch in one of them, shows in `floor`. Throws
 /// std::runtime_error, naming the instant, when either does not converge. ErrorMeasure (error.h)
 /// compares a run with it:
 ///

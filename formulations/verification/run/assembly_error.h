@@ -9,10 +9,10 @@
 
 namespace desmo {
 
-/// Returns the assembly error of the first group that cannot be assembled: the misfit of its worst
-/// equation, at the position that satisfies all equations best. Returns nothing if all groups can
-/// be assembled, even in a singular position. Levenberg and Marquardt's method minimises the sum of
-/// squares of (equation / its magnitude). Allocates: keep it out of timed code.
+/// Returns the assembly error of the first group that cannot be assembled. It is the misfit of the
+/// worst equation at the position that satisfies all equations best. Returns nothing if all groups
+/// can be assembled, even in a singular position. Levenberg and Marquardt's method minimises the
+/// sum of squares of (equation / its magnitude). Allocates: keep it out of timed code.
 /// - state: start of the search: the last solved instant, with the drivers of the failed one
 /// - settings: a group is assembled if ‖Φ‖₂ of its weighted equations is below the tolerance
 std::optional<Misfit> find_assembly_error(const Model& model, std::vector<double> state,

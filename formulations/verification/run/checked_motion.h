@@ -12,8 +12,8 @@
 
 namespace desmo {
 
-/// The motion of a checked run, without the formulation that solves it: corrects instants, follows
-/// the steps between them, and says what is proven of each.
+/// The motion of a checked run, without the formulation that solves it. It corrects instants,
+/// follows the steps between them, and says what is proven of each.
 class CheckedMotion {
  public:
   /// levels: level up to which each coordinate is solved (Plan::levels); empty: as each instant.
@@ -29,13 +29,13 @@ class CheckedMotion {
   /// Checks the next instant, which a formulation has solved. The result is valid until the next
   /// call.
   const CheckedInstant& check(const Instant& solved) { return *take(solved, true); }
-  /// Solves the next instant, which no formulation has found; null where the motion does not lead
-  /// there. wanted: its index, time and, by the sizes of their spans, its levels.
+  /// Solves the next instant, which no formulation has found. Returns null if the motion does not
+  /// lead there. wanted: its index, time and, by the sizes of its spans, its levels.
   const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
 
   /// Returns whether an instant between those of the last step lies in its tube, widened by
-  /// condition × tolerance; false after sub-steps. tolerances: of each coordinate, the nominal
-  /// magnitude × the tolerance of the equations.
+  /// condition × tolerance. Returns false after sub-steps.
+  /// - tolerances: nominal magnitude × tolerance of the equations, of each coordinate
   bool is_on_step(const Instant& instant, std::span<const double> tolerances) const;
   /// Returns to the state before the last check() or solve().
   void return_to_last();

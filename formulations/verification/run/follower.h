@@ -24,8 +24,7 @@ struct Follower {
   Follower& operator=(const Follower&) = delete;
 
   /// Returns a flag if a left-out equation does not hold at a row, or on the way from the row
-  /// before; nothing if all may hold. The caller sets RowFlag::time. Forgets the misfit that
-  /// left_out has noted on the way.
+  /// before. The caller sets RowFlag::time. Forgets the misfit that left_out has noted on the way.
   /// - refined: the row's instant
   /// - live: row that was handed in, whose time is 0 in `path`; null: the model's motions drive
   std::optional<RowFlag> misfit_flag(const RefinedInstant& refined, const LiveRow* live = nullptr);
@@ -38,8 +37,8 @@ struct Follower {
   std::unique_ptr<StraightPath> straight{};  ///< null: not needed so far
 };
 
-/// Returns the flag of the first row, at a time [s], for the way to it from the drawing: that
-/// passed a change point (crossing), or is blocked (branch).
+/// Returns the flag of the first row, at a time [s]. The way to it from the drawing passed a change
+/// point (crossing), or is blocked (branch).
 RowFlag start_flag(RowFlag::Kind kind, const FoundStart& start, double time);
 
 }  // namespace desmo

@@ -91,8 +91,8 @@ std::string describe(const LiveSummary& summary, const Model& model);
 /// - values that jump: solved, in sub-steps
 /// - values out of reach, in a singular position, beyond one or beyond a change point: failed,
 ///   since the motion is not proven to lead there
-/// - a first row to which no proven way leads from the drawing: degraded, like all until restart();
-///   one to which the way passes a change point: degraded alone
+/// - a first row to which no proven way leads from the drawing: degraded, like all until restart()
+/// - a first row to which the way passes a change point: degraded, but not the next ones
 /// - a first row in a singular position, or where rounding leaves too few digits: degraded
 ///
 /// A row is good unless it failed. After a failure the values are those of the last good row, and
