@@ -13,8 +13,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Bisects the times from `inside`, where is_away is false, to `away`, where it is true. Returns
-/// the end of the change.
+/// Returns a time at which is_away becomes true, by bisection from `inside`, where it is false, to
+/// `away`, where it is true.
 double first_away(double inside, double away, const auto& is_away) {
   for (int i = 0; i < 64; ++i) {
     const double middle = inside + (away - inside) / 2;

@@ -69,7 +69,7 @@ class BlockProof {
   PerLevel<ErrorColumns> errors_;              // (n + m)
   Preconditioner preconditioner_;
   LaneNumbers condition_;
-  // Midpoint and radius of Φ + Φ_h δ + lower terms, or of a rate of it (n).
+  // Midpoints and radii of Φ + Φ_h δ or, for rates, of Φ̇ or Φ̈ + Φ_h δ + lower terms (n).
   std::vector<LaneNumbers> centre_, uncertainty_;
   std::vector<LaneNumbers> trial_;       // radii of X (n)
   std::vector<LaneNumbers> contracted_;  // bound on |(I − Y Φ_φ(X)) X| (n)

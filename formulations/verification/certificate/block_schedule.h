@@ -40,9 +40,9 @@ struct BlockSchedule {
   int lent_rows = 0, max_generators = 0;  ///< sizes of ErrorTable
 };
 
-/// Cuts a model into blocks. levels: level up to which each coordinate is solved; empty: all.
-/// Errors go from block to block as boxes. Groups of long chains, where boxes may grow without
-/// limit, are links: ErrorSets::bases hands on their errors in bases.
+/// Cuts a model into blocks. levels: level up to which each coordinate is solved; empty: all
+/// levels. Errors go from block to block as boxes. Groups of long chains, where boxes may grow
+/// without limit, are links: ErrorSets::bases hands on their errors in bases.
 BlockSchedule block_schedule(const Model& model, std::span<const Level> levels);
 
 }  // namespace desmo

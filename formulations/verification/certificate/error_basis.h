@@ -19,7 +19,7 @@ class ErrorBasis {
 
   /// Begins a set of errors, all of which set() must then set. columns: number of columns of G.
   void start(int errors, int columns);
-  /// Sets an error, of 1e-300 or more: its row of G, and its own radius.
+  /// Sets error i: its row of G, and its own radius. Their sum must be 0 or above 1e-300.
   void set(int i, const double* generators, double own);
   /// Encloses all errors. Allocates nothing.
   void enclose();

@@ -27,7 +27,7 @@ struct PathCertificate {
 /// The path of a coordinate and the tube about it: eight numbers, two registers.
 struct alignas(32) CoordinatePath {
   Quintic<double> path{};
-  double gap = 0;     ///< bound on the distance of the path's ends from the certified boxes
+  double gap = 0;     ///< bound on |path − certified box| at both ends, to its farthest point
   double radius = 0;  ///< of the tube; infinite: not proven
 
   void set(const LaneNumbers& low, const LaneNumbers& high) {

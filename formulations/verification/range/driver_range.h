@@ -30,7 +30,7 @@ struct RangeEnd {
   int turns = 0;                   ///< full_turn: turns until the mechanism is back, 1 or 2
   std::vector<GroupId> groups{};   ///< dead_point: groups that lock, several if they lock at once
   std::vector<EntityId> moving{};  ///< dead_point: what can still move while all drivers rest
-  std::vector<int> constraints{};  ///< dead_point: those that hold the driver, largest force first
+  std::vector<int> constraints{};  ///< dead_point: what holds the driver, largest force first
 };
 
 /// A singular position that the mechanism passes: branches cross or touch there.

@@ -42,7 +42,7 @@ struct RowFlag {
   /// Ends of the interval in which the cause lies [s]. For a misfit both are the time at which it
   /// was found. `before` is infinite where the motion rests on a change point for good.
   double after = 0, before = 0;
-  GroupId group = no_position;  ///< of the failed proof or the misfit, if known
+  GroupId group = no_position;  ///< of the failed proof, change point or misfit, if known
   bool out_of_tests = false;    ///< branch: the budget of tests ended before the interval did
   ProofFailure failure = ProofFailure::none;  ///< unproven: why
   std::optional<Misfit> misfit{};

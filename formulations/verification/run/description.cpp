@@ -1,4 +1,4 @@
-// A checked run, or a live row, in a line.
+// Sentences that describe a checked run or a live row.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,8 +12,8 @@ namespace desmo {
 
 namespace {
 
-/// Returns a bound with two digits, not below it. A few hundredths more are enough; of the smallest
-/// doubles a hundredth is nothing.
+/// Returns a bound with two digits, rounded up. Raises it by a hundredth until its text is not
+/// below it; nextafter() raises even the smallest doubles.
 std::string rounded_up(double bound) {
   for (double shown = bound;; shown = std::nextafter(1.01 * shown, INFINITY)) {
     std::string text = formatted("%.1e", shown);
