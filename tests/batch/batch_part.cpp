@@ -11,7 +11,6 @@
 #include <optional>
 #include <vector>
 
-#include "cases/generators/cases.h"
 #include "formulations/model/magnitudes.h"
 #include "formulations/model/partition.h"
 #include "formulations/motion/internals.h"

@@ -9,7 +9,6 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <span>
-#include <vector>
 
 #include "tests/certificate/product_block.h"
 

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <ostream>
 #include <string>
-#include <vector>
 
 #include "tests/checked/motions.h"
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <boost/multiprecision/float128.hpp>
 #include <cmath>
-#include <initializer_list>
 #include <random>
 #include <string>
 #include <utility>

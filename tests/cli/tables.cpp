@@ -1,6 +1,5 @@
 // What desmo solve says of couplings by tables.
 
-#include <string>
 #include <vector>
 
 #include "tests/cli/program.h"

@@ -4,7 +4,6 @@
 #include <boost/core/demangle.hpp>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <regex>
 #include <typeinfo>
 

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
-#include <memory>
 #include <ostream>
 #include <span>
 #include <string>

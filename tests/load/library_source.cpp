@@ -8,7 +8,6 @@
 #include <array>
 #include <memory>
 
-#include "cases/generators/cases.h"
 #include "formulations/equations/kernel_sets.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/equations/symbolic.h"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <string>
 
 #include "cases/extremes/rows.h"
 #include "formulations/model/characteristic_lengths.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"

@@ -1,9 +1,6 @@
 // Mechanisms with couplings, linear and by tables, some of which repeat.
-#include <array>
-#include <cmath>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

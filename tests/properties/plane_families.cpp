@@ -1,6 +1,5 @@
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "tests/properties/mechanisms.h"
 #include "tests/properties/plane_builder.h"

@@ -1,6 +1,5 @@
 // Scenes whose drawings do not close: the lengths of links are stated.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 

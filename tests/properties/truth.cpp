@@ -5,7 +5,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <span>
-#include <utility>
 
 #include "formulations/model/incidence.h"
 #include "tests/properties/assembled_drawing.h"

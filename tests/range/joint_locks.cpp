@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "cases/io/files.h"
 #include "cases/mechanism/builder.h"

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "cases/library/library.h"
 #include "cases/mechanism/builder.h"
 #include "formulations/verification/range/driver_range.h"
 #include "tests/mechanisms.h"

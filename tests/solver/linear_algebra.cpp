@@ -9,7 +9,6 @@
 #include <limits>
 #include <set>
 
-#include "cases/generators/cases.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/algebra/klu_factors.h"
 #include "formulations/equations/automatic.h"

@@ -1,6 +1,5 @@
 #include "report/formats/formats.h"
 
-#include <iterator>
 #include <sstream>
 
 #include "tests/report/sample.h"
