@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "cases/library/library.h"
 #include "tests/cli/program.h"
@@ -12,7 +11,6 @@ namespace desmo::inspecting_test {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 TEST_F(Cli, ListsWhatThereIs) {
   ASSERT_EQ(desmo("list"), 0) << err_;
@@ -21,8 +19,7 @@ TEST_F(Cli, ListsWhatThereIs) {
   EXPECT_TRUE(prints("truck_suspension"));
   EXPECT_TRUE(prints("block_symbolic_inlined"));
 
-  ASSERT_EQ(desmo("list --json"), 0);
-  const Json all = Json::parse(out_);
+  const Json all = json_of("list --json");
   EXPECT_EQ(all["mechanisms"].size(), library().size());
   EXPECT_EQ(all["cases"].size(), 2u);
   EXPECT_GT(all["formulations"].size(), 10u);
@@ -41,8 +38,7 @@ TEST_F(Cli, ListsWhatThereIs) {
 TEST_F(Cli, ShowsCouplingsInTheirGroups) {
   const std::string scene = "'" DESMO_SOURCE_DIR "/tests/load/scenes/planetary_gear.scene.json'";
   expect_printed("inspect " + scene, "couplings     inner_mesh, outer_mesh");
-  ASSERT_EQ(desmo("inspect --json " + scene), 0) << err_;
-  const Json groups = Json::parse(out_)["groups"];
+  const Json groups = json_of("inspect --json " + scene)["groups"];
   EXPECT_EQ(groups[0]["couplings"], Json::array());
   EXPECT_EQ(groups[1]["couplings"], Json({"inner_mesh", "outer_mesh"}));
 }
@@ -53,14 +49,10 @@ TEST_F(Cli, ShowsWhatIsThenReadBack) {
     ASSERT_EQ(desmo("show " + name + " >mechanism.json"), 0);
     ASSERT_EQ(desmo("show " + name + " --scene >scene.json"), 0);
     EXPECT_EQ(text_of(folder_ / "mechanism.json"), m.mechanism);
-    EXPECT_EQ(desmo("inspect mechanism.json"), 0) << err_;
-    const std::string from_mechanism = out_;
-    EXPECT_EQ(desmo("inspect scene.json"), 0) << err_;
-    EXPECT_EQ(out_, from_mechanism);
-    EXPECT_EQ(desmo("inspect - <scene.json"), 0) << err_;
-    EXPECT_EQ(out_, from_mechanism);
-    EXPECT_EQ(desmo("inspect " + name), 0) << err_;
-    EXPECT_EQ(out_, from_mechanism);
+    const std::string from_mechanism = printed("inspect mechanism.json");
+    EXPECT_EQ(printed("inspect scene.json"), from_mechanism);
+    EXPECT_EQ(printed("inspect - <scene.json"), from_mechanism);
+    EXPECT_EQ(printed("inspect " + name), from_mechanism);
   }
 }
 
@@ -71,8 +63,7 @@ TEST_F(Cli, InspectsTheStructureOfTheTruck) {
                  "axle1/SG-II (2, 0)", "axle1/SG-V (2, 0)", "bodies        axle1/12, axle1/13",
                  "16 + 6×3 + 5×1", "Constant parts, solved once: 1", "12 moving bodies, 18 joints");
 
-  ASSERT_EQ(desmo("inspect truck_suspension:2 --json"), 0);
-  const Json all = Json::parse(out_);
+  const Json all = json_of("inspect truck_suspension:2 --json");
   EXPECT_EQ(all["coordinates"]["all"], 2 * 111 + 3);
   EXPECT_EQ(all["coordinates"]["independent"].size(), 4u);
   EXPECT_EQ(all["constant_parts"], 1);
@@ -96,8 +87,7 @@ TEST_F(Cli, InspectsTheTreeOfTheTruck) {
                  "Spanning tree, parents first:", "axle1/2 on axle1/3: ", "axle1/8 on axle1/6: ",
                  "axle1/11 on axle1/10: ", "Joints that are not of the tree: 6");
 
-  ASSERT_EQ(desmo("inspect truck_suspension:1 --coordinates reference --json"), 0) << err_;
-  const Json all = Json::parse(out_);
+  const Json all = json_of("inspect truck_suspension:1 --coordinates reference --json");
   EXPECT_EQ(all["coordinates"]["kind"], "reference");
   EXPECT_EQ(all["tree"].size(), 12u);
   for (const Json& body : all["tree"]) EXPECT_EQ(body["joint"], "");
@@ -124,8 +114,7 @@ TEST_F(Cli, MarksRedundantConstraints) {
       {"type": "revolute", "bodies": ["d", "b"], "points": ["F"]}],
     "coordinates": {"theta": {"angle": ["A", "B"]}}, "drivers": ["theta"]})");
   expect_printed("inspect twins.json", "redundant but consistent: accepted");
-  ASSERT_EQ(desmo("inspect twins.json --json"), 0);
-  const Json left_out = Json::parse(out_)["left_out"];
+  const Json left_out = json_of("inspect twins.json --json")["left_out"];
   EXPECT_TRUE(std::ranges::any_of(left_out, [](const Json& l) { return l["redundant"] == true; }));
 }
 
@@ -134,8 +123,7 @@ TEST_F(Cli, SaysByHowMuchAShapeDoesNotFitTheGround) {
   expect_printed("inspect flap.json",
                  "flap1: H-K length (SG-I): between points of the ground; off "
                  "by 4.0e-07 m");
-  ASSERT_EQ(desmo("inspect flap.json --json"), 0);
-  const Json left_out = Json::parse(out_)["left_out"];
+  const Json left_out = json_of("inspect flap.json --json")["left_out"];
   EXPECT_FALSE(left_out.empty());
   for (const Json& l : left_out)
     EXPECT_EQ(l["misfit"].is_null(), l["equation"] != "flap1: H-K length") << l;

@@ -15,8 +15,7 @@ TEST_F(Cli, AnswersTheRowsOfAMotionAsItSolvesTheMotion) {
   for (const std::string format : {"csv", "jsonl"}) {
     const std::string si = "solve slider_crank --units si ";
     ASSERT_EQ(desmo(si + "-o motion.csv --quiet"), 0) << err_;
-    ASSERT_EQ(desmo(si + "--format " + format + " --quiet"), 0) << err_;
-    const std::vector<std::string> motion = lines();
+    const std::vector<std::string> motion = lines_of(si + "--format " + format + " --quiet");
     expect_said(0, si + "--drivers motion.csv --format " + format, "rows proven; condition");
     const std::vector<std::string> answers = lines();
     ASSERT_EQ(answers.size(), motion.size());
@@ -38,11 +37,9 @@ TEST_F(Cli, AnswersTheRowsOfAMotionAsItSolvesTheMotion) {
 /// A row of degrees is a row of radians but for one rounding, and so are its answers.
 TEST_F(Cli, ReadsAndAnswersRowsInTheUnitsOfTheScene) {
   const std::string solve = "solve slider_crank --quiet ";
-  ASSERT_EQ(desmo(solve), 0) << err_;
-  const std::vector<std::string> motion = lines();
+  const std::vector<std::string> motion = lines_of(solve);
   write("motion.csv", out_);
-  ASSERT_EQ(desmo(solve + "--drivers motion.csv"), 0) << err_;
-  const std::vector<std::string> answers = lines();
+  const std::vector<std::string> answers = lines_of(solve + "--drivers motion.csv");
   ASSERT_EQ(answers.size(), motion.size());
   EXPECT_EQ(answers[0], motion[0] + ",outcome");
   std::map<std::string, double> sizes;  // largest number in each unit
@@ -104,8 +101,7 @@ TEST_F(Cli, AnswersRowsOfPositionsAlone) {
 TEST_F(Cli, ReadsRowsAfterAByteOrderMark) {
   for (const std::string rows : {"t,theta,d/dt theta,d2/dt2 theta\n0,15,1,0\n", "0,15,1,0\n"}) {
     write("rows", "\xEF\xBB\xBF" + rows);
-    EXPECT_EQ(desmo("solve slider_crank --drivers rows"), 0) << err_;
-    EXPECT_EQ(lines().size(), 2u) << out_;
+    EXPECT_EQ(lines_of("solve slider_crank --drivers rows").size(), 2u) << out_;
   }
 }
 

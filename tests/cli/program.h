@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -79,6 +81,8 @@ inline const std::string parallelogram = R"({"format": "desmo-scene", "version":
 /// A fixture that runs the program in a temporary folder, where its cache is, too.
 class Cli : public InFolder {
  protected:
+  using Json = nlohmann::json;
+
   Cli() {
     std::filesystem::create_directory(folder_ / "out");
     ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
@@ -92,6 +96,19 @@ class Cli : public InFolder {
     return InFolder::shell("cd '" + folder_.string() + "' && { " + command + "; }");
   }
   int desmo(const std::string& arguments) { return shell(DESMO_CLI " " + arguments); }
+
+  /// Return what a run prints, which succeeds: its text, lines or JSON. Throw std::runtime_error
+  /// with what it says where it fails.
+  std::string printed(const std::string& arguments) {
+    if (desmo(arguments) != 0) throw std::runtime_error("desmo " + arguments + ": " + err_);
+    return out_;
+  }
+  std::vector<std::string> lines_of(const std::string& arguments) {
+    printed(arguments);
+    return lines();
+  }
+  Json json_of(const std::string& arguments) { return Json::parse(printed(arguments)); }
+
   /// Expects an exit code, and messages on standard error.
   void expect_said(int code, const std::string& arguments, const auto&... messages) {
     EXPECT_EQ(desmo(arguments), code) << arguments << err_;

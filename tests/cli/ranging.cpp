@@ -1,7 +1,6 @@
 // desmo range.
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -12,16 +11,13 @@
 namespace desmo::ranging_test {
 namespace {
 
-using Json = nlohmann::json;
-
 TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
   write("scene.json", locks);  // in mm and degrees
   expect_printed("range scene.json", "short, from t = 0 s", "theta, from 0 deg",
                  "  up    36.8698976458 deg: locks, known within ",
                  "  down  -36.8698976458 deg: locks", "group   SG-II (rod, slider)", "moves   C",
                  "joints  revolute/rod/slider, prismatic/ground/slider", "loop    crank, rod");
-  ASSERT_EQ(desmo("range - --units si --json <scene.json"), 0) << err_;
-  const Json driver = Json::parse(out_)["drivers"][0];
+  const Json driver = json_of("range - --units si --json <scene.json")["drivers"][0];
   EXPECT_EQ(driver["name"], "theta");
   EXPECT_EQ(driver["unit"], "rad");
   EXPECT_EQ(driver["idle"], false);
@@ -32,8 +28,7 @@ TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
   EXPECT_GT(up["beyond"], up["value"]);
   EXPECT_NEAR(up["beyond"].get<double>(), std::asin(0.6), 1e-12);
   EXPECT_EQ(up["groups"], Json({"SG-II"}));
-  ASSERT_EQ(desmo("range scene.json --json"), 0) << err_;
-  const Json in_degrees = Json::parse(out_)["drivers"][0];
+  const Json in_degrees = json_of("range scene.json --json")["drivers"][0];
   EXPECT_EQ(in_degrees["unit"], "deg");
   for (const char* key : {"value", "beyond"})
     EXPECT_NEAR(in_degrees["ends"][1][key].get<double>(), std::asin(0.6) * 180 / std::numbers::pi,
@@ -41,8 +36,7 @@ TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
 }
 
 TEST_F(Cli, SaysOfEveryDriverWhereItStops) {
-  ASSERT_EQ(desmo("range stewart --json"), 0) << err_;
-  const Json drivers = Json::parse(out_)["drivers"];
+  const Json drivers = json_of("range stewart --json")["drivers"];
   ASSERT_EQ(drivers.size(), 6u);
   for (const Json& d : drivers) {
     EXPECT_EQ(d["unit"], "m");
@@ -59,8 +53,7 @@ TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
         is_signed ? R"({"distance": ["A", "C"], "along": "x"})" : R"({"distance": ["A", "C"]})";
     write("scene.json", driven_by_s(slider_crank(50, R"(, "time": {"end": 1, "step": 0.01})"), s,
                                     "m", R"({"type": "polynomial", "coefficients": [0.1]})"));
-    ASSERT_EQ(desmo("range scene.json --json"), 0) << err_;
-    const Json driver = Json::parse(out_)["drivers"][0];
+    const Json driver = json_of("range scene.json --json")["drivers"][0];
     ASSERT_EQ(driver["ends"].size(), 3u) << "the other branch from the dead point";
     EXPECT_EQ(driver["ends"][1]["stop"], "dead_point");
     EXPECT_NEAR(driver["ends"][1]["value"].get<double>(), 0.1, 1e-14);

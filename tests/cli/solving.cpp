@@ -1,15 +1,12 @@
 // desmo solve: the numbers.
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "tests/cli/program.h"
 
 namespace desmo::solving_test {
 namespace {
-
-using Json = nlohmann::json;
 
 TEST_F(Cli, SolvesWhatIsFixed) {
   for (const char* level : {"position", "velocity", "acceleration"}) {
@@ -30,8 +27,7 @@ TEST_F(Cli, SolvesWhatIsFixed) {
 }
 
 TEST_F(Cli, EveryFormulationGivesTheSameAnswer) {
-  ASSERT_EQ(desmo("list formulations --json"), 0);
-  const Json formulations = Json::parse(out_)["formulations"];
+  const Json formulations = json_of("list formulations --json")["formulations"];
   const std::string scene = slider_crank(150, R"(, "time": {"end": 0.2, "step": 0.1},
     "request": [{"points": ["C"], "level": "acceleration"}], "tolerance": 1e-13)");
   write("scene.json", scene);
@@ -65,12 +61,11 @@ TEST_F(Cli, SolvesAGeneratorToOneToleranceHoweverItIsNamed) {
           R"({"format": "desmo-scene", "version": 2, "mechanism": {"generator": ")" +
               std::string(name) + "\", \"" + unit + "\": 1}}");
     const std::string with = " --quiet --formulation group_automatic_klu";
-    ASSERT_EQ(desmo("solve generated.json" + with), 0) << err_;
-    const std::string from_file = out_;
-    ASSERT_EQ(desmo("solve " + std::string(name) + ":1" + with), 0) << err_;
-    EXPECT_TRUE(out_ == from_file) << name;
-    ASSERT_EQ(desmo("solve " + std::string(name) + ":1" + with + "/tolerance:1e-12"), 0) << err_;
-    EXPECT_TRUE(out_ == from_file) << name;
+    const std::string from_file = printed("solve generated.json" + with);
+    EXPECT_TRUE(printed("solve " + std::string(name) + ":1" + with) == from_file) << name;
+    EXPECT_TRUE(printed("solve " + std::string(name) + ":1" + with + "/tolerance:1e-12") ==
+                from_file)
+        << name;
   }
 }
 
@@ -92,8 +87,7 @@ TEST_F(Cli, TurnsASixBarFromWhereItIsDrawn) {
     "motion": {"theta": {"type": "speed", "value": 10, "unit": "rpm"}},
     "time": {"end": 6, "step": 0.1}, "request": [{"points": ["A", "P"]}]})");
   for (const char* how : {"", " --formulation group_automatic_klu", " --check mechanism"}) {
-    ASSERT_EQ(desmo("solve scene.json --quiet --strict" + std::string(how)), 0) << err_;
-    ASSERT_EQ(lines().size(), 62u);
+    ASSERT_EQ(lines_of("solve scene.json --quiet --strict" + std::string(how)).size(), 62u);
     for (int i = 0; i <= 60; ++i) {
       const std::vector<double> row = numbers(lines()[1 + i]);
       const double angle = std::atan2(0.8, 0.6) + i * std::numbers::pi / 30;
@@ -124,12 +118,9 @@ TEST_F(Cli, SaysThatADistanceIsDrawnAtZero) {
 
 TEST_F(Cli, ReadsScenesFromStandardInput) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"));
-  ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
-  const std::string expected = out_;
-  ASSERT_EQ(desmo("solve - --quiet <scene.json"), 0) << err_;
-  EXPECT_EQ(out_, expected);
-  ASSERT_EQ(desmo("solve - --quiet -o - <scene.json"), 0) << err_;
-  EXPECT_EQ(out_, expected);
+  const std::string expected = printed("solve scene.json --quiet");
+  EXPECT_EQ(printed("solve - --quiet <scene.json"), expected);
+  EXPECT_EQ(printed("solve - --quiet -o - <scene.json"), expected);
 }
 
 }  // namespace

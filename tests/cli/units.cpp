@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "tests/cli/program.h"
 
 namespace desmo::units_test {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -28,10 +25,8 @@ double unit_of_heading(const std::string& heading) {
 TEST_F(Cli, WritesInTheUnitsOfTheMechanismToOneRounding) {
   for (const char* name : {"slider_crank", "double_wishbone", "whitworth", "watt_six_bar"}) {
     const std::string solve = "solve " + std::string(name) + " --quiet";
-    ASSERT_EQ(desmo(solve + " --units si"), 0) << err_;
-    const std::vector<std::string> si = lines();
-    ASSERT_EQ(desmo(solve), 0) << err_;
-    const std::vector<std::string> shown = lines();
+    const std::vector<std::string> si = lines_of(solve + " --units si");
+    const std::vector<std::string> shown = lines_of(solve);
     ASSERT_EQ(shown.size(), si.size());
     std::vector<double> units;
     for (const std::string& heading : cells(shown[0])) units.push_back(unit_of_heading(heading));
@@ -48,10 +43,10 @@ TEST_F(Cli, WritesInTheUnitsOfTheMechanismToOneRounding) {
 TEST_F(Cli, SiUnitsChangeNothingWhereTheFileHasThem) {
   for (const char* name :
        {"andrews", "stewart", "jansen_leg", "four_bar:2", "truck_suspension:1"}) {
-    ASSERT_EQ(desmo("solve " + std::string(name) + " --quiet --no-compile"), 0) << err_;
-    const std::string expected = out_;
-    ASSERT_EQ(desmo("solve " + std::string(name) + " --quiet --no-compile --units si"), 0) << err_;
-    EXPECT_TRUE(out_ == expected) << name;
+    const std::string expected = printed("solve " + std::string(name) + " --quiet --no-compile");
+    EXPECT_TRUE(printed("solve " + std::string(name) + " --quiet --no-compile --units si") ==
+                expected)
+        << name;
   }
   expect_said(64, "solve andrews --units imperial",
               "--units: 'imperial' is none of its values; there are 'file', 'si'");
@@ -64,8 +59,7 @@ TEST_F(Cli, AScenesOwnUnitsComeBeforeTheMechanisms) {
   "motion")",
                                R"("units": {"length": "in", "angle": "rad"},
   "motion")"));
-  ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
-  EXPECT_EQ(lines()[0], "t [s],B.x [in],B.y [in],theta [rad]");
+  EXPECT_EQ(lines_of("solve scene.json --quiet")[0], "t [s],B.x [in],B.y [in],theta [rad]");
   // The crank of 50 mm turns by 90 rad.
   EXPECT_NEAR(numbers(lines()[2])[1], 50 / 25.4 * std::cos(90), 1e-9);
   EXPECT_NEAR(numbers(lines()[2])[3], 90, 1e-12);
@@ -87,8 +81,7 @@ TEST_F(Cli, AHarmonicsPhaseIsInTheScenesUnitOfAngle) {
       {"amplitude": 20, "frequency": 1, "phase": 90}]}},
     "time": {"end": 0.5, "step": 0.25}, "request": [{"distances": ["s"]}]})";
   write("scene.json", scene);
-  ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
-  ASSERT_EQ(lines().size(), 4u);
+  ASSERT_EQ(lines_of("solve scene.json --quiet").size(), 4u);
   EXPECT_EQ(lines()[0], "t [s],s [mm]");
   for (const auto& [row, s] : {std::pair(1, 120.), std::pair(2, 100.), std::pair(3, 80.)})
     EXPECT_NEAR(numbers(lines()[row])[1], s, 1e-12);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/cli/program.h"
@@ -25,8 +24,6 @@ inline constexpr const char* framed = R"({"format": "desmo-scene", "version": 2,
 /// A fixture whose tests are skipped where the program was built without its page.
 class View : public Cli {
  protected:
-  using Json = nlohmann::json;
-
   void SetUp() override {
     static const bool has_no_page = desmo("view slider_crank") == 69;
     if (has_no_page) GTEST_SKIP() << "desmo was built without its page";
@@ -38,6 +35,8 @@ class View : public Cli {
     return page.substr(at, page.find("</script>", at) - at);
   }
   static Json data_of(const std::string& page) { return Json::parse(text_in(page)); }
+  /// Returns the data of the page that desmo view prints with these arguments.
+  Json viewed(const std::string& arguments) { return data_of(printed("view " + arguments)); }
 
   /// Expects what a script prints that node runs on `data`, which the page of a scene reads; it may
   /// draw() them (drawing.js). Skips the test where there is no node.

@@ -14,8 +14,7 @@ namespace desmo::viewing_contents_test {
 namespace {
 
 TEST_F(View, SaysWhatThereIs) {
-  ASSERT_EQ(desmo("view four_bar:2"), 0) << err_;
-  const Json data = data_of(out_);
+  const Json data = viewed("four_bar:2");
   EXPECT_EQ(data["mechanism"]["dimension"], 2);
   EXPECT_EQ(data["shown"], 3001);
   EXPECT_EQ(data["mechanism"]["bodies"].size(), 5u);
@@ -29,8 +28,7 @@ TEST_F(View, SaysWhatThereIs) {
 TEST_F(View, PlotsWhatTheSceneRequests) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
     "request": [{"points": ["C"], "level": "velocity"}])"));
-  ASSERT_EQ(desmo("view scene.json"), 0) << err_;
-  const Json data = data_of(out_);
+  const Json data = viewed("scene.json");
   std::vector<std::string> plotted;
   for (const int column : data["plotted"]) plotted.push_back(data["columns"][column]["name"]);
   EXPECT_EQ(plotted, (std::vector<std::string>{"C.x", "C.y", "d/dt C.x", "d/dt C.y"}));
@@ -43,8 +41,7 @@ TEST_F(View, PlotsMeasuresByTheNamesOfTheirColumns) {
                          "acceleration": 1000}},
     "request": [{"rotations": ["rod"], "joints": ["revolute/ground/crank"], "level": "velocity"},
                 {"ratios": {"i": ["s", "theta"]}}]})");
-  ASSERT_EQ(desmo("solve rest.json --quiet"), 0) << err_;
-  EXPECT_EQ(lines()[0],
+  EXPECT_EQ(lines_of("solve rest.json --quiet")[0],
             "t [s],rod.rotation [deg],rod.omega [deg/s],revolute/ground/crank.angle [deg],"
             "d/dt revolute/ground/crank.angle [deg/s],i [mm/deg]");
   EXPECT_FALSE(lines()[1].ends_with(",")) << "a limit, where the motion begins";
@@ -56,8 +53,7 @@ TEST_F(View, PlotsMeasuresByTheNamesOfTheirColumns) {
             0)
       << err_;
   EXPECT_TRUE(prints("i [m/rad],outcome")) << out_;
-  ASSERT_EQ(desmo("view rest.json --quiet"), 0) << err_;
-  const Json data = data_of(out_);
+  const Json data = viewed("rest.json --quiet");
   std::string plotted;
   for (const Json& c : data["plotted"])
     plotted += data["columns"][c.get<std::size_t>()]["name"].get<std::string>() + " " +
@@ -117,8 +113,7 @@ TEST_F(View, ShowsTheEstimateWhereNothingCanBeAssembled) {
 TEST_F(View, LeavesOutPointsThatNoBodyCarries) {
   write("scene.json", replaced(slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"),
                                R"("points": {)", R"("points": {"Z": [7, 7], )"));
-  ASSERT_EQ(desmo("view scene.json"), 0) << err_;
-  const Json data = data_of(out_);
+  const Json data = viewed("scene.json");
   EXPECT_EQ(data["points"].size(), 3u);
   for (const Json& point : data["points"]) EXPECT_NE(point["name"], "Z");
 }
@@ -126,8 +121,7 @@ TEST_F(View, LeavesOutPointsThatNoBodyCarries) {
 TEST_F(View, IsInTheUnitsOfTheScene) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"));
   const auto units = [&](const std::string& options) {
-    EXPECT_EQ(desmo("view scene.json" + options), 0) << err_;
-    const Json data = data_of(out_);
+    const Json data = viewed("scene.json" + options);
     std::map<std::string, std::string> result;
     for (const Json& column : data["columns"]) result[column["name"]] = column["unit"];
     result["arrows"] = data["units"].dump();
