@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "tests/checked/motions.h"
+#include "tests/parallelogram.h"
+#include "tests/replaced.h"
 
 namespace desmo::passed_points_test {
 namespace {
@@ -32,22 +34,12 @@ TEST(ChangePoints, ArePassedByADistanceThatChangesItsSign) {
 
 /// With the transmission angle other equations are tried on the point.
 TEST(ChangePoints, ArePassedAtEveryLevel) {
-  const Model m = make_model(parse_scene(R"({"format": "desmo-scene", "version": 2,
-    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "parallelogram",
-      "dimension": 2, "points": {"A": [0, 0], "B": [0, 1], "C": [2, 1], "D": [2, 0]},
-      "ground": {"points": ["A", "D"]},
-      "bodies": {"crank": {"points": ["A", "B"]}, "rod": {"points": ["B", "C"]},
-                 "rocker": {"points": ["C", "D"]}},
-      "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
-        {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]},
-        {"type": "revolute", "bodies": ["rod", "rocker"], "points": ["C"]},
-        {"type": "revolute", "bodies": ["rocker", "ground"], "points": ["D"]}],
-      "coordinates": {"theta": {"angle": ["A", "B"]},
-                      "mu": {"angle": ["B", "C"], "from": ["D", "C"]}},
-      "drivers": ["theta"]},
-    "motion": {"theta": {"type": "polynomial", "coefficients": [1, 1]}},
-    "time": {"end": 6, "step": 0.1}})",
-                                         "", {}));
+  const std::string theta_alone = R"({"theta": {"angle": ["A", "B"]}})",
+                    both = R"({"theta": {"angle": ["A", "B"]},
+                              "mu": {"angle": ["B", "C"], "from": ["D", "C"]}})";
+  Scene scene = parse_scene(replaced(parallelogram_scene, theta_alone, both), "", {});
+  scene.motions[0] = Polynomial{{1, 1}};
+  const Model m = make_model(scene);
   const int theta = m.coordinate("theta"), mu = m.coordinate("mu");
   for (const Level level : all_levels) {
     const CheckedRows r = solve_checked(m, {0, 0.1, 61}, "block_symbolic_inlined", level);

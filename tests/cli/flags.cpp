@@ -4,12 +4,13 @@
 
 #include "tests/cli/program.h"
 #include "tests/flaps.h"
+#include "tests/parallelogram.h"
 
 namespace desmo::flags_test {
 namespace {
 
 TEST_F(Cli, QuietRunsSayWhatIsFlagged) {
-  write("scene.json", parallelogram);
+  write("scene.json", parallelogram_scene);
   ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
   EXPECT_TRUE(err_.starts_with("accuracy: degraded: 1 row of 26, the first at group ")) << err_;
   EXPECT_TRUE(says(" s: it passes a singular position, where branches meet")) << err_;
@@ -26,7 +27,7 @@ TEST_F(Cli, QuietRunsSayWhatIsFlagged) {
 }
 
 TEST_F(Cli, RowsCarryTheirFlags) {
-  write("scene.json", parallelogram);
+  write("scene.json", parallelogram_scene);
   ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
   EXPECT_TRUE(lines()[0].starts_with("t [s],C.x [m],C.y [m],")) << lines()[0];
   const std::vector<std::string> plain = lines();
@@ -47,7 +48,7 @@ TEST_F(Cli, RowsCarryTheirFlags) {
 
 /// A row on the change point has a position and no rates.
 TEST_F(Cli, RowsOnAChangePointHaveNoRates) {
-  write("scene.json", std::regex_replace(parallelogram, std::regex("0.04"), "0.125"));
+  write("scene.json", std::regex_replace(parallelogram_scene, std::regex("0.04"), "0.125"));
   ASSERT_EQ(lines_of("solve scene.json --quiet --columns flag").size(), 10u);
   EXPECT_TRUE(std::regex_match(lines()[5], std::regex("0\\.5,[-.0-9e]+,[-.0-9e]+,,,,,crossing")))
       << lines()[5];

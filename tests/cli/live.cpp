@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/cli/program.h"
+#include "tests/parallelogram.h"
 
 namespace desmo::live_test {
 namespace {
@@ -134,7 +135,7 @@ TEST_F(Cli, RefusesARowToWhichNoMotionLeads) {
 /// A parallelogram, drawn upright, is flat at half a turn. Straight lines between rows
 /// reach 3.1416, which is so near to it that tests run out.
 TEST_F(Cli, NamesSingularPositionsWhereTestsOfARowRunOut) {
-  write("scene.json", replaced(parallelogram, R"(, "level": "acceleration")", ""));
+  write("scene.json", replaced(parallelogram_scene, R"(, "level": "acceleration")", ""));
   write("rows", "0 1.5707963267948966\n1 2.827433388230814\n2 3.141592653589793\n");
   expect_said(1, "solve scene.json --units si --drivers rows",
               "is not known; take smaller steps, or keep away from singular positions, such as "

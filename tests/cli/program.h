@@ -57,26 +57,15 @@ inline std::string driven_by_s(const std::string& scene, const std::string& defi
                   "\"units\": {\"length\": \"" + unit + "\"}, \"motion\": {\"s\": " + motion + "}");
 }
 
+/// Returns the scene of a slider-crank in millimetres, drawn at 180 mm, whose slider is driven.
+inline std::string driven_slider(const std::string& motion) {
+  return driven_by_s(replaced(slider_crank(150, R"(, "time": {"end": 1, "step": 0.5})"),
+                              R"("B": [50, 0], "C": [200, 0])", R"("B": [30, 40], "C": [180, 0])"),
+                     R"({"distance": ["A", "C"], "along": "x"})", "mm", motion);
+}
+
 /// A slider-crank whose rod is too short for a full turn: it locks at the crank angle asin(30/50).
 inline const std::string locks = slider_crank(30, R"(, "time": {"end": 1, "step": 0.01})");
-
-/// A parallelogram that turns from 100° to 260°; branches meet at 180°, which no instant hits.
-inline const std::string parallelogram = R"({"format": "desmo-scene", "version": 2, "mechanism": {
-    "format": "desmo-mechanism", "version": 1, "name": "parallelogram", "dimension": 2,
-    "units": {"angle": "deg"},
-    "points": {"A": [0, 0], "B": [0, 1], "C": [2, 1], "D": [2, 0]},
-    "ground": {"points": ["A", "D"]},
-    "bodies": {"crank": {"points": ["A", "B"]}, "rod": {"points": ["B", "C"]},
-               "rocker": {"points": ["C", "D"]}},
-    "joints": [
-      {"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
-      {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]},
-      {"type": "revolute", "bodies": ["rod", "rocker"], "points": ["C"]},
-      {"type": "revolute", "bodies": ["rocker", "ground"], "points": ["D"]}],
-    "coordinates": {"theta": {"angle": ["A", "B"]}}, "drivers": ["theta"]},
-  "motion": {"theta": {"type": "polynomial", "coefficients": [100, 160]}},
-  "time": {"end": 1, "step": 0.04},
-  "request": [{"points": ["C"], "level": "acceleration"}]})";
 
 /// A fixture that runs the program in a temporary folder, where its cache is, too.
 class Cli : public InFolder {

@@ -4,7 +4,10 @@
 #include <fstream>
 #include <set>
 
+#include "cases/io/files.h"
 #include "tests/cli/program.h"
+#include "tests/overconstrained.h"
+#include "tests/wheel.h"
 
 namespace desmo::refusals_test {
 namespace {
@@ -50,36 +53,16 @@ TEST_F(Cli, SaysWhenRoundingLeavesMoreThanTheTolerance) {
               "to ");
 }
 
-/// Three cranks carry a coupler where two would do; the third is 2 mm too long for its drawing.
+/// Three cranks carry a coupler where two would do; the third is too long for its drawing.
 TEST_F(Cli, SaysInTheUnitsOfTheFileHowConstraintsContradictEachOther) {
-  write("cranks.json", R"({"format": "desmo-mechanism", "version": 1, "name": "cranks",
-    "dimension": 2, "units": {"length": "mm"},
-    "points": {"A": [0, 0], "B": [40, 0], "C": [100, 0],
-               "D": [12, 16], "E": [52, 16], "F": [113.2, 17.6]},
-    "ground": {"points": ["A", "B", "C"]},
-    "bodies": {"first": {"points": ["A", "D"]}, "second": {"points": ["B", "E"]},
-               "third": {"points": ["C", "F"]}, "coupler": {"points": ["D", "E", "F"]}},
-    "joints": [
-      {"type": "revolute", "bodies": ["ground", "first"], "points": ["A"]},
-      {"type": "revolute", "bodies": ["ground", "second"], "points": ["B"]},
-      {"type": "revolute", "bodies": ["ground", "third"], "points": ["C"]},
-      {"type": "revolute", "bodies": ["first", "coupler"], "points": ["D"]},
-      {"type": "revolute", "bodies": ["second", "coupler"], "points": ["E"]},
-      {"type": "revolute", "bodies": ["third", "coupler"], "points": ["F"]}],
-    "coordinates": {"theta": {"angle": ["A", "D"]}}, "drivers": ["theta"]})");
+  Mechanism cranks = parallel_cranks(1.1L, 17, true, 0.05L).mechanism;
+  cranks.length_unit = "mm";
+  write("cranks.json", write_mechanism(cranks));
   expect_said(65, "inspect cranks.json", "' is off by ", " mm at best");
   // A driver that goes 5.7 degrees asks for 2.9 of the other wheel, and for 2.3.
-  write("wheels.json", R"({"format": "desmo-mechanism", "version": 1, "name": "wheels",
-    "dimension": 2, "units": {"angle": "deg"},
-    "points": {"O": [0, 0], "P": [3, 0], "A": [1, 0], "B": [3, 1]},
-    "ground": {"points": ["O", "P"]},
-    "bodies": {"first": {"points": ["O", "A"]}, "second": {"points": ["P", "B"]}},
-    "joints": [
-      {"type": "revolute", "bodies": ["ground", "first"], "points": ["O"]},
-      {"type": "revolute", "bodies": ["ground", "second"], "points": ["P"]}],
-    "coordinates": {"a": {"angle": ["O", "A"]}, "b": {"angle": ["P", "B"]}},
-    "couplings": {"mesh": {"sum": {"a": 20, "b": 40}}, "belt": {"sum": {"a": 20, "b": 50}}},
-    "drivers": ["a"]})");
+  const Wheel wheels{.couplings = R"("mesh": {"sum": {"a": 20, "w": 40}},
+                                     "belt": {"sum": {"a": 20, "w": 50}})"};
+  write("wheels.json", wheels.text());
   expect_said(65, "inspect wheels.json", "('a') moved by ", "5.7 deg, '",
               ": coupling' is off by 0.2", " deg at best, against '");
 }
@@ -104,13 +87,6 @@ TEST_F(Cli, FailedRunsNameThePlaceAndLeaveNothing) {
   // What is not proven is told apart all the same.
   expect_said(1, "solve locks.json --check none", "t = 0.11 s: no position was found (");
   EXPECT_TRUE(says("' is off by ") && !says("a position exists")) << err_;
-}
-
-/// A slider-crank in millimetres, drawn at 180 mm, whose slider is driven.
-std::string driven_slider(const std::string& motion) {
-  return driven_by_s(replaced(slider_crank(150, R"(, "time": {"end": 1, "step": 0.5})"),
-                              R"("B": [50, 0], "C": [200, 0])", R"("B": [30, 40], "C": [180, 0])"),
-                     R"({"distance": ["A", "C"], "along": "x"})", "mm", motion);
 }
 
 /// Metres are written for millimetres: nothing steps to the first instant.

@@ -68,22 +68,14 @@ TEST_F(Cli, AScenesOwnUnitsComeBeforeTheMechanisms) {
 
 /// The phase is an angle where the driver is a length, too: sin(90°) = 1.
 TEST_F(Cli, AHarmonicsPhaseIsInTheScenesUnitOfAngle) {
-  std::string scene = R"({"format": "desmo-scene", "version": 2,
-    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "piston", "dimension": 2,
-      "units": {"length": "mm", "angle": "deg"},
-      "points": {"A": [0, 0], "C": [100, 0]}, "vectors": {"x": [1, 0]},
-      "ground": {"points": ["A"], "vectors": ["x"]},
-      "bodies": {"slider": {"points": ["C"], "vectors": ["x"]}},
-      "joints": [{"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"],
-                  "points": ["A", "C"]}],
-      "coordinates": {"s": {"distance": ["A", "C"], "along": "x"}}, "drivers": ["s"]},
-    "motion": {"s": {"type": "harmonic", "mean": 100, "terms": [
-      {"amplitude": 20, "frequency": 1, "phase": 90}]}},
-    "time": {"end": 0.5, "step": 0.25}, "request": [{"distances": ["s"]}]})";
-  write("scene.json", scene);
+  const std::string scene = driven_slider(R"({"type": "harmonic", "mean": 150, "terms": [
+      {"amplitude": 20, "frequency": 0.5, "phase": 90}]})"),
+                    time = R"("time": {)", request = R"("request": [{"distances": ["s"]}], )";
+  write("scene.json",
+        replaced(replaced(scene, time, request + time), R"("version": 1)", R"("version": 2)"));
   ASSERT_EQ(lines_of("solve scene.json --quiet").size(), 4u);
   EXPECT_EQ(lines()[0], "t [s],s [mm]");
-  for (const auto& [row, s] : {std::pair(1, 120.), std::pair(2, 100.), std::pair(3, 80.)})
+  for (const auto& [row, s] : {std::pair(1, 170.), {2, 150.}, {3, 130.}})
     EXPECT_NEAR(numbers(lines()[row])[1], s, 1e-12);
 }
 

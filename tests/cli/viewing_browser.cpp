@@ -6,13 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "cases/generators/dyad_chain.h"
 #include "cases/library/library.h"
 #include "tests/cli/view.h"
+#include "tests/parallelogram.h"
 
 namespace desmo::viewing_browser_test {
 namespace {
@@ -170,25 +171,16 @@ class ViewInBrowser : public View {
 /// A four-bar with a crank of 2, a coupler of 4, a rocker of 3.5 and a ground of 5, that turns
 /// once. side: 1 open, −1 crossed.
 std::string four_bar(int side) {
-  const double theta = 1, bx = 2 * std::cos(theta), by = 2 * std::sin(theta),
-               across = std::hypot(5 - bx, by), ux = (5 - bx) / across, uy = -by / across,
-               along = (16 + across * across - 3.5 * 3.5) / (2 * across),
-               off = side * std::sqrt(16 - along * along);
-  Json scene = Json::parse(R"({"format": "desmo-scene", "version": 2,
-    "mechanism": {"format": "desmo-mechanism", "version": 1, "name": "four_bar", "dimension": 2,
-      "points": {"A": [0, 0], "D": [5, 0]}, "ground": {"points": ["A", "D"]},
-      "bodies": {"crank": {"points": ["A", "B"]}, "coupler": {"points": ["B", "C"]},
-                 "rocker": {"points": ["C", "D"]}},
-      "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
-                 {"type": "revolute", "bodies": ["crank", "coupler"], "points": ["B"]},
-                 {"type": "revolute", "bodies": ["coupler", "rocker"], "points": ["C"]},
-                 {"type": "revolute", "bodies": ["rocker", "ground"], "points": ["D"]}],
-      "coordinates": {"theta": {"angle": ["A", "B"]}}, "drivers": ["theta"]},
-    "motion": {"theta": {"type": "polynomial"}}, "time": {"end": 1, "step": 0.01}})");
-  Json& points = scene["mechanism"]["points"];
-  points["B"] = {bx, by};
-  points["C"] = {bx + along * ux - off * uy, by + along * uy + off * ux};
+  const double theta = 1;
+  const Mechanism::Vec b{2 * std::cos(theta), 2 * std::sin(theta), 0},
+      c = closed_dyad(b, {5, 0, 0}, 4, 3.5, side).joint;
+  Json scene = Json::parse(parallelogram_scene);
+  scene.erase("request");
+  scene["mechanism"].erase("units");
+  scene["mechanism"]["points"] = {
+      {"A", {0, 0}}, {"B", {b[0], b[1]}}, {"C", {c[0], c[1]}}, {"D", {5, 0}}};
   scene["motion"]["theta"]["coefficients"] = {theta, 2 * std::numbers::pi};
+  scene["time"]["step"] = 0.01;
   return scene.dump();
 }
 
@@ -206,8 +198,7 @@ TEST_F(ViewInBrowser, TransmissionAnglesAreThoseOfTheLawOfCosines) {
       const double theta = 1 + 2 * std::numbers::pi * 0.01 * instant["index"].get<double>(),
                    diagonal_squared = 29 - 20 * std::cos(theta),
                    right = std::acos((16 + 3.5 * 3.5 - diagonal_squared) / (2 * 4 * 3.5));
-      EXPECT_NEAR(instant["values"].at("crank → coupler → rocker").get<double>(), right, 2e-7)
-          << theta;
+      EXPECT_NEAR(instant["values"].at("crank → rod → rocker").get<double>(), right, 2e-7) << theta;
       (right < std::numbers::pi / 2 ? acute : obtuse) = true;
     }
     EXPECT_TRUE(acute && obtuse);
