@@ -12,6 +12,7 @@
 #include "cases/extremes/rows.h"
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/scene.h"
+#include "cases/numbers/space.h"
 
 namespace desmo {
 
@@ -33,16 +34,6 @@ inline Scene bennett(long double start, int digits, long double size = 1,
       std::sin((twists[1] + twists[0]) / 2) / std::sin((twists[1] - twists[0]) / 2);
   const long double other = 2 * std::atan(ratio / std::tan(start / 2));
   const long double angles[] = {start, other, -start, -other};
-  const auto turned = [](const Vec& v, const Vec& axis, long double angle) {
-    const long double c = std::cos(angle), s = std::sin(angle);
-    const long double along = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
-    Vec result;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      result[i] = c * v[i] + s * (axis[j] * v[k] - axis[k] * v[j]) + (1 - c) * along * axis[i];
-    }
-    return result;
-  };
   const auto all_typed = [&](const Vec& v) -> Mechanism::Vec {
     return {typed(v[0], digits), typed(v[1], digits), typed(v[2], digits)};
   };
@@ -52,9 +43,9 @@ inline Scene bennett(long double start, int digits, long double size = 1,
   for (int i = 0; i < 4; ++i) {
     p[i] = d.point("P" + std::to_string(i + 1), all_typed(at));
     v[i] = d.vector("z" + std::to_string(i + 1), *unit_vector(all_typed(z)));
-    x = turned(x, z, angles[i]);
+    x = turned_about(z, angles[i], x);
     for (int k = 0; k < 3; ++k) at[k] += lengths[i % 2] * x[k];
-    z = turned(z, x, twists[i % 2]);
+    z = turned_about(x, twists[i % 2], z);
   }
   const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
   extremes::hinge_loop(d, "link", p, v, from, towards);

@@ -66,25 +66,9 @@ ExtremeCase bricard(std::string name, double off) {
 /// Bennett's mechanism, drawn with its crank at `start`. Where the crank is folded, some of its
 /// equations do not tell how it moves on.
 ExtremeCase bennett(std::string name, double start, Polynomial motion, double tolerance = 1e-12) {
-  const double twists[] = {0.7, 1.6};
-  const double lengths[] = {1, std::sin(twists[1]) / std::sin(twists[0])};
-  const double ratio =
-      std::sin((twists[1] + twists[0]) / 2) / std::sin((twists[1] - twists[0]) / 2);
-  const double other = 2 * std::atan(ratio / std::tan(start / 2));
-  const double angles[] = {start, other, -start, -other};
   MechanismBuilder d("bennett", 3);
   d.set_length_unit("1");
-  Vec x{1, 0, 0}, z{0, 0, 1}, at{};
-  std::array<int, 4> p, v;
-  for (int i = 0; i < 4; ++i) {
-    p[i] = d.point("P" + std::to_string(i + 1), at);
-    v[i] = d.vector("z" + std::to_string(i + 1), z);
-    x = turned_about(z, angles[i], x);
-    for (int k = 0; k < 3; ++k) at[k] += lengths[i % 2] * x[k];
-    z = turned_about(x, twists[i % 2], z);
-  }
-  const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
-  hinge_loop(d, "link", p, v, from, towards);
+  add_linkage(d, bennett_links(start, 1, 0.7, 1.6));
   return {.name = std::move(name),
           .scene = {"bennett", d.release(), {std::move(motion)}, redundant_grid, {}, {}, tolerance},
           .factor = 100};  // what is promised
@@ -105,6 +89,33 @@ void hinge_loop(MechanismBuilder& d, const std::string& body, std::span<const in
   for (std::size_t i = 0; i < n; ++i)
     d.joint(revolute, bodies[(i + n - 1) % n], bodies[i], {corners[i]}, {axes[i]});
   d.angle("theta", {-1, corners[0], corners[1]}, {from}, {towards}).driven = true;
+}
+
+Mechanism::Vec add_linkage(MechanismBuilder& d, std::span<const HingedLink> links) {
+  Vec x{1, 0, 0}, z{0, 0, 1}, at{};
+  std::vector<int> p, v;
+  for (const auto& [angle, length, twist] : links) {
+    const std::string number = std::to_string(p.size() + 1);
+    p.push_back(d.point("P" + number, at));
+    v.push_back(d.vector("z" + number, z));
+    x = turned_about(z, angle, x);
+    for (int k = 0; k < 3; ++k) at[k] += length * x[k];
+    z = turned_about(x, twist, z);
+  }
+  const int from = d.vector("x", {1, 0, 0}), towards = d.vector("y", {0, 1, 0});
+  hinge_loop(d, "link", p, v, from, towards);
+  return at;
+}
+
+std::array<HingedLink, 4> bennett_links(double start, double length, double twist,
+                                        double other_twist) {
+  const double other_length = length * std::sin(other_twist) / std::sin(twist);
+  const double ratio = std::sin((other_twist + twist) / 2) / std::sin((other_twist - twist) / 2);
+  const double other = 2 * std::atan(ratio / std::tan(start / 2));
+  return {{{start, length, twist},
+           {other, other_length, other_twist},
+           {-start, length, twist},
+           {-other, other_length, other_twist}}};
 }
 
 std::vector<ExtremeCase> redundant(Extent) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <numbers>
 #include <span>
 #include <string>
@@ -39,6 +40,20 @@ DyadChain one_dyad(double crank, double start, double pivot, double coupler, dou
 /// - corners, axes: points and vectors, two or more
 void hinge_loop(MechanismBuilder& mechanism, const std::string& body, std::span<const int> corners,
                 std::span<const int> axes, int from, int towards);
+
+/// A link of a closed chain, by Denavit and Hartenberg: the angle of its hinge, the distance and
+/// the angle from there to the next hinge.
+struct HingedLink {
+  double angle, length, twist;
+};
+
+/// Adds a closed chain of links (hinge_loop), drawn from the origin on: its first axis is z, its
+/// first angle counts from x. Returns where the last link ends, the origin but for rounding.
+Mechanism::Vec add_linkage(MechanismBuilder& mechanism, std::span<const HingedLink> links);
+
+/// Returns Bennett's linkage, whose lengths follow from its two twists.
+std::array<HingedLink, 4> bennett_links(double start, double length, double twist,
+                                        double other_twist);
 
 /// Initial angle of the crank of dyad chains, unless a case says otherwise [rad].
 inline constexpr double chain_start = std::numbers::pi / 3;

@@ -64,10 +64,7 @@ TEST(Measures, OfASliderCrankHaveClosedForms) {
 
 /// Returns v, turned by a rotation vector.
 Vec turned(const Vec& v, const Vec& rotation) {
-  const double angle = norm(rotation);
-  const Vec axis = 1 / angle * rotation;
-  return std::cos(angle) * v + std::sin(angle) * cross(axis, v) +
-         (1 - std::cos(angle)) * dot(axis, v) * axis;
+  return turned_about(unit(rotation), norm(rotation), v);
 }
 
 TEST(Measures, OfAWishboneCornerAreDifferencesOfItsPositions) {

@@ -21,11 +21,6 @@ Vec combined(double a, const Vec& x, double b, const Vec& y, double c = 0, const
   return v;
 }
 Vec unit(const Vec& a) { return combined(1 / std::sqrt(dot(a, a)), a, 0, a); }
-/// Turns v about a unit vector.
-Vec turned(const Vec& v, const Vec& about, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return combined(c, v, s, cross(about, v), (1 - c) * dot(about, v), about);
-}
 Vec random_direction(Random& r) {
   const double z = r.uniform(-1, 1), angle = r.uniform(-3, 3), s = std::sqrt(1 - z * z);
   return {s * std::cos(angle), s * std::sin(angle), z};
@@ -51,7 +46,7 @@ Start crank_and_rod(const std::string& name, Random& r, const Vec& tip) {
   Start s{MechanismBuilder(name, 3), 0, 0};
   MechanismBuilder& b = s.builder;
   b.set_length_unit("1");
-  const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, axis, r.uniform(-0.8, 0.8));
+  const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned_about(axis, r.uniform(-0.8, 0.8), zero);
   const int o = b.point("O", {}), a = b.point("A", combined(r.uniform(0.2, 0.6), arm, 0, arm));
   s.tip = b.point("B", tip);
   const int z = b.vector("z", axis), crank = b.body("crank", {o, a}, {z});
@@ -65,32 +60,16 @@ Start crank_and_rod(const std::string& name, Random& r, const Vec& tip) {
 
 Drawn bennett(Random& r) {
   const double alpha = r.uniform(0.3, 1.2), beta = r.uniform(1.3, 2.4), a = r.uniform(0.5, 1.5);
-  const double lengths[] = {a, a * std::sin(beta) / std::sin(alpha)}, twists[] = {alpha, beta};
-  const double theta = r.uniform(0.6, 2.4);
-  const double ratio = std::sin((beta + alpha) / 2) / std::sin((beta - alpha) / 2);
-  const double other = 2 * std::atan(ratio / std::tan(theta / 2));
-  const double angles[] = {theta, other, -theta, -other};
-  // Common normals of successive axes meet on the axes.
   MechanismBuilder b("bennett", 3);
   b.set_length_unit("1");
-  Vec x{1, 0, 0}, z{0, 0, 1}, at{};
-  std::vector<int> points, axes;
-  for (int i = 0; i < 4; ++i) {
-    points.push_back(b.point("P" + std::to_string(i + 1), at));
-    axes.push_back(b.vector("z" + std::to_string(i + 1), z));
-    x = turned(x, z, angles[i]);
-    at = combined(1, at, lengths[i % 2], x);
-    z = turned(z, x, twists[i % 2]);
-  }
-  const int u = b.vector("u", {1, 0, 0}), v = b.vector("v", {0, 1, 0});
-  extremes::hinge_loop(b, "link", points, axes, u, v);
+  extremes::add_linkage(b, extremes::bennett_links(r.uniform(0.6, 2.4), a, alpha, beta));
   return {b.release(), {1.0}, 1};
 }
 
 Drawn spherical_four_bar(Random& r) {
   MechanismBuilder b("spherical_four_bar", 3);
   b.set_length_unit("1");
-  const Vec first{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, first, r.uniform(-0.8, 0.8));
+  const Vec first{0, 0, 1}, zero{1, 0, 0}, arm = turned_about(first, r.uniform(-0.8, 0.8), zero);
   const double short_arc = r.uniform(0.2, 0.7);
   const Vec second = combined(std::cos(short_arc), first, std::sin(short_arc), arm);
   const int o = b.point("O", {}), p = b.point("P", second);
@@ -140,9 +119,9 @@ Drawn rssp(Random& r) {
 Drawn hooke_joint(Random& r) {
   MechanismBuilder b("hooke_joint", 3);
   b.set_length_unit("1");
-  const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, axis, r.uniform(-0.8, 0.8));
+  const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned_about(axis, r.uniform(-0.8, 0.8), zero);
   const double bend = r.uniform(0.1, 1.5);
-  const Vec driven = turned(axis, turned(zero, axis, r.uniform(-3, 3)), bend);
+  const Vec driven = turned_about(turned_about(axis, r.uniform(-3, 3), zero), bend, axis);
   const int o = b.point("O", {}), p = b.point("P", unit(cross(driven, arm)));
   const int a = b.vector("a", axis), d = b.vector("d", driven);
   const int c = b.vector("c", arm), e = b.vector("e", unit(cross(driven, arm)));
