@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/generators/dyad_chain.h"
+#include "cases/extremes/rows.h"
 #include "formulations/parts/groupwise/groupwise_solver.h"
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"
@@ -69,14 +69,11 @@ TEST(Reference, TwoFormulationsAgreeWhateverTheUnit) {
 /// Newton's method leads from there to the other branch at 2.5 rad.
 TEST(Reference, StartsOnTheBranchOfTheDrawing) {
   const double base = 5.99, begins = 2.5;
-  DyadChain chain{.crank = 1, .start = std::numbers::pi, .dyads = {}};
-  chain.dyads.push_back(closed_dyad(crank_pin(chain), {base, 0, 0}, 3, 4, 1));
-  MechanismBuilder builder("four_bar", 2);
-  add(builder, chain);
+  const DyadChain chain = extremes::one_dyad(1, std::numbers::pi, base, 3, 4);
   for (const double turns : {0, 1, -2}) {
     const double angle = begins + turns * 2 * std::numbers::pi;
-    const Model m = make_model(
-        {"four_bar", MechanismBuilder(builder).release(), {Polynomial{{angle, 1}}}, {}, {}, {}});
+    const Model m =
+        make_model(extremes::case_of("", {chain}, {Polynomial{{angle, 1}}}, {0, 0.1, 2}).scene);
     const double x = base - std::cos(begins), y = -std::sin(begins), length = std::hypot(x, y);
     const double along = (length * length + 9 - 16) / (2 * length);
     const double c =

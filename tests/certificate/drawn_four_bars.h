@@ -69,8 +69,7 @@ inline FourBar drawn_four_bar(std::mt19937& generator) {
 
 /// Returns the scene of a four-bar that is drawn with its crank at an angle. side: as in joint().
 inline Scene scene_of(const FourBar& f, double drawn_at, int side, const Motion& crank) {
-  DyadChain chain{.crank = f.crank, .start = drawn_at, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {f.base, 0, 0}, f.coupler, f.rocker, side)};
+  const DyadChain chain = extremes::one_dyad(f.crank, drawn_at, f.base, f.coupler, f.rocker, side);
   return extremes::case_of("drawn", {chain}, {crank}, {-1, 0.01, 201}).scene;
 }
 

@@ -107,8 +107,7 @@ Model touching_branches(double crank) {
   constexpr double base = 4, rocker = 2.5;
   const double phi = std::acos((16 + 16 - rocker * rocker) / 32);  // crank and coupler in line
   const double ex = (4 * std::cos(phi) - base) / rocker, ey = 4 * std::sin(phi) / rocker;
-  DyadChain chain{.crank = 1, .start = crank, .dyads = {}};
-  chain.dyads.push_back(closed_dyad(crank_pin(chain), {base, 0, 0}, 3, rocker, 1));
+  DyadChain chain = extremes::one_dyad(1, crank, base, 3, rocker);
   const Mechanism::Vec pin = chain.dyads[0].joint;
   const Mechanism::Vec end{pin[0] + 2 * ex, pin[1] + 2 * ey, 0};
   chain.dyads.push_back(

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/generators/dyad_chain.h"
+#include "cases/extremes/rows.h"
 #include "tests/certificate/starts.h"
 #include "tests/dead_point.h"
 #include "tests/mechanisms.h"
@@ -69,11 +69,8 @@ TEST(Start, IsOnTheBranchOfTheDrawing) {
 }
 
 Model four_bar(double coupler, double rocker, double base, double drawn) {
-  DyadChain chain{.crank = 1, .start = drawn, .dyads = {}};
-  chain.dyads.push_back(closed_dyad(crank_pin(chain), {base, 0, 0}, coupler, rocker, 1));
-  MechanismBuilder builder("four_bar", 2);
-  add(builder, chain);
-  return make_model({"four_bar", builder.release(), {Polynomial{{drawn}}}, {}, {}, {}});
+  const DyadChain chain = extremes::one_dyad(1, drawn, base, coupler, rocker);
+  return make_model(extremes::case_of("four_bar", chain, 0, {0, 1, 2}).scene);
 }
 
 /// Bars of 1, 3 and 4 on a base of 5.99 are nearly stretched at half a turn: from there Newton's

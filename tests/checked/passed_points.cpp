@@ -53,8 +53,7 @@ TEST(ChangePoints, ArePassedAtEveryLevel) {
 /// A kite folds, so that its rocker's joint may be anywhere on a circle. What depends on it fails
 /// first.
 TEST(ChangePoints, AreThoseOfTheGroupThatIsSingular) {
-  DyadChain chain{.crank = 2, .start = 0.6, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {2, 0, 0}, 3, 3, 1)};
+  DyadChain chain = extremes::one_dyad(2, 0.6, 2, 3, 3);
   extremes::add_dyad(chain, 5, 3, 3);
   const TimeGrid grid{0, 0.01, 100};
   const Model m = make_model(extremes::case_of("kite", chain, -1, grid).scene);

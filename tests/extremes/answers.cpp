@@ -96,8 +96,7 @@ TEST(ChainSolution, AgreesWithTheQuadrupleReference) {
 }
 
 TEST(ChainSolution, HasNoAnswerWhereThereIsNone) {
-  DyadChain chain{.crank = 2, .start = 0, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {-6, 0, 0}, 5, 3, 1)};  // stretched over 8
+  const DyadChain chain = extremes::one_dyad(2, 0, -6, 5, 3);  // stretched over 8
   const ExtremeCase c = turning(chain);
   const Model m = model_mechanism(c.scene.mechanism, {Polynomial{{0, 1}}}).model;
   ChainSolution solution(chain, m);

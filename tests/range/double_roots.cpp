@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/generators/dyad_chain.h"
+#include "cases/extremes/rows.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/range/driver_range.h"
 #include "tests/checked/rows.h"
@@ -37,8 +37,7 @@ struct TwoFourBars {
   Model model(double start, double too_long = 0) const {
     const double x = reach() * std::cos(in_line()) - ground, y = reach() * std::sin(in_line()),
                  across = std::hypot(x, y);
-    DyadChain chain{.crank = crank, .start = start, .dyads = {}};
-    chain.dyads.push_back(closed_dyad(crank_pin(chain), {ground, 0, 0}, coupler, rocker, 1));
+    DyadChain chain = extremes::one_dyad(crank, start, ground, coupler, rocker);
     chain.dyads.push_back(closed_dyad(chain.dyads[0].joint,
                                       {ground + 6 * x / across, 6 * y / across, 0}, 6 + too_long,
                                       rocker, 1));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/generators/dyad_chain.h"
+#include "cases/extremes/rows.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::range_test {
@@ -25,10 +25,9 @@ inline Model four_bar(const Links& links, double start, int side = 1, double uni
   MechanismBuilder builder("four_bar", 2);
   builder.set_length_unit("1");
   for (int i = 0; i < dyads; ++i) {
-    DyadChain chain{.crank = unit * links.crank, .start = start, .dyads = {}};
+    DyadChain chain = extremes::one_dyad(unit * links.crank, start, unit * links.ground,
+                                         unit * links.coupler, unit * links.rocker, side);
     chain.prefix = std::to_string(i);
-    chain.dyads.push_back(closed_dyad(crank_pin(chain), {unit * links.ground, 0, 0},
-                                      unit * links.coupler, unit * links.rocker, side));
     add(builder, chain);
   }
   std::vector<Motion> motions(dyads, Polynomial{{start}});

@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "cases/generators/dyad_chain.h"
+#include "cases/extremes/rows.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/range/driver_range.h"
@@ -187,10 +187,7 @@ TEST(FourBarRange, OfARackIsLookedForAtUpToTenTimesTheSize) {
   const auto model = [&](double rack) {
     MechanismBuilder builder("rack", 2);
     builder.set_length_unit("1");
-    DyadChain chain{.crank = links.crank, .start = 1, .dyads = {}};
-    chain.dyads.push_back(
-        closed_dyad(crank_pin(chain), {links.ground, 0, 0}, links.coupler, links.rocker, 1));
-    add(builder, chain);
+    add(builder, extremes::one_dyad(links.crank, 1, links.ground, links.coupler, links.rocker));
     const int m = builder.point("M", {0, -1, 0}), r = builder.point("R", {1, -1, 0}),
               x = builder.vector("x", {1, 0, 0});
     builder.carry(MechanismBuilder::ground, {m}, {x});

@@ -89,8 +89,7 @@ TEST_P(EveryFailure, GoesOnFromThePositionsBeforeIt) {
     Model m;
     double before, failing, after;  // s
   };
-  DyadChain chain{.crank = 2, .start = 0, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 1.5, 1)};  // locks at 1.66 rad
+  const DyadChain chain = extremes::one_dyad(2, 0, 6, 5, 1.5);  // locks at 1.66 rad
   const Walk walks[] = {
       {four_bar_model(2), 0, NAN, 0.01},
       {make_model(extremes::case_of("", chain, 1, {0, 1, 2}).scene), 0.5, 2.5, 0.8}};
@@ -111,8 +110,7 @@ TEST_P(EveryFailure, GoesOnFromThePositionsBeforeIt) {
 
 /// Coupler and rocker are all but stretched, and Newton's method leads far away from there.
 TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
-  DyadChain chain{.crank = 2, .start = std::numbers::pi, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3 + 1e-12, 1)};
+  const DyadChain chain = extremes::one_dyad(2, std::numbers::pi, 6, 5, 3 + 1e-12);
   const Model m = make_model(extremes::case_of("", chain, 1, {0, 1, 2}).scene);
   const auto f = make_formulation(find_variant("global_automatic_klu"), m);
   ASSERT_TRUE(f->assemble(0).ok());
