@@ -96,7 +96,7 @@ class Solved {
  public:
   Solved(Model model, std::span<const double> times, std::string_view id = "global_automatic_eigen",
          double tolerance = 1e-13)
-      : m_(std::move(model)) {
+      : m_(std::move(model)), times_(times.begin(), times.end()) {
     const auto f = make_formulation(find_variant(id), m_, Settings{tolerance, 50});
     for (const double t : times) {
       const Summary s = f->step(t);
@@ -111,6 +111,7 @@ class Solved {
 
   const Model& model() const { return m_; }
   int instants() const { return static_cast<int>(q_.size()); }
+  double time(int instant) const { return times_[instant]; }
 
   /// Return the values of a point or vector; the first component for a scalar.
   Vec position(int instant, const std::string& name) const { return value(q_, instant, name); }
@@ -135,6 +136,7 @@ class Solved {
   }
 
   Model m_;
+  std::vector<double> times_;
   std::vector<std::vector<double>> q_, qd_, qdd_;
 };
 

@@ -40,8 +40,7 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   d.component("Px", P, 0);
   d.component("Py", P, 1);
   const Mechanism described = d.release_pinned();
-  const std::vector<double> times = instants(2);
-  const Solved s(described, turning, times);
+  const Solved s(described, turning, instants(2));
   expect_rigid_bodies(described, s, 1e-10);
   for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
     const auto at = [&](int p) { return s.position(k, described.points[p].name); };
@@ -50,7 +49,7 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
       if (e.is_line()) return at(e.to) - at(e.from);
       return s.position(k, described.vectors[e.vector].name);
     };
-    expect_near(at(B), polar(1, 1 + times[k]), 1e-12, "B");
+    expect_near(at(B), polar(1, 1 + s.time(k)), 1e-12, "B");
     for (std::size_t i = 0; i < angles.size(); ++i) {
       const std::string name = "angle" + std::to_string(i);
       expect_same_angle(s.scalar(k, name),
@@ -155,10 +154,9 @@ TEST(Coordinates, SlideIsMeasuredAgainFromTheOtherEndAndFromAside) {
     d.along("s", A, C, x);
     d.along("further", E, C, x);
     d.along("back", C, A, x);
-    const std::vector<double> times = instants(6.3);
-    const Solved s(d.release_pinned(), {Polynomial{{tilt + 1, 1}}}, times);
+    const Solved s(d.release_pinned(), {Polynomial{{tilt + 1, 1}}}, instants(6.3));
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
-      const double theta = 1 + times[k], sine = std::sin(theta);
+      const double theta = 1 + s.time(k), sine = std::sin(theta);
       const double expected = std::cos(theta) + std::sqrt(9 - sine * sine);
       EXPECT_NEAR(s.scalar(k, "s"), expected, 1e-11);
       EXPECT_NEAR(s.scalar(k, "further"), expected + 3, 1e-11);
@@ -181,10 +179,9 @@ TEST(Coordinates, DistanceAlongASlideLeavesItBesideTheLineAsItIsDrawn) {
     d.angle("theta", line(A, B)).driven = true;
     d.along("forward", A, C, x);
     d.along("backward", C, A, x);
-    const std::vector<double> times = instants(1);
-    const Solved s(d.release_pinned(), {Polynomial{{0, rate}}}, times);
+    const Solved s(d.release_pinned(), {Polynomial{{0, rate}}}, instants(1));
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
-      const double angle = rate * times[k], across = off - r * std::sin(angle);
+      const double angle = rate * s.time(k), across = off - r * std::sin(angle);
       const double along = std::sqrt(1.5 * 1.5 + off * off - across * across),
                    c = r * std::cos(angle) + along,
                    c_rate = rate * r * (across * std::cos(angle) / along - std::sin(angle));

@@ -151,10 +151,9 @@ TEST(SpecialPosition, SliderAtItsTurningPointKeepsAllItsEquations) {
   const Model m = model_mechanism(slider_at_turning_point(false), {Polynomial{{0, 1}}}).model;
   expect_equations(m, 0, {{"planar_angle", {"O", "B", "theta"}, {1}}});
   expect_equations(m, 1, {{"length2", {"B", "P"}, {9}}, {"along2", {"O", "P", "x", "s"}, {}}});
-  const std::vector<double> times = instants(1.5);
-  const Solved s(m, times);
+  const Solved s(m, instants(1.5));
   for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
-    const double t = times[k];
+    const double t = s.time(k);
     EXPECT_NEAR(s.scalar(k, "s"), std::cos(t) + std::sqrt(9 - std::sin(t) * std::sin(t)), 1e-12);
   }
   EXPECT_NO_THROW(model_mechanism(slider_at_turning_point(true), {Polynomial{{3.5, -1}}}));
@@ -181,7 +180,6 @@ TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) 
     d.distance("far", ends[1], ears[0]);
     return d.release_pinned();
   };
-  const std::vector<double> times = instants(1);
   for (const double angle : {1.0, 0.0}) {
     const Model m = model_mechanism(bell_cranks(angle), {Polynomial{{1, 1}}}).model;
     std::set<std::string> kinds;
@@ -190,11 +188,11 @@ TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) 
     if (!kinds.contains("distance2")) continue;
     Model open = m;  // solved away from the fold, where any choice would fail
     open.estimate = model_mechanism(bell_cranks(1), {Polynomial{{1, 1}}}).model.estimate;
-    const Solved s(open, times);
+    const Solved s(open, instants(1));
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
-      const Vec p = Vec{2, 0, 0} + polar(1, 1 + times[k]);
+      const Vec p = Vec{2, 0, 0} + polar(1, 1 + s.time(k));
       expect_near(s.position(k, "P2"), p, 1e-11, "P2");
-      EXPECT_NEAR(s.scalar(k, "far"), norm(p - polar(0.5, 2 + times[k])), 1e-11);
+      EXPECT_NEAR(s.scalar(k, "far"), norm(p - polar(0.5, 2 + s.time(k))), 1e-11);
     }
   }
 }

@@ -90,12 +90,11 @@ TEST(PointOnPlane, MovesThePistonOfASwashPlate) {
   d.joint(JointType::prismatic, Sketch::ground, piston, {M, P}, {z, x});
   d.joint(JointType::point_on_plane, plate, piston, {O, P}, {n});
   d.spatial_angle("theta", {n}, x, y).driven = true;
-  const std::vector<double> times = instants(2);
-  const Solved s(d.release(), {Polynomial{{0, 3}}}, times);
+  const Solved s(d.release(), {Polynomial{{0, 3}}}, instants(2));
   for (int k = 0; k < s.instants(); ++k) {
-    const double z_of_t = height + r * std::tan(tilt) * (1 - std::cos(3 * times[k]));
+    const double z_of_t = height + r * std::tan(tilt) * (1 - std::cos(3 * s.time(k)));
     expect_near(s.position(k, "P"), {r, 0, z_of_t}, tolerance, "P");
-    const double rate = r * std::tan(tilt) * 3 * std::sin(3 * times[k]);
+    const double rate = r * std::tan(tilt) * 3 * std::sin(3 * s.time(k));
     expect_near(s.velocity(k, "P"), {0, 0, rate}, tolerance, "velocity of P");
   }
 }
@@ -121,16 +120,15 @@ TEST(SlidingJoint, LeavesABodyBesideTheLineAsItIsDrawn) {
               turns ? std::vector{x} : std::vector{x, v});
       d.along("s", P, O, x).driven = true;  // either way round
       if (turns) d.spatial_angle("turn", {v}, y, z).driven = true;
-      const std::vector<double> times = instants(1);
       std::vector<Motion> motions{Polynomial{{-1, -1}}};
       if (turns) motions.push_back(Polynomial{{0, 2}});
-      const Solved s(d.release(), motions, times);
+      const Solved s(d.release(), motions, instants(1));
       for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
         // The line leads through P.
-        const double angle = turns ? 2 * times[k] : 0, c = std::cos(angle), n = std::sin(angle);
+        const double angle = turns ? 2 * s.time(k) : 0, c = std::cos(angle), n = std::sin(angle);
         const double b = 0.3 - off;
-        expect_near(s.position(k, "P"), {1 + times[k], off, 0}, tolerance, "P");
-        expect_near(s.position(k, "Q"), {1.2 + times[k], off + c * b - n * 0.4, n * b + c * 0.4},
+        expect_near(s.position(k, "P"), {1 + s.time(k), off, 0}, tolerance, "P");
+        expect_near(s.position(k, "Q"), {1.2 + s.time(k), off + c * b - n * 0.4, n * b + c * 0.4},
                     tolerance, "Q");
       }
       EXPECT_FALSE(HasFailure()) << off;
@@ -151,11 +149,10 @@ TEST(SlidingJoint, LeavesABodyBesideALineThatMovesAsItIsDrawn) {
                : d.joint(JointType::cylindrical, arm, collar, {O, P}, {u});
       d.spatial_angle("theta", {u}, x, y).driven = true;
       d.along("s", O, P, u).driven = true;
-      const std::vector<double> times = instants(1);
-      const Solved s(d.release(), {Polynomial{{0, 2}}, Polynomial{{2, 1}}}, times);
+      const Solved s(d.release(), {Polynomial{{0, 2}}, Polynomial{{2, 1}}}, instants(1));
       for (int k = 0; k < s.instants() && !HasFailure(); ++k)
-        expect_near(s.position(k, "P"), turned({2 + times[k], off, -off}, 2 * times[k]), tolerance,
-                    "P");
+        expect_near(s.position(k, "P"), turned({2 + s.time(k), off, -off}, 2 * s.time(k)),
+                    tolerance, "P");
       EXPECT_FALSE(HasFailure()) << off << ", " << is_first;
     }
 }
@@ -174,10 +171,9 @@ TEST(SlidingJoint, HasNoOffsetWhereNothingTellsItsSide) {
   d.joint(JointType::cylindrical, cylinder, rod, {A, B}, {u}, "strut");
   d.joint(JointType::spherical, crank, rod, {B});
   d.spatial_angle("theta", {v}, x, y).driven = true;
-  const std::vector<double> times = instants(1);
-  const Solved s(d.release(), {Polynomial{{0, 2}}}, times);
+  const Solved s(d.release(), {Polynomial{{0, 2}}}, instants(1));
   for (int k = 0; k < s.instants() && !HasFailure(); ++k)
-    EXPECT_NEAR(s.scalar(k, "strut/distance"), norm(polar(1, 2 * times[k]) - Vec{3, 0, 0}),
+    EXPECT_NEAR(s.scalar(k, "strut/distance"), norm(polar(1, 2 * s.time(k)) - Vec{3, 0, 0}),
                 tolerance);
 }
 
