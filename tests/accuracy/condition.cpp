@@ -64,8 +64,7 @@ TEST(Condition, LimitGrowsWithTheLevel) {
 }
 
 TEST(Condition, PredictsWhatDoubleReaches) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
+  for (const Scene& scene : library_scenes()) {
     const Model m = make_model(scene);
     const TimeGrid grid = tested(scene.grid);
     const Reference r = make_reference(m, sampled(grid, DESMO_SANITIZED ? 3 : 9));
@@ -80,7 +79,7 @@ TEST(Condition, PredictsWhatDoubleReaches) {
       condition = std::max(condition, condition_number(at.q));
     const PerLevel<double> limit = accuracy_limit(condition, 0x1p-53);
     const SolutionError e = measure.error();
-    for (const Level level : all_levels) EXPECT_LT(e[level].max, 100 * limit[level]) << l.name;
+    for (const Level level : all_levels) EXPECT_LT(e[level].max, 100 * limit[level]) << m.name;
   }
 }
 

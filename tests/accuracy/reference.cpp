@@ -52,10 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, ReferenceOfCase, testing::ValuesIn(ends_of_sizes
                          });
 
 TEST(Reference, TwoFormulationsAgreeOnTheLibrary) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
-    expect_agreement(make_model(scene), scene.grid, 16);
-  }
+  for (const Scene& scene : library_scenes()) expect_agreement(make_model(scene), scene.grid, 16);
 }
 
 TEST(Reference, TwoFormulationsAgreeWhateverTheUnit) {

@@ -4,10 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "cases/generators/cases.h"
-#include "cases/io/files.h"
-#include "cases/library/library.h"
-#include "formulations/modelling/modelling.h"
+#include "tests/mechanisms.h"
 
 namespace desmo {
 

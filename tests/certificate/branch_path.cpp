@@ -71,8 +71,7 @@ void expect_followed(const Scene& scene, double angle, int max_sub_steps) {
 
 TEST(BranchPath, FollowsLongSteps) {
   constexpr double degree = std::numbers::pi / 180;
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
+  for (const Scene& scene : library_scenes()) {
     expect_followed(scene, 1 * degree, 1);
     expect_followed(scene, 5 * degree, 2);
     expect_followed(scene, 20 * degree, 8);
@@ -132,8 +131,7 @@ TEST(BranchPath, StopsAtADeadPoint) {
 TEST(BranchPath, LeadsOtherEndsBack) {
   int others = 0, led_back = 0;
   std::mt19937 generator(7);
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
+  for (const Scene& scene : library_scenes()) {
     const Model m = make_model(scene);
     const double t = scene.grid.start;
     const std::vector<ReferenceInstant> solved = double_solution(m, std::vector{t, t + 0.01});
@@ -156,7 +154,7 @@ TEST(BranchPath, LeadsOtherEndsBack) {
       ++others;
       std::vector<double> end;
       const FollowedStep step = follow(m, solved[0], other, &end);
-      EXPECT_NE(step.end, PathEnd::same) << l.name;
+      EXPECT_NE(step.end, PathEnd::same) << m.name;
       if (step.end != PathEnd::other) continue;
       ++led_back;
       for (int k = 0; k < m.coordinates(); ++k) EXPECT_NEAR(end[k], solved[1].q[k], 1e-9 * size);

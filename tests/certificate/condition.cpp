@@ -38,10 +38,7 @@ void compare(const Model& m, const TimeGrid& grid) {
 }
 
 TEST(CertifiedCondition, IsAboutThatOfTheWholeSystem) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
-    compare(make_model(scene), scene.grid);
-  }
+  for (const Scene& scene : library_scenes()) compare(make_model(scene), scene.grid);
   compare(four_bar_model(1), time_grid(3, 0.1));
   compare(truck_model(1), time_grid(3, 0.1));
 }

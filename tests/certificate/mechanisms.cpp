@@ -29,11 +29,10 @@ Containment contain(const Model& m, std::span<const double> times,
 }
 
 TEST(Certificate, HoldsOnTheLibrary) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
+  for (const Scene& scene : library_scenes()) {
     Containment c = contain(make_model(scene), sampled(scene.grid, DESMO_SANITIZED ? 5 : 100));
-    EXPECT_EQ(c.proven, c.instants) << l.name;
-    EXPECT_LE(c.median(Level::position), DESMO_SANITIZED ? 200 : 50) << l.name;
+    EXPECT_EQ(c.proven, c.instants) << scene.mechanism.name;
+    EXPECT_LE(c.median(Level::position), DESMO_SANITIZED ? 200 : 50) << scene.mechanism.name;
   }
 }
 

@@ -84,15 +84,14 @@ std::vector<double> begins_of(const Scene& scene, double step, int count) {
 }
 
 TEST(PathProof, ProvesEachStepOfTheLibrary) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
+  for (const Scene& scene : library_scenes()) {
     const Model m = make_model(scene);
     const double step = scene.grid.interval();
     for (const Level level : all_levels) {
       const Tally t =
           prove_steps(m, begins_of(scene, step, DESMO_SANITIZED ? 1 : 20), step, 3, level);
       if (level >= Level::velocity) {
-        EXPECT_EQ(t.proven, t.steps) << l.name;
+        EXPECT_EQ(t.proven, t.steps) << m.name;
       }
     }
   }
@@ -111,8 +110,7 @@ TEST(PathProof, ProvesEachStepOfTheCases) {
 /// which fill no register.
 TEST(PathProof, TakesTheLevelOfEachCoordinate) {
   int odd = 0;
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
+  for (const Scene& scene : library_scenes()) {
     const Model m = make_model(scene);
     const double t = scene.grid.start;
     const Certified at(m, double_solution(m, std::vector{t, t + scene.grid.interval()}));
@@ -127,7 +125,7 @@ TEST(PathProof, TakesTheLevelOfEachCoordinate) {
     for (const Level level : all_levels) {
       static_cast<void>(same.prove(at(0, level), at(1, level)));
       for (int i = 0; i < m.coordinates(); ++i)
-        if (levels[i] == level) EXPECT_EQ(mixed.path(i), same.path(i)) << l.name << ' ' << i;
+        if (levels[i] == level) EXPECT_EQ(mixed.path(i), same.path(i)) << m.name << ' ' << i;
     }
   }
   EXPECT_GT(odd, 0);

@@ -78,31 +78,30 @@ void expect_last_digits(const Scene& scene, bool in_single = false) {
 }
 
 TEST(Refinement, IsRightToTheLastDigits) {
-  for (const LibraryMechanism& l : library()) expect_last_digits(library_scene(l.name));
+  for (const Scene& scene : library_scenes()) expect_last_digits(scene);
   for (const Case& definition : cases())
     expect_last_digits(make_scene(definition, definition.sizes.front()));
 }
 
 /// Errors of single precision leave others of their square, which a second pass takes off.
 TEST(Refinement, IsRightToTheLastDigitsFromSinglePrecision) {
-  for (const LibraryMechanism& l : library()) expect_last_digits(library_scene(l.name), true);
+  for (const Scene& scene : library_scenes()) expect_last_digits(scene, true);
 }
 
 /// Rates are linear, and found from zeros: also where nothing accelerates, or lengths alone do.
 TEST(Refinement, FindsRatesFromPositionsAlone) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
+  for (const Scene& scene : library_scenes()) {
     const Model m = make_model(scene);
     const ReferenceInstant s = double_solution(m, std::array{scene.grid.start}).front();
     const std::vector<double> zeros(m.coordinates());
     Refinement from_all(m), from_zeros(m);
     const RefinedInstant &all = from_all.refine(instant_of(s)),
                          &found = from_zeros.refine(instant_of(s.time, {s.q, zeros, zeros}));
-    EXPECT_LE(all.passes, 2) << l.name;
+    EXPECT_LE(all.passes, 2) << m.name;
     for (int i = 0; i < m.coordinates(); ++i) {
-      EXPECT_LE(found.radius.velocity[i], 4 * all.radius.velocity[i] + 1e-15) << l.name << i;
+      EXPECT_LE(found.radius.velocity[i], 4 * all.radius.velocity[i] + 1e-15) << m.name << i;
       EXPECT_LE(found.radius.acceleration[i], 4 * all.radius.acceleration[i] + 1e-14)
-          << l.name << i;
+          << m.name << i;
     }
   }
 }

@@ -7,38 +7,29 @@
 #include <string>
 #include <vector>
 
-#include "cases/generators/cases.h"
-#include "cases/io/files.h"
-#include "cases/library/library.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/formulated.h"
+#include "tests/mechanisms.h"
 #include "tests/named_difference.h"
 
 namespace desmo::coordinates_test {
 namespace {
 
-struct Motion {
-  Scene scene;
-  TimeGrid grid;
-};
-
-std::vector<Motion> motions() {
-  std::vector<Motion> all;
-  const double seconds = DESMO_SANITIZED ? 0.05 : 0.5;
-  for (const LibraryMechanism& l : library()) {
-    Scene scene = library_scene(std::string(l.name));
-    TimeGrid grid = scene.grid;
-    if (DESMO_SANITIZED) grid.instants = std::min(grid.instants, 11);
-    all.push_back({std::move(scene), grid});
+std::vector<Scene> motions() {
+  std::vector<Scene> all = library_scenes();
+  if (DESMO_SANITIZED)
+    for (Scene& scene : all) scene.grid.instants = std::min(scene.grid.instants, 11);
+  for (Scene scene : {four_bar(1), four_bar(8), truck_suspension(1), truck_suspension(2)}) {
+    scene.grid = time_grid(DESMO_SANITIZED ? 0.05 : 0.5, 0.01);
+    all.push_back(std::move(scene));
   }
-  for (const int units : {1, 8}) all.push_back({four_bar(units), time_grid(seconds, 0.01)});
-  for (const int units : {1, 2}) all.push_back({truck_suspension(units), time_grid(seconds, 0.01)});
   return all;
 }
 
 TEST(Coordinates, DeliverTheNaturalMotionWhateverTheyAre) {
-  for (const auto& [scene, grid] : motions()) {
+  for (const Scene& scene : motions()) {
+    const TimeGrid& grid = scene.grid;
     const Model natural = make_model(scene);
     std::vector<double> times;
     for (int i = 0; i < grid.instants; i += std::max(1, grid.instants / 10))

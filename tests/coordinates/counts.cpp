@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cases/io/files.h"
-#include "cases/library/library.h"
 #include "cases/mechanism/builder.h"
 #include "formulations/formulation.h"
 #include "formulations/model/derivations.h"
@@ -59,13 +58,12 @@ TEST(Coordinates, LeaveTheUnknownsOfTheTextbooks) {
 }
 
 TEST(Coordinates, KeepStructuralGroupsAndHideWhatServesTheModel) {
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = library_scene(l.name);
+  for (const Scene& scene : library_scenes()) {
     const Model natural = make_model(scene);
     for (const Modelling kind : {Modelling::basis, Modelling::reference, Modelling::relative}) {
       const Model m = make_model(scene, kind);
       EXPECT_EQ(m.modelling, kind);
-      ASSERT_EQ(m.groups.size(), natural.groups.size()) << l.name;
+      ASSERT_EQ(m.groups.size(), natural.groups.size()) << m.name;
       for (std::size_t g = 0; g < m.groups.size(); ++g) {
         EXPECT_EQ(m.groups[g].name, natural.groups[g].name);
         EXPECT_EQ(m.groups[g].bodies, natural.groups[g].bodies);
@@ -73,7 +71,7 @@ TEST(Coordinates, KeepStructuralGroupsAndHideWhatServesTheModel) {
       }
       const Plan everything = make_plan(m, {});
       for (const Output& output : everything.outputs)
-        EXPECT_FALSE(everything.model.entities[output.entity].internal) << l.name;
+        EXPECT_FALSE(everything.model.entities[output.entity].internal) << m.name;
     }
   }
 }

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "cases/io/files.h"
-#include "cases/library/library.h"
 #include "tests/coordinates/textbook_motion.h"
 #include "tests/mechanisms.h"
 
@@ -70,8 +69,9 @@ std::optional<Row> closed_form(const Instant& now, const Equation& equation) {
 }
 
 TEST(Coordinates, CondenseToTheClosedFormsOfTextbooks) {
-  std::vector<Scene> scenes{four_bar(2), truck_suspension(1)};
-  for (const LibraryMechanism& l : library()) scenes.push_back(library_scene(l.name));
+  std::vector<Scene> scenes = library_scenes();
+  scenes.push_back(four_bar(2));
+  scenes.push_back(truck_suspension(1));
   std::map<std::string, int> compared;
   for (const Scene& scene : scenes)
     for (const Modelling kind : {Modelling::reference, Modelling::relative}) {

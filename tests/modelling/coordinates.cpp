@@ -97,11 +97,10 @@ std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
 /// However often it is measured, and wherever the body turns: one equation for each angle more.
 TEST(Coordinates, EveryPlanarBodyIsMeasuredAgainOverTheWholeMotion) {
   int mechanisms = 0;
-  for (const LibraryMechanism& l : library()) {
-    Scene scene = library_scene(l.name);
+  for (Scene scene : library_scenes()) {
     if (scene.mechanism.dimension != 2) continue;
     ++mechanisms;
-    SCOPED_TRACE(l.name);
+    SCOPED_TRACE(scene.mechanism.name);
     const auto added = measure_all_angles(scene.mechanism);
     const Mechanism& d = scene.mechanism;
     const Model m = make_model(scene);

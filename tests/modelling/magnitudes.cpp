@@ -9,7 +9,6 @@
 
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
-#include "cases/library/library.h"
 #include "formulations/constraints/constraints.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
@@ -112,13 +111,13 @@ TEST(Magnitudes, FollowTheUnitByThePowerOfTheEquation) {
 }
 
 TEST(Magnitudes, OfTheLibraryAreWithinReach) {
-  for (const LibraryMechanism& l : library()) {
-    const Model m = make_model(parse_scene(l.scene, std::string(l.name), {}));
+  for (const Scene& scene : library_scenes()) {
+    const Model m = make_model(scene);
     const Magnitudes magnitudes(m);
     for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
       for (int row = 0; row < rows(m.constraints[c]); ++row) {
-        EXPECT_GT(magnitudes.of({c, row}), 1e-6) << l.name << ", " << m.constraints[c].name;
-        EXPECT_LT(magnitudes.of({c, row}), 1e5) << l.name << ", " << m.constraints[c].name;
+        EXPECT_GT(magnitudes.of({c, row}), 1e-6) << m.name << ", " << m.constraints[c].name;
+        EXPECT_LT(magnitudes.of({c, row}), 1e5) << m.name << ", " << m.constraints[c].name;
       }
   }
 }
