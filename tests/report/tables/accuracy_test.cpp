@@ -47,10 +47,8 @@ TEST(AccuracyCosts, ShowWhatInterpolationGainsInARowOfItsOwn) {
               before = table_of(points_record(), "accuracy_costs");
   ASSERT_EQ(table.rows.size(), before.rows.size() + 2);  // at 1e-3 and 1e-6
   const std::string solved = klu + "/guess:hermite5/jacobian:step/iterations:1";
-  const std::vector<std::string> row{truck, "225", "1e-06"};
-  EXPECT_EQ(entry_at(table, row, "cheapest").shown, solved);
-  std::vector<std::string> second = row;
-  second.push_back(klu + "/stride:8");
+  EXPECT_EQ(entry_at(table, {truck, "225", "1e-06"}, "cheapest").shown, solved);
+  const std::vector<std::string> second{truck, "225", "1e-06", klu + "/stride:8"};
   EXPECT_EQ(entry_at(table, second, "µs/step").digits[0], "5.000");
   EXPECT_EQ(entry_at(table, second, over_global).digits[0], "6.00");  // 30 over 5
 }
@@ -60,8 +58,7 @@ TEST(AccuracyCosts, SaysWhereNothingHoldsTheError) {
   for (Json& point : json["accuracy"]["points"])
     if (point["case"] == "four_bar") point["error"]["position"]["max"] = 1e-5;
   const Table table = table_of(json, "accuracy_costs");
-  const std::vector<std::string> row{"four_bar", "114", "1e-06"};
-  expect_row(table, row,
+  expect_row(table, {"four_bar", "114", "1e-06"},
              {{"cheapest", "none"}, {"µs/step", missing_mark}, {over_itself, missing_mark}});
 }
 
@@ -71,20 +68,17 @@ TEST(AccuracyCosts, OfOneSampleHaveNoInterval) {
   point_of(json, klu + "/guess:hermite5/jacobian:step/iterations:1")["time_per_step"]["seconds"] = {
       16e-6};
   const Table table = table_of(json, "accuracy_costs");
-  const std::vector<std::string> row{truck, "225", "1e-09"};
-  expect_row(table, row, {{"µs/step", "20"}, {over_itself, "2"}});
+  expect_row(table, {truck, "225", "1e-09"}, {{"µs/step", "20"}, {over_itself, "2"}});
 }
 
 TEST(Guesses, AreComparedAtEqualErrorAndWithThePapersSettings) {
   const Table table = table_of(points_record(), "guesses_and_updates");
   EXPECT_EQ(table.rows.size(), 2u * 2 + 1) << "of each guess and update tried, and of no other";
-  const std::vector<std::string> reused{truck, "225", "hermite5", "step"};
-  expect_row(table, reused,
+  expect_row(table, {truck, "225", "hermite5", "step"},
              {{"stop", "iterations: 1"},
               {"times the paper's settings", "2.50 [2.45, 2.55]"},
               {"at equal error", "2.00 …"}});
-  const std::vector<std::string> paper{truck, "225", "previous", "newton"};
-  expect_row(table, paper,  // 1.5e-9 is too much
+  expect_row(table, {truck, "225", "previous", "newton"},  // 1.5e-9 is too much
              {{"stop", "tolerance 1e-8"}, {"at equal error", "1.00 reference"}});
   expect_row(table, {truck, "225", "previous", "step"}, {{"stop", "nothing that holds it"}});
 }
@@ -101,9 +95,9 @@ TEST(Guesses, AreOfEveryInstantSolved) {
 
 TEST(Sensitivity, VariesOneThingAtATime) {
   const Table table = table_of(points_record(), "sensitivity");
-  const std::vector<std::string> fine{"klu", "step", "1 ms"}, usual{"klu", "step", "10 ms"};
-  expect_row(table, fine, {{"TS-TPS_LAP", "0.40 [0.39, 0.41]"}, {"FBL-TP", missing_mark}});
-  expect_row(table, usual,
+  expect_row(table, {"klu", "step", "1 ms"},
+             {{"TS-TPS_LAP", "0.40 [0.39, 0.41]"}, {"FBL-TP", missing_mark}});
+  expect_row(table, {"klu", "step", "10 ms"},
              {{"TS-TPS_LAP", "0.40 …"}, {"TS-TPA_<sparse>", "1.03 …"}, {"FBL-TP", "6.00 …"}});
   EXPECT_EQ(entry_at(table, {"klu", "tolerance", "1e-06"}, "TS-TPS_LAP").digits[0], "0.36");
   EXPECT_EQ(entry_at(table, {"klu", "tolerance", "1e-12"}, "TS-TPS_LAP").digits[0], "0.40");

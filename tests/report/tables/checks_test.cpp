@@ -26,12 +26,13 @@ Json checked_record() {
   return json;
 }
 
+const std::vector<std::string> row{truck, std::to_string(coordinates), bare, "proof"};
+
 TEST(Checks, CostAStepAndTheStart) {
   const Record record = record_from(checked_record());
   const Section section = checks(record);
   ASSERT_EQ(section.tables.size(), 1u);
   ASSERT_EQ(section.tables[0].rows.size(), 1u);
-  const std::vector<std::string> row{truck, std::to_string(coordinates), bare, "proof"};
   const auto value = [&](const char* column) {
     return std::stod(entry_at(section.tables[0], row, column).digits.at(0));
   };
@@ -45,7 +46,6 @@ TEST(Checks, WithoutABareRunHaveAMark) {
   Json json = checked_record();
   erase_candidate(json, coordinates, bare);
   const Section section = checks(record_from(json));
-  const std::vector<std::string> row{truck, std::to_string(coordinates), bare, "proof"};
   EXPECT_EQ(entry_at(section.tables.at(0), row, "more µs").shown, missing_mark);
 }
 

@@ -19,16 +19,15 @@ Json& request_of(Json& json, const std::string& id, const std::string& name) {
 TEST(Requests, CostLessThanEverythingWithTheSameFormulation) {
   const Table table = table_of(requests_record());
   EXPECT_EQ(table.name, "requests_truck_suspension_225");
-  const std::vector<std::string> row{wheel, "position", "block_symbolic_inlined"};
-  expect_row(table, row,
+  expect_row(table, {wheel, "position", "block_symbolic_inlined"},
              {{"unknowns", "21 of 218"},
               {"CPU s", "0.0002000 ±0.0000040"},
               {"times cheaper", "40.00 [38.43, 41.63] (97.5 %)"},
               {"iterations/step", "2.25"}});
   EXPECT_EQ(entry_at(table, {wheel, "position", "global_automatic_klu"}, "times cheaper").digits[0],
             "30.00");
-  const std::vector<std::string> whole{"everything", "acceleration", "global_automatic_klu"};
-  expect_row(table, whole, {{"unknowns", "218 of 218"}, {"times cheaper", "1.00 reference"}});
+  expect_row(table, {"everything", "acceleration", "global_automatic_klu"},
+             {{"unknowns", "218 of 218"}, {"times cheaper", "1.00 reference"}});
 }
 
 TEST(Requests, BeginWithWhatIsGained) {
@@ -55,12 +54,11 @@ TEST(Requests, ThatFailedOrDidNotRunHaveNoTime) {
   for (const MeasuredRequest& request : record.requests)
     EXPECT_EQ(request.time.seconds.empty(), request.status != Status::ok);
   const Table table = table_of(json);
-  const std::vector<std::string> failed{axle, "acceleration", "global_automatic_klu"};
   expect_row(
-      table, failed,
+      table, {axle, "acceleration", "global_automatic_klu"},
       {{"CPU s", failed_mark}, {"times cheaper", failed_mark}, {"remark", "wrong by design"}});
-  const std::vector<std::string> not_run{wheel, "position", "group_symbolic_inlined"};
-  expect_row(table, not_run, {{"CPU s", not_run_mark}, {"times cheaper", not_run_mark}});
+  expect_row(table, {wheel, "position", "group_symbolic_inlined"},
+             {{"CPU s", not_run_mark}, {"times cheaper", not_run_mark}});
   const Document document = make_report(record);
   EXPECT_EQ(document.sections.back().paragraphs,
             (std::vector<std::string>{

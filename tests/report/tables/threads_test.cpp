@@ -32,8 +32,8 @@ Json threads_record() {
 TEST(Threads, StandInATableOfTheWallClockAlone) {
   const Document document = make_report(record_from(threads_record()));
   const Table table = table_named(document, "threads_truck_suspension");
-  const std::vector<std::string> two{"114", "everything", hermite_lanes, "2"};
-  expect_row(table, two, {{"wall s", "0.03000 …"}, {"times one thread", "2.00 [2.00, 2.00]"}});
+  expect_row(table, {"114", "everything", hermite_lanes, "2"},
+             {{"wall s", "0.03000 …"}, {"times one thread", "2.00 [2.00, 2.00]"}});
   EXPECT_EQ(table.rows.size(), 2u);
   for (const Table& other : tables_of(document))
     for (const auto& row : other.rows)
