@@ -8,7 +8,6 @@
 
 #include "cases/extremes/rows.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/verification/range/driver_range.h"
 #include "tests/checked/rows.h"
 #include "tests/range/solved_start.h"
 
@@ -18,8 +17,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 using JointType = Mechanism::JointType;
-
-DriverRange range_of(const Model& m) { return find_range(m, solved_start(m), 0); }
 
 /// A crank and rocker, whose rocker drives a second four-bar with links of that length and of 6.
 /// Where crank and coupler are in line the rocker turns back, and the second one is in line, too:
@@ -70,7 +67,7 @@ TEST(DoubleRoots, AreInterpolatedFromPointsNeitherTooNearNorTooFar) {
     bool all = true;
     for (const double start : {bars.in_line() - 0.5, bars.in_line() + 0.01, bars.in_line() + 2.0}) {
       const Model m = bars.model(start);
-      const DriverRange r = find_range(m, solved_start(m), 0, limits);
+      const DriverRange r = range_of(m, 0, limits);
       const double root = bars.in_line() + (start < bars.in_line() ? 0 : 2 * pi);
       all = all && r.up.stop == RangeStop::full_turn && r.change_points.size() == 1 &&
             std::abs(r.change_points[0].value - root) <= 1e-9;

@@ -11,7 +11,6 @@
 #include "cases/extremes/rows.h"
 #include "formulations/model/scales.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/verification/range/driver_range.h"
 #include "tests/range/four_bar.h"
 #include "tests/range/solved_start.h"
 
@@ -21,8 +20,6 @@ namespace {
 using range_test::four_bar, range_test::Links;
 
 constexpr double pi = std::numbers::pi;
-
-DriverRange range_of(const Model& m) { return find_range(m, solved_start(m), 0); }
 
 TEST(FourBarRange, EndsWhereCouplerAndRockerComeIntoLine) {
   const Links links{2, 3, 6, 8};
@@ -47,7 +44,7 @@ TEST(FourBarRange, EndsWhereCouplerAndRockerComeIntoLine) {
 TEST(FourBarRange, OfADriverLeavesTheOthersAtTheirStart) {
   const Model m = four_bar({2, 3, 6, 8}, 1, 1, 1, 2);
   for (int d = 0; d < 2; ++d) {
-    const DriverRange r = find_range(m, solved_start(m), d);
+    const DriverRange r = range_of(m, d);
     EXPECT_NEAR(r.up.value, Links({2, 3, 6, 8}).angle_at(9), 1e-13);
     EXPECT_EQ(m.entities[r.up.moving[0]].name, std::to_string(d) + "dyad1/C");
   }

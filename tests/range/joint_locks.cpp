@@ -10,7 +10,6 @@
 #include "cases/io/files.h"
 #include "cases/mechanism/builder.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/verification/range/driver_range.h"
 #include "tests/mechanisms.h"
 #include "tests/range/solved_start.h"
 
@@ -34,14 +33,12 @@ bool is_held_by(const Model& m, const RangeEnd& end, const std::string& constrai
 /// rods at once. Pivots are 0.15 m further out than the platform; arms have 0.3 m, rods 0.6 m.
 class DeltaPlatform : public testing::Test {
  protected:
-  DriverRange range_of(int driver) const { return find_range(m_, solved_start(m_), driver); }
-
   const Model m_ =
       make_model(read_scene(DESMO_SOURCE_DIR "/tests/range/scenes/delta_platform_driven.json"));
 };
 
 TEST_F(DeltaPlatform, LocksInAllArmsAlongItsAxis) {
-  const DriverRange r = range_of(2);
+  const DriverRange r = range_of(m_, 2);
   EXPECT_NEAR(r.down.value, -std::sqrt(0.9 * 0.9 - 0.15 * 0.15), 1e-14);
   EXPECT_NEAR(r.up.value, -std::sqrt(0.3 * 0.3 - 0.15 * 0.15), 1e-14);
   for (const auto& [end, direction] : {std::pair(&r.down, -1), std::pair(&r.up, 1)}) {
@@ -59,7 +56,7 @@ TEST_F(DeltaPlatform, LocksInAllArmsAlongItsAxis) {
 }
 
 TEST_F(DeltaPlatform, LocksInTwoArmsOrOneAcrossIt) {
-  const DriverRange r = range_of(0);
+  const DriverRange r = range_of(m_, 0);
   ASSERT_EQ(r.up.stop, RangeStop::dead_point);
   EXPECT_EQ(moving(m_, r.up), (Names{"B2", "B2l", "B2r", "B3", "B3l", "B3r"}));
   ASSERT_EQ(r.down.stop, RangeStop::dead_point);
@@ -72,7 +69,7 @@ TEST_F(DeltaPlatform, GoesBackFromNextToItsLock) {
   const double limit = -std::sqrt(0.9 * 0.9 - 0.15 * 0.15);
   for (const double before : {1e-6, 1e-11}) {
     m.drivers[2].motion = Polynomial{{limit + before}};
-    const DriverRange r = find_range(m, solved_start(m), 2);
+    const DriverRange r = range_of(m, 2);
     EXPECT_EQ(r.down.stop, RangeStop::dead_point) << before;
     EXPECT_NEAR(r.down.value, limit, 1e-12) << before;
     EXPECT_NEAR(r.up.value, -std::sqrt(0.3 * 0.3 - 0.15 * 0.15), 1e-12) << before;
@@ -102,7 +99,7 @@ DriverRange two_rockers(double longer, Names& locking, std::size_t& groups) {
   }
   builder.angle("theta", {-1, a, b}).driven = true;
   const Model m = model_mechanism(builder.release(), {Polynomial{{1}}}).model;
-  const DriverRange range = find_range(m, solved_start(m), 0);
+  const DriverRange range = range_of(m);
   locking = moving(m, range.up);
   groups = range.up.groups.size();
   return range;

@@ -11,7 +11,6 @@
 #include "formulations/model/characteristic_lengths.h"
 #include "formulations/model/scales.h"
 #include "formulations/verification/condition.h"
-#include "formulations/verification/range/driver_range.h"
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"
 #include "tests/mechanisms.h"

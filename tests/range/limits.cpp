@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "cases/mechanism/builder.h"
-#include "formulations/verification/range/driver_range.h"
 #include "tests/mechanisms.h"
 #include "tests/range/four_bar.h"
 #include "tests/range/solved_start.h"
@@ -18,14 +17,14 @@ template <class T>
 DriverRange range_of(const Model& m, T RangeLimits::*limit, double factor, int driver = 0) {
   RangeLimits limits;
   limits.*limit = static_cast<T>(limits.*limit * factor);
-  return find_range(m, solved_start(m), driver, limits);
+  return desmo::range_of(m, driver, limits);
 }
 
 /// Returns whether a crank turns fully within a number of steps, tried with one limit multiplied.
 bool turns_in(int steps, const Model& m, double RangeLimits::*limit, double factor) {
   RangeLimits limits{.max_steps = steps};
   limits.*limit *= factor;
-  return find_range(m, solved_start(m), 0, limits).up.stop == RangeStop::full_turn;
+  return desmo::range_of(m, 0, limits).up.stop == RangeStop::full_turn;
 }
 
 /// A crank and a wheel that it turns so many times as fast.

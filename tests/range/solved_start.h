@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "formulations/variants.h"
+#include "formulations/verification/range/driver_range.h"
 
 namespace desmo {
 
@@ -15,6 +16,11 @@ inline std::vector<double> solved_start(const Model& m) {
   for (const Driver& d : m.drivers)
     q[m.entities[d.coordinate].first] = sample(d.motion, 0.0).position;
   return q;
+}
+
+/// Returns the range of a driver from that position.
+inline DriverRange range_of(const Model& m, int driver = 0, const RangeLimits& limits = {}) {
+  return find_range(m, solved_start(m), driver, limits);
 }
 
 }  // namespace desmo
