@@ -37,7 +37,7 @@ inline std::vector<Variant> tested_variants() {
   return chosen;
 }
 
-/// A fixture of tests that run once per variant. Each file derives a fixture of its own.
+/// A fixture of tests that run once per variant. Each file has one of its own, by EVERY_VARIANT.
 class EveryVariant : public testing::TestWithParam<Variant> {
  public:
   static std::string name(const testing::TestParamInfo<Variant>& info) { return info.param.id; }
@@ -49,5 +49,10 @@ class EveryVariant : public testing::TestWithParam<Variant> {
     return refusal([&] { parse_id(id); }) == "accepted" ? id : "";
   }
 };
+
+/// Declares a fixture whose tests run for tested_variants(): EVERY_VARIANT(EveryPlan).
+#define EVERY_VARIANT(Fixture)            \
+  class Fixture : public EveryVariant {}; \
+  INSTANTIATE_TEST_SUITE_P(Table, Fixture, testing::ValuesIn(tested_variants()), EveryVariant::name)
 
 }  // namespace desmo

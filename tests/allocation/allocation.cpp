@@ -46,7 +46,7 @@ long allocations_of_steps(Formulation& f) {
   return n;
 }
 
-class EveryStep : public EveryVariant {};
+EVERY_VARIANT(EveryStep);
 
 TEST_P(EveryStep, AllocatesNothingInAStep) {
   const Variant& v = GetParam();
@@ -193,9 +193,6 @@ TEST_P(EveryStep, AllocatesNothingWhateverRowIsHandedIn) {
     EXPECT_EQ(n, 0) << failed << " failed, " << in_sub_steps << " followed in sub-steps";
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, EveryStep, testing::ValuesIn(tested_variants()),
-                         EveryVariant::name);
 
 }  // namespace
 }  // namespace desmo::allocation_test

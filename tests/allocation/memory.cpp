@@ -36,7 +36,7 @@ TEST(HeapInUse, SeesWhatIsHeld) {
   EXPECT_GE(bench::heap_in_use(), before + kept.size());
 }
 
-class EveryLongRun : public EveryVariant {};
+EVERY_VARIANT(EveryLongRun);
 
 /// UMFPACK's and SPQR's factors are made anew in every step and are not always of one size.
 TEST_P(EveryLongRun, HoldsNoMoreMemoryAfterManySteps) {
@@ -46,9 +46,6 @@ TEST_P(EveryLongRun, HoldsNoMoreMemoryAfterManySteps) {
   const Held h = held(*f, 1000, 20'000);
   EXPECT_LE(h.late, h.early + size_of_factors);
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, EveryLongRun, testing::ValuesIn(tested_variants()),
-                         EveryVariant::name);
 
 }  // namespace
 }  // namespace desmo::memory_test

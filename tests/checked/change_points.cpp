@@ -53,16 +53,13 @@ void expect_scott_russell(const std::string& id, const TimeGrid& grid, Level lev
   }
 }
 
-class ChangePointOfEvery : public EveryVariant {};
+EVERY_VARIANT(ChangePointOfEvery);
 
 TEST_P(ChangePointOfEvery, PassesAChangePointSmoothly) {
   expect_scott_russell(GetParam().id, {0, 1. / 16, 81}, Level::acceleration);
   if (DESMO_SANITIZED) return;
   expect_scott_russell(GetParam().id, {0.01, 1. / 15, 70}, Level::acceleration);
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, ChangePointOfEvery, testing::ValuesIn(tested_variants()),
-                         EveryVariant::name);
 
 TEST(ChangePoints, ArePassedWhateverIsAskedForAndHoweverStepsAreTaken) {
   for (const Level level : all_levels)

@@ -68,7 +68,7 @@ void expect_exact(const Known& known, const std::vector<CheckedRow>& rows) {
   }
 }
 
-class ExactFormulation : public EveryVariant {};
+EVERY_VARIANT(ExactFormulation);
 
 TEST_P(ExactFormulation, DeliversTheSameNumbersToTheLastDigits) {
   for (const Known& known : few_motions())
@@ -81,9 +81,6 @@ TEST_P(ExactFormulation, DeliversTheSameNumbersToTheLastDigits) {
       if (DESMO_SANITIZED) break;
     }
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, ExactFormulation, testing::ValuesIn(tested_variants()),
-                         EveryVariant::name);
 
 /// Settings that leave the formulation's numbers rough, or interpolated.
 TEST(Exactness, IsThatOfTheProofWhateverTheSettings) {

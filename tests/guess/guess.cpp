@@ -119,7 +119,7 @@ TEST(Guess, HasTheOrderOfItsName) {
           << guess_name(guess) << ", stretched " << stretch;
 }
 
-class Guesses : public EveryVariant {};
+EVERY_VARIANT(Guesses);
 
 TEST_P(Guesses, SaveIterationsAndChangeNoAnswer) {
   for (const Model& m : {truck_model(1), four_bar_model(3)}) {
@@ -205,8 +205,6 @@ TEST_P(Guesses, LeavePartsAloneWhoseRatesNobodyAsks) {
   EXPECT_EQ(f->step(0.01).iterations, plain->step(0.01).iterations);
   EXPECT_TRUE(std::ranges::equal(f->q(), plain->q()));
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, Guesses, testing::ValuesIn(tested_variants()), EveryVariant::name);
 
 }  // namespace
 }  // namespace desmo::guess_test

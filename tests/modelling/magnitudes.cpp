@@ -167,7 +167,7 @@ TEST(Rounding, OfALongChainIsSaidAndNoFailure) {
   }
 }
 
-class Units : public EveryVariant {};
+EVERY_VARIANT(Units);
 
 /// The same mechanism in nanometres and in gigametres takes the same iterations to the same
 /// relative answers.
@@ -190,8 +190,6 @@ TEST_P(Units, ChangeNeitherIterationsNorRelativeErrors) {
       }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, Units, testing::ValuesIn(tested_variants()), EveryVariant::name);
 
 }  // namespace
 }  // namespace desmo::magnitudes_test

@@ -21,7 +21,7 @@ const std::vector<double>& times() {
   return all;
 }
 
-class EveryPlan : public EveryVariant {};
+EVERY_VARIANT(EveryPlan);
 
 TEST_P(EveryPlan, DeliversWhatTheWholeSolutionDoes) {
   static const Solved whole(two_axles(), times(), "group_automatic_eigen");
@@ -52,9 +52,6 @@ TEST_P(EveryPlan, DeliversWhatTheWholeSolutionDoes) {
     }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, EveryPlan, testing::ValuesIn(tested_variants()),
-                         EveryVariant::name);
 
 TEST(PlanSolution, LeavesOutLevelsOfPartsThatNobodyAsksFor) {
   const Plan plan = plan_of({{"axle1/phi6", position}, {"axle1/s12", acceleration}});

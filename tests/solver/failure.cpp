@@ -36,7 +36,7 @@ Model unreachable() {
   return m;
 }
 
-class EveryFailure : public EveryVariant {};
+EVERY_VARIANT(EveryFailure);
 
 TEST_P(EveryFailure, NamesTheGroupThatCannotBeAssembled) {
   const Model m = unreachable();
@@ -131,9 +131,6 @@ TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
     EXPECT_GT((6 - bx) * (y - by) + by * (x - bx), 0) << way;
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, EveryFailure, testing::ValuesIn(tested_variants()),
-                         EveryVariant::name);
 
 /// Generated elimination hands a step over when its pivots fail, and the answer stays right.
 TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {

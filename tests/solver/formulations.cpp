@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, LargestSizes,
                          testing::Values(&find_case("four_bar"), &find_case("truck_suspension")),
                          [](const auto& info) { return std::string(info.param->name); });
 
-class EveryFormulation : public EveryVariant {};
+EVERY_VARIANT(EveryFormulation);
 
 TEST_P(EveryFormulation, RepeatsARunToTheLastBit) {
   const Model m = truck_model(1);
@@ -157,9 +157,6 @@ TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
   EXPECT_EQ(observer.qd, 114u);
   EXPECT_EQ(observer.qdd, 0u);
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, EveryFormulation, testing::ValuesIn(tested_variants()),
-                         EveryVariant::name);
 
 }  // namespace
 }  // namespace desmo::formulations_test
