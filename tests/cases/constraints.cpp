@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formulations/model/model.h"
 #include "tests/cases/operands.h"
 
 namespace desmo::constraints_test {
