@@ -1,14 +1,11 @@
 // What the constraint kinds mean, in configurations whose residual is known.
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include "formulations/constraints/constraints.h"
 #include "tests/cases/operands.h"
 
 namespace desmo::constraint_meanings_test {

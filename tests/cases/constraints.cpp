@@ -78,14 +78,7 @@ template <class Kind>
 
 template <class Kind>
 class ConstraintKind : public testing::Test {};
-
-template <class Tuple>
-struct TypesOf;
-template <class... Kinds>
-struct TypesOf<std::tuple<Kinds...>> {
-  using type = testing::Types<Kinds...>;
-};
-TYPED_TEST_SUITE(ConstraintKind, TypesOf<ConstraintKinds>::type);
+TYPED_TEST_SUITE(ConstraintKind, EveryKind);
 
 TYPED_TEST(ConstraintKind, JacobianIsTheDerivativeOfTheResidual) {
   for (unsigned seed = 1; seed <= 5; ++seed) {

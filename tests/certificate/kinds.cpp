@@ -10,9 +10,9 @@
 #include <random>
 #include <vector>
 
-#include "formulations/constraints/constraints.h"
 #include "formulations/constraints/jet.h"
 #include "formulations/verification/certificate/block_equations.h"
+#include "tests/cases/operands.h"
 
 namespace desmo::interval_kinds_test {
 namespace {
@@ -60,13 +60,6 @@ struct Sample {
   std::array<Interval, Kind::constants + 1> c;
   std::array<Wide, Kind::constants + 1> exact_c;
 };
-
-template <class S, std::size_t N>
-std::array<const S*, N> pointers(const std::array<std::array<S, max_components>, N>& x) {
-  std::array<const S*, N> p;
-  for (std::size_t k = 0; k < N; ++k) p[k] = x[k].data();
-  return p;
-}
 
 template <class Kind, class S, class Values, class Constants>
 std::vector<S> residual(const Values& q, const Constants& c) {
@@ -125,13 +118,7 @@ class Worst {
 
 template <class Kind>
 class KindInIntervals : public testing::Test {};
-template <class Tuple>
-struct TypesOf;
-template <class... Kinds>
-struct TypesOf<std::tuple<Kinds...>> {
-  using type = testing::Types<Kinds...>;
-};
-TYPED_TEST_SUITE(KindInIntervals, TypesOf<ConstraintKinds>::type);
+TYPED_TEST_SUITE(KindInIntervals, EveryKind);
 
 template <class S>
 std::vector<S> part(const std::vector<Jet<S>>& jets, S Jet<S>::*order) {
