@@ -15,9 +15,9 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/reference/reference.h"
+#include "tests/accuracy/scenes.h"
 #include "tests/every_variant.h"
 #include "tests/everything.h"
-#include "tests/mechanisms.h"
 #include "tests/named_difference.h"
 
 namespace desmo::formulations_test {
@@ -31,11 +31,7 @@ class Motion {
   Motion(const Case& definition, int coordinates, double seconds)
       : model(make_model(make_scene(definition, coordinates))),
         grid(time_grid(seconds, seconds > 6 ? 0.02 : 0.01)) {
-    const int pieces = std::min(50, grid.instants - 1);
-    std::vector<double> times;
-    for (int i = 0; i <= pieces; ++i)
-      times.push_back(grid.time(static_cast<int>(long{i} * (grid.instants - 1) / pieces)));
-    Reference made = make_reference(model, times);
+    Reference made = make_reference(model, sampled(grid, std::min(51, grid.instants)));
     for (const Level level : all_levels) EXPECT_LT(made.floor[level], 1e-20) << model.name;
     reference = std::move(made.instants);
   }
