@@ -1,6 +1,5 @@
 #include "formulations/verification/range/solution_curve.h"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,13 +9,6 @@
 #include "formulations/parts/groupwise/settling.h"
 
 namespace desmo {
-
-struct SolutionCurve::Factors {
-  Eigen::SparseMatrix<double> matrix;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
-  std::vector<Eigen::Triplet<double>> entries;
-  bool analysed = false;
-};
 
 namespace {
 
@@ -42,8 +34,7 @@ SolutionCurve::SolutionCurve(const Model& m, int driver, const RangeLimits& limi
       column_(m.state_size(), -1),
       row_(system_.rows(), -1),
       constraints_(m.constraints.size()),
-      phi_(system_.rows()),
-      factors_(std::make_unique<Factors>()) {
+      phi_(system_.rows()) {
   std::vector<std::vector<int>> rows_of;  // by constraint and row: in the whole system
   int row = 0;
   for (const Constraint& c : m.constraints) {
@@ -74,27 +65,24 @@ SolutionCurve::SolutionCurve(const Model& m, int driver, const RangeLimits& limi
   row_sums_.resize(size());
 }
 
-SolutionCurve::~SolutionCurve() = default;
-
 bool SolutionCurve::factor(std::span<const double> state, const Eigen::VectorXd& border) {
-  auto& [matrix, lu, entries, analysed] = *factors_;
-  entries.clear();
+  entries_.clear();
   row_sums_.setZero();
   system_.jacobian<double>(state, [&](int row, int i, double value) {
     if (row_[row] < 0 || column_[i] < 0) return;
     value *= scale_[column_[i]];
     row_sums_[row_[row]] += std::abs(value);
-    entries.emplace_back(row_[row], column_[i], value);
+    entries_.emplace_back(row_[row], column_[i], value);
   });
   row_sums_ = (row_sums_.array() > 0).select(row_sums_, 1.0);
-  for (Eigen::Triplet<double>& e : entries) e = {e.row(), e.col(), e.value() / row_sums_[e.row()]};
-  for (int j = 0; j <= size(); ++j) entries.emplace_back(size(), j, border_scale * border[j]);
-  matrix.resize(size() + 1, size() + 1);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  if (!analysed) lu.analyzePattern(matrix);
-  analysed = true;
-  lu.factorize(matrix);
-  return lu.info() == Eigen::Success;
+  for (Eigen::Triplet<double>& e : entries_) e = {e.row(), e.col(), e.value() / row_sums_[e.row()]};
+  for (int j = 0; j <= size(); ++j) entries_.emplace_back(size(), j, border_scale * border[j]);
+  matrix_.resize(size() + 1, size() + 1);
+  matrix_.setFromTriplets(entries_.begin(), entries_.end());
+  if (!is_analysed_) lu_.analyzePattern(matrix_);
+  is_analysed_ = true;
+  lu_.factorize(matrix_);
+  return lu_.info() == Eigen::Success;
 }
 
 /// Adds a factor times a scaled change of the unknowns and the driver to a state.
@@ -114,7 +102,7 @@ bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& b
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size() + 1);
     for (std::size_t r = 0; r < row_.size(); ++r)
       if (row_[r] >= 0) change[row_[r]] = phi_[r] / row_sums_[row_[r]];
-    change = factors_->lu.solve(change).eval();
+    change = lu_.solve(change).eval();
     move(state, -1, change);
     const double largest = change.cwiseAbs().maxCoeff();
     if (!std::isfinite(largest)) return false;
@@ -131,11 +119,11 @@ std::optional<SolutionCurve::Point> SolutionCurve::settle(std::vector<double> st
   Eigen::VectorXd tangent = along;
   for (int pass = 0; pass < 2; ++pass) {  // the second with the tangent as border, for det B
     if (!factor(state, tangent)) return {};
-    tangent = scaled_to_one(factors_->lu.solve(along_driver()));
+    tangent = scaled_to_one(lu_.solve(along_driver()));
     if (!tangent.allFinite()) return {};
   }
-  const int sign = factors_->lu.signDeterminant() > 0 ? 1 : -1;
-  const double log = factors_->lu.logAbsDeterminant() + row_sums_.array().log().sum();
+  const int sign = lu_.signDeterminant() > 0 ? 1 : -1;
+  const double log = lu_.logAbsDeterminant() + row_sums_.array().log().sum();
   return Point{std::move(state), std::move(tangent), sign, log};
 }
 
@@ -191,7 +179,7 @@ SolutionCurve::Forces SolutionCurve::forces(const Point& point) {
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();  // of rows over sums
   Forces result{std::vector<double>(constraints_, 0), std::numeric_limits<double>::infinity()};
   if (!factor(point.state, point.tangent)) return result;
-  const Eigen::VectorXd left = factors_->lu.transpose().solve(along_driver()).head(size());
+  const Eigen::VectorXd left = lu_.transpose().solve(along_driver()).head(size());
   for (int r = 0; r < size(); ++r) {
     double& force = result.of_constraints[constraint_[r]];
     force = std::max(force, std::abs(left[r]));

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
+#include <Eigen/SparseLU>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,7 +37,6 @@ class SolutionCurve {
 
   /// driver: position in Model::drivers. The model must outlive the curve.
   SolutionCurve(const Model& model, int driver, const RangeLimits& limits);
-  ~SolutionCurve();
 
   /// Returns whether no unknown depends on the driver.
   bool is_idle() const { return unknowns_.empty(); }
@@ -80,8 +78,6 @@ class SolutionCurve {
   const std::vector<PartDefinition>& blocks() const { return blocks_; }
 
  private:
-  struct Factors;
-
   int size() const { return static_cast<int>(unknowns_.size()); }
   /// Returns the direction in which the driver alone moves.
   Eigen::VectorXd along_driver() const { return Eigen::VectorXd::Unit(size() + 1, size()); }
@@ -102,7 +98,10 @@ class SolutionCurve {
   std::size_t constraints_;
   Eigen::VectorXd row_sums_;
   std::vector<double> phi_;
-  std::unique_ptr<Factors> factors_;
+  std::vector<Eigen::Triplet<double>> entries_;  // of B
+  Eigen::SparseMatrix<double> matrix_;           // B
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
+  bool is_analysed_ = false;
   bool crosses_ = false;
 };
 
