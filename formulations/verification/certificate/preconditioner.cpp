@@ -84,10 +84,7 @@ void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, La
 }
 
 void Preconditioner::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneMask lanes) {
-  if (is_single_) {
-    single_.invert(s, jacobian);
-    return single_.write_inverse(inverse.data());
-  }
+  if (is_single_) return single_.invert(s, jacobian, inverse.data());
   with_unrolled_size(s.unknowns, [&]<int N>() { invert<N>(s, jacobian, lanes); });
 }
 
@@ -158,10 +155,6 @@ void Preconditioner::multiply(const BlockShape& s, const LaneNumbers* jacobian, 
   with_unrolled_size(s.unknowns, [&]<int N>() { multiply<N>(s, jacobian, first, last, to); });
 }
 
-void Preconditioner::find_remainder(const BlockShape& s, const LaneNumbers* jacobian) {
-  multiply(s, jacobian, 0, s.unknowns, remainder.data());
-}
-
 LaneNumbers Preconditioner::condition(const BlockShape& s, const LaneNumbers* jacobian,
                                       const LaneNumbers* magnitudes) {
   const int n = s.unknowns;
@@ -186,7 +179,7 @@ void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, Lane
                std::all_of(jacobian, jacobian + s.row_begins[s.unknowns],
                            [](const LaneNumbers& x) { return x.are_same(); });
   s.unknowns == 3 ? invert_three(s, jacobian) : invert(s, jacobian, lanes);
-  find_remainder(s, jacobian);
+  multiply(s, jacobian, 0, s.unknowns, remainder.data());
   if (s.unknowns > 1) {
     LaneNumbers worst(0);
     for (int i = 0; i < s.unknowns * s.unknowns; ++i) worst += remainder[i];
@@ -196,7 +189,7 @@ void Preconditioner::find(const BlockShape& s, const LaneNumbers* jacobian, Lane
     if (poor.any()) {
       for (int lane = 0; lane < LaneNumbers::count; ++lane)
         if (poor[lane]) invert(s, jacobian, LaneMask::only(lane));
-      find_remainder(s, jacobian);
+      multiply(s, jacobian, 0, s.unknowns, remainder.data());
     }
   }
   multiply(s, jacobian, s.unknowns, s.width(), slopes.data());

@@ -39,7 +39,6 @@ struct Preconditioner {
   template <int N, int Count>
   void multiply(const int* rows, const int* entries, const LaneNumbers* jacobian, int size, int one,
                 LaneNumbers* to, int stride) const;
-  void find_remainder(const BlockShape& shape, const LaneNumbers* jacobian);
 
   std::vector<LaneNumbers> work_;    // (n × n)
   std::vector<LaneNumbers> scales_;  // of rows (n): for pivots, and R

@@ -32,7 +32,7 @@ void SingleMatrix::resize(int n) {
   product_.resize(stride);
 }
 
-void SingleMatrix::invert(const BlockShape& s, const LaneNumbers* jacobian) {
+void SingleMatrix::invert(const BlockShape& s, const LaneNumbers* jacobian, LaneNumbers* inverse) {
   const int n = n_ = s.unknowns, stride = stride_ = rounded_up(n);
   for (int i = 0; i < n; ++i) {
     double* const to = &rows_[i * stride];
@@ -68,6 +68,7 @@ void SingleMatrix::invert(const BlockShape& s, const LaneNumbers* jacobian) {
       add_product(-factor, from, stride, to);
     }
   }
+  write_inverse(inverse);
 }
 
 void SingleMatrix::write_inverse(LaneNumbers* to) {

@@ -13,16 +13,17 @@ class SingleMatrix {
  public:
   void resize(int n);
 
-  /// Inverts Φ_φ by Gauss–Jordan elimination, from the first lane of Φ_q.
-  void invert(const BlockShape& shape, const LaneNumbers* jacobian);
-  /// Writes Y (n × n) to all lanes. Must be called before multiply().
-  void write_inverse(LaneNumbers* to);
+  /// Inverts Φ_φ by Gauss–Jordan elimination, from the first lane of Φ_q. Writes Y (n × n) to all
+  /// lanes.
+  void invert(const BlockShape& shape, const LaneNumbers* jacobian, LaneNumbers* inverse);
   /// Writes |D − Y C| to all lanes, where C are the columns first … last − 1 of Φ_q. D is I in the
   /// columns of unknowns, 0 in those of inputs.
   void multiply(const BlockShape& shape, const LaneNumbers* jacobian, int first, int last,
                 LaneNumbers* to);
 
  private:
+  void write_inverse(LaneNumbers* to);
+
   int n_ = 0, stride_ = 0;       // stride: n rounded up to whole registers
   std::vector<double> rows_;     // rows of Φ_φ, then those of Y with columns in another order
   std::vector<double> columns_;  // columns of Y
