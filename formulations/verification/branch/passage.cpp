@@ -8,6 +8,7 @@
 #include "formulations/constraints/constraints.h"
 #include "formulations/verification/branch/departure.h"
 #include "formulations/verification/branch/straight_path.h"
+#include "formulations/verification/certificate/table_enclosure.h"
 
 namespace desmo {
 
@@ -59,25 +60,14 @@ std::optional<Model> with_tables_continued(const Model& m, std::span<const doubl
     const Constraint& c = m.constraints[i];
     if (c.kind != kind_index<TableCoupling>()) continue;
     const Entity& e = m.entities[c.operands[1]];
-    const auto number = [&c](int k) { return c.constants[table + k]; };
+    const TableNumbers number = [&c](int k) { return c.constants[table + k]; };
     const double at = c.constants[1].value * (e.fixed ? m.fixed_values : q)[e.first];
     const auto [piece, turns] = find_in_table<double>([&](int k) { return number(k).value; }, at);
     if (piece < 0) continue;
-    const int n = static_cast<int>(c.constants[table].value);
-    const Derived length = number(3 + n) - number(3), begin = at - 8 * length.value,
-                  t = begin - (number(3 + piece) + length * turns);
-    const auto a = [&](int k) { return number(4 + n + 4 * piece + k); };
-    const Derived a1 = a(1), a2 = a(2), a3 = a(3);
-    const std::array<Derived, table_size(1)> single{
-        1,
-        0,
-        0,
-        begin,
-        at + 8 * length.value,
-        ((a3 * t + a2) * t + a1) * t + a(0) + number(2) * turns,
-        (a3 * 3 * t + a2 * 2) * t + a1,
-        a3 * 3 * t + a2,
-        a3};
+    const TablePieces pieces{number};
+    const double far = 8 * pieces.length.value, begin = at - far;
+    const auto [a0, a1, a2, a3] = pieces.about(piece, turns, begin);
+    const std::array<Derived, table_size(1)> single{1, 0, 0, begin, at + far, a0, a1, a2, a3};
     if (!smooth) smooth = m;
     std::vector<Derived>& to = smooth->constraints[i].constants;
     to.resize(numbers);

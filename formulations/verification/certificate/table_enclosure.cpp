@@ -14,26 +14,6 @@ namespace {
 /// a motion pass fewer.
 constexpr int max_knots = 16;
 
-struct Table {
-  const TableNumbers& number;
-  int pieces = static_cast<int>(number(0).value);
-  bool repeats = number(1).value != 0;
-  Derived length = number(3 + pieces) - number(3);
-
-  /// Returns a knot, `turns` lengths of the table on, minus an argument.
-  Derived distance(int knot, double turns, double at) const {
-    return number(3 + knot) + length * turns - at;
-  }
-  /// Returns the coefficients of a piece, `turns` lengths on, as a polynomial about an argument.
-  std::array<Derived, 4> about(int piece, double turns, double at) const {
-    const Derived t = -distance(piece, turns, at);
-    const auto c = [&](int k) { return number(4 + pieces + 4 * piece + k); };
-    const Derived c1 = c(1), c2 = c(2), c3 = c(3);
-    return {((c3 * t + c2) * t + c1) * t + c(0) + number(2) * turns, (c3 * 3 * t + c2 * 2) * t + c1,
-            c3 * 3 * t + c2, c3};
-  }
-};
-
 /// Raises radii k to at least |f⁽ᵏ⁾|/k! within a distance of 0, where f is the difference of two
 /// polynomials.
 void add_difference(const std::array<Derived, 4>& a, const std::array<Derived, 4>& b,
@@ -51,6 +31,14 @@ void add_difference(const std::array<Derived, 4>& a, const std::array<Derived, 4
 
 }  // namespace
 
+std::array<Derived, 4> TablePieces::about(int piece, double turns, double at) const {
+  const Derived t = -distance(piece, turns, at);
+  const auto c = [&](int k) { return number(4 + count + 4 * piece + k); };
+  const Derived c1 = c(1), c2 = c(2), c3 = c(3);
+  return {((c3 * t + c2) * t + c1) * t + c(0) + number(2) * turns, (c3 * 3 * t + c2 * 2) * t + c1,
+          c3 * 3 * t + c2, c3};
+}
+
 std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, double distance) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::array<Derived, 4> result;
@@ -59,7 +47,7 @@ std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, doub
     result.fill(Derived(none, {0, INFINITY}));
     return result;
   }
-  const Table table{number};
+  const TablePieces table{number};
   const std::array<Derived, 4> own = table.about(piece, turns, at);
   const double reach = distance * (1 + 0x1p-40);
   std::array<double, 4> radii{};
@@ -68,13 +56,13 @@ std::array<Derived, 4> enclose_table(const TableNumbers& number, double at, doub
     int p = piece;
     double t = turns;
     for (int knots = 0; is_bounded; ++knots) {
-      const bool is_last = way < 0 ? p == 0 : p == table.pieces - 1;
+      const bool is_last = way < 0 ? p == 0 : p == table.count - 1;
       if (is_last && !table.repeats) break;
       const Derived far = table.distance(way < 0 ? p : p + 1, t, at);
       if (way * far.value - rest_of(far) > reach) break;
       is_bounded = knots < max_knots;
       p += way;
-      if (is_last) p = way < 0 ? table.pieces - 1 : 0, t += way;
+      if (is_last) p = way < 0 ? table.count - 1 : 0, t += way;
       add_difference(table.about(p, t, at), own, reach, radii);
     }
   }

@@ -15,6 +15,21 @@ namespace desmo {
 /// Returns number k of a table (formulations/constraints/table.h) as the file means it.
 using TableNumbers = std::function<Derived(int k)>;
 
+/// The pieces of a table as the file means them.
+struct TablePieces {
+  const TableNumbers& number;
+  int count = static_cast<int>(number(0).value);
+  bool repeats = number(1).value != 0;
+  Derived length = number(3 + count) - number(3);
+
+  /// Returns a knot, `turns` lengths of the table on, minus an argument.
+  Derived distance(int knot, double turns, double at) const {
+    return number(3 + knot) + length * turns - at;
+  }
+  /// Returns the coefficients of a piece, `turns` lengths on, as a polynomial about an argument.
+  std::array<Derived, 4> about(int piece, double turns, double at) const;
+};
+
 /// Encloses a table f by Taylor's coefficients aₖ about `at`. For each |y| ≤ distance there are
 /// numbers in the aₖ with f(at + y) = Σ aₖ yᵏ, others for f′ and others for f″. Radii cover the
 /// neighbouring pieces within the distance. All aₖ are NaN where `at` is outside of the table.
