@@ -1,6 +1,5 @@
 #include "formulations/verification/certificate/certificate.h"
 
-#include <algorithm>
 #include <climits>
 #include <cmath>
 #include <vector>
@@ -23,7 +22,6 @@ class Certifier::Proof {
   void take(const Instant& instant, const LiveRow* drivers);
   void load(const ChainLink& link);
   void leave(const ChainLink& link);
-  void write_bounds();
 
   const Model& m_;
   std::shared_ptr<BlockSchedule> schedule_;
@@ -31,12 +29,15 @@ class Certifier::Proof {
   std::span<const Level> solved_;  // levels of the present instant
   ErrorSets sets_ = ErrorSets::boxes;
   PerLevel<ErrorTable> errors_;
+  std::vector<double> unbounded_, zeros_;  // of levels that are not solved
 };
 
 Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
     : m_(m),
       schedule_(std::make_shared<BlockSchedule>(block_schedule(m, up_to))),
-      proof_(schedule_->largest) {
+      proof_(schedule_->largest),
+      unbounded_(m.coordinates(), INFINITY),
+      zeros_(m.coordinates()) {
   for (const Level level : all_levels) {
     ErrorTable& e = errors_[level];
     e.rows.resize(m.state_size() + schedule_->lent_rows);
@@ -96,20 +97,6 @@ void Certifier::Proof::leave(const ChainLink& link) {
   for (const Level level : solved_) errors_[level].columns = 0;
 }
 
-/// Writes bounds on the errors of all coordinates: infinite at levels that are not solved.
-void Certifier::Proof::write_bounds() {
-  for (const Level level : all_levels) {
-    ErrorTable& e = errors_[level];
-    if (level <= solved_.back()) {
-      e.write_bounds();
-      continue;
-    }
-    std::ranges::fill(e.radius, INFINITY);
-    std::ranges::fill(e.correction, 0);
-    std::ranges::fill(e.rest, INFINITY);
-  }
-}
-
 Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* handed_in,
                                       ErrorSets sets) {
   const Certificate found = certify_in(instant, handed_in, sets);
@@ -151,11 +138,13 @@ Certificate Certifier::Proof::certify_in(const Instant& instant, const LiveRow* 
     }
     if (step.link >= 0) leave(schedule_->links[step.link]);
   }
-  write_bounds();
   for (const Level level : all_levels) {
-    result.radius[level] = errors_[level].radius;
-    result.correction[level] = errors_[level].correction;
-    result.rest[level] = errors_[level].rest;
+    ErrorTable& e = errors_[level];
+    const bool is_solved = level <= solved_.back();
+    if (is_solved) e.write_bounds();
+    result.radius[level] = is_solved ? e.radius : unbounded_;
+    result.correction[level] = is_solved ? e.correction : zeros_;
+    result.rest[level] = is_solved ? e.rest : unbounded_;
   }
   return result;
 }
