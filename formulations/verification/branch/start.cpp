@@ -54,14 +54,8 @@ std::vector<int> free_angles(const Model& m) {
 void pass_at_start(const Model& m, const Model& going, double time, FoundStart& found) {
   std::vector<double> direction;
   for (const Driver& d : going.drivers) direction.push_back(sample(d.motion, found.share).velocity);
-  auto point = pass_change_point(m, {0, {found.q, {}, {}}, {}}, direction, time, found.group);
-  if (!point) return;
-  for (const int i : free_angles(m)) {
-    const double turns = turn * std::round((found.q[i] - m.estimate[i]) / turn);
-    point->polynomials[i].front() -= turns;
-    if (std::vector<double>& q = point->first.values.position; !q.empty()) q[i] -= turns;
-  }
-  found.point = std::make_shared<PassedPoint>(std::move(*point));
+  if (auto point = pass_change_point(m, {0, {found.q, {}, {}}, {}}, direction, time, found.group))
+    found.point = std::make_shared<PassedPoint>(std::move(*point));
 }
 
 /// Whole turns of each driver, and those that each coordinate makes with them.
@@ -103,9 +97,15 @@ bool lead_drivers(const Model& m, double time, const Turns& left_out, FoundStart
   return true;
 }
 
-/// Changes free angles by whole turns, to within half a turn of `others`.
-void take_nearest_turns(const Model& m, std::span<const double> others, std::span<double> q) {
-  for (const int i : free_angles(m)) q[i] -= turn * std::round((q[i] - others[i]) / turn);
+/// Changes free angles by whole turns, to within half a turn of the drawing.
+void take_nearest_turns(const Model& m, FoundStart& found) {
+  for (const int i : free_angles(m)) {
+    const double turns = turn * std::round((found.q[i] - m.estimate[i]) / turn);
+    found.q[i] -= turns;
+    if (!found.point) continue;
+    found.point->polynomials[i].front() -= turns;
+    if (std::vector<double>& q = found.point->first.values.position; !q.empty()) q[i] -= turns;
+  }
 }
 
 /// Returns whether one turn of some drivers leads back to where it begins; then further turns do,
@@ -204,7 +204,7 @@ FoundStart find_start(const Model& m, double time) {
     }
   }
   if (!is_reached) found.stage = Stage::drivers;
-  take_nearest_turns(m, m.estimate, found.q);
+  take_nearest_turns(m, found);
   return found;
 }
 
