@@ -19,8 +19,6 @@ namespace {
 
 using Number = Compensated<double>;
 
-constexpr int degree = 5;  // of a step's path
-
 /// Values of s in a step at which misfits are looked for. check() looks at the ends, which are
 /// instants. Right next to them a misfit would call for other equations although the step only
 /// begins or ends there.
@@ -51,11 +49,9 @@ S value_of(const Model& m, const Equation& equation, const auto& coordinate) {
       x[k] = components[k].data();
     }
     std::array<S, Kind::constants + 1> dimensions;
-    constexpr int count = has_table<Kind> ? 3 : Kind::constants;
-    for (int k = 0; k < count; ++k) dimensions[k] = S(c.constants[k]);
-    if constexpr (has_table<Kind>)
-      read_table<Kind>(dimensions, x.data(),
-                       [&](int, int k) { return c.constants[Kind::table + k]; });
+    set_dimensions<Kind>(
+        dimensions, x.data(), [&](S& to, int k) { to = S(c.constants[k]); },
+        [&](int, int k) { return c.constants[k]; });
     std::array<S, Kind::rows> phi;
     Kind::residual(x.data(), dimensions.data(), phi.data());
     result = phi[equation.row];
@@ -121,7 +117,7 @@ bool LeftOutEquations::is_contradiction(const Misfit& misfit) const {
 }
 
 bool LeftOutEquations::look_along(const PathProof& step) {
-  using Path = TaylorModel<double, degree>;
+  using Path = TaylorModel<double, path_degree>;
   go_to(step, 0);
   for (std::size_t i = 0; i < equations_.size(); ++i) {
     // Equations between constants do not change along a step: check() is enough.

@@ -41,7 +41,7 @@ BlockBatch::BlockBatch(std::span<const Member> blocks, const std::vector<double>
   }
   jacobian.resize(static_cast<int>(shape.entries.size()));
   equations.linear().jacobian(jacobian);
-  if (equations.is_linear()) {
+  if (shape.linear) {
     constant.resize(n, shape.inputs);
     constant.find(shape, jacobian.mid.data(), LaneMask::all());
     condition = constant.condition(shape, jacobian.mid.data(), magnitudes.data());

@@ -1,6 +1,5 @@
 #include "formulations/verification/certificate/block_proof.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "formulations/verification/certificate/trial_box.h"
@@ -123,9 +122,7 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
   lower_.clear();
   if (!shape_->linear) {
     // Φ̇_q and Φ̈_q over the errors of all lower levels, at the delivered rates of this level.
-    b.equations.jacobian_rates(
-        {state_.position.data(), state_.velocity.data(), state_.acceleration.data()}, level,
-        rates_);
+    b.equations.jacobian_rates(state_, level, rates_);
     lower_.push_back({level, 1, Level::position});
     if (level == Level::acceleration) lower_.push_back({Level::velocity, 2, Level::velocity});
   }
@@ -180,9 +177,7 @@ PerLevel<LaneMask> BlockProof::prove(BlockBatch& batch, Level up_to, PerLevel<Er
   shape_ = &batch.equations.shape();
   for (const Level level : all_levels)
     if (level <= up_to) gather(level, errors[level]);
-  batch.equations.motion(
-      {state_.position.data(), state_.velocity.data(), state_.acceleration.data()}, up_to,
-      {phi_.position.data(), phi_.velocity.data(), phi_.acceleration.data()});
+  batch.equations.motion(state_, up_to, phi_);
   if (!batch.initial.empty()) add_homotopy(up_to, time);
   PerLevel<LaneMask> proven;
   LaneMask lanes = LaneMask::all();

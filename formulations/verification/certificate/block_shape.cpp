@@ -22,8 +22,8 @@ class Builder {
     find_columns();
     find_entries();
     for (const int state : block_.states)
-      block_.remainders.push_back(
-          state < m_.coordinates() ? Remainder() : m_.fixed_remainders[state - m_.coordinates()]);
+      block_.fixed.push_back(state < m_.coordinates() ? Derived()
+                                                      : m_.fixed_value(state - m_.coordinates()));
     for (const Equation& e : part_.equations) {
       const Constraint& c = m_.constraints[e.constraint];
       block_.slack.push_back(c.slack.empty() ? 0 : c.slack[e.row]);

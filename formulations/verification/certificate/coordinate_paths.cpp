@@ -7,7 +7,6 @@ namespace desmo {
 
 namespace {
 
-constexpr int degree = PathEquations::degree;
 constexpr double unit = Interval::unit;
 
 /// Four consecutive coordinates. At the end of the model there may be fewer: the last is repeated.
@@ -53,7 +52,7 @@ LaneNumbers gap(const Quintic<LaneNumbers>& path, const LaneNumbers& first,
   for (const LaneNumbers& c : path) size += abs(c);
   // Horner's rule rounds twice for each degree. The two roundings of s count `degree` times at
   // most.
-  constexpr double rounding = (4 * degree + 2) * unit;
+  constexpr double rounding = (4 * path_degree + 2) * unit;
   const LaneNumbers widest = (max(first, last) + rounding * size) * (1 + 8 * unit);
   return select(is_finite(first + last), widest, INFINITY);  // max() may drop a NaN
 }
@@ -88,14 +87,14 @@ void PathProof::find_paths(const CertifiedInstant& from, const CertifiedInstant&
 /// Replaces the paths of driven coordinates by Taylor polynomials of their motions, and sets the
 /// radii of their tubes to the remainders.
 void PathProof::find_driven_paths() {
-  using Exact = TaylorModel<Compensated<double>, degree>;
+  using Exact = TaylorModel<Compensated<double>, path_degree>;
   Exact time(span_.middle);
   time.c[1] = span_.half;
   for (const Driver& d : m_.drivers) {
     const int i = m_.entities[d.coordinate].first;
     const Exact z = sample<Level::position>(d.motion, time).position;
     double rest = z.rest;
-    for (int k = 0; k <= degree; ++k) {
+    for (int k = 0; k <= path_degree; ++k) {
       const Interval c = z.c[k].enclosure();
       paths_[i].path[k] = c.mid;
       rest += c.radius;

@@ -22,13 +22,15 @@ bool is_some(const Compensated<LaneNumbers>& x) {
 
 LinearEquations::LinearEquations(const BlockShape& shape,
                                  const std::vector<Compensated<LaneNumbers>>& constants,
-                                 const std::vector<Compensated<LaneNumbers>>& remainders) {
+                                 const std::vector<Compensated<LaneNumbers>>& fixed) {
   for (const BlockShape::Object& o : shape.objects) add(o, &constants[o.first_constant]);
   for (Equation& e : equations_) {
     has_offsets_ |= is_some(e.offset);
     for (const Term& t : e.terms) {
-      e.offset = e.offset + t.factor * remainders[t.state];
-      has_offsets_ |= is_some(remainders[t.state]);
+      const auto& [value, correction, radius] = fixed[t.state];
+      const Compensated<LaneNumbers> remainder(0, correction, radius);
+      e.offset = e.offset + t.factor * remainder;
+      has_offsets_ |= is_some(remainder);
     }
   }
 }
@@ -54,8 +56,8 @@ void LinearEquations::add(const BlockShape::Object& o, const Compensated<LaneNum
   });
 }
 
-void LinearEquations::motion(const PerLevel<const LaneInterval*>& x, Level level,
-                             const PerLevel<LaneInterval*>& phi) const {
+void LinearEquations::motion(const PerLevel<std::vector<LaneInterval>>& x, Level level,
+                             PerLevel<std::vector<LaneInterval>>& phi) const {
   for (const Equation& e : equations_)
     for (const Level l : all_levels) {
       Compensated<LaneNumbers> sum;
@@ -64,6 +66,16 @@ void LinearEquations::motion(const PerLevel<const LaneInterval*>& x, Level level
       phi[l][e.row] = sum.enclosure();
       if (l == level) break;
     }
+}
+
+void LinearEquations::residual(const PathValue* x, PathValue* phi) const {
+  for (const Equation& e : equations_) {
+    PathValue sum;
+    sum.c[0] = e.at_origin.mid;
+    sum.rest = e.at_origin.radius;
+    for (const Term& t : e.terms) sum.add_product(t.enclosed, x[t.state]);
+    phi[e.row] = sum;
+  }
 }
 
 void LinearEquations::jacobian(LaneMatrix& to) const {

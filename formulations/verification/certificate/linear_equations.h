@@ -7,10 +7,17 @@
 #include "formulations/base/per_level.h"
 #include "formulations/verification/certificate/block_shape.h"
 #include "formulations/verification/certificate/lane_numbers.h"
+#include "formulations/verification/certificate/taylor_model.h"
 
 namespace desmo {
 
 using LaneInterval = BasicInterval<LaneNumbers>;
+
+/// Degree of what residuals along a path are evaluated in: that of the path, a quintic.
+inline constexpr int path_degree = 5;
+using PathValue = TaylorModel<LaneNumbers, path_degree>;
+/// A state of which derivatives along a path are taken: what turns with the step is linear in s.
+using PathSlope = TaylorModel<LaneNumbers, 1>;
 
 /// An interval matrix for each lane, with the entries that BlockShape::entries lists. Midpoints and
 /// radii are kept apart.
@@ -24,12 +31,33 @@ struct LaneMatrix {
     mid[entry] = value.mid;
     radius[entry] = value.radius;
   }
+  /// Sets it to all values along a path. A call would cost as much as this.
+  [[gnu::always_inline]] void set(int entry, const PathSlope& value) {
+    if (entry >= 0) set(entry, {value.c[0], value.variation()});
+  }
 };
 
 /// The linear ones among the n equations of a batch: Φ = Σ factor × local state + Φ(0). Proofs
 /// about instants and proofs about paths share them.
 class LinearEquations {
  public:
+  LinearEquations() = default;
+  /// Takes the linear equations of a shape.
+  /// - constants: those of all objects, one after the other
+  /// - fixed: values of local states, 0 for those of coordinates
+  LinearEquations(const BlockShape& shape, const std::vector<Compensated<LaneNumbers>>& constants,
+                  const std::vector<Compensated<LaneNumbers>>& fixed);
+
+  /// Evaluates Φ and its time derivatives up to a level at the midpoints of x, in compensated
+  /// arithmetic. Overwrites the rows of linear equations in phi.
+  void motion(const PerLevel<std::vector<LaneInterval>>& x, Level level,
+              PerLevel<std::vector<LaneInterval>>& phi) const;
+  /// Evaluates Φ along a path. Overwrites the same rows.
+  void residual(const PathValue* x, PathValue* phi) const;
+  /// Writes the entries of linear equations in Φ_q, as midpoints and radii, and zeros elsewhere.
+  void jacobian(LaneMatrix& to) const;
+
+ private:
   /// A term of an equation: factor × local state.
   struct Term {
     int state;
@@ -44,23 +72,6 @@ class LinearEquations {
     std::vector<Term> terms;
   };
 
-  LinearEquations() = default;
-  /// Takes the linear equations of a shape.
-  /// - constants: those of all objects, one after the other
-  /// - remainders: numbers of the file minus their doubles, for fixed local states; 0 for others
-  LinearEquations(const BlockShape& shape, const std::vector<Compensated<LaneNumbers>>& constants,
-                  const std::vector<Compensated<LaneNumbers>>& remainders);
-
-  const std::vector<Equation>& equations() const { return equations_; }
-
-  /// Evaluates Φ and its time derivatives up to a level at the midpoints of x, in compensated
-  /// arithmetic. Overwrites the rows of linear equations in phi.
-  void motion(const PerLevel<const LaneInterval*>& x, Level level,
-              const PerLevel<LaneInterval*>& phi) const;
-  /// Writes the entries of linear equations in Φ_q, as midpoints and radii, and zeros elsewhere.
-  void jacobian(LaneMatrix& to) const;
-
- private:
   void add(const BlockShape::Object& object, const Compensated<LaneNumbers>* constants);
 
   std::vector<Equation> equations_;

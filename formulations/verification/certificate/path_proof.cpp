@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "formulations/verification/certificate/block_schedule.h"
 #include "formulations/verification/certificate/trial_box.h"
@@ -11,7 +10,6 @@ namespace desmo {
 
 namespace {
 
-constexpr int degree = PathEquations::degree;
 constexpr double unit = Interval::unit;
 
 }  // namespace
@@ -30,8 +28,6 @@ std::optional<double> first_knot(const Model& m, double from, double to) {
 
 PathProof::PathProof(const Model& m, const Certifier& certifier)
     : m_(m), schedule_(certifier.schedule()), paths_(m.coordinates()), radius_(m.coordinates()) {
-  for (const CertificationStep& step : schedule_->steps)
-    for (const BlockBatch& batch : step.batches) equations_.emplace_back(m, batch);
   const auto& [n, width, states, columns] = schedule_->largest;
   states_.resize(states), slopes_.resize(states), curved_.resize(states);
   phi_.resize(n);
@@ -41,11 +37,11 @@ PathProof::PathProof(const Model& m, const Certifier& certifier)
 }
 
 /// Takes the paths, gaps and errors of a batch's states.
-void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
+void PathProof::gather(const BlockBatch& b) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
   const CoordinatePath* const rows = paths_.data();
-  equations.write_fixed(states_.data());
+  b.equations.write_fixed(states_.data());
   for (int j = 0; j < shape.width(); ++j) {
     const int* const at = &b.coordinates[LaneNumbers::count * j];
     const double *p0 = rows[at[0]].path.data(), *p1 = rows[at[1]].path.data(),
@@ -57,7 +53,7 @@ void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
       }
       transpose(to[-4], to[-3], to[-2], to[-1]);
     };
-    Value& x = states_[b.locals[j]];
+    PathValue& x = states_[b.locals[j]];
     x.rest = 0;
     load(x.c.data());
     std::array<LaneNumbers, 4> high;
@@ -70,9 +66,9 @@ void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
   }
   if (shape.linear) return;
   for (int i = 0; i < shape.states(); ++i) {
-    const Value& x = states_[i];
+    const PathValue& x = states_[i];
     LaneNumbers rest = x.rest;
-    for (int k = 2; k <= degree; ++k) rest += abs(x.c[k]);
+    for (int k = 2; k <= path_degree; ++k) rest += abs(x.c[k]);
     curved_[i] = rest * (1 + 8 * unit);
     slopes_[i].c = {x.c[0], x.c[1]};
     slopes_[i].rest = curved_[i];
@@ -82,20 +78,20 @@ void PathProof::gather(const BlockBatch& b, const PathEquations& equations) {
 
 /// Subtracts (1 − t) Φ₀ from Φ along the path.
 void PathProof::add_homotopy(const BlockBatch& b) {
-  Value time(span_.middle), one(1);
+  PathValue time(span_.middle), one(1);
   time.c[1] = span_.half;
   for (int r = 0; r < b.equations.shape().unknowns; ++r) {
-    Value initial;
+    PathValue initial;
     initial.c[0] = b.initial[r];
     phi_[r] = phi_[r] - (one - time) * initial;
   }
 }
 
 /// Bounds |Y Φ + Y Φ_h δ| for all s.
-void PathProof::find_image(const BlockBatch& b, const PathEquations& equations) {
+void PathProof::find_image(const BlockBatch& b) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns, m = shape.inputs;
-  equations.residual(states_.data(), phi_.data());
+  b.equations.residual(states_.data(), phi_.data());
   if (!b.initial.empty()) add_homotopy(b);
   for (int r = 0; r < n; ++r) {
     LaneNumbers sum = phi_[r].magnitude();
@@ -113,34 +109,34 @@ void PathProof::find_image(const BlockBatch& b, const PathEquations& equations) 
 }
 
 /// Bounds |(I − Y Φ_φ(X)) X| for the radii of X.
-void PathProof::contract(BlockBatch& b, const PathEquations& equations) {
+void PathProof::contract(BlockBatch& b) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
   if (!shape.linear) {
     for (int i = 0; i < n; ++i) slopes_[b.locals[i]].rest = curved_[b.locals[i]] + trial_[i];
-    equations.jacobian(slopes_.data(), b.jacobian);
+    b.equations.jacobian(slopes_.data(), b.jacobian);
   }
   desmo::contract(b, *y_, trial_.data(), uncertainty_.data(), contracted_.data());
   for (int i = 0; i < n; ++i) contracted_[i] *= 1 + b.rounding;
 }
 
 /// Returns in which lanes the tubes of a batch are proven, and writes their radii.
-LaneMask PathProof::prove(BlockBatch& b, const PathEquations& equations) {
+LaneMask PathProof::prove(BlockBatch& b) {
   const BlockShape& shape = b.equations.shape();
   const int n = shape.unknowns;
-  gather(b, equations);
+  gather(b);
   if (!shape.linear) {
-    equations.jacobian(slopes_.data(), b.jacobian);  // with the inputs' errors δ, and X = 0
+    b.equations.jacobian(slopes_.data(), b.jacobian);  // with the inputs' errors δ, and X = 0
     preconditioner_.find(shape, b.jacobian.mid.data(), LaneMask::all());
   }
   y_ = shape.linear ? &b.constant : &preconditioner_;
-  find_image(b, equations);
+  find_image(b);
   std::fill_n(contracted_.begin(), n, LaneNumbers(0));
   LaneMask proven{};
   for (int attempt = 0; attempt < max_trial_boxes && (!proven).any(); ++attempt) {
     for (int i = 0; i < n; ++i)
       trial_[i] = max(gaps_[i], inflated(image_[i] + contracted_[i], b.magnitudes[i]));
-    contract(b, equations);
+    contract(b);
     proven = LaneMask::all();
     for (int i = 0; i < n; ++i) proven = proven & less(image_[i] + contracted_[i], trial_[i]);
   }
@@ -160,10 +156,9 @@ PathCertificate PathProof::prove(const CertifiedInstant& from, const CertifiedIn
   find_paths(from, to);
   std::ranges::fill(radius_, INFINITY);
   find_driven_paths();
-  std::size_t batch = 0;
   for (CertificationStep& step : schedule_->steps)
     for (BlockBatch& b : step.batches) {
-      const LaneMask proven = prove(b, equations_[batch++]);
+      const LaneMask proven = prove(b);
       for (int lane = 0; lane < b.blocks(); ++lane)
         if (!proven[lane]) return {.group = b.members[lane].group};
     }

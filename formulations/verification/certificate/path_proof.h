@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "formulations/model/model.h"
+#include "formulations/verification/certificate/block_batch.h"
 #include "formulations/verification/certificate/certificate.h"
 #include "formulations/verification/certificate/certified_instant.h"
 #include "formulations/verification/certificate/hermite.h"
-#include "formulations/verification/certificate/path_equations.h"
 #include "formulations/verification/certificate/preconditioner.h"
 
 namespace desmo {
@@ -94,33 +94,28 @@ class PathProof {
   double centre(int coordinate, double time) const;
   /// Returns the tube's centre line as a polynomial of s.
   const Quintic<double>& path(int coordinate) const { return paths_[coordinate].path; }
-  /// Returns the time at s [s].
   double time_at(double s) const { return span_.time(s); }
 
  private:
-  using Value = PathEquations::Value;
-  using Slope = PathEquations::Slope;
-
   // In coordinate_paths.cpp.
   void find_paths(const CertifiedInstant& from, const CertifiedInstant& to);
   void find_driven_paths();
 
-  void gather(const BlockBatch& batch, const PathEquations& equations);
+  void gather(const BlockBatch& batch);
   void add_homotopy(const BlockBatch& batch);
-  void find_image(const BlockBatch& batch, const PathEquations& equations);
-  void contract(BlockBatch& batch, const PathEquations& equations);
-  LaneMask prove(BlockBatch& batch, const PathEquations& equations);
+  void find_image(const BlockBatch& batch);
+  void contract(BlockBatch& batch);
+  LaneMask prove(BlockBatch& batch);
 
   const Model& m_;
   std::shared_ptr<BlockSchedule> schedule_;
-  std::vector<PathEquations> equations_;  // of each batch, in their order
   TimeSpan span_{-1, 1};
   std::vector<CoordinatePath> paths_;  // of each coordinate
   std::vector<double> radius_;         // of their tubes
 
   // Values of the present batch.
-  std::vector<Value> states_, phi_;
-  std::vector<Slope> slopes_;
+  std::vector<PathValue> states_, phi_;
+  std::vector<PathSlope> slopes_;
   std::vector<LaneNumbers> curved_;       // bounds on the terms of states_ above degree 1
   std::vector<LaneNumbers> errors_;       // radii of δ of the inputs (m)
   std::vector<LaneNumbers> gaps_;         // CoordinatePath::gap of the unknowns (n)

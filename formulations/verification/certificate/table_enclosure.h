@@ -7,6 +7,8 @@
 #include "cases/numbers/compensated.h"
 #include "cases/numbers/derived.h"
 #include "cases/numbers/interval.h"
+#include "formulations/constraints/constraints.h"
+#include "formulations/constraints/jet.h"
 #include "formulations/verification/certificate/lane_numbers.h"
 #include "formulations/verification/certificate/taylor_model.h"
 
@@ -22,11 +24,11 @@ struct TablePieces {
   bool repeats = number(1).value != 0;
   Derived length = number(3 + count) - number(3);
 
-  /// Returns a knot, `turns` lengths of the table on, minus an argument.
+  /// Returns where a knot is, seen from an argument.
   Derived distance(int knot, double turns, double at) const {
     return number(3 + knot) + length * turns - at;
   }
-  /// Returns the coefficients of a piece, `turns` lengths on, as a polynomial about an argument.
+  /// Returns a piece as a polynomial of the distance from an argument.
   std::array<Derived, 4> about(int piece, double turns, double at) const;
 };
 
@@ -89,24 +91,45 @@ void set_lane(TaylorModel<S, D>& x, int lane, const Derived& to) {
   set_lane(x.c[0], lane, to.value);
   set_lane(x.rest, lane, rest_of(to));
 }
+template <class S>
+void set_lane(Jet<S>& x, int lane, const Derived& to) {
+  set_lane(x.value, lane, to);
+}
 
-/// Sets the constants of a table in c, after its dimensions c[0 … 2]. c[3] is the leading double of
-/// the argument at positions x; c[4 … 7] enclose the cubic about it.
-/// - number(lane, k): number k of the table in a lane
-template <class Kind, class S, class Constants, class Number>
-void read_table(Constants& c, const S* const* x, const Number& number) {
-  const S argument = c[1] * x[1][0];
-  const auto& at = lead(argument);
-  constexpr int lanes =
-      std::is_same_v<std::decay_t<decltype(at)>, double> ? 1 : int{LaneNumbers::count};
-  S centre;
-  for (int lane = 0; lane < lanes; ++lane) set_lane(centre, lane, Derived(in_lane(at, lane)));
-  const auto distance = size_of(argument - centre);
-  c[3] = centre;
-  for (int lane = 0; lane < lanes; ++lane) {
-    const std::array<Derived, 4> a = enclose_table([&](int k) { return number(lane, k); },
-                                                   in_lane(at, lane), in_lane(distance, lane));
-    for (int k = 0; k < 4; ++k) set_lane(c[4 + k], lane, a[k]);
+template <class S>
+const S& value_of(const S& x) {
+  return x;
+}
+template <class S>
+const S& value_of(const Jet<S>& x) {
+  return x.value;
+}
+
+/// Sets what the functions of a kind take at positions x, in any scalar of proofs: the dimensions
+/// or, of a table, its argument and an enclosure of the cubic about it.
+/// - assign(to, k): sets a scalar to constant k
+/// - number(lane, k): constant k in a lane
+template <class Kind, class S, class Assign, class Number>
+void set_dimensions(std::array<S, Kind::constants + 1>& c, const S* const* x, const Assign& assign,
+                    const Number& number) {
+  if constexpr (has_table<Kind>) {
+    for (int k = 0; k < Kind::table; ++k) assign(c[k], k);
+    const auto argument = value_of(c[1]) * value_of(x[1][0]);
+    const auto& at = lead(argument);
+    constexpr int lanes =
+        std::is_same_v<std::decay_t<decltype(at)>, double> ? 1 : int{LaneNumbers::count};
+    std::decay_t<decltype(argument)> centre;
+    for (int lane = 0; lane < lanes; ++lane) set_lane(centre, lane, Derived(in_lane(at, lane)));
+    const auto distance = size_of(argument - centre);
+    c[3] = centre;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const std::array<Derived, 4> a =
+          enclose_table([&](int k) { return number(lane, Kind::table + k); }, in_lane(at, lane),
+                        in_lane(distance, lane));
+      for (int k = 0; k < 4; ++k) set_lane(c[4 + k], lane, a[k]);
+    }
+  } else {
+    for (int k = 0; k < Kind::constants; ++k) assign(c[k], k);
   }
 }
 
