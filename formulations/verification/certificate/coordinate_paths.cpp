@@ -9,34 +9,27 @@ namespace {
 
 constexpr double unit = Interval::unit;
 
-/// Four consecutive coordinates. At the end of the model there may be fewer: the last is repeated.
-struct CoordinateRange {
-  int first, last;
+/// Returns values and derivatives by s of four coordinates at an end of a path, up to a level.
+/// - half: half of the path's duration [s], which is dt/ds
+EndValues<LaneNumbers> values_at(const CertifiedInstant& end, int first, Level level, double half) {
+  EndValues<LaneNumbers> values{LaneNumbers::load(end.values.position, first)};
+  if (level >= Level::velocity) values.first = LaneNumbers::load(end.values.velocity, first) * half;
+  if (level >= Level::acceleration)
+    values.second = LaneNumbers::load(end.values.acceleration, first) * (half * half);
+  return values;
+}
 
-  LaneNumbers of(std::span<const double> x) const {
-    if (last == first + 3) return LaneNumbers::load(&x[first]);
-    const double second = x[std::min(first + 1, last)], third = x[std::min(first + 2, last)];
-    return LaneNumbers(LaneNumbers::Numbers{x[first], second, third, x[last]});
-  }
-  /// Returns their values and derivatives by s at an end of a path, up to a level.
-  /// - half: half of the path's duration [s], which is dt/ds
-  EndValues<LaneNumbers> at(const CertifiedInstant& end, Level level, double half) const {
-    EndValues<LaneNumbers> values{of(end.values.position)};
-    if (level >= Level::velocity) values.first = of(end.values.velocity) * half;
-    if (level >= Level::acceleration) values.second = of(end.values.acceleration) * (half * half);
-    return values;
-  }
-  /// Returns the level up to which each of them is solved at both ends.
-  std::array<Level, LaneNumbers::count> levels(const CertifiedInstant& a,
-                                               const CertifiedInstant& b) const {
-    std::array<Level, LaneNumbers::count> all;
-    all.fill(std::min(levels_of(a.values).back(), levels_of(b.values).back()));
-    for (const std::span<const Level> solved : {a.levels, b.levels})
-      for (int i = first; i <= last && !solved.empty(); ++i)
-        all[i - first] = std::min(all[i - first], solved[i]);
-    return all;
-  }
-};
+/// Returns the level up to which each of them is solved at both ends.
+/// - last: the last one that exists
+std::array<Level, LaneNumbers::count> levels_at(const CertifiedInstant& a,
+                                                const CertifiedInstant& b, int first, int last) {
+  std::array<Level, LaneNumbers::count> all;
+  all.fill(std::min(levels_of(a.values).back(), levels_of(b.values).back()));
+  for (const std::span<const Level> solved : {a.levels, b.levels})
+    for (int i = first; i <= last && !solved.empty(); ++i)
+      all[i - first] = std::min(all[i - first], solved[i]);
+  return all;
+}
 
 /// Bounds the distance of a path at an end from the farthest point of the certified box there, but
 /// for the rounding of this bound.
@@ -66,15 +59,14 @@ void PathProof::find_paths(const CertifiedInstant& from, const CertifiedInstant&
   const double s0 = span_.s(from.time), s1 = span_.s(to.time);
   for (int first = 0; first < m_.coordinates(); first += LaneNumbers::count) {
     const int last = std::min(first + LaneNumbers::count, m_.coordinates()) - 1;
-    const CoordinateRange range{first, last};
-    const auto levels = range.levels(from, to);
+    const auto levels = levels_at(from, to, first, last);
     for (const Level level : all_levels) {
       if (std::ranges::find(levels, level) == levels.end()) continue;
-      const EndValues<LaneNumbers> a = range.at(from, level, span_.half),
-                                   b = range.at(to, level, span_.half);
+      const EndValues<LaneNumbers> a = values_at(from, first, level, span_.half),
+                                   b = values_at(to, first, level, span_.half);
       const Quintic<LaneNumbers> p = hermite(a, b, level);
-      const LaneNumbers widest = gap(p, distance(p, s0, a.q, range.of(from.radius)),
-                                     distance(p, s1, b.q, range.of(to.radius)));
+      const LaneNumbers widest = gap(p, distance(p, s0, a.q, LaneNumbers::load(from.radius, first)),
+                                     distance(p, s1, b.q, LaneNumbers::load(to.radius, first)));
       std::array<LaneNumbers, 4> low{p[0], p[1], p[2], p[3]}, high{p[4], p[5], widest, INFINITY};
       transpose(low[0], low[1], low[2], low[3]);
       transpose(high[0], high[1], high[2], high[3]);

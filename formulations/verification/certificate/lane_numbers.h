@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #ifdef __AVX__
 #include <immintrin.h>
@@ -75,6 +76,13 @@ struct LaneNumbers {
     LaneNumbers x;
     __builtin_memcpy(&x.v, from, sizeof x.v);
     return x;
+  }
+  /// Returns four of some numbers, from a position on; zeros after the last one.
+  static LaneNumbers load(std::span<const double> x, std::size_t first) {
+    if (first + count <= x.size()) return load(&x[first]);
+    LaneNumbers some;
+    for (std::size_t i = first; i < x.size(); ++i) some.set(static_cast<int>(i - first), x[i]);
+    return some;
   }
   void store(double* to) const { __builtin_memcpy(to, &v, sizeof v); }
 

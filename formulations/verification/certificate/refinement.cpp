@@ -19,14 +19,6 @@ constexpr double max_left = 1.0 / 256;
 
 constexpr int count = LaneNumbers::count;
 
-/// Returns four numbers from `first` on, with zeros beyond the end of x.
-LaneNumbers four(std::span<const double> x, std::size_t first) {
-  if (first + count <= x.size()) return LaneNumbers::load(&x[first]);
-  LaneNumbers some(0);
-  for (std::size_t i = first; i < x.size(); ++i) some.set(static_cast<int>(i - first), x[i]);
-  return some;
-}
-
 /// Returns the numbers with 0 in place of those that are not finite.
 LaneNumbers finite(const LaneNumbers& x) { return select(is_finite(x), x, 0); }
 
@@ -123,9 +115,9 @@ PerLevel<Refinement::Digits> Refinement::digits(const Certificate& c) const {
   for (const Level level : levels_) {
     std::array<LaneNumbers, 2> rests{}, corrections{}, sizes{};
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
-      const LaneNumbers r = finite(four(c.rest[level], count * k)),
-                        d = abs(four(c.correction[level], count * k)),
-                        x = finite(abs(four(next_[level], count * k)));
+      const LaneNumbers r = finite(LaneNumbers::load(c.rest[level], count * k)),
+                        d = abs(LaneNumbers::load(c.correction[level], count * k)),
+                        x = finite(abs(LaneNumbers::load(next_[level], count * k)));
       for (const int kind : {0, 1}) {
         const LaneMask of_kind = kind == 0 ? lengths_[k] : !lengths_[k];
         const auto raise = [&](LaneNumbers& most, const LaneNumbers& to) {
