@@ -30,8 +30,7 @@ StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
       model_(m),
       before_(model_),
       beyond_(model_),
-      refinement_(model_),
-      no_rates_(m.coordinates()) {
+      refinement_(model_) {
   line_.lead(model_);
   if (line_.exists()) find_nodes(last);
 }
@@ -41,7 +40,8 @@ StraightCrossing::StraightCrossing(const Model& m, const CertifiedInstant& last,
 /// polynomial. That is on the same branch if the nodes, extended to s = 0, meet the last instant
 /// (leads_to()).
 void StraightCrossing::find_nodes(const CertifiedInstant& last) {
-  const std::optional<Node> here = node({0, {last.values.position, no_rates_, no_rates_}, {}});
+  const std::vector<double> zeros(model_.coordinates());
+  const std::optional<Node> here = node({0, {last.values.position, zeros, zeros}, {}});
   if (!here) return;
   std::vector<double> q(here->values.position), acceleration(here->values.acceleration);
   // So near to the point rounding may leave not even a sign of second derivatives.

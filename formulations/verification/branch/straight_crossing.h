@@ -100,7 +100,6 @@ class StraightCrossing {
   Model model_;  // with drivers that go along the line
   BranchPath before_, beyond_;
   Refinement refinement_;
-  std::vector<double> no_rates_;
   std::vector<Node> nodes_;  // before the point, each half as far from s = 0 as the one before
   std::array<std::vector<double>, 2> about_;  // positions at −reach_ and reach_
   std::vector<Quintic<double>> positions_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "formulations/verification/range/singular_points.h"
