@@ -1,0 +1,43 @@
+// Bounds of rounding count on operations as they are written: a product and a sum that are fused
+// round once, and what was lost in the product is then counted where nothing was.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace desmo::operations_as_written_test {
+namespace {
+
+/// Returns the number of fused instructions of each object in the library of proofs.
+std::map<std::string, int> count_fused() {
+  const std::unique_ptr<FILE, int (*)(FILE*)> listing(
+      popen("objdump -d --no-show-raw-insn " DESMO_CERTIFICATE, "r"), pclose);
+  std::map<std::string, int> counts;
+  int* count = nullptr;
+  char text[4096];
+  while (listing && std::fgets(text, sizeof text, listing.get())) {
+    const std::string line = text;
+    if (const std::size_t end = line.find(".cpp.o:"); end != line.npos)
+      count = &counts[line.substr(0, end)];
+    else if (count && (line.find("\tvfm") != line.npos || line.find("\tvfnm") != line.npos))
+      ++*count;
+  }
+  return counts;
+}
+
+TEST(OperationsAsWritten, AreNotFusedWhereNobodyWroteIt) {
+  std::map<std::string, int> fused = count_fused();
+  for (const char* object : {"passage", "straight_crossing", "table_enclosure"}) {
+    ASSERT_TRUE(fused.contains(object)) << object;
+    EXPECT_EQ(fused[object], 0) << object << " needs -ffp-contract=off";
+  }
+#ifdef __FMA__
+  EXPECT_GT(fused["preconditioner"], 0);  // there it is written
+#endif
+}
+
+}  // namespace
+}  // namespace desmo::operations_as_written_test
