@@ -34,7 +34,8 @@ std::vector<TimedGroup> timed_groups(const Record& record) {
           {"machines_growth", "CPU seconds of a step, growth", steps_of(record.growth)},
           {"machines_break_even", "CPU seconds of a step, dense and sparse",
            steps_of(record.break_even)},
-          {"machines_accuracy", "CPU seconds of a step, accuracy", steps_of(record.points)}};
+          {"machines_accuracy", "CPU seconds of a step, accuracy", steps_of(record.points)},
+          {"machines_modelling", "CPU seconds of a step, coordinates", steps_of(record.modelled)}};
 }
 
 CandidateKey reference_of(const CandidateKey& key) {

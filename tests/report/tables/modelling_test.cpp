@@ -34,6 +34,14 @@ TEST(ModellingTables, ShowExactFramesInARowOfTheirOwn) {
              {{"natural", missing_mark}, {"relative", "27.9"}});
 }
 
+TEST(ModellingTables, StandBesideThoseOfAnotherMachine) {
+  const Record here = record_from(modelling_record());
+  const Record there =
+      record_from(changed(modelling_record(), "/record/machine/cpu", "Another CPU"));
+  const Table table = table_named(make_report(here, {&there}), "machines_modelling");
+  EXPECT_FALSE(table.rows.empty());
+}
+
 TEST(ModellingFigure, HasTheFormulations) {
   bool found = false;
   for (const NewFile& file : figures(make_report(record_from(modelling_record()))))
