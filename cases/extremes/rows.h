@@ -51,7 +51,9 @@ struct HingedLink {
 /// first angle counts from x. Returns where the last link ends, the origin but for rounding.
 Mechanism::Vec add_linkage(MechanismBuilder& mechanism, std::span<const HingedLink> links);
 
-/// Returns Bennett's linkage, whose lengths follow from its two twists.
+/// Returns Bennett's linkage, whose opposite links are equal: a / sin α = b / sin β.
+/// - start: angle of the first hinge [rad]
+/// - length, twist: a [m] and α [rad] of the first link; other_twist: β of the second [rad]
 std::array<HingedLink, 4> bennett_links(double start, double length, double twist,
                                         double other_twist);
 

@@ -9,8 +9,8 @@
 namespace desmo::report {
 namespace {
 
-/// Sorts out the candidates whose answers are wrong, those that `then` does not have in order, and
-/// those that it alone has.
+/// Fills the lists of candidates that are not compared: `invalid`, wrong in head; `excluded`, new
+/// in head, or wrong or unverified in `then`; `missing`, in `then` only.
 void exclude(CheckOutcome& outcome, const CheckRecord& check, const Record& then) {
   for (const auto& [key, head] : check.head.candidates) {
     const std::string name = name_of(key);

@@ -19,7 +19,7 @@ enum class CheckVerdict {
   incomparable = 4,  ///< times or work may not be compared, or nothing was
 };
 
-/// A candidate that is not judged, and why.
+/// A candidate whose times are not compared, and the reason: wrong now, wrong before, or new.
 struct Excluded {
   std::string candidate, reason;
 };

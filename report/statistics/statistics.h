@@ -71,7 +71,8 @@ struct SpeedUp {
   bool has_interval = false;  ///< there are enough repetitions for low and high to be an interval
 
   double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
-  /// Returns whether the interval is too wide for the number to be quoted.
+  /// Returns whether the relative half-width exceeds max_conclusive_width. The report then marks
+  /// the number as inconclusive.
   bool inconclusive() const { return has_interval && half_width() > max_conclusive_width; }
 };
 

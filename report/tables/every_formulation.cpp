@@ -82,8 +82,8 @@ namespace {
 /// Key of a row, in the order of rows: the analysis is the id without threads and clock.
 using Place = std::tuple<std::int64_t, std::string, std::string, std::int64_t>;
 
-/// Returns the key of a candidate. The id names the number of threads where a failure recorded
-/// none.
+/// Returns the sort key of a candidate's row. Reads the number of threads from the id, since a
+/// failed candidate records none.
 Place place_of(const CandidateKey& key) {
   const std::string_view threads = setting(key.id, "threads"), request = setting(key.id, "request");
   std::string analysis = key.id;

@@ -84,7 +84,7 @@ std::string tree_text(const Json& structure) {
   return text + section("Joints that are not of the tree", cut);
 }
 
-/// Returns whether rows of a left-out equation are kept.
+/// Returns whether only some rows of an equation are left out, so that others are kept.
 bool is_kept_in_part(const Json& left_out, const Json& groups) {
   for (const Json& group : groups)
     if (group["name"] == left_out["group"])

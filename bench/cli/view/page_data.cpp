@@ -230,7 +230,7 @@ class Writer {
   std::vector<const RecordedInstant*> shown_;
   std::vector<EntityId> points_;
   int stride_;
-  std::map<Key, std::size_t> packed_;  // numbers of columns
+  std::map<Key, std::size_t> packed_;  // index in columns_ of each packed column
   Json json_, columns_ = Json::array();
   std::vector<float> numbers_;
 };

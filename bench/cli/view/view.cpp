@@ -80,7 +80,8 @@ void view(const ViewOptions& options) {
     throw CommandError(usage_error, "a terminal cannot show a page; give --output FILE.html");
   const Model model = model_mechanism(input).model;
   const Plan plan = make_plan(model, outputs_of(input, model));
-  make_columns(plan, Measures(input.scene, plan.model), input);  // refuses what solve does
+  // For its InputError alone: refuses scenes with equal headings, as `desmo solve` does.
+  make_columns(plan, Measures(input.scene, plan.model), input);
   Measures measures(input.scene, model);
   const std::size_t fitting = instants_that_fit(input, model);
   const TimeGrid& grid = input.scene.grid;

@@ -16,8 +16,8 @@ namespace desmo::bench {
 /// Version of results/record.schema.json and results/check.schema.json that is written.
 inline constexpr const char* schema_version = "3.0.0";
 
-/// A record under way: begun before anything is measured, so that an unusable path is known then,
-/// and written once all is.
+/// A writer of one record. Its constructor opens the file before anything is measured, so that an
+/// unusable path is found at once. write() is called once, after all measurements.
 class RecordWriter {
  public:
   /// Notes date and load, and takes the file (see OutputFile). command: program name and arguments.

@@ -15,7 +15,8 @@ namespace desmo::generate {
 struct SectionMotion {
   std::vector<Expr> increments;  ///< Δτ of the torn unknowns, to be subtracted
   Monitors monitors;             ///< of the core's elimination or, for two unknowns, determinant
-  /// Rates of the torn, then of the defined unknowns, by earlier rates.
+  /// Expressions of the rates: torn unknowns first, then defined ones. They read rates that are
+  /// found before; those of defined unknowns read the torn ones, too.
   std::vector<Expr> velocities, accelerations;
 };
 

@@ -29,7 +29,7 @@ std::string place(const PartType& type, int input) {
   return "[in[" + std::to_string(first) + "]" + offset + "]";
 }
 
-/// Each once.
+/// Joins the distinct names with "; ", in the order of their first appearance.
 std::string list(const std::vector<std::string>& names) {
   std::string result;
   std::set<std::string_view> seen;

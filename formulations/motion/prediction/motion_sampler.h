@@ -70,7 +70,7 @@ class MotionSampler {
   SampleStrides strides_;
   std::vector<int> others_;  // motions that are no harmonic sum
   std::vector<Sums> sums_;
-  std::vector<double> frequencies_;      // each once
+  std::vector<double> frequencies_;      // distinct [rad/s]; for one time, zeros fill up fours
   std::vector<double> sines_, cosines_;  // by frequency and time
 };
 

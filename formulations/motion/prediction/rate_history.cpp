@@ -11,8 +11,9 @@ namespace desmo {
 
 namespace {
 
-/// Intervals that differ by less are the same: the times of a grid are rounded.
-constexpr double same = 1e-11;
+/// Relative difference of two intervals up to which they count as equal: the times of a grid are
+/// rounded.
+constexpr double interval_tolerance = 1e-11;
 
 /// Lanes come in blocks; whatever else is predicted, many ranges are of one.
 constexpr std::array block_sizes{8, 4, 1};
@@ -31,7 +32,7 @@ bool are_ratios(const std::array<double, size>& intervals, const std::array<doub
                 double h) {
   bool all = true;
   for (std::size_t j = 0; j < size; ++j)
-    all &= std::abs(intervals[j] - ratios[j] * h) < same * std::abs(intervals[j]);
+    all &= std::abs(intervals[j] - ratios[j] * h) < interval_tolerance * std::abs(intervals[j]);
   return all;
 }
 

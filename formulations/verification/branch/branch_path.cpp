@@ -137,7 +137,8 @@ FollowedStep BranchPath::go(double time, const CertifiedInstant* to) {
       result.group = c.group;
       if (c.proven) {
         ++result.sub_steps;
-        // Missing rates may be lost in rounding. Then the step counts as stuck where it began.
+        // start_at() proves rates that the instant lacks. Rounding may prevent that: the step then
+        // counts as stuck where it began.
         if (start_at(*to)) result.end = PathEnd::same;
         result.time = present_.time;
         return result;

@@ -54,7 +54,7 @@ class StraightCrossing {
   double distance(int level) const;
 
   const DriverLine& line() const { return line_; }
-  /// Returns the s beyond the point from which on the continuation is proven.
+  /// Returns the smallest s > 0 at which the continuation beyond the point is proven.
   double nearest() const { return nearest_; }
   /// Returns the distance from s = 0 up to which both sides are proven.
   double reach() const { return reach_; }

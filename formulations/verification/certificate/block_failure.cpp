@@ -5,8 +5,9 @@
 
 namespace desmo {
 
-/// Returns the largest cause of failure at the unknown that is farthest from a proof. Compares the
-/// terms of the image and of the contraction of the last X.
+/// Returns why a lane is not proven, as its positions tell. Takes the unknown with the largest
+/// ratio of bound to trial radius. A term of its bound is the cause if it exceeds half of it;
+/// otherwise magnitudes decide.
 ProofFailure BlockProof::failure(int lane) const {
   const ErrorColumns& e = errors_.position;
   const int n = shape_->unknowns;

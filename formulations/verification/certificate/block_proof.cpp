@@ -127,8 +127,9 @@ LaneMask BlockProof::bound_rates(Level level, PerLevel<ErrorTable>& all, LaneMas
     if (level == Level::acceleration) lower_.push_back({Level::velocity, 2, Level::velocity});
   }
   find_image(level, all);
-  // Errors e are at most b + A e with A = |I − Y Φ_φ(X)|. Positions are proven, so A r ≤ r/2 for
-  // the radii r of X. Hence e ≤ 2 max(b/r) r, and e ≤ b + 2 max(b/r) A r.
+  // Let ε be the errors, b = e.sum as find_image() left it, r = trial_ and A = |I − Y Φ_φ(X)|. Then
+  // ε ≤ b + A ε. Positions are proven, so A r ≤ r/2. Hence ε ≤ 2 max(b/r) r, and
+  // ε ≤ b + 2 max(b/r) A r.
   const ErrorColumns& e = errors_[level];
   LaneNumbers ratio(0);
   for (int i = 0; i < shape_->unknowns; ++i) ratio = max(ratio, e.sum[i] / trial_[i]);

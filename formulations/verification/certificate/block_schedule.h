@@ -10,7 +10,9 @@
 
 namespace desmo {
 
-/// A structural group that is a link of a long chain.
+/// Interfaces of a structural group through which errors may go on in bases. A chain is a sequence
+/// of groups, each of which reads from the one before. The group lies in a long chain, or reads
+/// from a group that does.
 struct ChainLink {
   /// Interface of an earlier group that this one reads, by lent rows of ErrorTable. All other
   /// inputs are boxes.

@@ -16,7 +16,7 @@
 
 namespace desmo {
 
-/// Proof about the motion between two instants.
+/// Result of PathProof::prove(): whether two instants are proven to lie on one smooth motion.
 struct PathCertificate {
   bool proven = false;
   /// Structural group of the block whose proof failed. no_position: no proof failed, or a knot lies

@@ -29,8 +29,9 @@ class CheckedMotion {
   /// Checks the next instant, which a formulation has solved. The result is valid until the next
   /// call.
   const CheckedInstant& check(const Instant& solved) { return *take(solved, true); }
-  /// Solves the next instant, which no formulation has found. Returns null if the motion does not
-  /// lead there. wanted: its index, time and, by the sizes of its spans, its levels.
+  /// Solves the next instant where no formulation has. Returns null if no proven path leads there:
+  /// the motion locks, tests ran out, or it is not followed.
+  /// - wanted: its index and time; the sizes of its spans tell the levels
   const CheckedInstant* solve(const Instant& wanted) { return take(wanted, false); }
 
   /// Returns whether an instant between those of the last step lies in its tube, widened by
@@ -40,7 +41,7 @@ class CheckedMotion {
   /// Returns to the state before the last check() or solve().
   void return_to_last();
 
-  /// Returns the last proven instant, where the path is.
+  /// Returns the instant that the path reached last. Rows whose branch is unknown may be later.
   const CertifiedInstant& present() const { return follower_->path.present(); }
 
   /// Returns the positions up to which the motion was followed from the drawing; empty: not known.

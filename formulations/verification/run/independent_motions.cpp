@@ -65,7 +65,9 @@ struct IndependentMotions::SubmodelMotion {
   Submodel submodel;
   CheckedMotion motion;
   InstantCopy handed_in;
-  bool is_blocked = false;  // while rows are tried again: no way leads on from the last one
+  /// No path leads on from the last row: try_again() begins at the drawing for each row, until
+  /// begin_again().
+  bool is_blocked = false;
 
  private:
   /// Asks a formulation first: a way from the drawing that is blocked costs a hundred times as

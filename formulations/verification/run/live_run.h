@@ -48,7 +48,7 @@ struct [[nodiscard]] LiveSummary : BasicSummary {
   /// row failed; describe() gives the reason.
   RowFault fault = RowFault::none;
   std::optional<RowFlag> flag{};  ///< of a row that was solved; empty: proven, or not checked
-  PerLevel<double> radius{};      ///< largest of the row, over LiveRun::scales()
+  PerLevel<double> radius{};      ///< largest of the row, divided by its scale (LiveRun::scales())
   double condition = 0;           ///< Certificate::condition; 0: not checked
   /// Report on the way from the last proven row. path.time: time up to which it is proven [s].
   FollowedStep path{};
