@@ -19,12 +19,6 @@ namespace desmo {
 
 namespace {
 
-/// Returns whether curves cross between two points: a determinant has another sign.
-bool crosses(const SolutionCurve::Point& a, const Determinants& at_a, const SolutionCurve::Point& b,
-             const Determinants& at_b) {
-  return a.sign != b.sign || !at_a.changed(at_b).empty();
-}
-
 /// Returns whether a driver is the distance of two points. Its equation is quadratic, so that it
 /// holds for negative values, too, which mean nothing.
 bool is_positive(const Model& m, EntityId driver) {
@@ -176,23 +170,20 @@ RangeEnd DriverSweep::run_from(Point point) {
   EarlierPoint far{point};  // the last point from which a step longer than a locking_arc was made
   for (int step = 0; step < limits_.max_steps; ++step) {
     const auto again = [&] { return (length /= 2) > limits_.accuracy; };
-    const auto leads_across = [&](const std::optional<Point>& p) {
-      return p && forward(*p) > 0 && crosses(point, before, *p, determinants(*p));
-    };
     std::optional<Point> next = curve().step(point, length);
-    // Next to a crossing rounding decides where positions are and how tangents turn; from further
-    // away the curve leads across.
-    bool is_crossing = false;
-    if (next ? forward(*next) <= 0 : length <= limits_.max_crossing_step) {
-      const double farther = length + limits_.max_crossing_step;
-      std::optional<Point> across = curve().step(far.point, far.arc + farther);
-      is_crossing = leads_across(across);
-      if (is_crossing) next = std::move(across), length = farther;
+    if (!next && again()) continue;
+    // So near to a crossing, rounding may turn a step back. A step from further away leads across.
+    bool is_across = false;
+    if (length <= limits_.max_crossing_step && (!next || forward(*next) <= 0)) {
+      std::optional<Point> across = curve().step(far.point, far.arc + limits_.max_crossing_step);
+      is_across = across && forward(*across) > 0;
+      if (is_across) {
+        next = std::move(across);
+        length = far.arc + limits_.max_crossing_step;
+        point = std::exchange(far, {far.point, 0}).point;
+      }
     }
-    if (!next) {
-      if (again()) continue;
-      return stuck_at(point, far);
-    }
+    if (!next) return stuck_at(point, far);
     const bool turns = forward(*next) <= 0;
     // det B keeps its sign at a dead point. A step across a gap between branches changes it.
     if (turns && next->sign == point.sign)
@@ -200,34 +191,28 @@ RangeEnd DriverSweep::run_from(Point point) {
         turned_ = std::move(dead->after);
         return std::move(dead->end);
       }
-    if (turns || (!is_crossing && turns_twice(curve(), point, *next, length, direction_))) {
+    if (turns || turns_twice(curve(), point, *next, length, direction_)) {
       if (again()) continue;
       return stuck_at(point, far);
     }
-    Determinants after = determinants(*next);
-    if (!is_crossing && crosses(point, before, *next, after)) {
-      if (length > limits_.max_crossing_step) {
+    const Determinants after = determinants(*next);
+    const std::vector<int> changed = before.changed(after);
+    const bool crosses = next->sign != point.sign || !changed.empty();
+    if (crosses) {
+      if (length > limits_.max_crossing_step && !is_across) {
         length /= 2;
         continue;
       }
-      is_crossing = true;
-    }
-    if (is_crossing) {  // it goes on where positions are well known again
-      const double farther = length + limits_.crossing_distance();
-      std::optional<Point> beyond = curve().step(far.point, far.arc + farther);
-      const bool is_known = leads_across(beyond) && !is_violated(*beyond);
-      if (is_known) next = std::move(beyond), after = determinants(*next);
-      if (std::optional<RangeEnd> zero = add_crossing(far, length, before.changed(after)))
+      if (std::optional<RangeEnd> zero = add_crossing(far, length, changed))
         return *std::move(zero);
-      if (is_known) length = farther;
     }
     if (is_violated(*next)) {
       if (again()) continue;
       return end(RangeStop::other_branch, point);
     }
     since += length;
-    if (is_crossing) followed_->double_roots.restart();
-    if (!after.empty() && !is_crossing) look_for_double_root(*next, after, std::exchange(since, 0));
+    if (crosses) followed_->double_roots.restart();
+    if (!after.empty() && !crosses) look_for_double_root(*next, after, std::exchange(since, 0));
     if (std::optional<RangeEnd> turned = after_turns(point, *next)) {
       look_beyond(*next, after, length);
       return *std::move(turned);
@@ -236,12 +221,11 @@ RangeEnd DriverSweep::run_from(Point point) {
     if (length > limits_.locking_arc()) far = {point, 0};
     far.arc += length;
     point = *std::move(next);
-    if (is_crossing) far = {point};
     if (choose_equations(point)) {
       before = determinants(point);
       followed_->double_roots.restart();
     }
-    length = is_crossing ? limits_.max_step : std::min(limits_.max_step, 2 * length);
+    length = crosses ? limits_.max_step : std::min(limits_.max_step, 2 * length);
   }
   return end(RangeStop::not_reached, point);
 }
