@@ -55,6 +55,19 @@ TEST_F(OwnScene, IsVerifiedAndTimedInEveryFormulation) {
     EXPECT_CONTAINS(report.text, shown) << shown << report.text;
 }
 
+TEST_F(OwnScene, MayBeginAtAnyTime) {
+  Json scene = Json::parse(text_of(slider_crank_));
+  const double end = scene["time"]["end"];
+  scene["time"]["start"] = 2;
+  scene["time"]["end"] = 2 + end;
+  const Ended ended =
+      measure(write("later.json", scene.dump()), "'--filter=global_automatic_eigen$'");
+  ASSERT_EQ(ended.code, 0) << ended.text;
+  EXPECT_DOUBLE_EQ(Json::parse(text_of(record()))["record"]["settings"]["duration_seconds"], end);
+  const Ended report = run(DESMO_REPORT " tables " + record());
+  EXPECT_EQ(report.code, 0) << report.text;
+}
+
 TEST_F(OwnScene, IsNotRunWhereThereIsNoCodeForIt) {
   const Ended ended =
       measure(slider_crank_, "'--filter=group_.*_(eigen|inlined)$'", "CXX=/nonexistent/compiler");

@@ -114,7 +114,7 @@ Json settings_json(const TimeGrid& grid) {
           {"max_iterations", settings.max_iterations},
           {"guess", "previous position"},
           {"step_seconds", grid.step},
-          {"duration_seconds", grid.time(grid.instants - 1)},
+          {"duration_seconds", (grid.instants - 1) * grid.step},
           {"instants", grid.instants},
           {"allowed", per_level_json(allowed_difference)}};
 }
