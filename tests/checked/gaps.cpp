@@ -110,6 +110,23 @@ TEST(Gaps, OfAMechanismLeaveTheTurnsOfOthers) {
   }
 }
 
+/// The parallelogram is in line at 0.25 s, where no row is delivered.
+TEST(Gaps, HideNoChangePointOfOthers) {
+  const Scene scene = scene_file("lock_beside_parallelogram");
+  const Model m = make_model(scene);
+  const CheckedRows r = solve_checked(m, scene.grid, "group_automatic_lapack", Level::acceleration,
+                                      {.past_failures = true});
+  ASSERT_EQ(r.summary.gaps.size(), 1u);
+  EXPECT_EQ(r.summary.crossings, 1) << describe(r.summary, m);
+  for (const CheckedRow& row : r.rows) {
+    ASSERT_EQ(row.flag.has_value(), row.index == 8) << row.time;  // the first one after the gap
+    if (!row.flag) continue;
+    EXPECT_EQ(row.flag->kind, RowFlag::Kind::crossing);
+    EXPECT_NEAR(row.flag->after, 0.25, 1e-3);
+    EXPECT_NEAR(row.flag->before, 0.25, 1e-3);
+  }
+}
+
 TEST(Gaps, OfAllInstantsAreAFailure) {
   const CheckedSummary s = solve_checked(overswinging, {0.2, 0.01, 10}, "block_automatic_lapack",
                                          Level::position, {.past_failures = true})

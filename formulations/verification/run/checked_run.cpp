@@ -189,8 +189,9 @@ class CheckedRun final : Observer {
   /// there is one.
   bool pass_gap() {
     const auto leads_to = [&](int index) {
-      return motion_.try_again(wanted(index)) &&
-             stepping_of(formulation_).start_at(motion_.followed_to(), grid_.time(index));
+      if (!motion_.try_again(wanted(index))) return false;
+      const std::vector<double> q = motion_.followed_to();  // empty: one rests on a change point
+      return !q.empty() && stepping_of(formulation_).start_at(q, grid_.time(index));
     };
     const auto [gap, again] = find_gap(formulation_, grid_, tried_, summary_, leads_to);
     summary_.gaps.push_back(gap);

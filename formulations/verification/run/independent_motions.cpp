@@ -40,7 +40,27 @@ struct IndependentMotions::SubmodelMotion {
   const CheckedInstant* take(const Instant& at, bool is_solved) {
     const CertifiedInstant own = part_of({.values = {at.q, at.qd, at.qdd}});
     const Instant instant = with_values(at, own.values);
-    return is_solved ? &motion.check(instant) : motion.solve(instant);
+    last_passed = passed;
+    const CheckedInstant* row = is_solved ? &motion.check(instant) : motion.solve(instant);
+    if (row && row->flag && row->flag->is_of_change_point() && !passed) passed = row->flag;
+    return row;
+  }
+
+  /// Returns to the state before the last take().
+  void return_to_last() {
+    motion.return_to_last();
+    passed = last_passed;
+  }
+
+  /// Returns the flag of a row that was taken, or of a change point that was passed in a row before
+  /// it which was left out.
+  std::optional<RowFlag> flag_of(const CheckedInstant& row) const {
+    if (!passed || (row.flag && row.flag->kind <= passed->kind)) return row.flag;
+    RowFlag flag = *passed;
+    flag.kind = RowFlag::Kind::crossing;
+    flag.time = row.instant.time;
+    if (row.flag) flag.misfit = row.flag->misfit;
+    return flag;
   }
 
   /// Returns a copy of the mechanism's numbers, which is valid until the next call.
@@ -65,6 +85,8 @@ struct IndependentMotions::SubmodelMotion {
   Submodel submodel;
   CheckedMotion motion;
   InstantCopy handed_in;
+  std::optional<RowFlag> passed,
+      last_passed;  // the first change point since the last row delivered
   /// No path leads on from the last row: try_again() begins at the drawing for each row, until
   /// begin_again().
   bool is_blocked = false;
@@ -118,7 +140,7 @@ void IndependentMotions::return_to_last() {
   if (state_.together)
     together_.return_to_last();
   else
-    for (const auto& each : *each_) each->motion.return_to_last();
+    for (const auto& each : *each_) each->return_to_last();
 }
 
 std::vector<double> IndependentMotions::followed_to() const {
@@ -195,8 +217,9 @@ bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
   for (const auto& each : *each_) {
     const CheckedInstant* row = each->take(at, is_solved);
     if (!row) return false;
-    add(each->submodel, *row);
+    add(each->submodel, *row, each->flag_of(*row));
   }
+  for (const auto& each : *each_) each->passed.reset();
   if (flags_.empty()) return true;
   std::ranges::stable_sort(flags_, {}, &RowFlag::kind);
   result_.flag = flags_.front();
@@ -204,15 +227,16 @@ bool IndependentMotions::take_each(const Instant& at, bool is_solved) {
   return true;
 }
 
-void IndependentMotions::add(const Submodel& s, const CheckedInstant& row) {
+void IndependentMotions::add(const Submodel& s, const CheckedInstant& row,
+                             const std::optional<RowFlag>& own_flag) {
   scatter(s, row.instant.q, values_.position);
   scatter(s, row.instant.qd, values_.velocity);
   scatter(s, row.instant.qdd, values_.acceleration);
   for (const Level level : all_levels) scatter(s, row.radius[level], radius_[level]);
   result_.condition = std::max(result_.condition, row.condition);
   result_.is_elsewhere |= row.is_elsewhere;
-  if (!row.flag) return;
-  RowFlag& flag = flags_.emplace_back(*row.flag);
+  if (!own_flag) return;
+  RowFlag& flag = flags_.emplace_back(*own_flag);
   if (flag.group != no_position) flag.group = s.groups[flag.group];
   if (flag.misfit) flag.misfit->constraint = s.members.constraints[flag.misfit->constraint];
 }

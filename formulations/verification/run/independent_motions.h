@@ -49,7 +49,7 @@ class IndependentMotions {
   bool take_each(const Instant& at, bool is_solved);
   bool separate();
   void join();
-  void add(const Submodel& of, const CheckedInstant& row);
+  void add(const Submodel& of, const CheckedInstant& row, const std::optional<RowFlag>& flag);
 
   const Model& m_;
   const std::span<const Level> levels_;

@@ -111,7 +111,10 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
   Checks& c = *checks_;
   c.begin.time = c.motions.lead_to(row);
   const RefinedInstant* found = c.motions.has_begun() ? follow(row, summary) : start(row, summary);
-  if (!found) return;
+  if (!found) {
+    c.follower->left_out.take_between();  // of a way that leads to no row
+    return;
+  }
   summary.condition = found->last.condition;
   if (!options_.scales && found->proven) c.scales->take(found->instant);
   keep(row.time, found->instant);
@@ -122,18 +125,17 @@ void LiveRun::check(const LiveRow& row, LiveSummary& summary) {
     c.begin.assign(certified(*found));
     const RelativeRadius radius = relative_radius(formulation_.model(), found->radius, scales());
     summary.radius = radius.largest;
+    const std::optional<RowFlag> misfit = c.follower->misfit_flag(*found, &row);
     if (radius.proves_no_digit())
       summary.flag = {.kind = RowFlag::Kind::unproven,
                       .group = radius.group,
                       .failure = ProofFailure::singular};
     else if (c.lost)
       summary.flag = c.lost;
-    else if (const std::optional<RowFlag> flag = c.follower->misfit_flag(*found, &row)) {
-      if (summary.flag)  // a change point stays, with the misfit
-        summary.flag->misfit = flag->misfit;
-      else
-        summary.flag = flag;
-    }
+    if (misfit && summary.flag)  // a worse flag stays, with the misfit
+      summary.flag->misfit = misfit->misfit;
+    else if (misfit)
+      summary.flag = misfit;
   } else {
     summary.radius = {INFINITY, INFINITY, INFINITY};
     summary.flag = {.kind = RowFlag::Kind::unproven,
@@ -158,6 +160,8 @@ const RefinedInstant* LiveRun::start(const LiveRow& row, LiveSummary& summary) {
           c.follower->refinement.refine(instant_of(0, {way.q, zeros, zeros}, options_.level));
       if (!way.passed.empty()) summary.flag = start_flag(RowFlag::Kind::crossing, way, row.time);
       if (found.proven) return return_to(row.time, found, summary);
+      summary.flag.reset();
+      c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
     } else {
       c.lost = start_flag(RowFlag::Kind::branch, way, row.time);
     }
