@@ -21,6 +21,8 @@ class BlockEquations {
 
   /// lanes: a block for each, all of one shape.
   explicit BlockEquations(const std::vector<const ShapedBlock*>& lanes);
+  BlockEquations(BlockEquations&&) = default;  // objects point into the vectors: no copies
+  BlockEquations& operator=(BlockEquations&&) = default;
 
   const BlockShape& shape() const { return shape_; }
   const LinearEquations& linear() const { return linear_; }
@@ -50,7 +52,7 @@ class BlockEquations {
   struct FunctionsOf;
   struct Object;
 
-  /// Functions of a constraint kind. slots: of entries, in to.
+  /// Functions of a constraint kind. slots: position in `to` of each entry of the kind's Jacobian.
   struct Functions {
     void (*motion)(const Object&, const States& x, Level, States& phi);
     void (*jacobian)(const Object&, const std::vector<int>& slots, const LaneInterval* q,

@@ -64,8 +64,8 @@ struct ShapedBlock {
   std::vector<int> states;       ///< position of each local state in the state of the model
   std::vector<int> coordinates;  ///< coordinate of each column
   std::vector<Derived> constants;
-  std::vector<Derived> fixed;  ///< values of local states; 0 for those of coordinates; empty: none
-  /// Bound on the error of each row of Φ (n), from Constraint::slack; empty: exact. Only proofs of
+  std::vector<Derived> fixed;  ///< values of local states; 0 for those of coordinates
+  /// Bound on the error of each row of Φ (n), from Constraint::slack; 0: exact. Only proofs of
   /// positions read it: rates and paths know no bound.
   std::vector<double> slack;
   std::vector<double> initial;  ///< Φ₀ of a homotopy (n); empty: none

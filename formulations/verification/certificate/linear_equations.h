@@ -16,7 +16,8 @@ using LaneInterval = BasicInterval<LaneNumbers>;
 /// Degree of what residuals along a path are evaluated in: that of the path, a quintic.
 inline constexpr int path_degree = 5;
 using PathValue = TaylorModel<LaneNumbers, path_degree>;
-/// A state of which derivatives along a path are taken: what turns with the step is linear in s.
+/// A state of which Φ_q along a path is taken. Linear parts of points that move together cancel in
+/// differences, where intervals would add up.
 using PathSlope = TaylorModel<LaneNumbers, 1>;
 
 /// An interval matrix for each lane, with the entries that BlockShape::entries lists. Midpoints and

@@ -24,11 +24,11 @@ struct TablePieces {
   bool repeats = number(1).value != 0;
   Derived length = number(3 + count) - number(3);
 
-  /// Returns where a knot is, seen from an argument.
+  /// Returns a knot, `turns` lengths of the table on, minus an argument.
   Derived distance(int knot, double turns, double at) const {
     return number(3 + knot) + length * turns - at;
   }
-  /// Returns a piece as a polynomial of the distance from an argument.
+  /// Returns the coefficients of a piece, `turns` lengths on, as a polynomial about an argument.
   std::array<Derived, 4> about(int piece, double turns, double at) const;
 };
 
