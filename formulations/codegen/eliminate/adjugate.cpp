@@ -6,7 +6,7 @@ namespace desmo::generate {
 
 namespace {
 
-/// A cofactor, and its products by their sizes.
+/// A cofactor, and the sum of its products' absolute values.
 struct Cofactor {
   Expr value, magnitude;
 };
@@ -16,7 +16,7 @@ Cofactor cofactor(const std::vector<std::vector<Expr>>& m, std::size_t row, std:
     const Expr entry = m[1 - row][1 - column];
     return {row == column ? entry : -entry, abs(entry)};
   }
-  // Taken cyclically, a cofactor of three has no sign of its own.
+  // With cyclic indices, a cofactor of a (3 × 3) matrix needs no alternating sign.
   const std::size_t i = (row + 1) % 3, k = (row + 2) % 3, j = (column + 1) % 3,
                     l = (column + 2) % 3;
   const Expr main = m[i][j] * m[k][l], side = m[i][l] * m[k][j];

@@ -8,10 +8,11 @@
 namespace desmo::generate {
 
 /// A dense linear system of two or three equations, solved by its adjugate matrix. It needs no
-/// pivots, which may vanish at some orientations of a part. Only the determinant is monitored.
+/// pivots, which may vanish at some orientations of a part. Callers monitor the determinant, by
+/// comparing it with magnitude().
 class Adjugate {
  public:
-  static constexpr std::size_t least = 2, most = 3;
+  static constexpr std::size_t least = 2, most = 3;  ///< limits of the number of equations
 
   /// Records the inverse of an (n × n) matrix, least ≤ n ≤ most. Throws std::invalid_argument when
   /// it is structurally singular.

@@ -13,27 +13,27 @@ namespace desmo::generate {
 
 namespace {
 
-// Least ratio of a pivot to the largest entry of its column. Dividing by a constant costs nothing,
-// and the growth that it allows is bounded: KLU prefers its diagonal down to the same ratio.
+// Smallest sound ratio of a constant and of a variable pivot to the largest entry of its column. A
+// division by a constant costs nothing. KLU prefers its diagonal down to the same ratio.
 constexpr double min_constant = 1e-3, min_variable = 0.1;
 
 double min_ratio(Expr pivot) { return pivot.is_constant() ? min_constant : min_variable; }
 
-/// The ratio of an entry to the largest of its column, over the sample points.
+/// The ratios of an entry to the largest of its column at some sample points.
 struct RelativeSize {
-  double worst = 1;
-  double share = 0;  ///< of the samples: where it is at least `min_constant`
-  int served = 0;    ///< samples where it is at least `min_variable`
+  double worst = 1;  ///< smallest ratio
+  double share = 0;  ///< fraction of the samples where the ratio is ≥ min_constant
+  int served = 0;    ///< number of samples where the ratio is ≥ min_variable
 };
 
 struct PivotChoice {
   int row = -1, column = -1;
-  bool is_sound = false;  // large enough at every sample
+  bool is_sound = false;  // its ratio is ≥ min_ratio() at every sample
   RelativeSize size;
   std::tuple<bool, int, double> rank;  // smaller is better
 };
 
-/// The ratio of an entry to the largest of its column at one sample point; 0: the column vanishes.
+/// Returns the ratio of an entry to the largest of its column at a sample point; 0 if all are 0.
 double ratio_at(std::size_t sample, const SparseRows& rows, int row, int column) {
   const auto size = [sample](Expr e) { return std::abs(e.samples()[sample]); };
   const double pivot = size(rows[row].at(column));
@@ -74,8 +74,8 @@ PivotChoice choose_pivot(const SparseRows& rows, const SampleNumbers& at, Unsoun
   return best.row >= 0 ? best : largest;
 }
 
-/// The largest |a| / |b| over the sample points, except where it is not finite: where the order of
-/// the pivots fails, the monitors shall refuse it.
+/// Returns the largest |a| / |b| at these samples, ignoring those where it is not finite. There the
+/// order of pivots fails, and monitors shall refuse it.
 double max_ratio(Expr a, Expr b, const SampleNumbers& at) {
   const auto& x = Graph::current().samples(a.id());
   const auto& y = Graph::current().samples(b.id());
@@ -86,11 +86,11 @@ double max_ratio(Expr a, Expr b, const SampleNumbers& at) {
   return largest;
 }
 
-/// The share of the samples that a pivot has to serve. Where even the best does not, parts of the
-/// type point different ways; a single sample is left to the monitors.
+/// Smallest RelativeSize::share of a pivot. Below it, parts of the type point in different
+/// directions, and an adjugate takes over; few failing samples are left to the monitors.
 constexpr double min_share = 0.9;
 
-/// An elimination, and what is left of its rows, before its first pivot that is not sound.
+/// An elimination and its remaining rows, before the first unsound pivot an adjugate can avoid.
 struct Mark {
   SparseRows rows;
   Elimination elimination;
@@ -103,7 +103,7 @@ std::vector<int> columns_of(const SparseRows& rows) {
   return {columns.begin(), columns.end()};
 }
 
-/// Factors by which a ratio may exceed its worst sample before the pivot is distrusted.
+/// Factors, about, by which a ratio may exceed 1 + its largest sample before its pivot is refused.
 constexpr double magnification_allowed = 1e3, cancellation_allowed = 1e6;
 
 /// Returns the power of two at or below allowed (1 + largest), a bound far from all samples. So the
@@ -201,7 +201,7 @@ void Elimination::solve_last_by_adjugate(const SparseRows& rows) {
         {what, {}, {{against, 1 / bound(cancellation_allowed, max_ratio(against, what, at_))}}});
   };
   add_monitors(last_->inverse.determinant(), last_->inverse.magnitude());
-  // Compares the rest of a column with the entries that it was eliminated with.
+  // Compares what is left of a column with its entries in earlier pivot rows.
   for (std::size_t k = 0; k < last_->columns.size(); ++k) {
     Expr size = 0, before = 0;
     for (const std::vector<Expr>& row : matrix) size = size + abs(row[k]);

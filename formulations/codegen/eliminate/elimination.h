@@ -23,25 +23,26 @@ struct PivotMonitor {
   };
   Expr pivot;
   std::vector<Bound> magnified;  ///< |value| < bound; value: multiplier of a remaining row
-  std::vector<Bound> against;    ///< |pivot| > bound · |value|; value: earlier row's column entry
+  std::vector<Bound> against;    ///< |pivot| > bound · |value|; value: entry of its column that is
+                                 ///< in an earlier pivot row
 };
 
 /// Numbers of sample points of the current graph.
 using SampleNumbers = std::vector<std::size_t>;
 
-/// Choice of a pivot where none is large enough at every sample point.
+/// Choice of a pivot where none is large enough, compared with its column, at every sample point.
 enum class Unsound {
-  has_largest_worst,  ///< the one that is largest where it is worst
-  serves_most,        ///< the one large enough at the most points: at a singular one all are small
+  has_largest_worst,  ///< the one whose smallest relative size is largest
+  serves_most,        ///< the one that is large enough at the most sample points
 };
 
 /// A sparse Gaussian elimination of Φ_φ (Jacobian by the part's unknowns), recorded once with a
 /// fixed pivot order.
 ///
-/// Constant pivots come first, then pivots of least fill (Markowitz). A pivot must be large enough,
-/// compared with the largest entry of its column, at every sample point asked for. If the last two
-/// or three rows have no pivot that serves most samples, they are solved by their adjugate: parts
-/// of one type may be oriented differently.
+/// Constant pivots come first, then pivots of least fill (Markowitz). A pivot is sound when it is
+/// large enough, compared with its column, at every given sample point. Where there is none,
+/// `Unsound` tells which is taken. If the last two or three rows have no pivot that serves most
+/// samples, they are solved by their adjugate: parts of one type may be oriented differently.
 class Elimination {
  public:
   /// Records the elimination. Throws std::invalid_argument when the matrix is structurally
@@ -50,7 +51,8 @@ class Elimination {
   /// Records it with pivots chosen at these sample points alone.
   Elimination(SparseRows matrix, SampleNumbers at, Unsound unsound);
 
-  /// Returns whether a pivot is too small at a sample point, compared with its column.
+  /// Returns whether a pivot is too small at a sample point, compared with its column, or the
+  /// determinant of the last rows, compared with its products.
   bool is_poor_at(std::size_t sample) const { return is_poor_[sample]; }
 
   /// Returns x with Φ_φ x = b.
@@ -75,7 +77,7 @@ class Elimination {
   void solve_last_by_adjugate(const SparseRows& rows);
 
   SampleNumbers at_;
-  std::vector<bool> is_poor_;  // by sample point
+  std::vector<bool> is_poor_;  // is_poor_at() of each sample point
   std::vector<Step> steps_;
   std::optional<Last> last_;
   std::vector<PivotMonitor> monitors_;

@@ -7,6 +7,7 @@ namespace desmo::generate {
 
 namespace {
 
+/// Latencies [cycles], rounded.
 constexpr int addition = 3, multiplication = 4, division = 13, root = 20, sine_or_cosine = 40;
 
 void collect(int id, bool subtracted, const IsWhole& is_whole, std::vector<Term>& terms) {
@@ -45,7 +46,8 @@ int ArrivalTimes::of(int id) {
   return found_[id];
 }
 
-/// A multiplication takes an addition with it.
+/// Returns the cycle at which a node is known. The addition of a product takes no further cycle: a
+/// single instruction multiplies and adds.
 int ArrivalTimes::find(const Node& n) {
   const auto operands = [&] { return std::max(of(n.a), n.b < 0 ? 0 : of(n.b)); };
   const auto is_product = [](int id) { return Graph::current().node(id).op == Op::multiply; };
@@ -72,7 +74,7 @@ int ArrivalTimes::find(const Node& n) {
     case Op::magnitude:
       return operands();
     default:
-      return operands() + sine_or_cosine;  // a look-up
+      return operands() + sine_or_cosine;  // a look-up in a table
   }
 }
 

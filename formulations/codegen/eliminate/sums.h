@@ -38,8 +38,8 @@ struct Term {
 };
 
 /// Flattens nested sums, differences and negations into terms. They are ordered by arrival, so
-/// that the sum is complete one operation after its last term. The first two are swapped when only
-/// the first is subtracted.
+/// that early terms are added while late ones are computed. The first two are swapped when only the
+/// first is subtracted.
 std::vector<Term> terms_of(int id, ArrivalTimes& arrival, const IsWhole& is_whole);
 
 /// Flattens nested products into factors, ordered by arrival.

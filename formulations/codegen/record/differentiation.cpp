@@ -6,9 +6,10 @@ namespace desmo::generate {
 
 namespace {
 
-/// Linear and QuadraticTerm each compute one quantity of every node that is asked for, once. A
-/// second derivative is Linear in the second derivatives of inputs, plus twice QuadraticTerm; the
-/// factor stays outside, so that it is multiplied once.
+/// The part of a derivative that is linear in given derivatives of the inputs (absent: zero): all
+/// of a first derivative. A second derivative is Linear of the inputs' second derivatives, plus
+/// twice QuadraticTerm of their first ones. The factor 2 is multiplied once, after all sums. Both
+/// classes compute each node once.
 class Linear {
  public:
   explicit Linear(const std::map<int, Expr>& of_input) : of_input_(of_input) {}
@@ -54,6 +55,7 @@ class Linear {
   std::map<int, Expr> done_;
 };
 
+/// Half of the part of a second derivative that is quadratic in first derivatives of the inputs.
 class QuadraticTerm {
  public:
   explicit QuadraticTerm(const std::map<int, Expr>& first_of_input) : first_(first_of_input) {}

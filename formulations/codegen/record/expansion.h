@@ -36,7 +36,7 @@ struct Trigonometric {
   Expr cosine, sine, rest;
 };
 
-/// Returns e in this form, or nullopt when it does not have it.
+/// Returns e as a Trigonometric; nullopt when it is not recorded in that form.
 std::optional<Trigonometric> expand_angle(Expr e, Expr theta);
 
 }  // namespace desmo::generate

@@ -59,7 +59,8 @@ double apply(Op op, double a, double b) {
   throw std::logic_error("not an operation");
 }
 
-/// Multiplication by it is exact.
+/// Returns whether |value| is a power of two. Multiplication by it is exact, except for underflow
+/// and overflow.
 bool is_power_of_two(double value) {
   int exponent;
   return std::abs(std::frexp(value, &exponent)) == 0.5;

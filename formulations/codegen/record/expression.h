@@ -21,7 +21,7 @@ enum class Op {
   cosine,
   square_root,
   magnitude,  ///< |a|
-  table_0,  ///< Taylor's coefficient 0 of the table that begins with input b, at a; then the others
+  table_0,    ///< Taylor's coefficient 0, at a, of the table that begins at input b; then 1, 2, 3
   table_1,
   table_2,
   table_3,
@@ -38,12 +38,12 @@ struct Node {
   int a = -1, b = -1;  ///< operands; -1: none
   double value = 0;    ///< value of a constant
   std::string name;    ///< C++ text of an input
-  bool moves = false;  ///< depends on positions or rates, not on dimensions alone
+  bool moves = false;  ///< depends on an input other than a dimension: a position, rate, weight, …
 };
 
-/// The graph that recording scalars (Expr) write. Equal expressions share one node, and constants
-/// are folded. Each node carries its value at every sample point. An elimination judges the sizes
-/// of its pivots by these values.
+/// The graph that recording scalars (Expr) write. Equal operations on the same operands share one
+/// node, and operations on constants are folded. Each node carries its value at every sample point.
+/// An elimination judges the sizes of its pivots by these values.
 class Graph {
  public:
   /// Makes this the current graph until it is destroyed. samples: number of sample points. Throws
@@ -68,7 +68,8 @@ class Graph {
   const std::vector<double>& samples(int id) const { return samples_[id]; }
   /// Returns whether the expression is the constant `value`.
   bool is(int id, double value) const;
-  /// Returns the constant factor of a product as recorded, ignoring a sign; 1 when it has none.
+  /// Returns the constant operand of a product, without negations of the product; 1 when neither
+  /// operand is constant.
   double factor(int id) const;
 
  private:
@@ -118,7 +119,7 @@ class Expr {
   friend Expr table_coefficient(const Expr* table, const Expr& x) {
     return table_at(k, table[0], x);
   }
-  /// Returns coefficient k at x of a table that begins with an input; 0 above the third.
+  /// Returns coefficient k, at x, of the table that begins at the input `table`; 0 for k > 3.
   static Expr table_at(int k, Expr table, Expr x) {
     if (k > 3) return 0;
     return binary(static_cast<Op>(static_cast<int>(Op::table_0) + k), x, table);
@@ -141,15 +142,14 @@ Expr weight_input(std::string name);
 /// Adds expressions to the end of a list.
 void append(std::vector<Expr>& all, const std::vector<Expr>& more);
 
-/// Returns the positions and rates that an expression reads (not its dimensions), ascending by
-/// node.
+/// Returns the inputs that an expression reads, without dimensions, ascending by node.
 std::vector<Expr> moving_inputs(Expr e);
 
-/// Returns whether an expression contains one of these nodes, which must depend on positions or
-/// rates.
+/// Returns whether an expression contains one of these nodes, which must move (Node::moves).
 bool reads(Expr e, const std::vector<Expr>& nodes);
 
-/// Returns the expression with some inputs replaced. by_input: replacement by node of the input.
+/// Returns the expression with some inputs replaced. by_input: the replacement for each node of an
+/// input.
 Expr substitute(Expr e, const std::map<int, Expr>& by_input);
 
 }  // namespace desmo::generate

@@ -66,7 +66,7 @@ RecordedPart record(const PartType& type, const std::vector<SamplePoint>& sample
   for (std::size_t i = 0; i < type.constants.size(); ++i) {
     std::vector<double> values;
     for (const SamplePoint& s : samples) values.push_back(s.constants[i]);
-    // A zero belongs to the type (see describe_type).
+    // All parts of a type have the same zero dimensions (see PartType).
     constants.push_back(
         type.constants[i] == 0 && !in_table[i]
             ? Expr(0)

@@ -21,9 +21,9 @@ struct RecordedPart {
   std::vector<Expr> phi;         ///< Φ
   std::vector<Expr> gamma;       ///< Φ̇_q q̇
   /// Entries of Φ_q by inputs that are not fixed:
-  /// - constant: depend on dimensions alone
-  /// - dependent: the others, by unknowns
-  /// - known: the others, by known inputs
+  /// - constant: entries that depend on dimensions alone
+  /// - dependent: all other entries by unknowns
+  /// - known: all other entries by known inputs
   std::vector<RecordedEntry> constant, dependent, known;
 };
 
@@ -56,18 +56,19 @@ struct SampledType {
   std::string name;  ///< namespace of its generated code
   PartType type;
   std::vector<SamplePoint> samples;  ///< sample points for explicit orders
-  /// A subset at which pivots are chosen first: that takes longer, and they are monitored at run
-  /// time. Where they are poor at other sample points, further orders follow.
+  /// Some of the samples, at which the first order of pivots is chosen. Few suffice, because the
+  /// kernel monitors its pivots. Where they are too small at other samples, further orders follow.
   std::vector<SamplePoint> pivot_samples;
-  /// The kernel has no further orders of pivots: what the first refuses is left to pivoting.
+  /// Whether the kernel has only the first order of pivots. Its caller solves by pivoting what that
+  /// order refuses.
   bool has_one_order = false;
 };
 
 /// Adds the type of a part to `found` unless it is there, and adds sample points to it. A new type
 /// has no name yet. Returns the type; the reference is valid until more types are added.
 /// - part: lies within one group.
-/// - states: states of the model (q, then the fixed values); each becomes a sample point, and about
-///   twelve of them become pivot samples.
+/// - states: states of the model (q, then the fixed values). Each becomes a sample point; at most
+///   twenty of them, evenly spaced, become pivot samples (twelve of `sample_count` states).
 SampledType& add_part(const Model& model, const PartDefinition& part,
                       std::span<const std::vector<double>> states, std::vector<SampledType>& found);
 
