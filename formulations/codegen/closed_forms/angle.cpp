@@ -3,8 +3,8 @@
 
 namespace desmo::generate {
 
-/// Solves a cos θ + b sin θ = 0, which two angles half a turn apart fulfil. Takes the angle where
-/// the derivative of the left side by θ keeps its sign.
+/// Solves a cos θ + b sin θ = 0, which two angles half a turn apart fulfil. The branch is the sign
+/// of the left side's derivative by θ.
 std::optional<ClosedForm> solve_angle(const Task& task) {
   if (task.x.size() != 1) return std::nullopt;
   const Expr theta = task.x[0];

@@ -5,13 +5,14 @@ namespace desmo::generate {
 
 namespace {
 
-/// An equation scale (s dᵢ − w) = 0, where s and dᵢ are unknowns.
+/// An equation scale (s dᵢ − w) = 0, where s and dᵢ are unknowns. row: its index in the task.
+/// direction, length: indices of dᵢ and s.
 struct Along {
   int row, direction, length;
   Expr w, scale;
 };
 
-/// The unknown that this is, and nothing else.
+/// Returns the index of the unknown that an expression equals; nullopt when it is anything else.
 std::optional<int> as_unknown(const Affine& a) {
   std::optional<int> found;
   for (std::size_t i = 0; i < a.coefficient.size(); ++i) {
@@ -22,8 +23,8 @@ std::optional<int> as_unknown(const Affine& a) {
   return a.constant.is_zero() ? found : std::nullopt;
 }
 
-/// An equation with a single product, of two of the unknowns. Which of them is the length, other
-/// equations tell.
+/// Returns an equation whose only product is of two unknowns; nullopt for any other equation. Which
+/// of them is the length is decided by agree_on_length().
 std::optional<Along> as_along(const Quadratic& q, int row) {
   if (q.products.size() != 1 || !q.rest.is_constant()) return std::nullopt;
   const Quadratic::Product& p = q.products[0];
@@ -32,7 +33,7 @@ std::optional<Along> as_along(const Quadratic& q, int row) {
   return Along{row, *i, *j, -q.rest.constant / p.scale, p.scale};
 }
 
-/// ρ² of Σ dᵢ² = ρ², each of these unknowns once and no other.
+/// Returns ρ² of the equation Σ dᵢ² = ρ² over the directions dᵢ; nullopt for any other equation.
 std::optional<Expr> as_radius2(const Quadratic& q, const std::vector<Along>& along) {
   if (q.products.size() != along.size() || !q.rest.is_constant()) return std::nullopt;
   std::vector<int> seen(q.rest.coefficient.size(), 0);
@@ -46,7 +47,7 @@ std::optional<Expr> as_radius2(const Quadratic& q, const std::vector<Along>& alo
   return -q.rest.constant;
 }
 
-/// Makes the unknown that all the products share the length of each.
+/// Makes the unknown that all products share the length of each. Returns whether there is one.
 bool agree_on_length(std::vector<Along>& along) {
   int s = along[0].length;
   for (const Along& a : along)
@@ -58,10 +59,10 @@ bool agree_on_length(std::vector<Along>& along) {
   return true;
 }
 
-/// w = s d, ‖d‖ = ρ
+/// The equations w = s d and ‖d‖ = ρ, for a length s and a direction d.
 struct DirectionAndLength {
   std::vector<Along> along;
-  int unit_row;
+  int unit_row;  ///< index of ‖d‖² = ρ²
   Expr radius2;  ///< ρ²
 };
 
@@ -90,7 +91,7 @@ std::optional<DirectionAndLength> recognise(const Task& task) {
 
 }  // namespace
 
-/// w = s d with d of constant length: a line's length and direction.
+/// Solves w = s d and ‖d‖ = ρ for s and d: a line's length and direction.
 std::optional<ClosedForm> solve_direction_and_length(const Task& task) {
   const std::optional<DirectionAndLength> found = recognise(task);
   if (!found) return std::nullopt;

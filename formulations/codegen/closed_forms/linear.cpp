@@ -8,8 +8,8 @@ namespace desmo::generate {
 
 namespace {
 
-/// Refuses the division where the equation hardly depends on x any more: compares the derivative
-/// by x, the pivot, with the other derivatives.
+/// Returns a monitor that refuses the division where the equation hardly depends on x. It compares
+/// the derivative by x, the pivot, with the sum of the other derivatives' absolute values.
 SizeMonitor pivot_size(Expr equation, Expr x, Expr pivot) {
   Expr others = 0;
   for (const Expr input : moving_inputs(equation))
@@ -19,7 +19,7 @@ SizeMonitor pivot_size(Expr equation, Expr x, Expr pivot) {
 
 }  // namespace
 
-/// Equations linear in their unknowns: one by a division, several by a small elimination.
+/// Solves equations that are linear in their unknowns: one by a division, several by elimination.
 std::optional<ClosedForm> solve_linear(const Task& task) {
   const std::size_t n = task.x.size();
   std::vector<std::map<int, Expr>> matrix(n);
@@ -57,7 +57,7 @@ std::optional<ClosedForm> solve_linear(const Task& task) {
     rates_by_equations(form, task.equations,
                        [elimination](const std::vector<Expr>& b) { return elimination.solve(b); });
   } catch (const std::invalid_argument&) {
-    return std::nullopt;  // structurally singular: not for these unknowns
+    return std::nullopt;  // structurally singular
   }
   return form;
 }

@@ -10,7 +10,7 @@ namespace desmo::generate {
 
 namespace {
 
-/// a·a, from what is known of it or of its terms.
+/// Returns a·a, with what is known of it or of its terms.
 Expr square(const Vector& a, const Facts& facts) {
   const Expr whole = dot(a, a), known = facts.value(whole);
   if (known.id() != whole.id()) return known;
@@ -20,16 +20,16 @@ Expr square(const Vector& a, const Facts& facts) {
 }
 
 /// Terms that position and rates share. The foot p is the point nearest to the centre that is in
-/// all planes; the solution is beyond it, along all planes.
+/// all planes. The line through p, parallel to all planes, meets the sphere at the solution x.
 struct Geometry {
   SphereAndPlanes given;
   Vector y;                     ///< x − centre
-  Vector outward;               ///< w, along all planes
-  Expr aa = 1, ab = 0, bb = 1;  ///< products of the normals
+  Vector outward;               ///< w, direction of that line
+  Expr aa = 1, ab = 0, bb = 1;  ///< a·a, a·b and b·b of two normals a and b
   Expr w2 = 1;                  ///< W = ‖w‖²
-  Vector in_planes;             ///< components of p − centre along the normals, times W
+  Vector in_planes;             ///< coefficients of the normals in (p − centre) W
   Expr foot2 = 0;               ///< ‖p − centre‖² W
-  bool through_centre = true;   ///< all planes are: p = centre
+  bool through_centre = true;   ///< all planes contain the centre: p = centre
 
   Geometry(SphereAndPlanes found, const Task& task) : given(std::move(found)) {
     for (std::size_t i = 0; i < task.x.size(); ++i) y.push_back(task.x[i] - given.sphere.centre[i]);
@@ -74,7 +74,7 @@ struct RateSystem {
 
   Vector solve(const Vector& b) const {
     const std::vector<Plane>& planes = g.given.planes;
-    Vector along;  // components of the solution along the normals
+    Vector along;  // coefficients of the normals in the solution
     Expr rest = b[g.given.sphere_row] / (2 * g.given.sphere.scale);
     if (planes.size() == 1) {
       const Expr r = planes[0].right_side(b);
@@ -105,8 +105,8 @@ std::string name(const Geometry& g) {
   return g.through_centre ? "normal of two" : "sphere and planes";
 }
 
-/// Returns monitors of nearly parallel planes, and of a sphere that hardly reaches the line that
-/// they leave.
+/// Returns monitors that refuse nearly parallel planes, and a sphere that hardly reaches their
+/// common line.
 std::vector<SizeMonitor> monitors(const Geometry& g, Expr discriminant) {
   std::vector<SizeMonitor> result;
   const Expr radius2 = g.given.sphere.radius2;
@@ -138,10 +138,10 @@ std::optional<ClosedForm> solve_sphere(const Task& task) {
   form.roots.push_back({branch, pivot});
 
   const Expr discriminant = radius2 * g.w2 - g.foot2;  // ‖x − p‖² W
-  // Two divisions: W is known early, and what follows the position would wait for one of both.
+  // W is known early. A single division for both reciprocals would wait for the discriminant.
   RateSystem rates{g, Expr(1) / g.w2, {}, {}};
   rates.inverse_off_foot2 = g.through_centre ? Expr(1) / radius2 : g.w2 / discriminant;
-  const Expr height = branch * (sqrt(discriminant) * rates.inverse);  // times w: x − p
+  const Expr height = branch * (sqrt(discriminant) * rates.inverse);  // x − p = height w
   for (std::size_t i = 0; i < g.y.size(); ++i) {
     Expr foot = centre[i];
     for (std::size_t k = 0; k < g.given.planes.size(); ++k)

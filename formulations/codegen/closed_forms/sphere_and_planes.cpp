@@ -10,7 +10,8 @@ namespace desmo::generate {
 
 namespace {
 
-/// A sum of squares, each along one axis and all of one scale.
+/// Returns the sphere of an equation with one square along each axis, all of one scale. Returns
+/// nullopt for any other equation.
 std::optional<Sphere> as_sphere(const Quadratic& q, std::size_t n) {
   if (!q.rest.is_constant()) return std::nullopt;
   Sphere s{Vector(n), 0, 0};

@@ -20,11 +20,11 @@ struct Sphere {
   Expr radius2, scale;
 };
 
-/// The equation normal · (x − centre) = offset, where centre is the sphere's.
+/// The equation normal · (x − centre) = offset, where centre is that of SphereAndPlanes::sphere.
 struct Plane {
   Vector normal;
   Expr offset;
-  /// Returns the right-hand side of the plane's equation, given b of the task's equations.
+  /// Returns r of normal · ẋ = r, given the right-hand sides b of the task's equations J ẋ = b.
   std::function<Expr(const Vector& b)> right_side;
 };
 
@@ -32,7 +32,7 @@ struct Plane {
 /// plane of its intersection with the first.
 struct SphereAndPlanes {
   Sphere sphere;
-  int sphere_row;  ///< equation of the sphere
+  int sphere_row;  ///< index of the sphere's equation in the task
   std::vector<Plane> planes;
   std::vector<Expr> further_radii2;  ///< squared radii of the further spheres
 };

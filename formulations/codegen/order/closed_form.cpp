@@ -8,7 +8,7 @@ namespace desmo::generate {
 
 namespace {
 
-/// The values if its only branch were another.
+/// Returns the values of a form with one root, with its branch replaced by another one.
 std::vector<Expr> values_on(const ClosedForm& form, Expr branch) {
   std::vector<Expr> result;
   for (const Expr v : form.values)

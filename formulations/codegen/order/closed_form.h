@@ -12,10 +12,10 @@
 
 namespace desmo::generate {
 
-/// A square root in a closed form. Its sign, the assembly branch, is kept from step to step.
+/// A choice between two solutions, such as the sign of a square root. It is kept from step to step.
 struct Root {
-  Expr branch;  ///< input: +1 or −1, the sign of pivot at an earlier position
-  Expr pivot;
+  Expr branch;  ///< input: −1 when pivot < 0 at an earlier position, else +1
+  Expr pivot;   ///< expression whose sign differs between the two solutions
 };
 
 /// A condition for trusting a closed form at run time: value > bound · against.
@@ -25,7 +25,7 @@ struct SizeMonitor {
   Expr against;
 };
 
-/// All conditions for trusting a closed form, or the linear system of a core.
+/// All conditions for trusting a closed form, or the linear system of a core (see OrderSection).
 struct Monitors {
   std::vector<SizeMonitor> sizes;
   std::vector<PivotMonitor> pivots;
@@ -35,8 +35,9 @@ struct Monitors {
 struct ClosedForm {
   std::string rule;  ///< name for comments and reports: "two circles"
 
-  std::vector<Expr> values;  ///< positions of the unknowns; empty for an angle, see `bearing`
-  /// A vector (x, y) along (cos θ, sin θ). The angle θ is atan2(y, x), unwrapped to its last value.
+  std::vector<Expr> values;  ///< positions of the unknowns; empty when `bearing` is set
+  /// A vector (x, y) along (cos θ, sin θ) of the only unknown θ. The angle θ is atan2(y, x), plus
+  /// the whole turns that bring it nearest to its last value.
   struct Bearing {
     Expr x, y;
   };
@@ -44,8 +45,8 @@ struct ClosedForm {
 
   std::vector<Root> roots;
   Monitors monitors;
-  int cost = 0;  ///< about two per square root or division
-  /// Expressions that the values simplify, with their values, such as the square of a square root.
+  int cost = 0;  ///< relative run time: about two for a square root or a division
+  /// Pairs of an expression and its known value, such as the square of a square root.
   std::vector<std::pair<Expr, Expr>> consequences;
 
   /// Returns the velocities or the accelerations of the unknowns. In its argument, the unknowns'
@@ -84,8 +85,8 @@ std::optional<ClosedForm> solve_angle(const Task& task);
 /// Solves a task by the first rule that applies; nullopt when none does.
 std::optional<ClosedForm> solve_closed(const Task& task);
 
-/// Sets form.rates by J ẋ = −Φ̇ and J ẍ = −Φ̈. Φ̇ and Φ̈ are the total derivatives in which ẋ, or ẍ,
-/// is set to zero. solve: returns x with J x = b.
+/// Sets form.rates by J ẋ = −Φ̇ and J ẍ = −Φ̈, where J = ∂Φ/∂x. Φ̇ and Φ̈ are the total derivatives
+/// in which ẋ, or ẍ, is set to zero. solve: returns x with J x = b.
 void rates_by_equations(ClosedForm& form, std::vector<Expr> equations,
                         std::function<std::vector<Expr>(const std::vector<Expr>& b)> solve);
 
@@ -93,7 +94,8 @@ void rates_by_equations(ClosedForm& form, std::vector<Expr> equations,
 /// rates are those of atan2(y, x).
 ClosedForm angle_by_bearing(std::string rule, ClosedForm::Bearing bearing, Expr radius2);
 
-/// Adds an input ±1 for the sign of a root's pivot; at each sample point it has the pivot's sign.
+/// Adds an input for the branch of a root and returns it. At each sample point it is −1 where the
+/// pivot is negative, else +1.
 Expr branch_of(Expr pivot);
 
 /// Returns `form` written as +x or −x, with its rates, where x are the unknowns of an earlier

@@ -12,6 +12,7 @@ namespace desmo::generate {
 
 namespace {
 
+/// A closed form with its unknowns' positions.
 struct Solved {
   ClosedForm form;
   std::vector<Expr> x;
@@ -49,7 +50,8 @@ class OrderMaker {
     for (Definition& d : angles) order_.push_back({{}, {std::move(d)}, {}, {}, {}});
   }
 
-  /// Equations of earlier definitions hold when later ones are evaluated, in a core as well.
+  /// Solves each placed set again, with the facts that earlier definitions imply. Their equations
+  /// hold when later definitions are evaluated, in a core as well.
   void solve_knowing_more(const Block& block, TornOrder& torn) {
     for (PlacedForm& p : torn.placed) {
       Task task{{}, {}, facts_};
@@ -62,7 +64,7 @@ class OrderMaker {
     }
   }
 
-  /// Returns a form by an earlier one where both differ by their sign alone; else itself.
+  /// Returns the form in terms of an earlier one that equals it up to sign; else the form itself.
   ClosedForm by_earlier(ClosedForm form) const {
     for (const Solved& earlier : solved_)
       if (auto opposite = as_earlier_or_opposite(form, earlier.form, earlier.x)) return *opposite;
@@ -114,7 +116,7 @@ class OrderMaker {
   const PartType& type_;
   const RecordedPart& part_;
   Facts facts_;
-  std::vector<Solved> solved_;  // in closed form, in order
+  std::vector<Solved> solved_;  // closed forms of earlier definitions, in order
   std::vector<OrderSection> order_;
 };
 

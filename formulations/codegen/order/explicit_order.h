@@ -11,7 +11,7 @@ namespace desmo::generate {
 // An *explicit order* computes a part's unknowns one after the other in closed form. Where needed,
 // some unknowns are *torn*: assumed, then corrected by Newton–Raphson.
 
-/// The definition of one or a few unknowns in closed form by earlier ones.
+/// The definition of one or a few unknowns in closed form, in terms of earlier ones.
 struct Definition {
   ClosedForm form;
   std::vector<int> unknowns;         ///< inputs of the part
@@ -24,12 +24,13 @@ struct OrderSection {
   std::vector<int> torn;  ///< inputs of the part; empty: not a core
   std::vector<Definition> definitions;
   std::vector<Expr> residuals;
-  std::vector<std::vector<int>> residual_rows;  ///< equations that each residual is made of
+  std::vector<std::vector<int>> residual_rows;  ///< rows of the equations each residual is made of
   std::vector<std::string> residual_names;
 };
 
 /// Returns the explicit order of a part: its irreducible blocks in solution order, each in closed
-/// form or torn to a small core.
+/// form or with a core. Throws std::invalid_argument when the equations are structurally singular,
+/// or when a block has more than Tearing::max_unknowns unknowns.
 std::vector<OrderSection> explicit_order(const PartType& type, const RecordedPart& part);
 
 /// Returns the names of inputs as a list: "C.x, C.y".

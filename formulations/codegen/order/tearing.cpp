@@ -13,11 +13,13 @@ namespace desmo::generate {
 
 namespace {
 
-/// Least quality of a closed form: one below is singular not far from where it was sampled.
+/// Smallest quality of a closed form, unless it solves a whole block. One below is singular not far
+/// from where it was sampled.
 constexpr double min_quality = 0.03;
-/// Quality from which on one closed form is as good as another.
+/// Quality above which closed forms count as equally good.
 constexpr double good_quality = 0.25;
 
+/// Limits: equations solved together; torn unknowns, and sets of them, in an exhaustive search.
 constexpr std::size_t max_set = 4, max_torn = 3, max_combinations = 3000;
 
 std::vector<int> members(const auto& set, std::size_t n) {
@@ -27,7 +29,7 @@ std::vector<int> members(const auto& set, std::size_t n) {
   return result;
 }
 
-/// Smaller is better.
+/// Returns a rank of orders: the smaller, the better.
 auto rank(const TornOrder& t) {
   return std::tuple(t.unplaced, -std::min(t.quality, good_quality), t.cost, -t.quality);
 }
@@ -52,7 +54,7 @@ Tearing::Tearing(std::vector<Expr> equations, std::vector<Expr> unknowns, const 
     }
 }
 
-/// Returns the closed form for a set, if a rule applies. Both lists are ascending and of one size.
+/// Returns the outcome of solving equations for as many unknowns. Both lists are ascending.
 const Tearing::Match& Tearing::match(const std::vector<int>& unknowns,
                                      const std::vector<int>& equations) {
   const auto [it, is_new] = matches_.try_emplace({unknowns, equations});
@@ -87,7 +89,8 @@ double Tearing::quality(const std::vector<int>& unknowns, const std::vector<int>
   return worst;
 }
 
-/// Adds equations after the last until the set has as many unknowns as equations.
+/// Adds equations to a set, ascending, until it has `size` of them, for as many unknowns. Places
+/// their closed form if there is a good one, else goes on searching. Returns whether it placed one.
 bool Tearing::extend(Walk& w, TornOrder& order, std::vector<int>& equations, const Set& unknowns,
                      std::size_t size) {
   if (equations.size() == size) {
@@ -165,7 +168,8 @@ TornOrder Tearing::greedy() {
     }
     order = std::move(*best);
   }
-  for (std::size_t k = 0; k < order.torn.size();) {  // those that later ones made superfluous
+  // Removes torn unknowns that later ones made superfluous.
+  for (std::size_t k = 0; k < order.torn.size();) {
     std::vector<int> torn = order.torn;
     torn.erase(torn.begin() + static_cast<std::ptrdiff_t>(k));
     TornOrder fewer = walk(torn);

@@ -27,9 +27,10 @@ struct TornOrder {
 };
 
 /// A search for explicit orders of n equations for n unknowns. Up to four equations are solved
-/// together, provided that a rule applies and their quality is not small. The *quality* of
-/// equations that are solved together is their distance from singularity: the smallest |det ∂Φ/∂x|
-/// over the sample points, of equations with gradients of unit length.
+/// together, provided that a rule applies and their quality is ≥ 0.03; for all n equations, > 0 is
+/// enough. The *quality* of equations that are solved together for unknowns x is their distance
+/// from singularity. It is the smallest |det ∂Φ/∂x| over the sample points, of equations whose
+/// gradients by the n unknowns have length 1.
 class Tearing {
  public:
   /// Differentiates the equations by the unknowns. facts must outlive the object. Throws
@@ -37,8 +38,8 @@ class Tearing {
   Tearing(std::vector<Expr> equations, std::vector<Expr> unknowns, const Facts& facts);
 
   /// Returns the best order found, with few torn unknowns. Sets of up to three are searched
-  /// exhaustively unless there are too many; beyond that, a greedy search tears the unknown that
-  /// helps most.
+  /// exhaustively unless there are too many. Otherwise a greedy search tears, one after the other,
+  /// the unknown that helps most.
   TornOrder best();
 
   static constexpr std::size_t max_unknowns = 256;
@@ -47,7 +48,7 @@ class Tearing {
   using Set = std::bitset<max_unknowns>;
   struct Walk {
     Set open;                // unknowns not yet placed
-    std::vector<bool> used;  // by equation
+    std::vector<bool> used;  // whether each equation is in a closed form
     std::vector<Set> reads;  // open unknowns that each equation reads
   };
 
@@ -70,7 +71,8 @@ class Tearing {
   const Facts& facts_;
   std::vector<std::map<int, std::vector<double>>> slopes_;  // ∂equation/∂unknown at each sample
   std::vector<Set> reads_;                                  // unknowns that each equation reads
-  std::map<std::pair<std::vector<int>, std::vector<int>>, Match> matches_;  // found so far
+  // Matches found so far, by unknowns and equations.
+  std::map<std::pair<std::vector<int>, std::vector<int>>, Match> matches_;
 };
 
 }  // namespace desmo::generate

@@ -8,7 +8,7 @@
 
 namespace desmo::generate {
 
-/// An equation, with the rows of the part that it follows from.
+/// An equation, with the rows of the part's equations that it follows from.
 struct EquationOfRows {
   Expr equation;
   std::vector<int> rows;
