@@ -1,7 +1,8 @@
 // desmo_generate FOLDER natural: writes the kernels of every type of group and block, as three C++
 // files for each set of mechanisms (see kernel_sets.h): FOLDER/cases_kernels.cpp,
 // cases_explicit_kernels.cpp, cases_lane_kernels.cpp, and library_… likewise.
-// desmo_generate FOLDER others: of the cases in other coordinates the first two, coordinates_….
+// desmo_generate FOLDER others: writes the first two of these files for the cases in other
+// coordinates, coordinates_kernels.cpp and coordinates_explicit_kernels.cpp.
 
 #include <algorithm>
 #include <cctype>
@@ -28,7 +29,8 @@ namespace desmo::generate {
 
 namespace {
 
-/// A namespace for the type of a group, the last of those found, different from the others.
+/// Returns a namespace for the last type found, after its model and group. A number follows where
+/// another type has that name.
 std::string kernel_name(const Model& m, const std::string& group,
                         const std::vector<SampledType>& found) {
   const std::size_t slash = group.rfind('/');
@@ -54,7 +56,7 @@ void collect(const Model& m, const Scene& scene, std::vector<SampledType>& found
     }
 }
 
-/// Adds what a scene asks for.
+/// Adds the types of a scene's model, reduced to what the scene asks for.
 void collect(const Scene& scene, std::vector<SampledType>& found) {
   const Model whole = make_model(scene);
   collect(make_plan(whole, outputs_of(scene, whole)).model, scene, found);
@@ -62,8 +64,8 @@ void collect(const Scene& scene, std::vector<SampledType>& found) {
 
 /// A file of kernels of one kind, which is a member of KernelLibrary.
 struct KernelFile {
-  const char* kind;     ///< "lane_kernels": that member, and the end of names
-  const char* headers;  ///< that its kernels need, as C++
+  const char* kind;     ///< name of that member, and end of the file's name: "lane_kernels"
+  const char* headers;  ///< includes that its kernels need, as C++
   const char* row;      ///< type of the rows of its table
   const char* lanes;    ///< parameter of the function that returns them
   void (*write_kernel)(std::ostream&, const SampledType&);
@@ -122,7 +124,7 @@ bool write_natural(const std::string& folder) {
   for (const Case& c : cases()) collect(c.with_units(2), types);
   for (const RequestScene& r : request_scenes())
     collect(parse_scene(r.scene, std::string(r.name), {}), types);
-  // Types of the cases are timed against the paper's algorithm: one order, and pivoting.
+  // Types of the cases are timed against the paper's algorithm, so they have one order of pivots.
   for (SampledType& type : types) type.has_one_order = true;
   const std::size_t of_cases = types.size();
   for (const LibraryMechanism& l : library())
@@ -132,7 +134,7 @@ bool write_natural(const std::string& folder) {
          write_set(folder, "library", all.subspan(of_cases));
 }
 
-/// Writes those of the cases in other coordinates, one value at a time.
+/// Writes the scalar kernels of the cases in other coordinates.
 bool write_others(const std::string& folder) {
   std::vector<SampledType> types;
   for (const Case& c : cases())

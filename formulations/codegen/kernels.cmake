@@ -22,8 +22,8 @@ if(DESMO_HAS_X86_64_V3 AND DESMO_HAS_X86_64_V4 AND NOT DESMO_SANITIZE)
   add_compile_definitions(DESMO_WIDE_LANES)
 endif()
 
-# Straight-line code: nobody asks errno after a square root, traps after a comparison, or for pairs
-# of neighbouring operations where the registers are full. Results stay those of IEEE arithmetic.
+# Options for straight-line code: no errno after a square root, no traps, and no pairing of
+# neighbouring operations, as registers are full. Results stay those of IEEE arithmetic.
 set(straight_line -fno-math-errno -fno-trapping-math -fno-tree-slp-vectorize)
 
 # desmo_kernel_set(SET): the library of a set's kernels, for registers of 256 bits and, where there
@@ -34,28 +34,28 @@ function(desmo_kernel_set set)
   set_source_files_properties(${straight} PROPERTIES COMPILE_OPTIONS "${straight_line}")
   desmo_library(${set}_kernels NO_HEADERS FILES ${start}_kernels.cpp ${straight})
   add_dependencies(desmo_${set}_kernels desmo_generated)
-  if(DESMO_SANITIZE)  # a compiler's output: its results are tested, its instructions are not
+  if(DESMO_SANITIZE)  # not for generated code: only its results are tested
     target_compile_options(desmo_${set}_kernels PRIVATE -fno-sanitize=all -Og -g0)
   endif()
   if(NOT wide_lanes)
     return()
   endif()
-  # The same kernels for registers of 512 bits, which not every processor has that everything else
-  # runs on. The linker takes one copy of an inline function: none may be here, which a test holds.
-  # Without a red zone what does not fit into registers has shorter addresses, from multiples of 64
-  # on: a tenth less code.
+  # The same kernels for registers of 512 bits, which some processors lack that run all other code.
+  # The linker keeps one copy of an inline function. None may be compiled here, which a test checks.
+  # Without a red zone, spilled registers have shorter addresses, from multiples of 64 on: a tenth
+  # less code.
   set(wide desmo_wide_${set}_kernels)
   add_library(${wide} OBJECT ${start}_lane_kernels.cpp)
   add_dependencies(${wide} desmo_generated)
   target_compile_definitions(${wide} PRIVATE DESMO_LANES=8)
   target_compile_options(${wide} PRIVATE -march=x86-64-v4 -mno-red-zone -fno-exceptions
-    -Wno-uninitialized -Wno-maybe-uninitialized)  # in intrinsics of GCC 12 that mean it
+    -Wno-uninitialized -Wno-maybe-uninitialized)  # intrinsics of GCC 12 read such values on purpose
   target_sources(desmo_${set}_kernels PRIVATE $<TARGET_OBJECTS:${wide}>)
 endfunction()
 desmo_kernel_set(cases)
 desmo_kernel_set(library)
 
-# The cases in other coordinates, one value at a time: for what compares them.
+# Scalar kernels of the cases in other coordinates, for programs that compare coordinates.
 add_library(desmo_coordinates_kernels STATIC EXCLUDE_FROM_ALL ${other_coordinates})
 set_source_files_properties(${other_coordinates} PROPERTIES COMPILE_OPTIONS "${straight_line}")
 target_link_libraries(desmo_coordinates_kernels PUBLIC desmo_formulations_core)

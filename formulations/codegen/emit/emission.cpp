@@ -6,7 +6,7 @@ namespace desmo::generate {
 
 namespace {
 
-constexpr std::size_t max_inline = 100;  // characters of an expression used once
+constexpr std::size_t max_inline = 100;  // length of an expression without a variable [characters]
 
 void count_uses(int id, std::vector<int>& uses) {
   if (uses[id]++) return;
@@ -23,7 +23,7 @@ bool is_leaf(int id) {
 int precedence(Op op) {
   switch (op) {
     case Op::negate:
-      return 0;  // never bare beside another operator
+      return 0;  // always in parentheses next to another operator
     case Op::add:
     case Op::subtract:
       return 1;
@@ -96,7 +96,7 @@ void Emitter::declare(int id) {
   names_[id] = variable;
 }
 
-/// Terms in the order in which they are known: a − b · c + d.
+/// Returns a sum, its terms ordered by arrival: a − b · c + d.
 std::string Emitter::sum(int id) const {
   std::string result;
   for (const auto& [term, subtracted] : terms_of(id, arrival_, has_name())) {
@@ -106,7 +106,7 @@ std::string Emitter::sum(int id) const {
   return result;
 }
 
-/// In the same way.
+/// Returns a product, its factors ordered by arrival.
 std::string Emitter::product(int id) const {
   std::string result;
   for (const int factor : factors_of(id, arrival_, has_name()))
@@ -114,7 +114,8 @@ std::string Emitter::product(int id) const {
   return result;
 }
 
-/// In parentheses if it binds less tightly than `least`.
+/// Returns an operand's text, in parentheses if it begins with a minus or its operator has a
+/// precedence below `least`.
 std::string Emitter::operand(int id, int least) const {
   const std::string result = text(id);
   const bool closed = names_.contains(id) ||

@@ -22,8 +22,8 @@ struct EmissionStyle {
   bool folds_dimensions = false;
 };
 
-/// A writer of graph expressions as straight-line C++. An expression used more than once becomes a
-/// variable, declared before its first use. The caller declares the inputs.
+/// A writer of graph expressions as straight-line C++. An expression that is long or used more than
+/// once becomes a variable, declared before its first use. The caller declares the inputs.
 class Emitter {
  public:
   /// Counts how often each expression is used. outputs: every expression that will be written.
@@ -34,9 +34,9 @@ class Emitter {
   /// returns their names, so that they can be declared elsewhere.
   void write_to(std::ostream& out, std::string indent, bool declarations_apart = false);
   const std::vector<std::string>& declared() const { return names_apart_; }
-  /// Writes a variable with the value of e. An input of that name then has its arrival.
+  /// Writes a variable with the value of e. An input of that name is then known when e is.
   void define(const std::string& name, Expr e);
-  /// Writes a variable with the value of `text`, known at that cycle (see ArrivalTimes).
+  /// Writes a variable with the value of `text`. known: cycle at which it is known (ArrivalTimes).
   void assign(const std::string& name, const std::string& text, int known);
   /// Sets the text by which an expression, such as an input, is written from now on.
   void name(Expr e, std::string text);
@@ -66,8 +66,8 @@ class Emitter {
   EmissionStyle style_;
   bool declarations_apart_ = false;
   std::vector<int> uses_;
-  std::map<int, std::string> names_;  // text of named nodes
-  std::vector<std::string> names_apart_;
+  std::map<int, std::string> names_;      // text of named nodes
+  std::vector<std::string> names_apart_;  // variables to be declared elsewhere
   std::vector<Expr> folded_;
   mutable ArrivalTimes arrival_;  // caches what it computes
 };
@@ -77,15 +77,15 @@ class Emitter {
 std::map<int, std::string> places_of(const RecordedPart& part,
                                      const std::function<std::string(int input)>& place);
 
-/// Declares the inputs that expressions read, in graph order: those that have a place and are not
-/// `declared` yet, to which it adds them.
+/// Declares the inputs that expressions read, in graph order, and adds them to `declared`. Leaves
+/// out inputs that are in `declared` already and those without a place.
 /// - declaration: what stands before a name, as "const double"
 /// - places: text that reads an input, by its node, as "q[in[3]]" (places_of())
 void declare_inputs(std::ostream& out, const std::vector<Expr>& expressions,
                     const std::string& declaration, const std::map<int, std::string>& places,
                     std::set<int>& declared);
 
-/// Returns a double as C++ source that reads back to the same value.
+/// Returns a finite double as C++ source that reads back to the same value.
 std::string literal(double value);
 
 }  // namespace desmo::generate

@@ -11,7 +11,7 @@ namespace {
 
 using Vector = std::vector<Expr>;
 
-/// Halves rows whose entries are all twice something. Returns the multiplier of each row.
+/// Halves rows whose entries all have the constant factor 2. Returns the multiplier of each row.
 Vector take_factors(SparseRows& matrix) {
   Vector scales;
   for (std::map<int, Expr>& row : matrix) {
@@ -43,7 +43,7 @@ class CoreSystem {
     return adjugate_ ? adjugate_->solve(b) : elimination_->solve(b);
   }
 
-  /// The conditions under which a solution is trusted.
+  /// Returns the conditions under which a solution is trusted.
   Monitors monitors() const {
     if (adjugate_) return {{{abs(adjugate_->determinant()), 1e-6, adjugate_->magnitude()}}, {}};
     return {{}, elimination_->monitors()};
@@ -54,6 +54,7 @@ class CoreSystem {
   std::optional<Elimination> elimination_;
 };
 
+/// A differentiator of sections, in the order of the plan.
 class Differentiator {
  public:
   explicit Differentiator(const RecordedPart& part) : part_(part) {
@@ -63,7 +64,7 @@ class Differentiator {
     }
   }
 
-  /// Rates of the unknowns are zero until they are found.
+  /// Sets the rates of unknowns to zero until differentiate() finds them.
   void forget(const std::vector<int>& unknowns) {
     for (const int i : unknowns)
       for (const Level level : rate_levels) known_.set(level, part_.q[i], 0);
@@ -83,7 +84,7 @@ class Differentiator {
         if (const Expr slope = along.of(Level::velocity, s.residuals[r]); !slope.is_zero())
           matrix[r].emplace(static_cast<int>(k), slope);
     }
-    // Lengths have rows of twice something: what waits for them does not wait for the doubling.
+    // Equations of lengths have the factor 2. Without it the solution is known earlier.
     const Vector scales = take_factors(matrix);
     const CoreSystem core(matrix);
     motion.increments = core.solve(scaled(s.residuals, scales));
@@ -110,7 +111,8 @@ class Differentiator {
   }
 
  private:
-  /// Rates of what is defined, one definition after the other; `rates` takes them up.
+  /// Returns the rates of the defined unknowns, one definition after the other. Sets them in
+  /// `rates`, where later definitions read them.
   Vector rates_of_definitions(const OrderSection& s, Rates& rates, Level level) const {
     Vector all;
     for (const Definition& d : s.definitions) {

@@ -14,9 +14,9 @@ namespace desmo::generate {
 /// OrderSection).
 struct SectionMotion {
   std::vector<Expr> increments;  ///< Δτ of the torn unknowns, to be subtracted
-  Monitors monitors;             ///< of the core's elimination or, for two unknowns, determinant
-  /// Expressions of the rates: torn unknowns first, then defined ones. They read rates that are
-  /// found before; those of defined unknowns read the torn ones, too.
+  Monitors monitors;             ///< conditions for trusting the core's linear system
+  /// Expressions of the rates: torn unknowns first, then defined ones. They read rates of earlier
+  /// sections; those of defined unknowns read the rates of torn ones, too.
   std::vector<Expr> velocities, accelerations;
 };
 
@@ -41,20 +41,20 @@ struct ExplicitPlan {
   std::vector<SectionMotion> motion;  ///< by section of the order
   /// Squared norm of each section's residuals, each times the weights of its equations.
   std::vector<Expr> residual2;
-  std::vector<Root> roots;  ///< square roots of all definitions, in order
+  std::vector<Root> roots;  ///< roots of all definitions, in order
   /// C++ text that reads a position or rate, by node: "q[in[3]]".
   std::map<int, std::string> places;
 
-  /// Return the expressions from which the positions of a section and their acceptance are written,
-  /// and those from which the whole solution is.
+  /// Returns the expressions that the positions of a section and their monitors are written from.
   std::vector<Expr> position(std::size_t section) const;
+  /// Returns the expressions that the whole function `solve` is written from.
   std::vector<Expr> expressions() const;
 };
 
 /// Writes the function `solve` of an explicit kernel, a template on value type and level. It
-/// computes positions, residuals of the original equations, monitors and rates, section by section.
-/// Returns the expressions of dimensions alone. The function reads their values in its array `f`,
-/// which is computed once for a mechanism (ExplicitKernel::fold).
+/// computes positions, residuals of the original equations, monitors and rates. Returns the
+/// expressions of dimensions alone. The function reads their values in its array `f`, which is
+/// computed once for a mechanism (ExplicitKernel::fold).
 std::vector<Expr> write_solve(std::ostream& out, const ExplicitPlan& plan);
 
 }  // namespace desmo::generate

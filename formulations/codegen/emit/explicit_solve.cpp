@@ -14,7 +14,7 @@ namespace {
 
 using Expressions = std::vector<Expr>;
 
-constexpr int turning = 60;  // cycles of turned_angle()
+constexpr int turning = 60;  // estimated latency of turned_angle() [cycles]
 
 class SolveWriter {
  public:
@@ -29,7 +29,7 @@ class SolveWriter {
     for (const OrderSection& s : plan.order)
       for (const int i : unknowns_of(s))
         for (const Expr e : {plan.part.q[i], plan.part.qd[i], plan.part.qdd[i]}) {
-          declared_.insert(e.id());  // where it is defined
+          declared_.insert(e.id());  // its definition declares it
           open_.insert(e.id());
         }
   }
@@ -76,13 +76,13 @@ class SolveWriter {
   }
   const std::string& place(Expr e) const { return plan_.places.at(e.id()); }
 
-  /// Declares what is read of other parts.
+  /// Declares the inputs that expressions read from arrays, unless they are declared already.
   void load(const Expressions& expressions) {
     declare_inputs(out_, expressions, "const T", plan_.places, declared_);
   }
 
-  /// Each position goes where it belongs at once: kept for the end it would have to leave the
-  /// registers twice.
+  /// Defines unknowns and stores each position at once. Until the end of the function, registers
+  /// would not hold them all.
   void define(const std::vector<Definition>& definitions) {
     for (const Definition& d : definitions) {
       define(d, out_, "  ");
@@ -102,7 +102,7 @@ class SolveWriter {
     out_ << "  " << place(plan_.part.q[unknown]) << " = " << name("q", unknown) << ";\n";
   }
 
-  /// With its sine and cosine, which the original equations read.
+  /// Defines an angle with its sine and cosine, which the original equations read.
   void define_angle(int angle, const ClosedForm::Bearing& bearing, std::ostream& out,
                     const std::string& indent) {
     const auto& [x, y] = bearing;
@@ -131,7 +131,7 @@ class SolveWriter {
       body << "    // " << residual << ": residual\n";
     emitter_.prepare({plan_.residual2[index]});
     const std::string residual2 = emitter_.text(plan_.residual2[index]);
-    // Before it ends, for rates share what these are written with.
+    // Increments and pivots are computed before the loop ends: rates share their subexpressions.
     for (std::size_t k = 0; k < s.torn.size(); ++k)
       emitter_.define("step" + number + "_" + std::to_string(k), motion.increments[k]);
     emitter_.prepare(monitored({{}, motion.monitors.pivots}));
@@ -165,7 +165,7 @@ class SolveWriter {
     return lines;
   }
 
-  /// Writes the original equations' part in norm2, each as soon as its unknowns are defined.
+  /// Writes the share of each original equation in norm2 as soon as its unknowns are defined.
   void verify() {
     for (std::size_t r = 0; r < plan_.part.phi.size(); ++r) {
       const Expr phi = plan_.part.phi[r];
@@ -180,7 +180,7 @@ class SolveWriter {
     }
   }
 
-  /// Divisors and square roots of a section, against what they are made of.
+  /// Writes the conditions for trusting a section's definitions and its core.
   void add_monitors(std::size_t index) {
     const auto add = [&](const Monitors& monitors) {
       emitter_.prepare(monitored(monitors));
@@ -205,14 +205,13 @@ class SolveWriter {
   std::ostream& out_;
   const ExplicitPlan& plan_;
   Emitter emitter_;
-  std::set<int> declared_;          // inputs
-  std::set<int> open_;              // nodes of unknowns that are not yet defined
-  std::set<std::size_t> verified_;  // equations
+  std::set<int> declared_;          // inputs that the function declares, or defines later
+  std::set<int> open_;              // unknowns with undefined positions; rates of all unknowns
+  std::set<std::size_t> verified_;  // rows of original equations that norm2 contains
   int defined_angles_ = 0;
-  /// True where unknowns are solved together, in a core. Without one, rates come after all
-  /// positions: angles, which take long, begin early, and the next part's positions need not wait.
-  /// A part with a core is too long for that; its rates follow while what they share is in
-  /// registers.
+  /// Whether the part has a core. Without one, rates come after all positions. Then angles, which
+  /// take long, begin early, and the next part's positions need not wait for rates. With a core,
+  /// the rates of each section follow its positions, while registers hold what they share.
   const bool has_core_;
 };
 

@@ -12,14 +12,16 @@ namespace desmo::generate {
 
 namespace {
 
-/// Returns the weight that makes a residual of some equations a number without unit.
+/// Returns the weight of a residual, the product of its equations' weights. It makes the residual a
+/// number without unit.
 Expr weight(const std::vector<int>& rows) {
   Expr product = 1;
   for (const int r : rows) product = product * weight_input("w[" + std::to_string(r) + "]");
   return product;
 }
 
-/// The components of an entity stand together.
+/// Returns the text after an array's name that reads an input. The components of an entity are
+/// neighbours, so that only the position of the first one is looked up.
 std::string place(const PartType& type, int input) {
   int first = 0;
   for (const PartType::Constraint& c : type.constraints)
@@ -90,8 +92,8 @@ void write_list(std::ostream& out, const char* name, const std::vector<int>& inp
 }
 
 /// Writes the lists of inputs: torn ones, angles with a bearing, those that the kernel reads, and
-/// its unknowns. Of its unknowns, the kernel reads the last positions of those that are torn, and
-/// of angles with a bearing.
+/// its unknowns. The kernel reads all inputs that are not unknowns, and the last positions of torn
+/// unknowns and of angles with a bearing.
 void write_lists(std::ostream& out, const ExplicitPlan& plan) {
   std::vector<int> torn, angles, read;
   std::vector<bool> is_read(plan.type.inputs.size(), true);

@@ -1,4 +1,4 @@
-# What generated kernels include, as text in the program.
+# Headers that generated kernels include, embedded as text in the program.
 set(DESMO_EMBEDDED_TEXTS "")
 set(DESMO_HEADER_TABLE "")
 foreach(header IN ITEMS cases/mechanism/level.h formulations/constraints/table.h

@@ -15,7 +15,8 @@ namespace {
 
 using Expressions = std::vector<Expr>;
 
-/// More orders than these make code long, and none is right at a singular position.
+/// Largest number of pivot orders in a kernel. More make its code long, and none serves a singular
+/// position.
 constexpr std::size_t max_orders = 3;
 
 /// Writes the functions of one kernel.
@@ -48,7 +49,7 @@ class KernelWriter {
     close();
   }
 
-  /// Writes a function with one value for each of these entries, the first of which has that place.
+  /// Writes a function with one value for each of these entries. first: place of the first in slot.
   void of_entries(const std::string& signature, const std::vector<RecordedEntry>& list,
                   std::size_t first) {
     open(signature);
@@ -62,8 +63,8 @@ class KernelWriter {
     close();
   }
 
-  /// Writes the two functions that eliminate, for the last order first: each leaves to the next one
-  /// what it refuses.
+  /// Writes the two functions that eliminate, position and rates, for each order, the last one
+  /// first. Each calls that of the next order, if any, for what it refuses.
   void elimination() {
     for (std::size_t order = orders_.size(); order-- > 0;) {
       position(order);
@@ -99,7 +100,7 @@ class KernelWriter {
          << "    if (!(result.residual2 >= tolerance2) || result.iterations == max_iterations) "
             "break;\n";
     emitter.prepare(step);
-    // All increments before any update: later ones may be written with the old values.
+    // All increments before any update: later ones may read the old values.
     for (std::size_t j = 0; j < step.size(); ++j)
       out_ << "    const double delta" << j << " = " << emitter.text(step[j]) << ";\n";
     for (std::size_t j = 0; j < step.size(); ++j)
@@ -119,7 +120,7 @@ class KernelWriter {
   void rates(std::size_t order) {
     const Elimination& elimination = orders_[order];
     const Monitors monitors{{}, elimination.monitors()};
-    // Velocities of the unknowns become expressions of the known, and enter γ as such.
+    // Velocities of the unknowns follow from those of known inputs; γ reads them as variables.
     const Expressions velocity = elimination.solve(known_product(g_.qd));
     Expressions first = monitored(monitors);
     append(first, velocity);
@@ -164,7 +165,7 @@ class KernelWriter {
     return result;
   }
 
-  /// −Φ_h w for the rates w of the known inputs.
+  /// Returns −Φ_h w, where w are the rates of the known inputs h.
   Expressions known_product(const Expressions& rate) const {
     Expressions result(type_.rows(), Expr(0));
     for (const auto* list : {&g_.constant, &g_.known})
@@ -197,7 +198,7 @@ class KernelWriter {
   std::ostream& out_;
   const PartType& type_;
   const RecordedPart& g_;
-  const std::vector<int> unknowns_;  // inputs, by column
+  const std::vector<int> unknowns_;  // the input of each column of the Jacobian
   std::vector<Elimination> orders_;
   const std::map<int, std::string> places_;
   std::set<int> loaded_;  // inputs declared in the function being written

@@ -10,7 +10,7 @@ namespace desmo::generate {
 
 namespace {
 
-/// A header without what ties it to other files.
+/// Writes a header without its #pragma once and its includes of other headers of desmo.
 void write_header(std::ostream& out, std::string_view text) {
   std::istringstream lines{std::string(text)};
   for (std::string line; std::getline(lines, line);)
@@ -22,7 +22,7 @@ void write_header(std::ostream& out, std::string_view text) {
 struct Section {
   std::ostringstream kernels, rows, lane_rows;
 
-  /// Adds a kernel. Returns whether it could be written.
+  /// Adds a kernel; where it cannot be written, a comment. Returns whether it was written.
   bool add(const SampledType& t, void (*write)(std::ostream&, const SampledType&)) {
     std::ostringstream kernel;
     try {
@@ -36,7 +36,8 @@ struct Section {
   }
 };
 
-/// Writes the table of that name. Returns the text by which it is initialised from outside.
+/// Writes a table of kernels, unless it has no rows. Returns C++ text for it: its qualified name,
+/// or "{}" without rows.
 std::string write_table(std::ostream& out, const char* row, const char* space, const char* name,
                         const std::ostringstream& rows) {
   if (rows.view().empty()) return "{}";

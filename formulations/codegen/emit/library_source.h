@@ -12,7 +12,7 @@ namespace desmo::generate {
 /// The optional contents of a library, in addition to symbolic equations and their elimination.
 struct LibraryContents {
   bool explicit_order = false;
-  int lanes = 1;  ///< lanes of explicit kernels for batches; 1: scalar kernels only
+  int lanes = 1;  ///< lanes of the explicit kernels for batches; 1: scalar kernels only
 };
 
 /// Returns the texts of the headers of desmo that generated kernels need, each after those it
