@@ -10,13 +10,13 @@
 
 namespace desmo {
 
-/// Returns "0.02 mm"; where the unit is "1", "0.02".
+/// Returns an SI amount in a unit: "0.02 mm"; "0.02" where the unit is "1".
 inline std::string in_unit(double amount, const DisplayUnit& unit) {
   return formatted("%.2g", unit.from_si(amount)) + (unit.name == "1" ? "" : " " + unit.name);
 }
 
-/// Refusal of a mechanism whose constraints contradict each other or the drawing. Its text says by
-/// how much, in the units inside or, for people, in those of their file.
+/// Refusal of a mechanism whose constraints contradict each other or the drawing. Its message says
+/// by how much: what() in the model's units, text() in any others, such as those of a file.
 class ContradictionError : public std::invalid_argument {
  public:
   using Text = std::function<std::string(const DisplayUnits&)>;

@@ -33,7 +33,7 @@ struct IdleFreedom {
 /// A model of a mechanism, with remarks for the user.
 struct ModellingResult {
   Model model;
-  std::vector<LeftOut> left_out;    ///< candidate equations that are not solved
+  std::vector<LeftOut> left_out;    ///< candidate equations with rows that are not solved
   std::vector<IdleFreedom> idle{};  ///< freedoms that move no modelled point or vector
 };
 

@@ -11,20 +11,20 @@ namespace {
 
 using Direction = Mechanism::Direction;
 
-/// target = [origin +] Σ cᵢ directionᵢ
+/// The equation target = [origin +] Σ cᵢ directionᵢ of a body's point or vector in its basis.
 struct Relation {
   std::string name;
   const RigidBody& body;
   EntityId target;
-  Direction offset;  // of the target from the origin; of a vector itself
-  double magnitude;  // what the offset was subtracted from
+  Direction offset;  // line from the origin to the target point, or the target vector
+  double magnitude;  // largest coordinate [unit of length] of the points of that line; vector: 1
 
   bool is_point() const { return offset.is_line(); }
 };
 
 void relate_in_plane(EquationWriter& w, const Relation& r) {
   const Basis& basis = r.body.basis;
-  if (basis.directions.empty())  // a second name for the same place
+  if (basis.directions.empty())  // the target is at the origin
     return w.derive<Rigid<2, 0>>(EquationSource::body, r.name, {r.target, w.point(basis.origin)},
                                  {});
   const Direction& d = basis.directions.front();
@@ -48,8 +48,8 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
         EquationSource::body, r.name, {r.target, w.vector(d.vector)}, c);
 }
 
-/// Writes a relation in space. A line ends at the sum of itself and the origin, so that its term is
-/// its end and takes as much away from the origin.
+/// Writes a relation in space. The term of a line is its end point, which is the origin plus the
+/// line. So the coefficient of each line is subtracted from that of the origin.
 void relate_in_space(EquationWriter& w, const Relation& r) {
   static constexpr std::array rigid{kind_index<Rigid<3, 0>>(), kind_index<Rigid<3, 1>>(),
                                     kind_index<Rigid<3, 2>>(), kind_index<Rigid<3, 3>>()};
@@ -89,7 +89,8 @@ void relate(EquationWriter& w, const Relation& r) {
   w.mechanism.dimension == 2 ? relate_in_plane(w, r) : relate_in_space(w, r);
 }
 
-/// Writes the linear equation by which a body's point follows from the basis, which it is not in.
+/// Writes the linear equation by which a body's point follows from the basis. The point is not in
+/// the basis.
 void relate_point(EquationWriter& w, const std::string& prefix, const RigidBody& body, int p) {
   relate(w, {prefix + w.mechanism.points[p].name + " rigid",
              body,
@@ -192,8 +193,9 @@ void write_body(EquationWriter& w, int r) {
       relate_vector(w, name, body, v);
 }
 
-/// Derives a frame, and from it what no earlier body derives. Points that one has derived close the
-/// joint there.
+/// Writes the derivation of a body's frame, and the relations of its points and vectors to the
+/// frame. For a point that an earlier body derives, the relation closes the joint there. A vector
+/// that one derives has none (see plan_cut_joints()).
 template <int D>
 void write_framed_body(EquationWriter& w, int r) {
   const RigidBody& body = w.rigid.list[r];

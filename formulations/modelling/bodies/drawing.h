@@ -5,13 +5,13 @@
 
 namespace desmo {
 
-/// A drawing with the shapes that bodies have of their own.
+/// A drawing of a mechanism that also knows the own shapes of its bodies (RigidBody::has_shape).
 template <class S>
 struct BodyDrawing : Drawing<S> {
   using typename Drawing<S>::Vec, typename Drawing<S>::Direction;
   using Drawing<S>::direction;
 
-  /// Returns a direction on a body, in the frame of its shape.
+  /// Returns a direction on a body, in the frame of its own shape; as drawn, when it has none.
   Vec direction(const RigidBody& body, const Direction& d) const {
     if (!body.has_shape()) return direction(d);
     if (!d.is_line()) return in_scalar(body.own_vectors.at(d.vector));

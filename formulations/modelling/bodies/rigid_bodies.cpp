@@ -30,8 +30,8 @@ namespace {
 
 using nominal::Vec;
 
-/// Adds to an orthonormal set what is new in a direction; false when the angle between it and
-/// their span has no larger sine than that.
+/// Adds to an orthonormal set the component of v that is normal to it, scaled to length 1. Adds
+/// nothing and returns false when the sine of the angle between v and their span is < min_sine.
 bool extend(std::vector<Vec>& orthonormal, Vec v, double min_sine) {
   const double length = nominal::norm(v);
   if (length == 0) return false;
@@ -65,8 +65,8 @@ Basis choose_basis(const Mechanism& d, const RigidBody& body) {
         basis.directions.push_back(line);
     }
   };
-  // Directions nearly in the span of others make bad coordinates. A second one is taken where there
-  // is no choice; in place of a third one stands a normal (with_plane_normals()).
+  // Directions nearly in the span of others make bad coordinates. Where there is no choice, a
+  // second one is taken all the same; a normal may replace a third one (with_plane_normals()).
   add(0.1, enough);
   add(1e-6, std::min<std::size_t>(enough, 2));
   std::ranges::stable_partition(basis.directions, [](const auto& x) { return !x.is_line(); });
@@ -80,7 +80,7 @@ int count_freedoms(int dimension, const Basis& basis) {
   return translations + (directions < 2 ? 2 * directions : 3);
 }
 
-/// Their squares, and the rounding of these, are normal numbers.
+/// Limits of a length, in any unit: its square is a normal number in double precision.
 constexpr double shortest = 1e-152, longest = 1e152;
 
 void require_representable(double length, const std::string& body) {
@@ -93,7 +93,8 @@ void require_representable(double length, const std::string& body) {
           length));
 }
 
-/// Lists what a body of a rigid body carries, each once, and the rigid body with each.
+/// Adds the points or vectors that a body carries to the list of its rigid body, each once, and the
+/// rigid body to the carriers of each.
 void list_carried(const std::vector<int>& carried, int rigid_body, std::vector<int>& list,
                   std::vector<std::vector<int>>& carriers) {
   for (const int x : carried) {
@@ -104,7 +105,7 @@ void list_carried(const std::vector<int>& carried, int rigid_body, std::vector<i
 }
 
 /// Gives the two points of a body their stated length. Where a fixed joint adds other points or the
-/// ground, the drawing must have that length; throws std::invalid_argument if not.
+/// ground, the drawing must have that length, to 1e-9 of it. Throws std::invalid_argument if not.
 void state_length(const Mechanism& d, const Mechanism::Body& part, RigidBody& body) {
   const Drawing<Derived> drawing{d};
   const int p = part.points[0], q = part.points[1];
@@ -119,17 +120,18 @@ void state_length(const Mechanism& d, const Mechanism::Body& part, RigidBody& bo
         "give nominal positions with that length");
   }
   for (Derived& x : line) x = x * (*part.length / drawn);
-  if (body.vectors.empty()) line = {*part.length, 0, 0};  // exactly
+  if (body.vectors.empty()) line = {*part.length, 0, 0};  // exact, in a frame along the line
   body.own_points = {{p, drawing.origin()}, {q, line}};
   for (const int v : body.vectors) body.own_vectors[v] = drawing.vector(v);
 }
 
-/// Finds the shape of a body of which the drawing is an estimate.
+/// Finds the own shape of a rigid body whose drawing is an estimate: with a stated length, or with
+/// a frame of its own.
 void find_shape(const Mechanism& d, RigidBody& body) {
   for (const int b : body.bodies) {
     const Mechanism::Body& part = d.bodies[b];
     if (part.length) state_length(d, part, body);
-    if (!part.own) continue;  // alone: no joint fixes such a body
+    if (!part.own) continue;  // a body with its own frame has no fixed joint: it is alone
     for (std::size_t k = 0; k < part.points.size(); ++k)
       body.own_points[part.points[k]] = part.own->points[k];
     for (std::size_t k = 0; k < part.vectors.size(); ++k)
@@ -137,9 +139,9 @@ void find_shape(const Mechanism& d, RigidBody& body) {
   }
 }
 
-/// Refuses a body that is placed as in a mirror, where the places of what it shares with others are
-/// not those of its own. Lengths and angles do not tell the hand, and the way from the drawing
-/// keeps it: a basis without volume is singular.
+/// Refuses a body whose basis is drawn as the mirror image of its own shape, or without volume. Its
+/// equations, of lengths and angles, also hold for the mirror image. Assembly keeps the hand of the
+/// drawing, because a basis without volume is singular.
 void require_same_hand(const Mechanism& d, const RigidBody& body) {
   if (!body.has_shape() || body.basis.directions.size() < 3) return;
   const BodyDrawing<double> drawing{d};
@@ -180,7 +182,7 @@ bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) 
 
 void require_representable(const Mechanism& d) {
   for (const Mechanism::Body& body : d.bodies) {
-    if (&body == &d.bodies.front()) continue;  // its points are where they are
+    if (&body == &d.bodies.front()) continue;  // the ground
     if (body.length) require_representable(body.length->value, body.name);
     const std::vector<Vec> points = shape_of(d, body);
     for (const Vec& p : points)

@@ -9,7 +9,8 @@ namespace desmo {
 
 /// The basis of a rigid body: a point and up to three independent directions (one in the plane).
 /// Each direction is a vector, or the line from that point to another. All other points and
-/// vectors of the body are linear functions of the basis.
+/// vectors of the body are linear functions of the basis, except for those of a nearly flat body
+/// before with_plane_normals().
 struct Basis {
   int origin = -1;                               ///< point; -1: the body carries none
   std::vector<Mechanism::Direction> directions;  ///< vectors first, then lines
@@ -21,11 +22,13 @@ struct Basis {
 /// A set of one or more bodies that fixed joints connect.
 struct RigidBody {
   std::vector<int> bodies;           ///< bodies of the mechanism, ascending
-  std::vector<int> points, vectors;  ///< points and vectors on any of these, each once
-  Basis basis;
-  int freedoms = 0;  ///< 3 or 6, less motions that move no point or vector (a rod's spin)
+  std::vector<int> points, vectors;  ///< distinct points and vectors on any of these bodies
+  Basis basis;                       ///< empty for the ground
+  /// 3 in the plane or 6 in space, less motions that move no point or vector (a rod's spin); 0 for
+  /// the ground.
+  int freedoms = 0;
 
-  /// Points and vectors in a frame of its own, where its drawing is an estimate; else empty.
+  /// Points and vectors in a frame of the body's own, when its drawing is an estimate; else empty.
   std::map<int, Mechanism::ExactVec> own_points, own_vectors;
   bool has_shape() const { return !own_points.empty() || !own_vectors.empty(); }
 };
@@ -46,14 +49,16 @@ struct RigidBodies {
 /// vector of a body with a frame of its own does.
 bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
-/// Throws std::invalid_argument, naming the body, when the square of a length on a body over- or
-/// underflows in double precision. Equations contain such squares.
+/// Throws std::invalid_argument, naming the body, when a length on a body is < 1e-152 or > 1e152,
+/// but neither 0 nor infinite. Equations contain squares of such lengths: the stated one and the
+/// distances from the body's first point.
 void require_representable(const Mechanism& mechanism);
 
-/// Merges fixed bodies and chooses their bases. Vectors that do not follow from points are taken
-/// first, in the mechanism's order, then lines from the body's first point. A second direction
-/// within 6° of the first is taken only as a last resort, a third one within 6° of the plane of two
-/// others never. Throws std::invalid_argument, naming the body, when
+/// Merges bodies that fixed joints connect, and chooses their bases. Vectors that do not follow
+/// from points are taken first, in the bodies' order, then lines from the body's first point. A
+/// second direction at less than 5.7° to the first is taken only as a last resort. A third one at
+/// less than 5.7° to the plane of two others is never taken. Throws std::invalid_argument, naming
+/// the body, when
 /// - a body carries neither point nor vector,
 /// - a declared length is not the nominal one, although a fixed joint adds points to the body,
 /// - a body with a frame of its own is drawn as in a mirror, unless it is nearly flat.

@@ -18,7 +18,7 @@ namespace desmo {
 
 namespace {
 
-/// Returns a number as I, II, III, IV, …
+/// Returns a number in Roman digits, from 4000 on in Arabic ones.
 std::string roman(int n) {
   if (n >= 4000) return std::to_string(n);
   static constexpr std::pair<int, const char*> digits[] = {
@@ -30,7 +30,7 @@ std::string roman(int n) {
   return text;
 }
 
-/// Returns the common prefix of the names of bodies up to a "/": "axle1/".
+/// Returns the longest common prefix of names that ends in "/", such as "axle1/", or nothing.
 std::string common_prefix(const std::vector<std::string>& names) {
   std::string prefix = names.front();
   for (const std::string& name : names)
@@ -92,7 +92,8 @@ class Modeller {
       result_.group_of_body.push_back(group < 0 ? no_position : constant_groups_ + group);
   }
 
-  /// Places relative coordinates: those declared, and the distances of spatial sliding joints.
+  /// Assigns relative coordinates to structural groups: the declared ones, then the undeclared
+  /// distances of spatial sliding joints.
   void place_coordinates() {
     result_.measured = d_.coordinates;
     for (const Mechanism::Joint& j : d_.joints)
@@ -116,10 +117,10 @@ class Modeller {
     }
   }
 
-  /// Groups are named as in the paper, SG-I, SG-II, …, after the common prefix of their bodies'
-  /// names: "axle1/SG-I".
+  /// Adds the groups. They are named as in the paper, SG-I, SG-II, …, after the common prefix of
+  /// their bodies' names: "axle1/SG-I".
   void add_groups() {
-    std::map<std::string, int> numbers;  // by prefix
+    std::map<std::string, int> numbers;  // number of groups so far with each prefix
     for (std::size_t position = 0; position < structure_.groups.size(); ++position) {
       const StructuralGroup& group = structure_.groups[position];
       std::vector<int> order;
@@ -161,8 +162,8 @@ class Modeller {
       if (d_.coordinates[c].driven) m_.drive(result_.coordinates[c], motions_.at(motion++));
   }
 
-  /// Lists the entities of each group as the paper counts them: those of its bodies and joints,
-  /// unless a later group finds them.
+  /// Lists the entities of each group as the paper counts them: those of its bodies and joints, and
+  /// its relative coordinates, unless a later group solves for them.
   void list_group_entities() {
     std::vector<std::set<EntityId>> seen(m_.groups.size());
     const auto list = [&](GroupId g, EntityId e) {

@@ -28,9 +28,9 @@ bool declares_distance(const Mechanism& mechanism, const Mechanism::Joint& joint
 
 /// Makes the coordinates of a mechanism. Ground points are constants. A ground vector that moving
 /// bodies share is a coordinate vector of a constant group, as in the paper; others are constants.
-/// place_entities() assigns entities to groups. motions: one per driven coordinate, in order.
-/// modelling: where bodies have frames, entities do not wait for later groups. Throws
-/// std::invalid_argument, naming the coordinate, when a coordinate measures nothing that can move.
+/// place_entities() assigns entities to groups; where bodies have frames, always to the first group
+/// that carries them. motions: one per driven coordinate, in order. Throws std::invalid_argument,
+/// naming the coordinate, when a coordinate measures nothing that can move.
 Coordinates make_coordinates(const Mechanism& mechanism, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions,
                              Modelling modelling = Modelling::natural);

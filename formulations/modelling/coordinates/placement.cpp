@@ -8,8 +8,8 @@ namespace {
 
 using Direction = Mechanism::Direction;
 
-/// Points and vectors that drivers and couplings are measured from: the first group that carries
-/// one needs it.
+/// Whether each point and vector defines a driven or coupled coordinate. Then the first group that
+/// carries it needs it.
 struct NeededAtOnce {
   explicit NeededAtOnce(const Mechanism& d)
       : points(d.points.size(), false), vectors(d.vectors.size(), false) {
@@ -32,20 +32,22 @@ struct NeededAtOnce {
   std::vector<bool> points, vectors;
 };
 
-/// Returns the structural group that finds what these bodies carry; -1: none does.
+/// Returns the structural group that solves for a point or vector; -1: it is on the ground or on no
+/// body. carriers: rigid bodies that carry it. in_basis: tells whether it is in a basis.
 template <class InBasis>
 int finder(const RigidBodies& rigid, const Structure& structure, const std::vector<int>& carriers,
            bool needed_at_once, InBasis&& in_basis) {
   if (carriers.empty() || carriers.front() == 0) return -1;
-  std::vector<int> building, following;  // groups of the bodies that build on it, and the others
+  // Groups of the carriers whose basis contains it, and groups of all other carriers.
+  std::vector<int> building, following;
   for (const int r : carriers)
     (in_basis(rigid.list[r].basis) ? building : following).push_back(structure.of_body[r]);
   std::ranges::sort(building);
   std::ranges::sort(following);
   if (building.empty()) return following.front();
   if (following.empty() || building.front() <= following.front()) return building.front();
-  // An earlier body carries it, too. It can wait for the later group that builds on it, when
-  // that is the only one and nothing needs it before.
+  // A body of an earlier group carries it, too. It can wait for the later group with a basis that
+  // contains it, when that is the only one and nothing needs it before.
   const bool one_builds = building.front() == building.back();
   const bool needed_before =
       needed_at_once ||

@@ -19,7 +19,7 @@ struct Placement {
 /// Assigns each point and vector to the first group with a body that carries it. There is one
 /// exception: where a later group alone has the entity in the basis of a body, and no driver, no
 /// coupling and no second body needs it before, the entity is assigned to that group. may_wait:
-/// false: without exception.
+/// false to make no exception.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
                          const Structure& structure, bool may_wait = true);
 
