@@ -16,10 +16,10 @@ namespace desmo {
 ///   where these are drawn on their line (with_lines_as_drawn());
 /// - couplings: an equation each, linear unless by a table;
 /// - ground vectors that are coordinates: linear equations that hold them.
-/// An equation belongs to the last group that solves for one of its coordinates. motions: one per
-/// driven coordinate, in order. What is linear in the basis of a body is a derivation, unless
-/// coordinates are natural. Throws std::invalid_argument, naming the coordinate, when a
-/// coordinate cannot be modelled.
+/// An equation belongs to the last group that solves for one of its coordinates. Unless coordinates
+/// are natural, equations that are explicit in an entity derive it, such as a point from the basis
+/// of its body. motions: one per driven coordinate, in order. Throws std::invalid_argument, naming
+/// the coordinate, joint or coupling, when it cannot be modelled.
 Model make_candidate_equations(const Mechanism& mechanism, const RigidBodies& rigid,
                                const Structure& structure, const std::vector<Motion>& motions,
                                Modelling modelling = Modelling::natural);

@@ -28,7 +28,7 @@ struct Definition {
     writer.constrain<Kind>(EquationSource::coordinate, coordinate.name + ": definition", operands,
                            dimensions);
   }
-  /// Writes it as what the coordinate, the last operand, is derived by, where bodies have frames.
+  /// Writes the definition; where bodies have frames, it derives the coordinate, the last operand.
   template <class Kind>
   void derived_as(const std::array<EntityId, Kind::operand_sizes.size()>& operands) const {
     if (!writer.framed) return as<Kind>(operands);
@@ -39,9 +39,10 @@ struct Definition {
 
 using Direction = Mechanism::Direction;
 
+/// The point `at` that two lines share, with the other point of each: `of` and `from`.
 struct SharedEnd {
-  int at, of, from;  // points
-  bool same_sense;   // both lines start there, or both end there
+  int at, of, from;
+  bool same_sense;  // both lines start there, or both end there
 };
 
 std::optional<SharedEnd> shared_end(const Direction& of, const Direction& from) {
@@ -52,7 +53,9 @@ std::optional<SharedEnd> shared_end(const Direction& of, const Direction& from) 
   return std::nullopt;
 }
 
-/// Returns the body that keeps the length of a line constant; of a vector any.
+/// Returns the first body that carries both points of a line and so keeps its length constant. For
+/// a vector, returns the ground, since any body would do. Throws std::invalid_argument when no body
+/// carries both points.
 const RigidBody& body_of(const Definition& definition, const Direction& d) {
   const EquationWriter& w = definition.writer;
   if (!d.is_line()) return w.rigid.list.front();
@@ -162,8 +165,8 @@ void define_component(const Definition& definition) {
     definition.derived_as<Component<3, 2>>(operands);
 }
 
-/// Returns whether the tree, or equations of a joint, keep the points of a coordinate on its line
-/// or at a distance from it.
+/// Returns whether the tree or equations of a joint keep the points of a distance on its line, or
+/// at a constant offset from it.
 bool is_kept_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   for (int i = 0; i < static_cast<int>(w.mechanism.joints.size()); ++i) {
     const Mechanism::Joint& j = w.mechanism.joints[i];
@@ -200,7 +203,7 @@ void define(const Definition& definition) {
 template <int D>
 void write_coordinate_equations(EquationWriter& w) {
   const Coordinates& all = w.coordinates();
-  std::vector<bool> is_variable(all.measured.size(), false);  // of a tree joint
+  std::vector<bool> is_variable(all.measured.size(), false);  // whether it is one of a tree joint
   if (w.framed)
     for (const DerivedFrame& frame : w.framed->frames)
       for (const int c : {frame.angle, frame.travel})

@@ -16,8 +16,8 @@ bool is_angle(const Mechanism& d, const Mechanism::Coupling::Term& term) {
   return d.coordinates[term.coordinate].type == Mechanism::CoordinateType::angle;
 }
 
-/// Returns the term that Φ has the unit of: the largest factor of a length or, where there are
-/// none, of an angle.
+/// Returns the term whose unit Φ has: the length with the largest |factor| or, when there is no
+/// length, the angle with the largest one.
 const Mechanism::Coupling::Term& leading_term(const Mechanism& d, const Mechanism::Coupling& c) {
   const Mechanism::Coupling::Term* leading = &c.terms.front();
   for (const Mechanism::Coupling::Term& term : c.terms) {
@@ -66,8 +66,8 @@ std::vector<Derived> numbers_of(const Mechanism::Coupling::Table& table) {
   return numbers;
 }
 
-/// Returns a table's value where its second coordinate is drawn. Throws std::invalid_argument where
-/// that is outside.
+/// Returns the value of a coupling's table at the drawn value of its second coordinate. Throws
+/// std::invalid_argument when that is outside of the table.
 Derived drawn_value(const EquationWriter& w, const Mechanism::Coupling& coupling,
                     const std::vector<Derived>& numbers) {
   const auto& [coordinate, factor] = coupling.terms[1];

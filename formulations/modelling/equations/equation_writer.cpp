@@ -60,7 +60,8 @@ EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec
 EntityId EquationWriter::add_variable(EntityKind kind, std::string name,
                                       std::span<const double> start, int body) {
   Model& m = coordinates_.model;
-  while (std::ranges::count(m.entities, name, &Entity::name) > 0) name += "'";  // a user's
+  // An entity of the user may have that name.
+  while (std::ranges::count(m.entities, name, &Entity::name) > 0) name += "'";
   const EntityId id = m.add(kind, std::move(name), start, coordinates_.group_of_body[body]);
   m.entities[id].internal = true;
   return id;
@@ -77,7 +78,7 @@ bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism
   if (rests(a) && rests(b)) return true;
   const auto key = [&product](const Mechanism::Direction& d) {
     if (!d.is_line()) return Key{0, d.vector, d.vector};
-    if (d.from > d.to) product = -product;  // of the line the other way round
+    if (d.from > d.to) product = -product;  // of the line in the opposite sense
     return Key{1, std::min(d.from, d.to), std::max(d.from, d.to)};
   };
   const Key first = key(a), second = key(b);
@@ -140,7 +141,8 @@ bool writes_offset(const EquationWriter& w, const Mechanism::Joint& j) {
 
 namespace {
 
-/// Marks entities that were added to a mechanism: they serve the model alone.
+/// Marks the points and vectors that were added after those of `d` as internal, and removes them
+/// from the lists of groups.
 void mark_internal(Coordinates& coordinates, const Mechanism& d) {
   const auto mark = [&](const std::vector<EntityId>& entities, std::size_t own) {
     for (std::size_t i = own; i < entities.size(); ++i) {

@@ -26,7 +26,7 @@ class EquationWriter {
   const Mechanism& mechanism;
   const RigidBodies& rigid;
   const FramedMechanism* const framed;
-  const double reach;  ///< largest absolute coordinate of a point, nominally
+  const double reach;  ///< largest absolute nominal coordinate of a point [unit of length]
 
   EntityId point(int p) const { return coordinates_.points[p]; }
   EntityId vector(int v) const { return coordinates_.vectors[v]; }
@@ -35,16 +35,19 @@ class EquationWriter {
 
   EntityId add_fixed_vector(std::string name, const Mechanism::Vector& vector);
 
-  /// Adds an internal entity, such as a variable of a joint, to the group of a rigid body. Its name
-  /// is another one where the mechanism has that.
+  /// Adds an internal entity, such as a variable of a joint, to the group of a rigid body. Adds
+  /// apostrophes to its name while another entity has the same.
   EntityId add_variable(EntityKind kind, std::string name, std::span<const double> start, int body);
 
-  /// Begins the equations of a rigid body, or of a joint between two.
+  /// Begins the equations of a rigid body, or of a joint between two. The later of their groups
+  /// gets equations between constants that do not hold.
   void begin(int body, int other = 0);
 
-  /// Adds an equation of a kind, by its position, to the last group that solves for one of its
-  /// operands. When all operands are fixed, adds nothing where it holds; where it does not, adds it
-  /// to the group of what begin() was told, and leaves it out.
+  /// Adds an equation to the last group that solves for one of its operands. An equation between
+  /// fixed operands is not added when it holds to rounding. Otherwise it is added to the group that
+  /// begin() set, and left out.
+  /// - kind: position among the kinds of constraints
+  /// - derives: the operand that it derives; no_position: none
   void constrain(EquationSource source, std::string name, int kind,
                  std::span<const EntityId> operands, std::span<const Derived> dimensions,
                  int derives = no_position);
@@ -67,10 +70,10 @@ class EquationWriter {
     derive(source, std::move(name), kind_index<Kind>(), operands, dimensions, operand);
   }
 
-  /// Records the first scalar product of two directions. Returns whether this one needs an
-  /// equation: not where it is the recorded one, to rounding. Products of directions that rest are
-  /// not recorded: every group says of them what it needs. magnitude: that of the products whose
-  /// difference it is, such as reach times length of a line.
+  /// Records the scalar product of two directions unless one is recorded. Returns whether it needs
+  /// an equation: false when it equals the recorded one, to rounding. Products of two fixed
+  /// directions are not recorded and need one. magnitude: of the terms whose difference the product
+  /// is, such as reach times the length of a line.
   bool note_product(const Mechanism::Direction& a, const Mechanism::Direction& b, double product,
                     double magnitude);
 
@@ -81,44 +84,46 @@ class EquationWriter {
   Model release();
 
  private:
-  /// Returns whether a direction, or the points of a line, are fixed.
+  /// Returns whether a vector, or both points of a line, are fixed entities.
   bool rests(const Mechanism::Direction& direction) const;
 
   using Key = std::array<int, 3>;
   Coordinates coordinates_;
-  double farthest_;              // reach, nominally or in a body's own frame
-  GroupId group_ = no_position;  // of equations between constants
+  double farthest_;              // largest reach: nominal, or in a body's own frame
+  GroupId group_ = no_position;  // group of equations between constants
   struct Product {
     double value, magnitude;
   };
   std::map<std::pair<Key, Key>, Product> products_;
 };
 
-/// Returns the largest absolute coordinate of a point, nominally.
+/// Returns the largest absolute nominal coordinate of a point [unit of length].
 double reach_of(const Mechanism& mechanism);
-/// Returns that of a body's points in its own frame; `reach` where it has none.
+/// Returns the largest absolute coordinate of a body's points in its own frame (Body::own); `reach`
+/// when it has none.
 double reach_of(const Mechanism& mechanism, const RigidBody& body, double reach);
 
-/// The largest rounding of what a file describes: 16 ε, of the magnitude of what is subtracted.
+/// Largest rounding of a difference of a file's numbers, relative to their magnitude: 16 ε.
 inline constexpr double max_rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Returns whether |value| ≤ max_rounding · magnitude, and means zero.
+/// Returns whether |value| ≤ max_rounding · magnitude, so that it counts as zero.
 bool is_rounding(double value, double magnitude);
 
-/// Returns whether an equation between constants holds, but for their roundings. Where it does not,
-/// what rests on the ground is described twice, in different ways.
-/// - reach: largest absolute coordinate of a point [unit of length], nominally or in a body's own
-///   frame. Each length may be off by max_rounding of it
+/// Returns whether an equation between constants holds within their roundings; true for any with a
+/// table. Where it does not hold, two descriptions of what rests on the ground differ.
+/// - reach: largest absolute coordinate of a point [unit of length], nominal or in a body's own
+///   frame. Each coordinate may be off by max_rounding · reach
 bool holds_to_rounding(const Model& model, const Constraint& constraint, double reach);
 
-/// Returns whether a sliding joint in the plane keeps its offset by an equation of its own. Where
-/// it is drawn without one, the definition of a distance that is declared along it says that, too.
+/// Returns whether the offset of a planar sliding joint has an equation of its own. It has none
+/// when bodies have no frames, the joint is drawn without offset and its distance is declared. Then
+/// the definition of the distance keeps the points on the line.
 bool writes_offset(const EquationWriter& writer, const Mechanism::Joint& joint);
 
 /// Returns the dimensions that a kind measures, zero where they are at rounding level.
 ///
 /// - operands<S>(drawing): positions of the operands of the kind in a BodyDrawing<S>
-/// - magnitude: that of what a dimension is the difference of; 0: of nothing
+/// - magnitude: of the terms whose difference a dimension is; 0: it is no difference
 template <class Kind, class Operands>
 std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double magnitude,
                                               const Operands& operands) {
@@ -138,8 +143,9 @@ std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double
   return c;
 }
 
-/// Returns the cᵢ with offset = Σ cᵢ directionᵢ for the basis of a body in space, or nearest to it.
-/// Factors at rounding level are zero. magnitude: of the positions whose difference is the offset.
+/// Returns the cᵢ for which Σ cᵢ directionᵢ, over the basis of a body in space, is the offset or
+/// nearest to it. Coefficients at rounding level are zero. magnitude: of the positions whose
+/// difference the offset is.
 std::vector<Derived> coefficients_in_space(const Mechanism& mechanism, const RigidBody& body,
                                            const Mechanism::Direction& offset, double magnitude);
 
@@ -157,9 +163,9 @@ void write_joint_equations(EquationWriter& writer);
 /// Writes the couplings of coordinates.
 void write_coupling_equations(EquationWriter& writer);
 
-/// Writes the definitions of all relative coordinates, in D dimensions. Throws
-/// std::invalid_argument, naming the coordinate, when a definition does not fit the nominal
-/// position or cannot be written.
+/// Writes the definitions of relative coordinates, except for variables of tree joints, in D
+/// dimensions. Throws std::invalid_argument, naming the coordinate or joint, when a definition does
+/// not fit the nominal position or cannot be written.
 template <int D>
 void write_coordinate_equations(EquationWriter& writer);
 

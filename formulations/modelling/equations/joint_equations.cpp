@@ -5,8 +5,8 @@ namespace desmo {
 
 namespace {
 
-/// Returns what a joint keeps constant: as drawn, or none where the drawing of a body is an
-/// estimate.
+/// Returns the dimensions that a joint keeps constant: as drawn, or zeros when a body has its own
+/// frame, so that its drawing is an estimate.
 template <class Kind, class Operands>
 std::array<Derived, Kind::constants> kept(const EquationWriter& w, const Mechanism::Joint& j,
                                           double magnitude, const Operands& operands) {
@@ -15,8 +15,9 @@ std::array<Derived, Kind::constants> kept(const EquationWriter& w, const Mechani
   return measured<Kind>(w.mechanism, magnitude, operands);
 }
 
-/// Keeps what slides at the same offset from the line along which it does, in the plane, or at the
-/// same distance from the plane through the first point.
+/// Keeps the offset of a joint's second point constant: in the plane from the line through the
+/// first point along the vector, in space from the plane through the first point normal to the
+/// vector.
 template <class Kind>
 void keep_off(EquationWriter& w, const Mechanism::Joint& j, const char* what) {
   const int u = j.vectors[0], p = j.points[0], q = j.points[1];

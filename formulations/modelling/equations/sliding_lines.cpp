@@ -18,7 +18,7 @@ namespace {
 
 using Exact = Mechanism::ExactVec;
 
-/// Adds to a mechanism the points through which its lines are drawn.
+/// A maker of points on the lines of spatial sliding joints, for joints that are drawn off them.
 class LineMaker {
  public:
   LineMaker(const Mechanism& mechanism, const RigidBodies& rigid)
@@ -41,14 +41,14 @@ class LineMaker {
   }
 
  private:
-  /// Returns whether what a body carries, as it is drawn, tells how it is turned about any line.
+  /// Returns whether a body's drawing tells its orientation.
   bool is_turn_known(int body) const {
     const RigidBody& rigid = rigid_.list[rigid_.of_body[body]];
     return rigid.bodies.front() == 0 || (rigid.basis.directions.size() > 1 && !rigid.has_shape());
   }
 
-  /// Replaces a point of a joint by one of the same body, the nearest on the line through the other
-  /// point.
+  /// Replaces a point of a joint by a new one of the same body: the nearest point on the line
+  /// through the other point.
   void put_on_line(Mechanism::Joint& j, int end) {
     const Exact off =
         across(Drawing<Derived>{d_}.direction(j.line()), Drawing<Derived>{d_}.vector(j.vectors[0]));
@@ -66,7 +66,7 @@ class LineMaker {
     j.points[end] = added;
   }
 
-  /// Adds a third direction to a body that has two, in which a point may now be off their plane.
+  /// Adds a normal to a body with two directions, since its new point may be off their plane.
   void complete_basis(int body, const std::string& joint) {
     const int r = rigid_.of_body[body];
     const auto& directions = rigid_.list[r].basis.directions;
@@ -82,7 +82,7 @@ class LineMaker {
   }
 
   std::string unique(std::string name) {
-    while (!names_.insert(name).second) name += "'";  // a user's
+    while (!names_.insert(name).second) name += "'";  // the user has that name
     return name;
   }
 

@@ -6,23 +6,23 @@
 
 namespace desmo {
 
-/// Largest distance of a point of a sliding joint in space from its line, as drawn, over the extent
-/// of the mechanism (nominal::extent): distance ≤ max_off_line · extent. Files of six digits keep
-/// it.
+/// Largest distance, as drawn, of a point from the line along which it slides, relative to the
+/// extent of the mechanism (nominal::extent): distance ≤ max_off_line · extent. Files with six
+/// digits keep it.
 inline constexpr double max_off_line = 1e-6;
 
-/// Returns how far a line is drawn off the direction of a vector: 0 at rounding level, or where a
-/// body that carries one of them has a frame, so that the drawing is an estimate. reach: that of
-/// the mechanism
+/// Returns how far the end of a line is drawn off the direction of a vector through its start [unit
+/// of length]. Returns 0 at rounding level, and when a body that carries a point or the vector has
+/// its own frame, so that its drawing is an estimate. reach: reach_of(mechanism)
 double drawn_off(const Mechanism& mechanism, const RigidBodies& rigid, double reach,
                  const Mechanism::Direction& line, int vector);
 
-/// Returns a mechanism in which each sliding joint in space has its points on its line. Where
-/// digits of a file draw them off it, the line leads through the point of the second body as it is
-/// drawn; the first body carries another point on it. Where nothing tells how the first body is
-/// turned about the line, the second body carries that point. Where nothing tells that of either,
-/// an offset has no direction: the joint's own points stay, and come to lie on the line. nullopt:
-/// no joint gets another point.
+/// Returns a mechanism with new points for spatial sliding joints whose points are drawn off the
+/// line by ≤ max_off_line, as by digits of a file. The line leads through the second body's point,
+/// as drawn, and the first body gets another point on it. Where the drawing does not tell the first
+/// body's orientation, the second body gets that point. Where it tells neither, an offset has no
+/// direction: the joint keeps its points, and assembly moves them onto the line. Returns nullopt
+/// when no joint gets another point.
 std::optional<Mechanism> with_lines_as_drawn(const Mechanism& mechanism, const RigidBodies& rigid);
 
 }  // namespace desmo

@@ -9,7 +9,7 @@ namespace {
 
 using ExactVec = BodyDrawing<Derived>::Vec;
 
-/// Returns the coefficients by Cramer's rule. Derived numbers have digits enough.
+/// Returns the coefficients by Cramer's rule, for which Derived numbers have enough digits.
 std::vector<Derived> by_determinants(const std::vector<ExactVec>& u, const ExactVec& offset) {
   if (u.size() == 1) return {dot(u[0], offset) / dot(u[0], u[0])};
   if (u.size() == 2) {

@@ -52,8 +52,8 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coord
     add(b);
   };
   if (c.type == Mechanism::CoordinateType::along) {
-    // Bodies that carry a point and the vector slide along it; where none carries both, those of
-    // the point.
+    // Takes the first body that carries the point and the vector; where none carries both, the
+    // first that carries the point.
     for (const int point : {c.of.from, c.of.to}) {
       std::vector<int> both;
       std::ranges::set_intersection(rigid.of_point[point], rigid.of_vector[c.vector],

@@ -24,7 +24,7 @@ struct Components {
   std::vector<int> of_body, of_restriction;
 };
 
-/// A maximum matching between the restrictions of a mechanism and the freedoms of its bodies. It is
+/// A maximum matching between the restrictions of a mechanism and the freedoms of its bodies, with
 /// the Dulmage–Mendelsohn decomposition of their incidence matrix (restrictions × freedoms).
 class Matching {
  public:
@@ -50,7 +50,8 @@ class Matching {
 
   /// Returns the number of freedoms that nothing determines.
   int undetermined() const { return form_->cc[1]; }
-  /// Returns the rigid bodies that these freedoms belong to, ascending.
+  /// Returns the rigid bodies of the under-determined block, any of which these freedoms may belong
+  /// to, ascending.
   std::vector<int> undetermined_bodies() const { return bodies_of_columns(0, form_->cc[2]); }
 
   /// Returns a component for each irreducible block. Over-constrained bodies that a restriction
@@ -75,7 +76,7 @@ class Matching {
   }
 
   void add_surplus(Components& c) const {
-    DisjointSets joined(bodies_);  // bodies that one surplus restriction concerns
+    DisjointSets joined(bodies_);  // sets of bodies that surplus restrictions connect
     std::vector<int> restrictions;
     for (int i = form_->rr[2]; i < form_->rr[4]; ++i)
       restrictions.push_back(restriction_of_row_[form_->p[i]]);

@@ -14,8 +14,8 @@ struct StructuralGroup {
   std::vector<int> bodies;  ///< positions in RigidBodies::list, ascending
   std::vector<int> after;   ///< earlier groups that it is joined to, ascending
   int freedoms = 0;         ///< freedoms of its bodies
-  int restrictions =
-      0;  ///< freedoms that its joints, drivers and couplings remove, redundant ones included
+  /// Freedoms that its joints, drivers and couplings remove, including redundant restrictions.
+  int restrictions = 0;
 };
 
 /// The structural groups of a mechanism.
@@ -41,16 +41,17 @@ std::vector<Restriction> find_restrictions(const Mechanism& mechanism, const Rig
 std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coordinate& coordinate);
 
 /// Finds the structural groups of a mechanism: strong components of a maximum matching between
-/// freedoms of bodies and restrictions by joints and drivers (Dulmage & Mendelsohn 1958; paper,
-/// eq. 1). Over-constrained bodies that are connected form one group; the structure does not show
-/// whether their surplus restrictions are consistent. Throws std::invalid_argument, naming bodies
-/// and coordinates, when nothing determines some bodies (a driver is missing), or when no body
-/// moves.
+/// freedoms of bodies and restrictions (Dulmage & Mendelsohn 1958; paper, eq. 1). Over-constrained
+/// bodies that are connected form one group; the structure does not show whether their surplus
+/// restrictions are consistent. Throws std::invalid_argument
+/// - when nothing determines some bodies (a driver is missing), naming these and a coordinate,
+/// - when no body moves, and
+/// - what find_restrictions() throws.
 Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid);
 
-/// Returns the idle freedoms of spatial bodies, in the order of the bodies. A body has one when all
-/// its points and vectors lie along one line, or when it carries a single point. (A joint that
-/// prevents the spin gives the body a vector across the line.)
+/// Returns the idle freedoms of spatial bodies, in the order of the bodies. A body has one when it
+/// carries a point and all its points and vectors lie along one line, or it carries that point
+/// alone. (A joint that prevents the spin gives the body a vector across the line.)
 std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& mechanism, const RigidBodies& rigid);
 
 /// Returns the axis about which an under-constrained spatial body can spin, if its only joints are
