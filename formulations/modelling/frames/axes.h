@@ -12,8 +12,8 @@
 
 namespace desmo {
 
-/// The rounding of drawn directions: in the components of those that are the same, in the cosine of
-/// those at a right angle.
+/// Rounding of drawn directions of length 1. Components of equal directions differ by ≤ this; the
+/// |cosine| of directions at a right angle is ≤ this.
 inline constexpr double same_direction = 1e-12;
 
 /// A maker of the axes of bodies: finds vectors of a body by their directions, or adds them.
@@ -22,30 +22,32 @@ class AxisMaker {
  public:
   using Exact = BodyDrawing<Derived>::Vec;
 
-  /// Changes the mechanism, its bodies, `deriving` and `deriving_vector` of what it is given, which
-  /// outlives it.
+  /// framed: must outlive the maker, which changes its mechanism, bodies, `deriving` and
+  /// `deriving_vector`.
   explicit AxisMaker(FramedMechanism& framed);
 
-  /// Returns a direction of a rigid body.
+  /// Returns a direction of a rigid body in the frame of its own shape; as drawn, if it has none.
   Exact own(int body, const Mechanism::Direction& d) const;
   Exact own(int body, int vector) const { return own(body, Mechanism::Direction{vector}); }
 
-  /// Returns three orthonormal directions of a body, the first of them along its basis.
+  /// Returns three orthonormal directions of a body, the first along the first direction of its
+  /// basis; for the ground, the axes of space.
   std::array<Exact, 3> own_axes(int body) const;
 
-  /// Returns an axis of the body's frame, or a vector that the body derives, with a direction. Adds
-  /// one, named `<body>/<what>` or similarly, where there is none.
+  /// Returns an axis of the body's frame, or a vector that the body derives, with this direction.
+  /// Adds a vector, named `<body>/<what>` and numbered where that is taken, if there is none.
   int find_or_add_axis(int body, const Exact& direction, const char* what);
 
-  /// Returns the indices of n₁ and n₂ = u × n₁, at right angles to each other and to u, a `vector`
-  /// of the body. Adds those that the body has not.
+  /// Returns the indices of vectors n₁ and n₂ = u × n₁ of a body, at right angles to each other and
+  /// to its `vector` u. Adds those that the body does not have.
   std::pair<int, int> find_or_add_normals(int body, int vector);
 
-  /// Returns the direction of a body's basis that is least along another.
+  /// Returns the direction of a body's basis that is most nearly normal to `axis`, scaled to
+  /// length 1; the first one among equals.
   Exact nearest_to_normal(int body, const Exact& axis) const;
 
   /// Returns whether an angle is the turn of a body's tree joint: it goes from directions that the
-  /// parent carries to one that the body carries. In space all are normal to the axis, a vector.
+  /// parent carries to one that the body carries. In space all are normal to the vector `axis`.
   bool measures_turn(const Mechanism::Coordinate& angle, int parent, int body, int axis) const;
 
   /// Adds the normal of the first two directions of a body's basis, as a third one.
@@ -76,17 +78,18 @@ void plan_cut_joints(FramedMechanism& framed, AxisMaker& axes, const std::vector
 /// Returns the names of all points, vectors and coordinates.
 std::set<std::string> names_in(const Mechanism& mechanism);
 
-/// Writes the components of a position or direction: the doubles nearest to them, and what these
+/// Writes an exact position or direction as the nearest doubles, and the remainders that these
 /// lack.
 void set_exact(Mechanism::Vec& nearest, std::array<Remainder, 3>& remainder,
                const AxisMaker::Exact& exact);
 
-/// Returns a scaled to length 1.
+/// Returns the vector a, scaled to length 1.
 AxisMaker::Exact unit(const AxisMaker::Exact& a);
-/// Returns the part of a that is at a right angle to a unit vector.
+/// Returns the part of a that is at a right angle to the unit vector `of`.
 AxisMaker::Exact across(const AxisMaker::Exact& a, const AxisMaker::Exact& of);
-/// Returns whether two directions of length 1 are the same, or at a right angle.
+/// Returns whether two directions of length 1 are the same, to same_direction.
 bool are_same(const AxisMaker::Exact& a, const AxisMaker::Exact& b);
+/// Returns whether two directions of length 1 are at a right angle, to same_direction.
 bool are_normal(const AxisMaker::Exact& a, const AxisMaker::Exact& b);
 
 }  // namespace desmo

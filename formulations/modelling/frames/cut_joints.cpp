@@ -18,13 +18,12 @@ namespace {
 /// The sine between two shared vectors above which the second one tells more than the first.
 constexpr double min_sine = 1e-6;
 
-/// Closes the vectors that a body shares with earlier ones. The first closes by products with two
-/// normals of this body. A second one that both share closes by one more, with the normal of both,
-/// for the first leaves a turn about itself alone. One that is parallel to the first tells nothing
-/// more.
+/// Closes the vectors that a body shares with earlier bodies. In space, the first one closes by
+/// products with two of its normals on this body. It leaves a turn about itself. A further one
+/// shared with the same body closes by a product with the normal of both, unless they are parallel.
 void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
                           const std::vector<int>& orientation, int own_vectors, int r) {
-  std::vector<std::pair<int, int>> closed;  // other bodies, each with a vector
+  std::vector<std::pair<int, int>> closed;  // other bodies, each with a vector that is closed
   const std::vector<int> vectors = framed.rigid.list[r].vectors;
   for (const int v : vectors) {
     const int other = framed.deriving_vector[v];

@@ -80,7 +80,8 @@ class FramePlanner {
   }
 
   void place_origin(int r, int point, bool of_its_own) {
-    // A point that slides is derived here, if no earlier body has; a shared one is the parent's.
+    // A point that slides is this body's own, unless an earlier body derives it. Any other point of
+    // the joint is shared with the parent.
     const TreeJoint& hanging = framed_.tree.hanging[r];
     const bool moves = hanging.joint >= 0 && slides(d_.joints[hanging.joint].type);
     framed_.frames[r].origin = of_its_own || (moves && framed_.deriving[point] != r)
@@ -198,8 +199,8 @@ class FramePlanner {
     return axes;
   }
 
-  /// Returns the first declared coordinate that can be a variable of a body, since the same group
-  /// finds it, and measures what its tree joint varies; none: there is none.
+  /// Returns the first declared coordinate that can be a variable of a body's tree joint: it
+  /// fulfils `measures`, and the body's group solves for it. Returns none when there is none.
   template <class Measures>
   int declared(int r, const Measures& measures) const {
     for (int c = 0; c < static_cast<int>(d_.coordinates.size()); ++c)
@@ -225,7 +226,7 @@ class FramePlanner {
   Placement placement_;
   AxisMaker axes_;
   bool is_plane_;
-  std::vector<int> orientation_;  // first body with the same axes
+  std::vector<int> orientation_;  // by rigid body, the first body with the same axes
 };
 
 }  // namespace

@@ -9,20 +9,21 @@
 
 namespace desmo {
 
-/// The frame of a rigid body and the tree joint from whose variables it is derived. Points, vectors
-/// and coordinates are positions in FramedMechanism::mechanism.
+/// The frame of a rigid body, and the variables of the tree joint that it is derived from. Points,
+/// vectors and coordinates are indices in FramedMechanism::mechanism.
 struct DerivedFrame {
-  int origin = Mechanism::none;                                                ///< point
-  std::array<int, 3> axes{Mechanism::none, Mechanism::none, Mechanism::none};  ///< plane: one
+  int origin = Mechanism::none;  ///< point
+  /// Vectors; in the plane only the first.
+  std::array<int, 3> axes{Mechanism::none, Mechanism::none, Mechanism::none};
 
-  /// Directions of the parent between which the first angle of the joint turns, at right angles. In
-  /// the plane the first alone; none: the x axis of the ground.
+  /// Vectors of the parent at right angles. The first angle of the joint counts from `from` towards
+  /// `towards`. In the plane there is only `from`; none: the x axis of the ground.
   int from = Mechanism::none, towards = Mechanism::none;
   bool opposite = false;  ///< the angle counts from −from
 
   /// Declared coordinates that are the joint's variables; none: these are internal.
   int angle = Mechanism::none, travel = Mechanism::none;
-  /// Estimates of internal variables: angles [rad], travel.
+  /// Estimates of internal variables: angles [rad], travel [unit of length].
   double first_angle = 0, second_angle = 0, start_travel = 0;
   std::array<double, 4> orientation{};  ///< Euler parameters in the frame of the parent
 };
@@ -31,20 +32,20 @@ struct DerivedFrame {
 struct NormalVectors {
   int vector, normal;
 };
-/// Points of a cut joint whose line is normal to a vector.
+/// A cut joint, with a vector that the line between its points is normal to.
 struct NormalLine {
   int joint, normal;
 };
 
-/// A mechanism with a frame on each rigid body that has one: its origin and axes stand after the
-/// mechanism's own points and vectors, where none of these will do.
+/// A mechanism with frames on its rigid bodies. Origins and axes that are no points and vectors of
+/// the original mechanism are added after these.
 struct FramedMechanism {
   Mechanism mechanism;
-  RigidBodies rigid;  ///< with bases of origins and axes
+  RigidBodies rigid;  ///< a body with a frame has it as basis: origin and axes
   SpanningTree tree;
   std::vector<DerivedFrame> frames;    ///< by rigid body
   std::vector<int> deriving;           ///< first rigid body in the tree that carries each point
-  std::vector<int> deriving_vector;    ///< … and each vector
+  std::vector<int> deriving_vector;    ///< first rigid body in the tree that carries each vector
   std::vector<NormalVectors> vectors;  ///< closures of shared vectors
   std::vector<NormalLine> lines;       ///< closures of spatial sliding joints
 };
@@ -52,29 +53,28 @@ struct FramedMechanism {
 /// Puts frames on the bodies of a mechanism:
 /// - origin: a point of its own where the joint is free; else the joint's point; where that slides
 ///   and an earlier body derives it, a new point in its place
-/// - axes: the axis of the joint, and what is normal to it; a vector of the file is taken where it
-///   is the same within 1e-12
+/// - axes: those of the parent at a prismatic joint; else, in space, the axis of the joint if it
+///   has one, and normals of it. A vector of the file is taken where it is the same within 1e-12
 /// - a declared angle or travel that measures the tree joint is its variable
 FramedMechanism put_frames(const Mechanism& mechanism, const RigidBodies& rigid,
                            const Structure& structure, Modelling modelling);
 
 /// Gives bodies in space that lie nearly in a plane its normal as a third direction of their bases:
-/// where no direction leads farther than 6° out of the plane of two others, but some point or
-/// vector lies off it by more than rounding. A third direction of the body's own would make
-/// equations that are nearly dependent, and without one the body would be flat. Returns the
-/// mechanism with these vectors, and its rigid bodies (its other members mean nothing); nothing
-/// where it needs none.
+/// where no direction leads more than 5.7° out of the plane of two others, but some point or vector
+/// lies off it by more than rounding. A third direction of the body's own would make equations that
+/// are nearly dependent, and without one the body would be flat. Returns the mechanism with these
+/// vectors, and its rigid bodies (its other members mean nothing); nullopt where no body needs one.
 std::optional<FramedMechanism> with_plane_normals(const Mechanism& mechanism,
                                                   const RigidBodies& rigid);
 
 class EquationWriter;
 
-/// Writes from which variables the frame of a rigid body is derived, in D dimensions, and adds
-/// those that no coordinate of the mechanism is.
+/// Writes the equations that derive the frame of a rigid body from the variables of its tree joint,
+/// in D dimensions. Adds those variables that are no declared coordinates.
 template <int D>
 void write_frame(EquationWriter& writer, int body);
 
-/// Writes what cut joints demand of shared vectors and sliding points, in D dimensions.
+/// Writes the closures of shared vectors and of spatial sliding joints, in D dimensions.
 template <int D>
 void write_cut_joints(EquationWriter& writer);
 

@@ -36,7 +36,7 @@ class TreeMaker {
       }
       for (const int r : group.bodies)
         if (!tree_.has_frame[r]) tree_.order.push_back(r);
-      for (const int r : group.bodies) depth_[r] = 0;  // of earlier groups, from now on
+      for (const int r : group.bodies) depth_[r] = 0;  // as for all bodies of earlier groups
     }
     return std::move(tree_);
   }
@@ -83,7 +83,7 @@ class TreeMaker {
     switch (j.type) {
       case revolute:
         return 1;
-      case prismatic:  // the axes of both bodies are the same: those of no shape of their own
+      case prismatic:  // both bodies get the same axes, as drawn: neither may have its own shape
         return rigid_.list[body].has_shape() || rigid_.list[parent].has_shape() || is_off_line(j)
                    ? 0
                    : 1;
@@ -111,7 +111,7 @@ class TreeMaker {
            same_direction;
   }
 
-  /// Returns whether a point slides beside the line, as it is drawn in the plane: such a joint is
+  /// Returns whether a planar sliding joint is drawn with a point off its line. Such joints are
   /// cut.
   bool is_off_line(const Mechanism::Joint& j) const {
     if (d_.dimension == 3 || d_.bodies[j.bodies[0]].own || d_.bodies[j.bodies[1]].own) return false;
@@ -129,7 +129,7 @@ class TreeMaker {
   const Mechanism& d_;
   const RigidBodies& rigid_;
   const Structure& structure_;
-  std::vector<int> depth_;  // of placed bodies in their group; -1: not placed
+  std::vector<int> depth_;  // tree joints of its group above each placed body; -1: not placed
   SpanningTree tree_;
 };
 

@@ -11,13 +11,13 @@ namespace desmo {
 /// The place of a rigid body in the spanning tree.
 struct TreeJoint {
   int parent = 0;               ///< rigid body; 0: the ground
-  int joint = Mechanism::none;  ///< of the mechanism; none: a free joint
+  int joint = Mechanism::none;  ///< joint of the mechanism; none: a free joint
   bool is_first = false;        ///< the body is the first of the joint
 };
 
 /// A spanning tree of the rigid bodies that have a frame. In `relative` coordinates a body hangs on
-/// its parent by a joint or, where none will do, on the ground by a free joint; in `reference`
-/// coordinates all do the latter.
+/// its parent by a joint of the mechanism or, where none is suitable, on the ground by a free
+/// joint. In `reference` coordinates all hang on the ground by free joints.
 struct SpanningTree {
   std::vector<int> order;  ///< all rigid bodies but the ground: parents first, group by group
   std::vector<TreeJoint> hanging;  ///< by rigid body
@@ -26,15 +26,15 @@ struct SpanningTree {
 };
 
 /// Returns the tree. Groups come in solution order. Within a group, while bodies are left, the next
-/// one hangs on a placed body by the joint with the fewest variables; among equals it is the body
-/// with the most joints, then the one whose parent is nearest to the groups before, then the first
-/// of the file. Bodies without such a joint hang on the ground by a free joint. A body that can
+/// one hangs on a placed body by the joint with the fewest variables. Among equals it is the body
+/// with the most joints, then the one whose parent is nearest to earlier groups, then that of the
+/// first joint. Bodies without such a joint hang on the ground by a free joint. A body that can
 /// spin idly, such as a rod between two spherical joints, has no frame.
 SpanningTree make_tree(const Mechanism& mechanism, const RigidBodies& rigid,
                        const Structure& structure, Modelling modelling);
 
-/// Returns of each list of rigid bodies the one that comes first in the tree, the ground before
-/// all; none of an empty list.
+/// Returns, for each list of rigid bodies, the one that comes first in the tree; the ground comes
+/// before all others. Returns no_position for an empty list.
 std::vector<int> first_carriers(const std::vector<std::vector<int>>& carriers,
                                 const SpanningTree& tree);
 

@@ -24,7 +24,7 @@ class FrameWriter {
 
   void write() {
     using enum Mechanism::JointType;
-    const bool is_free = !joint_;  // its origin is an unknown, too
+    const bool is_free = !joint_;  // then the origin is an unknown, too
     if constexpr (D == 2) {
       if (is_free || joint_->type != prismatic) turn_in_plane();
     } else if (is_free) {
@@ -40,21 +40,21 @@ class FrameWriter {
   }
 
  private:
-  /// Turns by φ, or by θ from the parent: x = R(θ) x_parent
+  /// Turns x by φ from the ground's x axis, or by θ from a vector f of the parent: x = R(θ) f
   void turn_in_plane() {
     if (frame_.from < 0) return derive<PlanarDirection>("x", {axis(0), first_angle()}, {});
     derive<PlanarTurn<Between::vector_and_vector>>(
         "x", {axis(0), w_.vector(frame_.from), first_angle()}, {Derived(1)});
   }
 
-  /// Turns about an axis: x = ±cos θ f + sin θ g; y = u × x
+  /// Turns about an axis u: x = ±cos θ f + sin θ g; y = u × x. f, g: `from` and `towards`
   void turn_about(EntityId angle, int u) {
     const std::array operands{axis(0), w_.vector(frame_.from), w_.vector(frame_.towards), angle};
     frame_.opposite ? derive<Turned<-1>>("x", operands, {}) : derive<Turned<1>>("x", operands, {});
     derive<Cross>("y", {axis(1), w_.vector(u), axis(0)}, {});
   }
 
-  /// Turns about two axes:
+  /// Turns about two axes, a of the parent and b of the body:
   /// b = cos θ₁ f + sin θ₁ g; w = a × b; x = cos θ₂ w + sin θ₂ a; y = b × x
   void turn_about_two() {
     const int a = joint_->vectors[hanging_.is_first ? 1 : 0];
@@ -71,8 +71,8 @@ class FrameWriter {
     derive<Cross>("y", {axis(1), axis(2), axis(0)}, {});
   }
 
-  /// Turns freely: [x y] = [X Y Z] A(e); z = x × y. parent: X, Y, Z; those of space where there are
-  /// none.
+  /// Turns freely: x and y are the first columns of [X Y Z] A(e); z = x × y. parent: X, Y, Z; not
+  /// read for a free joint, whose X, Y, Z are the axes of space.
   void orient(const std::array<int, 3>& parent) {
     const EntityId e =
         w_.add_variable(EntityKind::orientation, name_ + "/orientation", frame_.orientation, r_);

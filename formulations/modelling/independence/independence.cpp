@@ -44,15 +44,15 @@ VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
   }
 }
 
-/// Returns the misfit after a movement by one natural magnitude, from that after driver_movement
-/// and half of it: it grows with the movement and its square.
+/// Returns the misfit after a movement m = 1 [natural magnitudes], extrapolated from those after
+/// driver_movement and half of it as a m + b m².
 VectorXd extrapolated(const VectorXd& half, const VectorXd& whole) {
   return (4 * half - whole) / driver_movement +
          (2 * whole - 4 * half) / (driver_movement * driver_movement);
 }
 
-/// Returns the other constraints that contradict the one that is off most. The smallest residual is
-/// a combination of rows that depend on each other: those that take part.
+/// Returns the other constraints that contradict the one that is off most: those with a residual
+/// > max_misfit. At the least-squares position, rows have residuals when they depend on each other.
 std::vector<int> contradicted(const GroupSystem& s, const VectorXd& off, int constraint) {
   std::vector<int> others;
   for (std::size_t i = 0; i < s.rows.size(); ++i) {
@@ -65,7 +65,7 @@ std::vector<int> contradicted(const GroupSystem& s, const VectorXd& off, int con
 
 /// Moves a group's drivers a little from an assembled position, first forwards, then backwards.
 /// Returns nullopt when all its candidates, dependent ones included, can follow in one direction
-/// but for max_misfit, extrapolated to a movement by one natural magnitude.
+/// with misfits ≤ max_misfit, also when extrapolated to a movement by one natural magnitude.
 std::optional<Contradiction> find_contradiction(const GroupSystem& s,
                                                 const std::vector<double>& position,
                                                 Lineariser& lineariser) {
@@ -93,7 +93,7 @@ std::optional<Contradiction> find_contradiction(const GroupSystem& s,
   return found;
 }
 
-/// Returns the constraints of which a row is a combination.
+/// Returns the names of the constraints whose selected rows a row is a combination of.
 std::vector<std::string> sources(const Model& m, const GroupSystem& s, const SelectedRows& selected,
                                  int row) {
   const MatrixXd& j = selected.jacobians[1];
@@ -134,8 +134,8 @@ void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected,
   }
 }
 
-/// Returns the equations between constants, which do not hold to rounding. Throws
-/// ContradictionError where one is off by more than digits of a file leave.
+/// Returns the equations between constants. Candidates contain those that do not hold to rounding.
+/// Throws ContradictionError when one is off by more than max_misfit of its length.
 std::vector<LeftOut> constant_equations(const Model& m) {
   const auto is_between_constants = [&m](const Constraint& c) { return is_constant(m, c); };
   if (std::ranges::none_of(m.constraints, is_between_constants)) return {};
@@ -180,7 +180,7 @@ std::vector<LeftOut> leave_out_dependent(Model& m, const std::vector<int>& surpl
     std::optional<Contradiction> contradiction;
     if (s.redundant && s.drivers() > 0)
       contradiction = find_contradiction(s, positions[1], linearisers.usual);
-    // Asks before definitions are shortened: parts of them contradict nothing.
+    // Comes before definitions are shortened: the equation that is left may contradict nothing.
     require_determined(m, s, selected, contradiction);
     selector.shorten(s, selected);
     mark_left_out(m, s, selected, left_out);

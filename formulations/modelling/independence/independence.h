@@ -13,13 +13,14 @@ namespace desmo {
 /// entries, by EquationSource, by position. An equation is left out if its gradient by the group's
 /// unknowns depends on those selected before. Rank may be lower at a special position. Therefore
 /// the nominal and two perturbed positions are assembled, and the one of highest rank decides. In a
-/// group that closes only to the digits of its file, equations depend that differ by no more. A
-/// definition of several equations with only one selected is replaced by its ScalarDefinition.
+/// group that closes only to the digits of its file, gradients that differ by ≤ max_misfit count as
+/// dependent. A definition of several equations with only one selected is replaced by its
+/// ScalarDefinition, unless the rank then falls.
 ///
 /// surplus: for each group, restrictions minus freedoms.
 /// Throws std::invalid_argument, naming group, bodies and equations, when
 /// - the nominal position cannot be assembled,
-/// - an equation between constants does not hold by more than 1e-4 of its length,
+/// - an equation between constants is off by more than 1e-4 of its length,
 /// - a group is under-constrained,
 /// - a group cannot follow its drivers (too many drivers, or constraints that contradict each other
 ///   by more than 1e-4 of its size).

@@ -13,12 +13,12 @@ namespace desmo {
 
 namespace {
 
-/// Largest share of a derivative that uncertainty of earlier equations explains: below it the
-/// derivative may be zero.
+/// Smallest certain norm of a row over the columns of its group, relative to its norm over all
+/// other variables. Below it, uncertainty of those variables may explain the row.
 constexpr double certain = 1e-8;
-/// Shortest of a point's lengths that counts, relative to the longest: others are all but zero.
+/// Shortest length of a point that counts, relative to its longest one; below it, this much counts.
 constexpr double min_share = 1e-10;
-/// Rounding of each number that an equation reads, relative to it.
+/// Rounding of each variable that an equation reads, relative to the variable.
 constexpr double ulps = 0x1p-52;
 
 std::vector<GroupSystem> list_columns(const Model& m) {
@@ -71,7 +71,8 @@ Lineariser::Lineariser(const Model& model, Lengths which)
 
 Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem& s) {
   const int n = static_cast<int>(s.rows.size());
-  Eigen::VectorXd phi(n), length = Eigen::VectorXd::Zero(n);  // of what comes before
+  // length: norm of each row over the variables that are no columns of the group.
+  Eigen::VectorXd phi(n), length = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd share = Eigen::VectorXd::Ones(n), rounding = Eigen::VectorXd::Zero(n);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, static_cast<int>(s.columns.size()));
   for (std::size_t j = 0; j < s.columns.size(); ++j) column_[s.columns[j]] = static_cast<int>(j);

@@ -8,26 +8,27 @@
 
 namespace desmo {
 
-/// A row of length 1 depends on others when its component orthogonal to them is not longer than
-/// this.
+/// A row of length 1 depends on others when its component orthogonal to them has a length ≤ this.
 inline constexpr double dependent_below = 1e-6;
-/// The same in a group that closes only to the digits of its file. These may leave a misfit of as
-/// much, over its lengths; what closes less is refused.
+/// The same limit for a group that closes only to the digits of its file. It is also the largest
+/// misfit of such a group, relative to its lengths; groups that are off by more are refused.
 inline constexpr double max_misfit = 1e-4;
-/// A row whose derivatives are uncertain depends on others below this times the uncertainty.
+/// A row with uncertain derivatives also depends on others when the length of that component is ≤
+/// this times the relative uncertainty.
 inline constexpr double uncertainty_margin = 10;
 
 /// The system of a group: its candidate equations, without those between constants, are rows; its
 /// unknowns, then drivers, are columns.
 struct GroupSystem {
   GroupId group;
-  int first_constraint = 0, end_constraint = 0;
-  std::vector<int> columns;               ///< coordinates
-  int unknowns = 0;                       ///< number of columns that are unknowns
-  std::vector<std::pair<int, int>> rows;  ///< constraint and its row
-  bool redundant = false;                 ///< the group has more restrictions than freedoms
-  double dependent_below = desmo::dependent_below;
+  int first_constraint = 0, end_constraint = 0;  ///< range of its candidates in the model
+  std::vector<int> columns;                      ///< positions in q
+  int unknowns = 0;                              ///< number of columns that are unknowns
+  std::vector<std::pair<int, int>> rows;         ///< constraint and its row
+  bool redundant = false;                        ///< the group has more restrictions than freedoms
+  double dependent_below = desmo::dependent_below;  ///< or max_misfit
 
+  /// Returns whether the group closes only to the digits of its file.
   bool closes_nearly() const { return dependent_below == max_misfit; }
   int drivers() const { return static_cast<int>(columns.size()) - unknowns; }
 };
@@ -39,17 +40,17 @@ std::vector<GroupSystem> group_systems(const Model& model);
 void list_rows(const Model& model, GroupSystem& system);
 
 /// Scaled Φ and Φ_q of a group's candidates. Columns are multiplied by natural magnitudes: for
-/// points and distances the power of two next to their characteristic length, else 1. Rows are
-/// divided by their norm over the columns of the group, in its own lengths; what comes before it
-/// counts as uncertain by 1e-8. The result does not depend on units.
+/// points and distances the largest power of two that is ≤ their characteristic length, else 1.
+/// Rows are divided by their norm over these columns, or by 1e-8 of their norm over all other
+/// variables if that is larger. A change of units changes scales by factors below two.
 struct Linearisation {
   Eigen::VectorXd phi;       ///< (rows)
   Eigen::MatrixXd jacobian;  ///< (rows × columns) of the GroupSystem
-  Eigen::VectorXd share;     ///< of a row's norm in that over all variables it reads (rows)
-  Eigen::VectorXd rounding;  ///< what rounding of all that a row reads may make of Φ (rows)
+  Eigen::VectorXd share;  ///< divisor of each row, relative to its norm over all variables (rows)
+  Eigen::VectorXd rounding;  ///< largest |Φ| by rounding of the variables that a row reads (rows)
 
-  /// Returns |Φ| over all that it reads, without what rounding may make of it: however far points
-  /// are, nothing is left of equations that hold.
+  /// Returns |Φ| relative to the norms of rows over all variables, less what rounding may cause. So
+  /// equations that hold do not count, however far from the origin their points are.
   Eigen::VectorXd relative_phi() const {
     return (phi.cwiseAbs() - rounding).cwiseMax(0).cwiseProduct(share);
   }
@@ -58,14 +59,15 @@ struct Linearisation {
 /// A lineariser of the group systems of a model.
 class Lineariser {
  public:
-  /// Lengths by which points and distances are measured: of the bodies around them
-  /// (CharacteristicLengths), the longest or the shortest. By the shortest a small body that large
-  /// ones carry is not lost.
+  /// The lengths by which points and distances are scaled: the longest or the shortest of the
+  /// bodies around them (CharacteristicLengths). With the shortest, small bodies on large ones
+  /// count as much as these.
   enum class Lengths { longest, shortest };
 
   /// Finds the natural magnitudes. The model must outlive the object; its constraints may change.
   explicit Lineariser(const Model& model, Lengths lengths = Lengths::longest);
 
+  /// Evaluates the linearisation of a group at a state (q, then the fixed values).
   Linearisation at(const std::vector<double>& state, const GroupSystem& system);
 
   /// Adds a step, given in natural magnitudes of the system's columns, to the state.
@@ -85,7 +87,7 @@ class RowSpace {
       : basis_(columns, columns), dependent_below_(system.dependent_below) {}
 
   /// Adds a row of length ≤ 1 if it is independent of the rows before. Returns whether it was.
-  /// uncertain: by how much its derivatives may be off, relative to the largest.
+  /// uncertain: largest error of its derivatives, relative to the largest derivative.
   bool add(Eigen::VectorXd row, double uncertain = 0);
   int rank() const { return rank_; }
 
@@ -95,8 +97,8 @@ class RowSpace {
   int rank_ = 0;
 };
 
-/// Returns the minimum-norm least-squares solution x of J x = φ, which also serves dependent
-/// equations. phi: one φ or several, side by side.
+/// Returns the minimum-norm least-squares solution x of J x = φ. Equations may depend on each
+/// other. phi: one φ or several, as columns.
 Eigen::MatrixXd smallest_correction(const GroupSystem& system, const Eigen::MatrixXd& jacobian,
                                     const Eigen::MatrixXd& phi);
 

@@ -36,10 +36,10 @@ std::string counted(int n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-/// Returns the name of the entity that can move most while candidates are met and drivers rest.
+/// Returns the name of the entity that can move most while candidates hold and drivers rest.
 std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& selected) {
   const MatrixXd j = selected.jacobians[1].leftCols(s.unknowns);
-  MatrixXd moves = MatrixXd::Identity(s.unknowns, s.unknowns);  // by one unknown each
+  MatrixXd moves = MatrixXd::Identity(s.unknowns, s.unknowns);  // columns: movements to first order
   if (j.size() > 0) moves -= smallest_correction(s, j, j);
   Eigen::Index loosest = 0;
   moves.colwise().norm().maxCoeff(&loosest);
@@ -48,8 +48,8 @@ std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& se
   return m.entities[entity_of_coordinate(m)[s.columns[largest]]].name;
 }
 
-/// Throws "…: with its drivers ('theta') moved by 0.1 rad, 'rod/length' is off by 1.2e-08 m at
-/// best, against 'rod2/length'"
+/// Throws ContradictionError: "…: with its drivers ('theta') moved by 0.1 rad, 'rod/length' is off
+/// by 1.2e-08 m at best, against 'rod2/length'"
 [[noreturn]] void refuse(const std::string& text, const Contradiction& c, const Model& m,
                          const GroupSystem& s) {
   const Constraint& constraint = m.constraints[c.constraint];
@@ -93,7 +93,7 @@ void refuse_assembly(const Model& m, const GroupSystem& s, const VectorXd& phi) 
   Eigen::Index worst = 0;
   if (phi.allFinite()) phi.cwiseAbs().maxCoeff(&worst);
   const Constraint& c = m.constraints[s.rows[worst].first];
-  // A definition of an angle has the length of its line, too.
+  // Operands are named, because an equation such as an angle's definition involves lengths, too.
   const std::string operands = joined(c.operands, [&](EntityId e) { return m.entities[e].name; });
   throw std::invalid_argument(
       where(m, s) + "cannot be assembled near its nominal position; constraint '" + c.name +

@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Returns by how much rounding of positions may change the derivatives of rows, relative to them:
-/// rounding over the lengths of small bodies. Those of linear equations are constant.
+/// Returns by how much rounding of positions may change the derivatives of each row, relative to
+/// them: rounding divided by the smallest characteristic length. It is 0 for linear equations.
 VectorXd uncertainty(const Model& m, const std::vector<double>& state, const GroupSystem& s) {
   constexpr double unit = 0x1p-52;
   const CharacteristicLengths lengths(m);
@@ -37,8 +37,8 @@ VectorXd uncertainty(const Model& m, const std::vector<double>& state, const Gro
   return result;
 }
 
-/// Replaces a definition of several equations by the one that says the same. Returns whether the
-/// constraint is such a definition.
+/// Replaces a definition of several equations by the single one that says the same. Returns whether
+/// the constraint is such a definition.
 bool make_scalar(Constraint& constraint) {
   bool shorter = false;
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
@@ -106,7 +106,7 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
     selected.taken = std::move(taken);
     if (best_rank == s.unknowns) break;
   }
-  // A small body on a large one may look free by the lengths of the large one.
+  // Scaled by the lengths of a large body, a small one on it may look free.
   if (best_rank < s.unknowns) {
     const Linearisation small = linearisers_.of_small.at(positions_[0], s);
     const VectorXd uncertain = uncertainty(m_, positions_[0], s);
@@ -123,7 +123,7 @@ SelectedRows RowSelector::select(const GroupSystem& s) {
   return selected;
 }
 
-/// Returns rows in the order in which they are taken.
+/// Returns the rows of a system in the order in which select() tries them.
 std::vector<int> RowSelector::preference(const GroupSystem& s) const {
   using Rank = std::tuple<bool, bool, int, EquationSource, int>;
   std::vector<Rank> ranks;

@@ -9,8 +9,8 @@ namespace desmo {
 /// The independent equations of a group.
 struct SelectedRows {
   std::vector<bool> taken;  ///< whether each row of the system is selected
-  /// Largest relative uncertainty of a row's derivatives by rounding of positions, with the
-  /// shortest lengths; found where too few rows are selected.
+  /// Largest relative uncertainty of a row's derivatives by rounding of positions; 0 when enough
+  /// rows are selected.
   double uncertain = 0;
   SampledJacobians jacobians;
 };
@@ -24,8 +24,8 @@ class RowSelector {
   SelectedRows select(const GroupSystem& system);
 
   /// Replaces definitions with one selected equation by their ScalarDefinition, in the candidates,
-  /// the system and the selection. The sine or the cosine of an angle alone would be singular at
-  /// some positions.
+  /// the system and the selection, unless fewer rows would then be selected. The sine or the cosine
+  /// of an angle alone would be singular at some positions.
   void shorten(GroupSystem& system, SelectedRows& selected);
 
  private:
@@ -35,7 +35,7 @@ class RowSelector {
   Model& m_;
   const SampledPositions& positions_;
   Linearisers& linearisers_;
-  std::vector<bool> moves_;  // whether each component of the state moves
+  std::vector<bool> moves_;  // whether each component of the state can move
 };
 
 }  // namespace desmo

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 /// Assembles a group from an estimate, even where equations depend on each other: by the
 /// Gauss–Newton method with the smallest correction, over unknowns and drivers. Returns whether Φ
-/// vanishes, as far as rounding lets it, which is the less the farther from the origin a group is.
+/// vanishes, apart from rounding, or is < max_misfit in a group that closes_nearly().
 bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int max_iterations = 100;
   constexpr double max_residual = 1e-9;  // |Φ| over its scales < this: Φ vanishes
@@ -35,10 +35,10 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
   return largest < closes;
 }
 
-/// Assembles a group by the longest lengths. Where these lose small bodies on large ones, assembles
-/// it by the shortest.
+/// Assembles a group with the longest lengths. Where that fails or small bodies on large ones do
+/// not close, assembles it with the shortest.
 bool assemble(std::vector<double>& state, const GroupSystem& s, Linearisers& linearisers) {
-  constexpr double max_small_residual = 1e-7;  // Φ over the shortest lengths ≤ this changes no rank
+  constexpr double max_small_residual = 1e-7;  // relative |Φ| ≤ this changes no rank
   const std::vector<double> estimate = state;
   if (!assemble(state, s, linearisers.usual))
     state = estimate;
@@ -48,7 +48,8 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Linearisers& lin
   return assemble(state, s, linearisers.of_small);
 }
 
-/// Assembles a redundant group, at least to the digits of its file.
+/// Assembles a group. Where that fails for a redundant group, assembles it to the digits of its
+/// file and makes it one that closes_nearly().
 bool assemble_nearly(std::vector<double>& state, GroupSystem& s, Linearisers& linearisers) {
   const std::vector<double> estimate = state;
   if (assemble(state, s, linearisers)) return true;
@@ -61,8 +62,9 @@ bool assemble_nearly(std::vector<double>& state, GroupSystem& s, Linearisers& li
   return true;
 }
 
-/// Moves every group a little along its freedoms and assembles it anew. nearly: redundant groups
-/// may close only to the digits of their file.
+/// Moves every group along its freedoms and assembles it anew. Returns nullopt when one cannot be.
+/// - amount: largest movement of a coordinate, before projection [natural magnitudes]
+/// - nearly: redundant groups may close only to the digits of their file
 std::optional<std::vector<double>> perturb(std::vector<double> state, double amount, int seed,
                                            std::vector<GroupSystem>& systems,
                                            Linearisers& linearisers, bool nearly) {
