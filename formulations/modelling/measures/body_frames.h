@@ -23,19 +23,19 @@ inline const Frame ground{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
 /// Returns a vector of constant length, scaled to length 1.
 Vector unit(const Vector& a);
 
-/// Returns the axes of a frame as those of another see them.
+/// Returns the axes of `frame` in components along the axes of `other`.
 Frame seen_from(const Frame& other, const Frame& frame);
 
 /// A point or vector, in the coordinates or fixed.
 struct Operand {
   Vector fixed{};
-  int first = 0, size = 0;  ///< of coordinates; none: it is fixed
-  Level level;              ///< that is solved
+  int first = 0, size = 0;  ///< first coordinate and number of them; 0: it is fixed
+  Level level;              ///< highest level that is read
 
   Vector operator()(const Instant& instant) const;
 };
 
-/// A vector, which leads from nothing, or the line from one point to another.
+/// A vector, whose `from` is zero, or the line from one point to another.
 struct Line {
   Operand to, from;
 
@@ -44,8 +44,8 @@ struct Line {
 
 /// The frame of a rigid body.
 struct BodyFrame {
-  Frame drawn = ground;
-  std::vector<Line> lines{};  ///< one in the plane, two in space; none: the ground
+  Frame drawn = ground;       ///< the frame as drawn (BodyFrames::drawn)
+  std::vector<Line> lines{};  ///< directions: one in the plane, two in space; none: the ground
 
   Frame operator()(const Instant& instant) const;
 };
@@ -60,12 +60,14 @@ class BodyFrames {
   Line find_line(const Mechanism::Direction& direction);
   /// Returns whether a body's points and vectors tell how it is turned.
   bool tells_turn(int body) const;
-  /// Throws std::invalid_argument, naming the body, where they do not.
+  /// Returns the frame of a body. Throws std::invalid_argument, naming the body, when its points
+  /// and vectors do not tell how it is turned.
   BodyFrame find_frame(int body);
-  /// Returns a direction of a body in the body's own frame or, where it has none, as drawn.
+  /// Returns a direction of a body as drawn. When the body has its own frame (Body::own), returns
+  /// the direction in that frame, turned as the frame is drawn.
   Vector drawn(int body, const Mechanism::Direction& direction) const;
 
-  Level level = Level::position;  ///< to which operands that are found from now on are read
+  Level level = Level::position;  ///< highest level read of operands that are found from now on
 
  private:
   Operand find_operand(const std::string& name);

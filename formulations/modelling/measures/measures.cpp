@@ -33,15 +33,16 @@ Eigen::Matrix3d matrix(const Frame& frame) {
   return columns;
 }
 
-/// Returns Σ eₖ × eₖ' / 2 of the axes of a frame: ω, of their first derivatives; α, of the second.
+/// Returns ½ Σ eₖ × dₖ over the axes eₖ of a frame. It is ω when dₖ are their first derivatives,
+/// and α when dₖ are their second ones.
 Eigen::Vector3d spin(const Frame& frame, double Number::*derivative) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Vector& axis : frame) sum += part(axis, &Number::value).cross(part(axis, derivative));
   return 0.5 * sum;
 }
 
-/// Returns the angle about an axis of a rotation, in (−π, π]. A further rotation about that axis
-/// adds to it exactly, whatever else the rotation does.
+/// Returns the angle of a rotation about an axis, in (−π, π]. A further rotation about that axis
+/// adds its own angle, up to whole turns, whatever else the rotation does.
 double angle_about(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rotation) {
   const double half = std::atan2(axis.dot(rotation.vec()), rotation.w());
   const double angle = std::remainder(2 * half, 2 * std::numbers::pi);
@@ -98,8 +99,8 @@ class Builder {
     add_turn(first, 0, body, std::move(axes), turn_of_frame(body));
   }
 
-  /// Returns whether to measure a turn between bodies: not where a pattern asks for it and one of
-  /// them does not tell how it is turned.
+  /// Returns whether to measure a turn between bodies: false when only a pattern asks for it and
+  /// one of them does not tell how it is turned.
   bool has_turn(const RequestedMeasure& wanted, std::initializer_list<int> bodies) const {
     return !wanted.by_pattern ||
            std::ranges::all_of(bodies, [&](int body) { return bodies_.tells_turn(body); });
@@ -136,7 +137,7 @@ class Builder {
     }
   }
 
-  /// Returns how a body's own frame, if it has one, is drawn.
+  /// Returns the rotation by which a body's own frame is drawn; the identity when it has none.
   Eigen::Matrix3d turn_of_frame(int body) const {
     const auto& own = d_.bodies[body].own;
     if (!own) return Eigen::Matrix3d::Identity();
@@ -144,7 +145,9 @@ class Builder {
     return Eigen::AngleAxisd(rotation.norm(), rotation.normalized()).toRotationMatrix();
   }
 
-  /// Computes the turn of a body in another one about axes of that. start: its turn in the drawing
+  /// Adds the rule for the turn of a body relative to another one, `in`, about axes of that one.
+  /// - place: position of its first measure in `list`
+  /// - start: the turn in the drawing
   void add_turn(std::size_t place, int in, int body, Axes axes,
                 const Eigen::Matrix3d& start = Eigen::Matrix3d::Identity()) {
     const BodyFrame a = bodies_.find_frame(in), b = bodies_.find_frame(body);

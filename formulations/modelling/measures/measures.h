@@ -30,7 +30,7 @@ struct Measure {
 /// - a joint's turn about its axis, in (−π, π], and travel along it, of the second body in the
 ///   first, from the drawing
 /// - a ratio of two rates; where both vanish, that of the accelerations. NaN where only the second
-///   vanishes, or where the accelerations vanish, too
+///   rate vanishes, where both rates and the second acceleration do, or where these are not solved
 ///
 ///   const Plan plan = make_plan(whole, outputs_of(scene, whole));  // with what measures read
 ///   Measures measures(scene, plan.model);
@@ -38,17 +38,17 @@ struct Measure {
 ///   const double omega = measures.extend(instant).qd[plan.model.coordinates() + k];
 class Measures {
  public:
-  /// Writes the values of a measure, and of those after it, at an instant.
+  /// A function that writes the values of a measure, and of further ones after it, at an instant.
   using Rule = std::function<void(const Instant&, std::span<PerLevel<double>>)>;
 
-  /// A velocity v, over its nominal magnitude (nominal_magnitudes()), vanishes where
+  /// A velocity v, divided by its nominal magnitude (nominal_magnitudes()), vanishes where
   ///
-  ///   |v| <= min_rate V,  V: the fastest driver's velocity
+  ///   |v| <= min_rate V,  V: largest |velocity| of a driver, divided likewise
   ///
-  /// and an acceleration a where |a| <= min_rate (A + V²), A: the greatest of a driver's. Rounding
-  /// errors of coordinates are of the drivers' size. A driver whose own rate vanishes by its motion
-  /// counts as 0 in V and A: rounding is all that is left of that. Where all drivers do, everything
-  /// vanishes.
+  /// and an acceleration a where |a| <= min_rate (A + V²), A: largest |acceleration| of a driver.
+  /// Rounding errors of coordinates are proportional to the drivers' rates. A driver whose rate is
+  /// 0 by its motion counts as 0 in V and A, since its rate consists of rounding. When the scale on
+  /// the right is 0, everything vanishes.
   static constexpr double min_rate = 1e-10;
 
   /// Source of the drivers' rates: the model's motions, or rows of numbers, which are exact.
@@ -60,7 +60,7 @@ class Measures {
   Measures(const Scene& scene, const Model& model, DrivenBy driven_by = DrivenBy::motions);
 
   const std::vector<Measure>& list() const { return list_; }
-  /// Returns what they read, and to which level.
+  /// Returns the entities that the measures read, each with the highest level read.
   const std::vector<Output>& inputs() const { return inputs_; }
 
   /// Returns the instant with the values of the measures appended to q, q̇ and q̈, at the levels
@@ -72,7 +72,7 @@ class Measures {
   int coordinates_;
   std::vector<Measure> list_;
   std::vector<Output> inputs_;
-  std::vector<std::pair<std::size_t, Rule>> rules_;  // with the first measure of each
+  std::vector<std::pair<std::size_t, Rule>> rules_;  // position of the first measure of each rule
   std::vector<PerLevel<double>> values_;
   PerLevel<std::vector<double>> extended_;
 };

@@ -10,9 +10,9 @@ namespace desmo {
 
 namespace {
 
-/// Returns whether a motion's rate may be 0 at a time [s]: whether 0 is in its enclosure, for which
-/// the motion's numbers count with their remainders, and the time within two units of its rounding.
-/// So an instant start + i step meets the rest that it is meant to.
+/// Returns whether a motion's rate may be 0 at a time [s]: whether the rate's enclosure contains 0.
+/// The enclosure covers times that differ by ≤ 2⁻⁵² · |time|. So a rounded instant start + i step
+/// finds the rest that it is meant to meet.
 bool vanishes(const Motion& motion, double time, Level level) {
   using Number = Compensated<double>;
   const Number about{time, 0, 0x1p-52 * std::abs(time)};
@@ -44,7 +44,8 @@ double RateRatio::operator()(const Instant& instant) const {
                                                             : instant.qdd[a] / instant.qdd[b];
 }
 
-/// Returns the largest rate of a driver, over its magnitude, that does not vanish by its motion.
+/// Returns the largest rate of a driver, divided by the driver's magnitude. Rates that vanish by
+/// their motion do not count.
 double RateRatio::fastest_driver(std::span<const double> rates, double time, Level level) const {
   double largest = 0;
   for (const auto& [i, motion] : drivers_) {
@@ -54,7 +55,7 @@ double RateRatio::fastest_driver(std::span<const double> rates, double time, Lev
   return largest;
 }
 
-/// Returns whether a rate vanishes next to those of drivers.
+/// Returns whether a rate vanishes compared with those of drivers (scale); true when these do.
 bool RateRatio::is_nothing(std::span<const double> rates, int coordinate, double scale) const {
   return scale == 0 ||
          std::abs(rates[coordinate]) / magnitude_[coordinate] <= Measures::min_rate * scale;

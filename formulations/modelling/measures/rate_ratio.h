@@ -26,11 +26,11 @@ class RateRatio {
 
   struct DriverRate {
     int coordinate;
-    std::shared_ptr<const Motion> motion;  // null: of rows
+    std::shared_ptr<const Motion> motion;  // null: rates come from rows of numbers
   };
 
   std::array<int, 2> of_;
-  std::vector<double> magnitude_;  // of each coordinate
+  std::vector<double> magnitude_;  // nominal magnitude of each coordinate
   std::vector<DriverRate> drivers_;
 };
 
