@@ -26,12 +26,12 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr mode_t all_of_others = 0077, writing_of_others = 0022;
-constexpr std::size_t max_files = 256;
-constexpr const char* unfinished = "unfinished.";  // how names of such files begin
-constexpr std::chrono::hours abandoned{1};         // nobody works on an older one
-constexpr off_t max_file = off_t{256} << 20;       // bytes
+constexpr std::size_t max_files = 256;             // number of finished files that are kept
+constexpr const char* unfinished = "unfinished.";  // prefix of the names of unfinished files
+constexpr std::chrono::hours abandoned{1};         // age at which nobody works on such a file
+constexpr off_t max_file = off_t{256} << 20;       // size of a file that is read [bytes]
 
-// A comment, so that a sealed C++ file is one still.
+// A C++ comment, so that a sealed source file still compiles.
 constexpr std::string_view seal_begin = "\n// desmo ";
 constexpr std::size_t seal_size = seal_begin.size() + 64 + 1;
 
@@ -58,13 +58,15 @@ fs::path home() {
   return user->pw_dir;
 }
 
-/// Relative folders do not count, says the XDG Base Directory Specification.
+/// Returns XDG_CACHE_HOME; ~/.cache when that is not set or not absolute (XDG Base Directory
+/// Specification).
 fs::path base_folder() {
   const char* const wanted = std::getenv("XDG_CACHE_HOME");
   return wanted && *wanted == '/' ? fs::path(wanted) : home() / ".cache";
 }
 
-/// A folder in another one, made where it is missing, that is no link and the user's own.
+/// Opens a folder in another one, and makes it where it is missing. Throws Unavailable when it is a
+/// link, belongs to another user or has a `forbidden` permission.
 Descriptor open_own(const Descriptor& around, const char* name, const fs::path& path,
                     mode_t forbidden) {
   if (::mkdirat(around.number(), name, 0700) != 0 && errno != EEXIST) refuse(path, errno);
@@ -86,7 +88,8 @@ Descriptor open_to_read(int folder, const std::string& name) {
   return Descriptor(::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
 }
 
-/// Returns the size [bytes] of a regular file that the user owns; −1: it is no such file.
+/// Returns the size [bytes] of an open regular file that the user owns. Returns −1 for any other,
+/// for one with a `forbidden` permission and for one larger than max_file.
 off_t size_of(const Descriptor& file, mode_t forbidden = 0) {
   struct stat status {};
   const bool good = file.is_open() && ::fstat(file.number(), &status) == 0 &&
@@ -123,7 +126,7 @@ std::string new_name() {
   return unfinished + std::to_string(::getpid()) + "." + std::to_string(random());
 }
 
-/// A file that is removed with this object, if it exists under that name still.
+/// The name of a file that the destructor removes, if one of that name still exists.
 struct Temporary {
   ~Temporary() { ::unlinkat(folder, name.c_str(), 0); }
   int folder;

@@ -11,14 +11,15 @@
 namespace desmo::load {
 
 /// The user's folder of generated and compiled code: desmo/kernels in XDG_CACHE_HOME, by default in
-/// ~/.cache. Only the user may read or write it (mode 0700, files 0600). Every file ends in a seal,
-/// a digest of its name and content. Several processes may use the folder at once, and it may be
-/// emptied at any time. File names consist of letters, digits and dots.
+/// ~/.cache. Only the user may read or write it (mode 0700, finished files 0600). Every finished
+/// file ends in a seal, a digest of its name and content. Several processes may use the folder at
+/// once, and it may be emptied at any time. File names consist of letters, digits and dots.
 class Cache {
  public:
   /// Opens the folder; creates it if it does not exist. Throws Unavailable, naming the folder, when
   /// - the folder or its parent belongs to another user, is a link or can be written to by others,
-  /// - others can read the folder.
+  /// - others have any permission on the folder,
+  /// - it cannot be created or opened.
   static Cache open();
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -29,14 +30,14 @@ class Cache {
   std::optional<std::string> read(const std::string& name) const;
 
   /// Writes a file atomically, replacing any file of that name. Removes the oldest files when there
-  /// are many. Throws Unavailable.
+  /// are many. Throws Unavailable when the file cannot be written.
   void write(const std::string& name, std::string_view content) const;
 
   void remove(const std::string& name) const;
 
   /// Calls make(name), which lets another program write a file of that unique name into the folder;
-  /// returns the file's content and removes it. Throws Unavailable when the file does not exist
-  /// afterwards, and what `make` throws.
+  /// returns the file's content and removes it. Throws Unavailable when there is no such regular
+  /// file afterwards, or it is too large, and what `make` throws.
   std::string content_made_by(const std::function<void(const std::string& name)>& make) const;
 
  private:

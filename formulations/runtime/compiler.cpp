@@ -21,7 +21,7 @@ namespace {
 
 /// Options of the kernels that desmo is built with, and those of a shared library.
 constexpr const char* all_flags = DESMO_KERNEL_FLAGS " -w -pipe -fPIC -shared -fvisibility=hidden";
-/// Further options. Of several that name a processor the last one counts.
+/// Further options for eight lanes. Of several options that name a processor the last one counts.
 constexpr const char* more_for_eight_lanes = " -march=x86-64-v4 -mno-red-zone";
 
 constexpr std::chrono::seconds time_for_version{10};
@@ -33,7 +33,8 @@ bool is_program(const std::string& file) {
          ::access(file.c_str(), X_OK) == 0;
 }
 
-/// The file of a program; empty when there is none. Relative folders of PATH are passed over.
+/// Returns the absolute file of a program; empty when there is none. Ignores relative folders of
+/// PATH. name: an absolute file, or a name without "/".
 std::string locate(const std::string& name) {
   if (name.find('/') != std::string::npos)
     return name.front() == '/' && is_program(name) ? name : "";
@@ -60,7 +61,7 @@ std::string locate_any() {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Returns a compiler's output from its first error on.
+/// Returns the line of a compiler's output with its first error; without one, the first line.
 std::string error_text(const std::string& output) {
   const std::size_t error = output.find("error");
   const std::size_t line = error == std::string::npos ? 0 : output.rfind('\n', error) + 1;

@@ -21,7 +21,8 @@ class Compiler {
   std::string identity() const;
 
   /// Compiles a C++ file to a shared library. source and library: names in the folder whose open
-  /// descriptor is `folder`. time: limit. Throws Unavailable with the compiler's first error.
+  /// descriptor is `folder`. time: limit. Throws Unavailable when the compiler fails, with its
+  /// first error, when it cannot be started, or when it takes longer.
   void compile(const std::string& source, const std::string& library, int folder,
                std::chrono::milliseconds time) const;
 

@@ -20,12 +20,12 @@ struct TypeUse {
 
 /// The outcome of generating code.
 struct GenerationOutcome {
-  std::vector<TypeUse> types;    ///< part types that code was wanted for
-  int parts_too_large = 0;       ///< number of parts too large for generated code
-  bool compiled = false;         ///< compiled in this call, not found in the cache
-  std::string compiler;          ///< its file and version
-  std::string folder;            ///< folder of the cache
-  double seconds = 0;            ///< total time [s]
+  std::vector<TypeUse> types;  ///< part types that code was wanted for
+  int parts_too_large = 0;     ///< number of parts too large for generated code
+  bool compiled = false;       ///< compiled in this call, not found in the cache
+  std::string compiler;        ///< file and version of the compiler; empty: not looked for or found
+  std::string folder;          ///< folder of the cache
+  double seconds = 0;          ///< total time [s]
   double seconds_compiling = 0;  ///< time of the compiler [s], included in `seconds`
   std::string problem;           ///< reason why there is no code for `types`; empty: there is
 };
@@ -37,16 +37,15 @@ struct GenerationOutcome {
 ///   if (!code.problem.empty()) std::fprintf(stderr, "%s\n", code.problem.c_str());
 ///   const auto f = make_formulation(*c.variant, model, c.settings, *code.table);
 struct GeneratedCode : GenerationOutcome {
-  /// The code, and what desmo was built with; never null. It outlives the formulations that are
+  /// The code, and what desmo was built with; never null. It must outlive the formulations that are
   /// made with it.
   std::shared_ptr<const KernelTable> table;
 };
 
-/// Generates the code that a formulation needs for a model and desmo was built without. Loads it
-/// from the user's cache, or compiles it. Errors are reported in the result: the table is then what
-/// desmo was built with. The mechanism's names do not occur in the code; file names and arguments
-/// contain digests only.
-/// - grid: of a typical motion, which decides pivots
+/// Generates the code that a formulation needs for a model and that desmo was built without. Loads
+/// it from the user's cache, or compiles it. Errors are reported in the result: the table is then
+/// what desmo was built with. Names of the mechanism occur neither in the code nor in file names.
+/// - grid: time grid of a typical motion, at whose states pivots are chosen
 /// - compile_time: limit for the compiler
 [[nodiscard]] GeneratedCode generate_code(
     const Variant& variant, const Settings& settings, const Model& model, const TimeGrid& grid,

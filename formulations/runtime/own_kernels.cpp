@@ -45,7 +45,8 @@ std::shared_ptr<const KernelLibrary> load_library(const std::filesystem::path& f
   return {handle, static_cast<const KernelLibrary*>(symbol)};
 }
 
-/// The library made of the types' code, from the cache or by the compiler.
+/// Returns the library of the types' code, from the cache or from the compiler. told: receives the
+/// compiler, the folder and the compilation time.
 std::shared_ptr<const KernelLibrary> make_library(const std::vector<SampledType>& types,
                                                   LibraryContents contents,
                                                   std::chrono::milliseconds compile_time,

@@ -1,4 +1,4 @@
-// What starting and ending another process takes, whoever does it and however.
+// Functions to start another process and to wait for its end.
 #pragma once
 
 #include <sys/types.h>
@@ -20,8 +20,8 @@ inline std::vector<char*> null_terminated(const std::vector<std::string>& texts)
 }
 
 /// Waits until a child process has ended, through interruptions by signals. Returns false, with
-/// errno, where it cannot be waited for. status: receives what waitpid() says of the end; without
-/// one it stays as it was.
+/// errno, when it cannot be waited for. status: receives the exit status of waitpid(); unchanged
+/// when the result is false.
 inline bool wait_for_end(pid_t child, int& status) {
   while (::waitpid(child, &status, 0) < 0)
     if (errno != EINTR) return false;

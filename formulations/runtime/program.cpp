@@ -23,9 +23,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t max_output = std::size_t{1} << 16;
+constexpr std::size_t max_output = std::size_t{1} << 16;  // [bytes]
 
-// The running child, which leads a process group of its number; 0: none.
+// The process of the running child, which leads a process group of the same number; 0: none.
 std::atomic<pid_t> running{0};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
@@ -40,8 +40,8 @@ std::vector<std::string> environment() {
   return variables;
 }
 
-/// A process group of its own, so that what it starts ends with it, and signals as they are for a
-/// program that was started by hand.
+/// Gives a program its own process group, so that all processes it starts can be ended with it, and
+/// the signal handling of a program that is started by hand.
 void set_attributes(posix_spawnattr_t& attributes) {
   sigset_t none, all;
   ::sigemptyset(&none);
@@ -53,8 +53,8 @@ void set_attributes(posix_spawnattr_t& attributes) {
       &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
 }
 
-/// Starts a program, which from then on is `running`. Interruptions are held back: one between the
-/// start and the moment when its process is known would leave it running.
+/// Starts a program, which from then on is `running`. Blocks interrupting signals meanwhile: one
+/// that came between the start and the assignment to `running` would not end the program.
 pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   const std::vector<std::string> variables = environment();
   const std::vector<char*> argv = null_terminated(arguments), envp = null_terminated(variables);
@@ -83,13 +83,14 @@ pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   return child;
 }
 
-/// Milliseconds until then, rounded up, and not less than 0.
+/// Returns the milliseconds until a time, rounded up; 0 when it is over.
 int remaining(Clock::time_point end) {
   const auto time = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
   return static_cast<int>(std::max<std::chrono::milliseconds::rep>(time.count(), 0));
 }
 
-/// Reads until everyone who could write has closed the other end; false when the time is over.
+/// Reads until all writers have closed the other end. Keeps the first max_output bytes. Returns
+/// false when the time is over.
 bool read_all(int from, Clock::time_point end, std::string& text) {
   std::array<char, 4096> buffer;
   for (;;) {
@@ -104,7 +105,7 @@ bool read_all(int from, Clock::time_point end, std::string& text) {
   }
 }
 
-/// Waits for a child until `end`. Returns whether it has ended; status: how.
+/// Waits for a child until `end`. Returns whether it has ended. status: receives its exit status.
 bool wait_until(pid_t child, Clock::time_point end, int& status) {
   constexpr int pause = 2;  // ms
   for (;;) {

@@ -18,12 +18,12 @@ struct ProgramEnd {
 /// cannot be started.
 /// - arguments: the first is the program's file.
 /// - folder: descriptor of its working directory.
-/// - time: limit, after which it is killed with all processes it has started.
+/// - time: limit, after which it is killed with all processes of its group.
 ProgramEnd run_program(const std::vector<std::string>& arguments, int folder,
                        std::chrono::milliseconds time);
 
-/// Terminates the program that run_program() is running, if any, and all processes it has started.
-/// May be called in a signal handler.
+/// Terminates the program that run_program() is running, if any, and all processes of its group.
+/// May miss programs when several threads run some at once. May be called in a signal handler.
 void end_running_program() noexcept;
 
 }  // namespace desmo::load

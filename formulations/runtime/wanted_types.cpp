@@ -15,11 +15,12 @@ namespace {
 
 using generate::LibraryContents, generate::sample_count, generate::SampledType;
 
-constexpr int max_steps = 400;
-constexpr double tolerance = 1e-6;  // of what only sizes are looked at
-/// The work of a generator and a compiler grows faster than the size of a part.
+constexpr int max_steps = 400;      // of a motion that is solved for samples
+constexpr double tolerance = 1e-6;  // setting for samples, of which only magnitudes count
+/// Largest number of unknowns of a part with generated code. The work of the generator and of the
+/// compiler grows faster than this number.
 constexpr std::size_t max_unknowns = 100;
-/// More than these tell no more of a type.
+/// Largest numbers of samples and of pivot samples of a type: more would tell nothing new.
 constexpr std::size_t enough_samples = 4 * sample_count, enough_for_pivots = 48;
 
 bool has_all(const KernelTable& table, const std::string& fingerprint, LibraryContents contents) {
@@ -39,7 +40,7 @@ std::vector<PartDefinition> parts_without_code(const Variant& v, LibraryContents
   return result;
 }
 
-/// Returns a grid over the same time, of at most max_steps.
+/// Returns a grid over the same time with at most max_steps steps.
 TimeGrid with_few_steps(TimeGrid grid) {
   if (grid.instants - 1 > max_steps) {
     grid.step = (grid.instants - 1) * grid.step / max_steps;
@@ -48,7 +49,7 @@ TimeGrid with_few_steps(TimeGrid grid) {
   return grid;
 }
 
-/// Takes states spread over a motion.
+/// An observer that keeps at most sample_count states, spread evenly over the instants.
 class Sampler final : public Observer {
  public:
   Sampler(const Model& model, int instants) : m_(model), instants_(instants) {}
@@ -79,7 +80,8 @@ std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& g
   return std::move(sampler.states);
 }
 
-/// Keeps which parts of a formulation refused steps of a motion, as far as it could be solved.
+/// An observer that keeps which parts of a formulation refused steps of a motion, as far as the
+/// motion could be solved.
 struct RefusalObserver final : Observer {
   explicit RefusalObserver(const Formulation& f) : parts(parts_of(f)), refused(parts.size()) {}
 
@@ -93,7 +95,7 @@ struct RefusalObserver final : Observer {
   std::vector<bool> refused;
 };
 
-/// Returns the parts whose code refuses steps of the motion: it was made for other mechanisms, with
+/// Returns the parts whose code refuses steps of the motion. It was made for other mechanisms, with
 /// pivots and closed forms that suit those.
 std::vector<PartDefinition> parts_refused(const Variant& v, const Model& m, const TimeGrid& grid,
                                           const KernelTable& table) {
@@ -122,7 +124,7 @@ std::vector<SampledType> wanted_types(const Variant& v, LibraryContents contents
   if (!parts.empty() && states.empty()) throw Unavailable("the mechanism cannot be assembled");
   told.parts_too_large = static_cast<int>(too_large);
   std::vector<SampledType> types;
-  std::vector<TypeUse> uses;  // of each
+  std::vector<TypeUse> uses;  // use of each type
   for (const PartDefinition& part : parts) {
     SampledType& type = generate::add_part(m, part, states, types);
     if (type.name.empty()) {

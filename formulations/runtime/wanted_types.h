@@ -13,8 +13,9 @@ namespace desmo::load {
 
 /// Returns the part types of a formulation for which the table lacks code, or has code that refuses
 /// steps of the motion over `grid`, with samples of that motion and neutral names (see
-/// without_names). Throws Unavailable when the model cannot be assembled, and what make_partition
-/// throws. told: receives the use of each type, and how many parts are too large.
+/// without_names). Leaves out parts that are too large. Throws Unavailable when the model cannot be
+/// assembled, and what make_partition throws. told: receives the use of each type, and the number
+/// of parts that are too large.
 std::vector<generate::SampledType> wanted_types(const Variant& variant,
                                                 generate::LibraryContents contents,
                                                 const Model& model, const TimeGrid& grid,
