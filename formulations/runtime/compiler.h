@@ -8,10 +8,10 @@ namespace desmo::load {
 /// A C++ compiler, with its options for kernels.
 class Compiler {
  public:
-  /// Finds a compiler: where the environment variable CXX is set, that one (a name or an absolute
-  /// file, without arguments), else the one that desmo was built with, else c++. Throws Unavailable
-  /// when CXX names no program, when there is none, or when it does not tell its version. lanes:
-  /// lanes of the kernels; 8 need a processor with 512-bit registers.
+  /// Finds a compiler: that of the environment variable CXX if it is set (a name or an absolute
+  /// file, without arguments). Otherwise finds the one that desmo was built with, else c++. Throws
+  /// Unavailable when CXX names no program, when there is none, or when it does not tell its
+  /// version. lanes: lanes of the kernels; 8 need a processor with 512-bit registers.
   static Compiler find(int lanes = 1);
 
   const std::string& file() const { return file_; }

@@ -20,12 +20,12 @@ struct TypeUse {
 
 /// The outcome of generating code.
 struct GenerationOutcome {
-  std::vector<TypeUse> types;  ///< part types that code was wanted for
-  int parts_too_large = 0;     ///< number of parts too large for generated code
-  bool compiled = false;       ///< compiled in this call, not found in the cache
-  std::string compiler;        ///< file and version of the compiler; empty: not looked for or found
-  std::string folder;          ///< folder of the cache
-  double seconds = 0;          ///< total time [s]
+  std::vector<TypeUse> types;    ///< part types that code was wanted for
+  int parts_too_large = 0;       ///< number of parts too large for generated code
+  bool compiled = false;         ///< compiled in this call, not found in the cache
+  std::string compiler;          ///< its file and version; empty: not needed or not found
+  std::string folder;            ///< folder of the cache; empty: not opened
+  double seconds = 0;            ///< total time [s]
   double seconds_compiling = 0;  ///< time of the compiler [s], included in `seconds`
   std::string problem;           ///< reason why there is no code for `types`; empty: there is
 };

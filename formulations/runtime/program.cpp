@@ -40,8 +40,8 @@ std::vector<std::string> environment() {
   return variables;
 }
 
-/// Gives a program its own process group, so that all processes it starts can be ended with it, and
-/// the signal handling of a program that is started by hand.
+/// Gives a program its own process group, so that all processes it starts can be ended with it.
+/// Gives it the default signal handling, with no signal blocked.
 void set_attributes(posix_spawnattr_t& attributes) {
   sigset_t none, all;
   ::sigemptyset(&none);

@@ -80,8 +80,8 @@ std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& g
   return std::move(sampler.states);
 }
 
-/// An observer that keeps which parts of a formulation refused steps of a motion, as far as the
-/// motion could be solved.
+/// An observer that keeps which parts of a formulation refused steps of a motion, up to the last
+/// instant that was solved.
 struct RefusalObserver final : Observer {
   explicit RefusalObserver(const Formulation& f) : parts(parts_of(f)), refused(parts.size()) {}
 

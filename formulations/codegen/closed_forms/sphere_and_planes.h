@@ -24,7 +24,7 @@ struct Sphere {
 struct Plane {
   Vector normal;
   Expr offset;
-  /// Returns r of normal · ẋ = r, given the right-hand sides b of the task's equations J ẋ = b.
+  /// Returns r of normal · ẋ = r. b: right-hand sides of the task's equations J ẋ = b.
   std::function<Expr(const Vector& b)> right_side;
 };
 

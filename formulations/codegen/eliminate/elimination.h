@@ -51,8 +51,8 @@ class Elimination {
   /// Records it with pivots chosen at these sample points alone.
   Elimination(SparseRows matrix, SampleNumbers at, Unsound unsound);
 
-  /// Returns whether a pivot is too small at a sample point, compared with its column, or the
-  /// determinant of the last rows, compared with its products.
+  /// Returns whether a pivot is too small at a sample point, compared with its column. The
+  /// determinant of rows solved by their adjugate is compared with its products.
   bool is_poor_at(std::size_t sample) const { return is_poor_[sample]; }
 
   /// Returns x with Φ_φ x = b.
@@ -83,8 +83,8 @@ class Elimination {
   std::vector<PivotMonitor> monitors_;
 };
 
-/// Returns eliminations of one matrix: at each sample point one of them has no poor pivots, unless
-/// the point is near a singular position or the orders are too many.
+/// Returns eliminations of one matrix. At each sample point one of them has no poor pivots, except
+/// near singular positions and when `most` of them do not suffice.
 /// - most: largest number of eliminations
 /// - first: number of points, from the beginning, at which the first elimination is chosen. Each
 ///   later one is chosen at all points where those before it are poor.

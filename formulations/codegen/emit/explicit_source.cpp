@@ -92,8 +92,8 @@ void write_list(std::ostream& out, const char* name, const std::vector<int>& inp
 }
 
 /// Writes the lists of inputs: torn ones, angles with a bearing, those that the kernel reads, and
-/// its unknowns. The kernel reads all inputs that are not unknowns, and the last positions of torn
-/// unknowns and of angles with a bearing.
+/// its unknowns. The kernel reads all inputs that are not unknowns. Of unknowns it reads the last
+/// positions of torn ones and of angles with a bearing.
 void write_lists(std::ostream& out, const ExplicitPlan& plan) {
   std::vector<int> torn, angles, read;
   std::vector<bool> is_read(plan.type.inputs.size(), true);
