@@ -93,8 +93,8 @@ void require_representable(double length, const std::string& body) {
           length));
 }
 
-/// Adds the points or vectors that a body carries to the list of its rigid body, each once, and the
-/// rigid body to the carriers of each.
+/// Adds the points or vectors that a body carries to the list of its rigid body, each once. Adds
+/// the rigid body to the carriers of each.
 void list_carried(const std::vector<int>& carried, int rigid_body, std::vector<int>& list,
                   std::vector<std::vector<int>>& carriers) {
   for (const int x : carried) {

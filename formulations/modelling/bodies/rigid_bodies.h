@@ -9,8 +9,8 @@ namespace desmo {
 
 /// The basis of a rigid body: a point and up to three independent directions (one in the plane).
 /// Each direction is a vector, or the line from that point to another. All other points and
-/// vectors of the body are linear functions of the basis, except for those of a nearly flat body
-/// before with_plane_normals().
+/// vectors of the body are linear functions of the basis. Nearly flat bodies are an exception until
+/// with_plane_normals() completes their bases.
 struct Basis {
   int origin = -1;                               ///< point; -1: the body carries none
   std::vector<Mechanism::Direction> directions;  ///< vectors first, then lines
@@ -49,14 +49,14 @@ struct RigidBodies {
 /// vector of a body with a frame of its own does.
 bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
-/// Throws std::invalid_argument, naming the body, when a length on a body is < 1e-152 or > 1e152,
-/// but neither 0 nor infinite. Equations contain squares of such lengths: the stated one and the
+/// Throws std::invalid_argument, naming the body, when a finite length on a body is > 1e152, or
+/// < 1e-152 and not 0. Equations contain squares of these lengths: of the stated one, and of the
 /// distances from the body's first point.
 void require_representable(const Mechanism& mechanism);
 
 /// Merges bodies that fixed joints connect, and chooses their bases. Vectors that do not follow
-/// from points are taken first, in the bodies' order, then lines from the body's first point. A
-/// second direction at less than 5.7° to the first is taken only as a last resort. A third one at
+/// from points are taken first, in the bodies' order. Then come lines from the body's first point.
+/// A second direction at less than 5.7° to the first is taken only as a last resort. A third one at
 /// less than 5.7° to the plane of two others is never taken. Throws std::invalid_argument, naming
 /// the body, when
 /// - a body carries neither point nor vector,

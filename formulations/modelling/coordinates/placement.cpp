@@ -47,7 +47,7 @@ int finder(const RigidBodies& rigid, const Structure& structure, const std::vect
   if (building.empty()) return following.front();
   if (following.empty() || building.front() <= following.front()) return building.front();
   // A body of an earlier group carries it, too. It can wait for the later group with a basis that
-  // contains it, when that is the only one and nothing needs it before.
+  // contains it. That group must be the only one, and nothing may need it before.
   const bool one_builds = building.front() == building.back();
   const bool needed_before =
       needed_at_once ||

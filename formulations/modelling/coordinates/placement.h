@@ -17,9 +17,8 @@ struct Placement {
 };
 
 /// Assigns each point and vector to the first group with a body that carries it. There is one
-/// exception: where a later group alone has the entity in the basis of a body, and no driver, no
-/// coupling and no second body needs it before, the entity is assigned to that group. may_wait:
-/// false to make no exception.
+/// exception: an entity may wait for a later group that alone has it in the basis of a body. No
+/// driver, no coupling and no second body may need it before. may_wait: false to make no exception.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
                          const Structure& structure, bool may_wait = true);
 

@@ -17,9 +17,9 @@ namespace desmo {
 /// - couplings: an equation each, linear unless by a table;
 /// - ground vectors that are coordinates: linear equations that hold them.
 /// An equation belongs to the last group that solves for one of its coordinates. Unless coordinates
-/// are natural, equations that are explicit in an entity derive it, such as a point from the basis
-/// of its body. motions: one per driven coordinate, in order. Throws std::invalid_argument, naming
-/// the coordinate, joint or coupling, when it cannot be modelled.
+/// are natural, an equation that is explicit in an entity derives it. An example is a point in
+/// terms of its body's basis. motions: one per driven coordinate, in order. Throws
+/// std::invalid_argument, naming the coordinate, joint or coupling, when it cannot be modelled.
 Model make_candidate_equations(const Mechanism& mechanism, const RigidBodies& rigid,
                                const Structure& structure, const std::vector<Motion>& motions,
                                Modelling modelling = Modelling::natural);

@@ -166,7 +166,7 @@ void define_component(const Definition& definition) {
 }
 
 /// Returns whether the tree or equations of a joint keep the points of a distance on its line, or
-/// at a constant offset from it.
+/// the second point at a constant offset from it.
 bool is_kept_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   for (int i = 0; i < static_cast<int>(w.mechanism.joints.size()); ++i) {
     const Mechanism::Joint& j = w.mechanism.joints[i];

@@ -141,8 +141,8 @@ bool writes_offset(const EquationWriter& w, const Mechanism::Joint& j) {
 
 namespace {
 
-/// Marks the points and vectors that were added after those of `d` as internal, and removes them
-/// from the lists of groups.
+/// Marks points and vectors that were added after those of `d` as internal. Removes them from the
+/// lists of groups.
 void mark_internal(Coordinates& coordinates, const Mechanism& d) {
   const auto mark = [&](const std::vector<EntityId>& entities, std::size_t own) {
     for (std::size_t i = own; i < entities.size(); ++i) {

@@ -143,9 +143,9 @@ std::array<Derived, Kind::constants> measured(const Mechanism& mechanism, double
   return c;
 }
 
-/// Returns the cᵢ for which Σ cᵢ directionᵢ, over the basis of a body in space, is the offset or
-/// nearest to it. Coefficients at rounding level are zero. magnitude: of the positions whose
-/// difference the offset is.
+/// Returns the cᵢ with offset = Σ cᵢ directionᵢ for the basis of a body in space. Where there are
+/// none, the sum is nearest to the offset. Coefficients at rounding level are zero. magnitude: of
+/// the positions whose difference the offset is.
 std::vector<Derived> coefficients_in_space(const Mechanism& mechanism, const RigidBody& body,
                                            const Mechanism::Direction& offset, double magnitude);
 

@@ -15,9 +15,9 @@ std::array<Derived, Kind::constants> kept(const EquationWriter& w, const Mechani
   return measured<Kind>(w.mechanism, magnitude, operands);
 }
 
-/// Keeps the offset of a joint's second point constant: in the plane from the line through the
-/// first point along the vector, in space from the plane through the first point normal to the
-/// vector.
+/// Keeps the offset of a joint's second point constant. In the plane it counts from the line
+/// through the first point along the vector. In space it counts from the plane through the first
+/// point that is normal to the vector.
 template <class Kind>
 void keep_off(EquationWriter& w, const Mechanism::Joint& j, const char* what) {
   const int u = j.vectors[0], p = j.points[0], q = j.points[1];

@@ -81,7 +81,7 @@ std::pair<int, int> AxisMaker::find_or_add_normals(int body, int vector) {
   const auto [at, is_new] = normals_.try_emplace({body, vector});
   if (!is_new) return at->second;
   const Exact u = own(body, vector);
-  // Takes the axis of the frame that is most nearly normal to u, and of it the part normal to u.
+  // n: of the axis of the frame that is most nearly normal to u, the part normal to u.
   std::array<Exact, 3> axes = own_axes(body);
   for (std::size_t k = 0; k < axes.size(); ++k)
     if (const int v = framed_.frames[body].axes[k]; v >= 0) axes[k] = own(body, v);

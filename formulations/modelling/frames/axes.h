@@ -38,8 +38,8 @@ class AxisMaker {
   /// Adds a vector, named `<body>/<what>` and numbered where that is taken, if there is none.
   int find_or_add_axis(int body, const Exact& direction, const char* what);
 
-  /// Returns the indices of vectors n₁ and n₂ = u × n₁ of a body, at right angles to each other and
-  /// to its `vector` u. Adds those that the body does not have.
+  /// Returns the indices of two normals of a body's `vector` u: n₁ and n₂ = u × n₁, both vectors of
+  /// the body. Adds those that the body does not have.
   std::pair<int, int> find_or_add_normals(int body, int vector);
 
   /// Returns the direction of a body's basis that is most nearly normal to `axis`, scaled to

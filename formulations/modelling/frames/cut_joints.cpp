@@ -20,7 +20,8 @@ constexpr double min_sine = 1e-6;
 
 /// Closes the vectors that a body shares with earlier bodies. In space, the first one closes by
 /// products with two of its normals on this body. It leaves a turn about itself. A further one
-/// shared with the same body closes by a product with the normal of both, unless they are parallel.
+/// shared with the same body closes by a product with their common normal, unless they are
+/// parallel.
 void close_shared_vectors(FramedMechanism& framed, AxisMaker& axes,
                           const std::vector<int>& orientation, int own_vectors, int r) {
   std::vector<std::pair<int, int>> closed;  // other bodies, each with a vector that is closed

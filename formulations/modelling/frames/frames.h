@@ -59,18 +59,18 @@ struct FramedMechanism {
 FramedMechanism put_frames(const Mechanism& mechanism, const RigidBodies& rigid,
                            const Structure& structure, Modelling modelling);
 
-/// Gives bodies in space that lie nearly in a plane its normal as a third direction of their bases:
-/// where no direction leads more than 5.7° out of the plane of two others, but some point or vector
-/// lies off it by more than rounding. A third direction of the body's own would make equations that
-/// are nearly dependent, and without one the body would be flat. Returns the mechanism with these
+/// Gives nearly flat bodies in space the normal of their plane as a third direction of their bases.
+/// No direction of such a body leads more than 5.7° out of the plane of two others, but some point
+/// or vector lies off it by more than rounding. A third direction of the body's own would make
+/// nearly dependent equations; without one the body would be flat. Returns the mechanism with these
 /// vectors, and its rigid bodies (its other members mean nothing); nullopt where no body needs one.
 std::optional<FramedMechanism> with_plane_normals(const Mechanism& mechanism,
                                                   const RigidBodies& rigid);
 
 class EquationWriter;
 
-/// Writes the equations that derive the frame of a rigid body from the variables of its tree joint,
-/// in D dimensions. Adds those variables that are no declared coordinates.
+/// Writes the equations that derive a rigid body's frame from the variables of its tree joint, in D
+/// dimensions. Adds those variables that are no declared coordinates.
 template <int D>
 void write_frame(EquationWriter& writer, int body);
 

@@ -16,8 +16,8 @@ struct TreeJoint {
 };
 
 /// A spanning tree of the rigid bodies that have a frame. In `relative` coordinates a body hangs on
-/// its parent by a joint of the mechanism or, where none is suitable, on the ground by a free
-/// joint. In `reference` coordinates all hang on the ground by free joints.
+/// its parent by a joint of the mechanism. Where none is suitable, it hangs on the ground by a free
+/// joint. In `reference` coordinates all bodies do.
 struct SpanningTree {
   std::vector<int> order;  ///< all rigid bodies but the ground: parents first, group by group
   std::vector<TreeJoint> hanging;  ///< by rigid body
@@ -25,11 +25,11 @@ struct SpanningTree {
   std::vector<bool> is_of_tree;    ///< by joint of the mechanism; all others are cut
 };
 
-/// Returns the tree. Groups come in solution order. Within a group, while bodies are left, the next
-/// one hangs on a placed body by the joint with the fewest variables. Among equals it is the body
-/// with the most joints, then the one whose parent is nearest to earlier groups, then that of the
-/// first joint. Bodies without such a joint hang on the ground by a free joint. A body that can
-/// spin idly, such as a rod between two spherical joints, has no frame.
+/// Returns the tree. Groups come in solution order. Within a group, the next body hangs on a placed
+/// body by the joint with the fewest variables. Among equals the body with the most joints goes
+/// first, then the one whose parent is nearest to earlier groups, then that of the first joint.
+/// Bodies without such a joint hang on the ground by a free joint. A body that can spin idly, such
+/// as a rod between two spherical joints, has no frame.
 SpanningTree make_tree(const Mechanism& mechanism, const RigidBodies& rigid,
                        const Structure& structure, Modelling modelling);
 

@@ -24,8 +24,9 @@ struct Components {
   std::vector<int> of_body, of_restriction;
 };
 
-/// A maximum matching between the restrictions of a mechanism and the freedoms of its bodies, with
-/// the Dulmage–Mendelsohn decomposition of their incidence matrix (restrictions × freedoms).
+/// A maximum matching between the restrictions of a mechanism and the freedoms of its bodies. It
+/// results from the Dulmage–Mendelsohn decomposition of their incidence matrix (restrictions ×
+/// freedoms).
 class Matching {
  public:
   /// Computes the matching. restrictions must outlive it.

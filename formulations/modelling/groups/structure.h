@@ -49,9 +49,9 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coord
 /// - what find_restrictions() throws.
 Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid);
 
-/// Returns the idle freedoms of spatial bodies, in the order of the bodies. A body has one when it
-/// carries a point and all its points and vectors lie along one line, or it carries that point
-/// alone. (A joint that prevents the spin gives the body a vector across the line.)
+/// Returns the idle freedoms of spatial bodies, in the order of the bodies. A body with a point has
+/// one when all its points and vectors lie along one line, or when it carries nothing else. (A
+/// joint that prevents the spin gives the body a vector across the line.)
 std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& mechanism, const RigidBodies& rigid);
 
 /// Returns the axis about which an under-constrained spatial body can spin, if its only joints are

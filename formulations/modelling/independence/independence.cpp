@@ -44,8 +44,8 @@ VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
   }
 }
 
-/// Returns the misfit after a movement m = 1 [natural magnitudes], extrapolated from those after
-/// driver_movement and half of it as a m + b m².
+/// Extrapolates misfits as a m + b m², where m is the movement [natural magnitudes]. Returns that
+/// for m = 1, given those for driver_movement (whole) and half of it.
 VectorXd extrapolated(const VectorXd& half, const VectorXd& whole) {
   return (4 * half - whole) / driver_movement +
          (2 * whole - 4 * half) / (driver_movement * driver_movement);
@@ -64,8 +64,8 @@ std::vector<int> contradicted(const GroupSystem& s, const VectorXd& off, int con
 }
 
 /// Moves a group's drivers a little from an assembled position, first forwards, then backwards.
-/// Returns nullopt when all its candidates, dependent ones included, can follow in one direction
-/// with misfits ≤ max_misfit, also when extrapolated to a movement by one natural magnitude.
+/// Returns nullopt when all its candidates, dependent ones included, can follow in one direction.
+/// Then misfits are ≤ max_misfit, also when extrapolated to a movement by one natural magnitude.
 std::optional<Contradiction> find_contradiction(const GroupSystem& s,
                                                 const std::vector<double>& position,
                                                 Lineariser& lineariser) {

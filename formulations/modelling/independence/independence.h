@@ -14,8 +14,8 @@ namespace desmo {
 /// unknowns depends on those selected before. Rank may be lower at a special position. Therefore
 /// the nominal and two perturbed positions are assembled, and the one of highest rank decides. In a
 /// group that closes only to the digits of its file, gradients that differ by ≤ max_misfit count as
-/// dependent. A definition of several equations with only one selected is replaced by its
-/// ScalarDefinition, unless the rank then falls.
+/// dependent. Where only one of a definition's equations is selected, its ScalarDefinition replaces
+/// the definition, unless the rank then falls.
 ///
 /// surplus: for each group, restrictions minus freedoms.
 /// Throws std::invalid_argument, naming group, bodies and equations, when

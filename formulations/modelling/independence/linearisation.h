@@ -13,8 +13,8 @@ inline constexpr double dependent_below = 1e-6;
 /// The same limit for a group that closes only to the digits of its file. It is also the largest
 /// misfit of such a group, relative to its lengths; groups that are off by more are refused.
 inline constexpr double max_misfit = 1e-4;
-/// A row with uncertain derivatives also depends on others when the length of that component is ≤
-/// this times the relative uncertainty.
+/// A row whose derivatives are uncertain also depends on others when that length is ≤ this times
+/// the relative uncertainty.
 inline constexpr double uncertainty_margin = 10;
 
 /// The system of a group: its candidate equations, without those between constants, are rows; its
@@ -41,8 +41,8 @@ void list_rows(const Model& model, GroupSystem& system);
 
 /// Scaled Φ and Φ_q of a group's candidates. Columns are multiplied by natural magnitudes: for
 /// points and distances the largest power of two that is ≤ their characteristic length, else 1.
-/// Rows are divided by their norm over these columns, or by 1e-8 of their norm over all other
-/// variables if that is larger. A change of units changes scales by factors below two.
+/// Rows are divided by their norm over these columns or, if that is larger, by 1e-8 of their norm
+/// over all other variables. A change of units changes scales by factors below two.
 struct Linearisation {
   Eigen::VectorXd phi;       ///< (rows)
   Eigen::MatrixXd jacobian;  ///< (rows × columns) of the GroupSystem

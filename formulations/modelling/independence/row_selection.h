@@ -24,8 +24,8 @@ class RowSelector {
   SelectedRows select(const GroupSystem& system);
 
   /// Replaces definitions with one selected equation by their ScalarDefinition, in the candidates,
-  /// the system and the selection, unless fewer rows would then be selected. The sine or the cosine
-  /// of an angle alone would be singular at some positions.
+  /// the system and the selection. The sine or the cosine of an angle alone would be singular at
+  /// some positions. Does not if fewer rows would then be selected.
   void shorten(GroupSystem& system, SelectedRows& selected);
 
  private:

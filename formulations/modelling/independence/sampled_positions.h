@@ -22,8 +22,8 @@ struct Linearisers {
 };
 
 /// Assembles these positions. Each group may move its unknowns and its drivers. A perturbed
-/// position that cannot be assembled is replaced by the nominal one. Where a redundant group can
-/// only be assembled, or only follow its drivers, with misfits up to max_misfit, sets its
+/// position that cannot be assembled is replaced by the nominal one. Some redundant groups can be
+/// assembled, or follow their drivers, only with misfits up to max_misfit. Sets their
 /// GroupSystem::dependent_below to that. Throws std::invalid_argument, naming group, bodies and
 /// constraint, when the nominal position cannot be assembled.
 SampledPositions assemble_positions(const Model& model, std::vector<GroupSystem>& systems,

@@ -30,7 +30,7 @@ struct Measure {
 /// - a joint's turn about its axis, in (−π, π], and travel along it, of the second body in the
 ///   first, from the drawing
 /// - a ratio of two rates; where both vanish, that of the accelerations. NaN where only the second
-///   rate vanishes, where both rates and the second acceleration do, or where these are not solved
+///   rate vanishes, where both and the second acceleration do, and without the levels it needs
 ///
 ///   const Plan plan = make_plan(whole, outputs_of(scene, whole));  // with what measures read
 ///   Measures measures(scene, plan.model);
@@ -54,9 +54,11 @@ class Measures {
   /// Source of the drivers' rates: the model's motions, or rows of numbers, which are exact.
   enum class DrivenBy { motions, rows };
 
-  /// Throws std::invalid_argument, naming the measure, for a body or joint whose points and vectors
-  /// do not tell its rotation (unless only patterns ask for it that match others which do), for a
-  /// coordinate that is fixed, and for a name that the model has.
+  /// Throws std::invalid_argument, naming the measure,
+  /// - for a body or joint whose points and vectors do not tell its rotation, unless only patterns
+  ///   ask for it that match others which do,
+  /// - for a coordinate that is fixed, and
+  /// - for a name that the model or another measure has.
   Measures(const Scene& scene, const Model& model, DrivenBy driven_by = DrivenBy::motions);
 
   const std::vector<Measure>& list() const { return list_; }
