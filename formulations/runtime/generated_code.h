@@ -15,7 +15,7 @@ namespace desmo {
 struct TypeUse {
   std::string group;  ///< first group with such a part
   int unknowns = 0;   ///< unknowns of one part
-  int parts = 0;      ///< number of parts
+  int parts = 0;      ///< number of parts that code was wanted for
 };
 
 /// The outcome of generating code.

@@ -53,8 +53,8 @@ void set_attributes(posix_spawnattr_t& attributes) {
       &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
 }
 
-/// Starts a program, which from then on is `running`. Blocks interrupting signals meanwhile: one
-/// that came between the start and the assignment to `running` would not end the program.
+/// Starts a program, which from then on is `running`. Meanwhile blocks interrupting signals in this
+/// thread: one between the start and the assignment to `running` would not end the program.
 pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   const std::vector<std::string> variables = environment();
   const std::vector<char*> argv = null_terminated(arguments), envp = null_terminated(variables);

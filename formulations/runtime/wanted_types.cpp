@@ -15,7 +15,7 @@ namespace {
 
 using generate::LibraryContents, generate::sample_count, generate::SampledType;
 
-constexpr int max_steps = 400;      // of a motion that is solved for samples
+constexpr int max_steps = 400;      // largest number of steps of a motion that is solved here
 constexpr double tolerance = 1e-6;  // setting for samples, of which only magnitudes count
 /// Largest number of unknowns of a part with generated code. The work of the generator and of the
 /// compiler grows faster than this number.

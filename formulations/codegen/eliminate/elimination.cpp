@@ -103,7 +103,7 @@ std::vector<int> columns_of(const SparseRows& rows) {
   return {columns.begin(), columns.end()};
 }
 
-/// Factors, about, by which a ratio may exceed 1 + its largest sample before its pivot is refused.
+/// Approximate factors by which a ratio may exceed 1 + its largest sample before it is refused.
 constexpr double magnification_allowed = 1e3, cancellation_allowed = 1e6;
 
 /// Returns the power of two at or below allowed (1 + largest), a bound far from all samples. So the

@@ -29,7 +29,7 @@ class SolveWriter {
     for (const OrderSection& s : plan.order)
       for (const int i : unknowns_of(s))
         for (const Expr e : {plan.part.q[i], plan.part.qd[i], plan.part.qdd[i]}) {
-          declared_.insert(e.id());  // its definition declares it
+          declared_.insert(e.id());  // its definition or its core declares it
           open_.insert(e.id());
         }
   }

@@ -19,7 +19,7 @@ using Expressions = std::vector<Expr>;
 /// position.
 constexpr std::size_t max_orders = 3;
 
-/// Writes the functions of one kernel.
+/// A writer of the functions of one kernel.
 class KernelWriter {
  public:
   KernelWriter(std::ostream& out, const PartType& type, const RecordedPart& group,

@@ -6,10 +6,10 @@ namespace desmo::generate {
 
 namespace {
 
-/// The part of a derivative that is linear in given derivatives of the inputs (absent: zero): all
-/// of a first derivative. A second derivative is Linear of the inputs' second derivatives, plus
-/// twice QuadraticTerm of their first ones. The factor 2 is multiplied once, after all sums. Both
-/// classes compute each node once.
+/// The part of a derivative that is linear in given derivatives of the inputs (absent: zero). For a
+/// first derivative it is all. A second derivative is Linear of the inputs' second derivatives,
+/// plus twice QuadraticTerm of their first ones. The factor 2 is multiplied once, after all sums.
+/// Both classes compute each node once.
 class Linear {
  public:
   explicit Linear(const std::map<int, Expr>& of_input) : of_input_(of_input) {}

@@ -99,7 +99,7 @@ void relate_point(EquationWriter& w, const std::string& prefix, const RigidBody&
              reach_of(w.mechanism, body, w.reach)});
 }
 
-/// Writes the same equation for a vector.
+/// Writes the linear equation of a vector that is not in the basis.
 void relate_vector(EquationWriter& w, const std::string& prefix, const RigidBody& body, int v) {
   relate(w, {prefix + w.mechanism.vectors[v].name + " rigid", body, w.vector(v), {v}, 1});
 }

@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// The natural and mixed coordinates of a mechanism.
+/// The coordinates of a mechanism: those of points and vectors, and relative ones.
 struct Coordinates {
   Model model;                            ///< groups, entities and drivers; no constraints yet
   std::vector<EntityId> points, vectors;  ///< entity of each point and vector; -1: on no body

@@ -43,7 +43,7 @@ class AxisMaker {
   std::pair<int, int> find_or_add_normals(int body, int vector);
 
   /// Returns the direction of a body's basis that is most nearly normal to `axis`, scaled to
-  /// length 1; the first one among equals.
+  /// length 1; the first one when others differ from it by rounding alone.
   Exact nearest_to_normal(int body, const Exact& axis) const;
 
   /// Returns whether an angle is the turn of a body's tree joint: it goes from directions that the
@@ -63,7 +63,7 @@ class AxisMaker {
 
   FramedMechanism& framed_;
   std::set<std::string> names_;
-  std::map<std::pair<int, int>, std::pair<int, int>> normals_;  // by body and vector
+  std::map<std::pair<int, int>, std::pair<int, int>> normals_;  // normals made, by body and vector
 };
 
 /// Returns whether a rigid body carries a direction: a vector, or both points of a line.

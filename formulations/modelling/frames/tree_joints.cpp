@@ -10,7 +10,7 @@ namespace desmo {
 
 namespace {
 
-/// Writes the derivation of one frame.
+/// A writer of the derivation of one frame.
 template <int D>
 class FrameWriter {
  public:
@@ -126,7 +126,7 @@ class FrameWriter {
   int r_;
   const DerivedFrame& frame_;
   const TreeJoint& hanging_;
-  const Mechanism::Joint* joint_;  // null: free
+  const Mechanism::Joint* joint_;  // null: a free joint
   std::string name_;
 };
 

@@ -180,7 +180,8 @@ std::vector<LeftOut> leave_out_dependent(Model& m, const std::vector<int>& surpl
     std::optional<Contradiction> contradiction;
     if (s.redundant && s.drivers() > 0)
       contradiction = find_contradiction(s, positions[1], linearisers.usual);
-    // Comes before definitions are shortened: the equation that is left may contradict nothing.
+    // Comes before definitions are shortened: the equation that replaces one may contradict
+    // nothing.
     require_determined(m, s, selected, contradiction);
     selector.shorten(s, selected);
     mark_left_out(m, s, selected, left_out);

@@ -93,7 +93,7 @@ void refuse_assembly(const Model& m, const GroupSystem& s, const VectorXd& phi) 
   Eigen::Index worst = 0;
   if (phi.allFinite()) phi.cwiseAbs().maxCoeff(&worst);
   const Constraint& c = m.constraints[s.rows[worst].first];
-  // Operands are named, because an equation such as an angle's definition involves lengths, too.
+  // Names all operands: an angle's definition, say, also fails for the length of its line.
   const std::string operands = joined(c.operands, [&](EntityId e) { return m.entities[e].name; });
   throw std::invalid_argument(
       where(m, s) + "cannot be assembled near its nominal position; constraint '" + c.name +

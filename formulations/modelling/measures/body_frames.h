@@ -26,7 +26,7 @@ Vector unit(const Vector& a);
 /// Returns the axes of `frame` in components along the axes of `other`.
 Frame seen_from(const Frame& other, const Frame& frame);
 
-/// A point or vector, in the coordinates or fixed.
+/// A point or vector as a function of the instant; either coordinates or a fixed value.
 struct Operand {
   Vector fixed{};
   int first = 0, size = 0;  ///< first coordinate and number of them; 0: it is fixed
@@ -50,7 +50,7 @@ struct BodyFrame {
   Frame operator()(const Instant& instant) const;
 };
 
-/// Finds directions and frames of a mechanism's bodies in its model.
+/// A finder of directions and frames of a mechanism's bodies in its model.
 class BodyFrames {
  public:
   /// inputs: what the directions and frames read is added to it.
