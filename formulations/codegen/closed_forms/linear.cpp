@@ -57,7 +57,7 @@ std::optional<ClosedForm> solve_linear(const Task& task) {
     rates_by_equations(form, task.equations,
                        [elimination](const std::vector<Expr>& b) { return elimination.solve(b); });
   } catch (const std::invalid_argument&) {
-    return std::nullopt;  // structurally singular
+    return std::nullopt;  // the matrix is structurally singular
   }
   return form;
 }

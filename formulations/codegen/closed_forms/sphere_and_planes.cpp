@@ -22,7 +22,7 @@ std::optional<Sphere> as_sphere(const Quadratic& q, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
       if (p.a.coefficient[i].id() != p.b.coefficient[i].id()) return std::nullopt;
       if (p.a.coefficient[i].is_zero()) continue;
-      if (axis < n) return std::nullopt;  // not along an axis
+      if (axis < n) return std::nullopt;  // the square contains two unknowns
       axis = i;
     }
     if (axis == n || found[axis]) return std::nullopt;

@@ -12,7 +12,7 @@ namespace desmo::generate {
 /// comparing it with magnitude().
 class Adjugate {
  public:
-  static constexpr std::size_t least = 2, most = 3;  ///< limits of the number of equations
+  static constexpr std::size_t least = 2, most = 3;  ///< limits of the number n of equations
 
   /// Records the inverse of an (n × n) matrix, least ≤ n ≤ most. Throws std::invalid_argument when
   /// it is structurally singular.

@@ -30,7 +30,7 @@ struct PivotChoice {
   int row = -1, column = -1;
   bool is_sound = false;  // its ratio is ≥ min_ratio() at every sample
   RelativeSize size;
-  std::tuple<bool, int, double> rank;  // smaller is better
+  std::tuple<bool, int, double> rank;  // the choice of the smallest rank is the best
 };
 
 /// Returns the ratio of an entry to the largest of its column at a sample point; 0 if all are 0.

@@ -66,8 +66,8 @@ class Elimination {
   struct Step {
     int row, column;
     Expr reciprocal;                          // 1/pivot
-    std::vector<std::pair<int, Expr>> lower;  // (row, multiplier)
-    std::vector<std::pair<int, Expr>> upper;  // (column, entry) of the pivot's row
+    std::vector<std::pair<int, Expr>> lower;  // remaining rows, each with its multiplier
+    std::vector<std::pair<int, Expr>> upper;  // columns of the pivot's row, each with its entry
   };
   /// The remaining rows and columns, solved by their adjugate.
   struct Last {

@@ -25,7 +25,7 @@ class ArrivalTimes {
   int find(const Node& n);
 
   std::map<std::string, int> defined_;
-  std::vector<int> found_;  // by node; negative: not yet computed
+  std::vector<int> found_;  // cycle of each node; negative: not yet computed
 };
 
 /// A predicate of nodes: true for a node to keep as one term or factor, false to expand it.

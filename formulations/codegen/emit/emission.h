@@ -66,10 +66,10 @@ class Emitter {
   EmissionStyle style_;
   bool declarations_apart_ = false;
   std::vector<int> uses_;
-  std::map<int, std::string> names_;      // text of named nodes
+  std::map<int, std::string> names_;      // text by which each named node is written
   std::vector<std::string> names_apart_;  // variables to be declared elsewhere
   std::vector<Expr> folded_;
-  mutable ArrivalTimes arrival_;  // caches what it computes
+  mutable ArrivalTimes arrival_;  // mutable, because it caches the cycles that it computes
 };
 
 /// Returns the text that reads each position and rate of a part from arrays q, qd and qdd, by node.

@@ -38,10 +38,10 @@ struct ExplicitPlan {
   const PartType& type;
   const RecordedPart& part;
   std::vector<OrderSection> order;
-  std::vector<SectionMotion> motion;  ///< by section of the order
+  std::vector<SectionMotion> motion;  ///< increments and rates of each section of the order
   /// Squared norm of each section's residuals, each times the weights of its equations.
   std::vector<Expr> residual2;
-  std::vector<Root> roots;  ///< roots of all definitions, in order
+  std::vector<Root> roots;  ///< roots of all definitions, in the order of these
   /// C++ text that reads a position or rate, by node: "q[in[3]]".
   std::map<int, std::string> places;
 

@@ -14,14 +14,14 @@ namespace desmo::generate {
 /// The definition of one or a few unknowns in closed form, in terms of earlier ones.
 struct Definition {
   ClosedForm form;
-  std::vector<int> unknowns;         ///< inputs of the part
-  std::vector<std::string> because;  ///< names of the equations it satisfies
+  std::vector<int> unknowns;         ///< numbers of these unknowns among the part's inputs
+  std::vector<std::string> because;  ///< names of the equations that it satisfies
 };
 
 /// A section of the explicit order: one definition, or a *core*. A core has torn unknowns, the
 /// definitions that its residuals need, and the residuals, which Newton–Raphson brings to zero.
 struct OrderSection {
-  std::vector<int> torn;  ///< inputs of the part; empty: not a core
+  std::vector<int> torn;  ///< torn unknowns, as inputs of the part; empty: not a core
   std::vector<Definition> definitions;
   std::vector<Expr> residuals;
   std::vector<std::vector<int>> residual_rows;  ///< rows of the equations each residual is made of

@@ -148,7 +148,7 @@ std::optional<TornOrder> Tearing::best_of_size(std::size_t size) {
   do {
     TornOrder order = walk(members(torn, torn.size()));
     if (order.unplaced == 0 && (!best || rank(order) < rank(*best))) best = std::move(order);
-  } while (std::prev_permutation(torn.begin(), torn.end()));  // the next combination
+  } while (std::prev_permutation(torn.begin(), torn.end()));  // takes the next set of torn unknowns
   return best;
 }
 

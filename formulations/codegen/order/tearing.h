@@ -69,8 +69,9 @@ class Tearing {
 
   std::vector<Expr> equations_, unknowns_;
   const Facts& facts_;
-  std::vector<std::map<int, std::vector<double>>> slopes_;  // ∂equation/∂unknown at each sample
-  std::vector<Set> reads_;                                  // unknowns that each equation reads
+  // ∂equation/∂unknown at each sample point, for each equation, by the unknowns that it reads.
+  std::vector<std::map<int, std::vector<double>>> slopes_;
+  std::vector<Set> reads_;  // unknowns that each equation reads
   // Matches found so far, by unknowns and equations.
   std::map<std::pair<std::vector<int>, std::vector<int>>, Match> matches_;
 };

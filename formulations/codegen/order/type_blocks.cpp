@@ -52,7 +52,7 @@ std::optional<SeparatedAngle> separate_angle(const Block& block, int angle, cons
   const Expr radius2 = p->cosine * p->cosine + p->sine * p->sine, inverse = Expr(1) / radius2;
   const ClosedForm::Bearing bearing{
       -((p->cosine * inverse) * p->rest + (q->cosine * inverse) * q->rest),
-      -((p->sine * inverse) * p->rest + (q->sine * inverse) * q->rest)};  // (cos θ, sin θ)
+      -((p->sine * inverse) * p->rest + (q->sine * inverse) * q->rest)};  // equals (cos θ, sin θ)
   std::vector<int> rows = with[0].rows;
   rows.insert(rows.end(), with[1].rows.begin(), with[1].rows.end());
   Definition definition{angle_by_bearing("angle", bearing, 1), {angle}, {}};

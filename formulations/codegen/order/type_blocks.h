@@ -16,7 +16,7 @@ struct EquationOfRows {
 
 /// An irreducible block: n equations for n unknowns that must be solved together.
 struct Block {
-  std::vector<int> unknowns;  ///< inputs of the part
+  std::vector<int> unknowns;  ///< numbers of its unknowns among the part's inputs
   std::vector<EquationOfRows> equations;
 };
 
@@ -27,7 +27,7 @@ std::vector<Block> blocks_of(const PartType& type, const RecordedPart& part);
 /// An angle eliminated from two equations of a block.
 struct SeparatedAngle {
   EquationOfRows rest;  ///< the equation ‖c‖² − R² = 0, which replaces the two
-  Definition angle;     ///< the angle, once c is known
+  Definition angle;     ///< definition of the angle in terms of c
 };
 
 /// Eliminates an angle θ from the two equations of a block that contain it. Their form must be

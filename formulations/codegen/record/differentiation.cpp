@@ -21,7 +21,7 @@ class Linear {
 
  private:
   Expr compute(Expr e) {
-    const Node n = Graph::current().node(e.id());  // a copy: the graph grows
+    const Node n = Graph::current().node(e.id());  // a copy, since the graph grows meanwhile
     if (!n.moves) return 0;
     if (n.op == Op::input) {
       const auto it = of_input_.find(e.id());

@@ -19,7 +19,7 @@ struct Affine {
 /// A quadratic expression of some nodes x, inputs or others: Σ scale (a · b) + rest. Products stay
 /// as recorded: (x − g)² is not multiplied out, because that would lose digits far from the origin.
 struct Quadratic {
-  struct Product {  ///< scale · a · b
+  struct Product {  ///< the product scale · a · b of two affine expressions
     Expr scale;
     Affine a, b;
   };

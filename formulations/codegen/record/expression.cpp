@@ -88,7 +88,7 @@ int Graph::input(std::string name, std::vector<double> sample_values, bool moves
 }
 
 int Graph::constant(double value) {
-  if (value == 0) value = 0;  // no negative zero
+  if (value == 0) value = 0;  // −0 becomes 0
   const auto it = constants_.find(value);
   if (it != constants_.end()) return it->second;
   return constants_[value] = add({Op::constant, -1, -1, value, {}, false},

@@ -18,8 +18,8 @@ struct RecordedEntry {
 /// The equations of a part type as expressions of its local inputs, their rates and its dimensions.
 struct RecordedPart {
   std::vector<Expr> q, qd, qdd;  ///< position and rates of each input; rates of fixed ones are zero
-  std::vector<Expr> phi;         ///< Φ
-  std::vector<Expr> gamma;       ///< Φ̇_q q̇
+  std::vector<Expr> phi;         ///< Φ (rows)
+  std::vector<Expr> gamma;       ///< quadratic velocity terms Φ̇_q q̇ (rows)
   /// Entries of Φ_q by inputs that are not fixed:
   /// - constant: entries that depend on dimensions alone
   /// - dependent: all other entries by unknowns
@@ -55,7 +55,7 @@ inline constexpr int sample_count = 45;
 struct SampledType {
   std::string name;  ///< namespace of its generated code
   PartType type;
-  std::vector<SamplePoint> samples;  ///< sample points for explicit orders
+  std::vector<SamplePoint> samples;  ///< all sample points; explicit orders are found at these
   /// Some of the samples, at which the first order of pivots is chosen. Few suffice, because the
   /// kernel monitors its pivots. Where they are too small at other samples, further orders follow.
   std::vector<SamplePoint> pivot_samples;
