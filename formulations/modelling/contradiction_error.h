@@ -25,7 +25,7 @@ class ContradictionError : public std::invalid_argument {
   ContradictionError(Text written, const std::string& length)
       : std::invalid_argument(written({.length = {length}})), text(std::move(written)) {}
 
-  const Text text;  ///< returns the text in other units
+  const Text text;  ///< function that returns the message in other units
 };
 
 }  // namespace desmo

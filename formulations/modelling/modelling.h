@@ -14,7 +14,7 @@ namespace desmo {
 /// vectors of the ground.
 struct LeftOut {
   std::string equation;                   ///< name of the constraint
-  std::vector<int> rows;                  ///< its rows that were left out
+  std::vector<int> rows;                  ///< rows of the constraint that were left out
   GroupId group;                          ///< group of the equation
   std::vector<std::string> follows_from;  ///< names of the constraints that imply it
   bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
@@ -24,7 +24,7 @@ struct LeftOut {
 /// An idle freedom: a motion of a body that moves none of its points and vectors. An example is the
 /// spin of a coupler about the line of its two spherical joints. No coordinate models it.
 struct IdleFreedom {
-  std::string body;   ///< first body of the rigid body
+  std::string body;   ///< name of the rigid body's first body
   std::string about;  ///< centre or axis of the spin: "the line of 'A' and 'B'"
 
   bool operator==(const IdleFreedom&) const = default;

@@ -172,7 +172,7 @@ bool Basis::has_vector(int vector) const {
 }
 
 bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) {
-  if (d.bodies[body.bodies.front()].own) return false;  // its frame tells all
+  if (d.bodies[body.bodies.front()].own) return false;  // its own frame gives the vector
   const auto& along = d.vectors[vector].along;
   const auto carries = [&](int point) {
     return std::ranges::find(body.points, point) != body.points.end();
@@ -182,7 +182,7 @@ bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) 
 
 void require_representable(const Mechanism& d) {
   for (const Mechanism::Body& body : d.bodies) {
-    if (&body == &d.bodies.front()) continue;  // the ground
+    if (&body == &d.bodies.front()) continue;  // the ground, whose points are constants
     if (body.length) require_representable(body.length->value, body.name);
     const std::vector<Vec> points = shape_of(d, body);
     for (const Vec& p : points)

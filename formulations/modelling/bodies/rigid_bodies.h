@@ -12,8 +12,8 @@ namespace desmo {
 /// vectors of the body are linear functions of the basis. Nearly flat bodies are an exception until
 /// with_plane_normals() completes their bases.
 struct Basis {
-  int origin = -1;                               ///< point; -1: the body carries none
-  std::vector<Mechanism::Direction> directions;  ///< vectors first, then lines
+  int origin = -1;                               ///< its point; -1: the body carries none
+  std::vector<Mechanism::Direction> directions;  ///< vectors first, then lines from the origin
 
   bool has_point(int point) const;
   bool has_vector(int vector) const;
@@ -36,8 +36,8 @@ struct RigidBody {
 /// The rigid bodies of a mechanism, in the order of their first body.
 struct RigidBodies {
   std::vector<RigidBody> list;                        ///< the first contains the ground
-  std::vector<int> of_body;                           ///< rigid body of each body
-  std::vector<std::vector<int>> of_point, of_vector;  ///< rigid bodies that carry it, ascending
+  std::vector<int> of_body;                           ///< rigid body of each mechanism's body
+  std::vector<std::vector<int>> of_point, of_vector;  ///< rigid bodies that carry each, ascending
 
   /// Returns whether a joint connects a rigid body with another one.
   bool is_joint_of(int body, const Mechanism::Joint& joint) const {

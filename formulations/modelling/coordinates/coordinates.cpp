@@ -197,7 +197,8 @@ class Modeller {
   Coordinates result_;
   Model& m_;  // result_.model
   int constant_groups_ = 0;
-  std::vector<std::vector<int>> measured_by_;  // positions in `measured`, by structural group
+  // Relative coordinates of each structural group, as positions in `measured`.
+  std::vector<std::vector<int>> measured_by_;
 };
 
 }  // namespace

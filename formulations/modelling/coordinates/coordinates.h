@@ -17,7 +17,7 @@ struct Coordinates {
   /// spatial sliding joints, named `<joint>/distance`.
   std::vector<Mechanism::Coordinate> measured;
   std::vector<EntityId> coordinates;   ///< entity of each relative coordinate
-  std::vector<GroupId> group_of_body;  ///< by rigid body; no_position: the ground
+  std::vector<GroupId> group_of_body;  ///< group of each rigid body; no_position: the ground
 };
 
 /// Returns whether a coordinate is the distance along a sliding joint, in either sense.

@@ -12,8 +12,8 @@ namespace desmo {
 /// The frame of a rigid body, and the variables of the tree joint that it is derived from. Points,
 /// vectors and coordinates are indices in FramedMechanism::mechanism.
 struct DerivedFrame {
-  int origin = Mechanism::none;  ///< point
-  /// Vectors; in the plane only the first.
+  int origin = Mechanism::none;  ///< point that is the origin
+  /// Vectors that are the x, y and z axes; in the plane only x.
   std::array<int, 3> axes{Mechanism::none, Mechanism::none, Mechanism::none};
 
   /// Vectors of the parent at right angles. The first angle of the joint counts from `from` towards
@@ -43,7 +43,7 @@ struct FramedMechanism {
   Mechanism mechanism;
   RigidBodies rigid;  ///< a body with a frame has it as basis: origin and axes
   SpanningTree tree;
-  std::vector<DerivedFrame> frames;    ///< by rigid body
+  std::vector<DerivedFrame> frames;    ///< frame of each rigid body
   std::vector<int> deriving;           ///< first rigid body in the tree that carries each point
   std::vector<int> deriving_vector;    ///< first rigid body in the tree that carries each vector
   std::vector<NormalVectors> vectors;  ///< closures of shared vectors

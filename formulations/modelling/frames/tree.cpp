@@ -142,7 +142,8 @@ SpanningTree make_tree(const Mechanism& d, const RigidBodies& rigid, const Struc
 
 std::vector<int> first_carriers(const std::vector<std::vector<int>>& carriers,
                                 const SpanningTree& tree) {
-  std::vector<int> position(tree.hanging.size(), -1);  // the ground comes first
+  // Position of each body in the tree's order; -1: the ground, which comes first.
+  std::vector<int> position(tree.hanging.size(), -1);
   for (std::size_t i = 0; i < tree.order.size(); ++i) position[tree.order[i]] = static_cast<int>(i);
   std::vector<int> first;
   for (const std::vector<int>& all : carriers)

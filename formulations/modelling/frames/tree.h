@@ -10,7 +10,7 @@ namespace desmo {
 
 /// The place of a rigid body in the spanning tree.
 struct TreeJoint {
-  int parent = 0;               ///< rigid body; 0: the ground
+  int parent = 0;               ///< rigid body that it hangs on; 0: the ground
   int joint = Mechanism::none;  ///< joint of the mechanism; none: a free joint
   bool is_first = false;        ///< the body is the first of the joint
 };
@@ -20,9 +20,9 @@ struct TreeJoint {
 /// joint. In `reference` coordinates all bodies do.
 struct SpanningTree {
   std::vector<int> order;  ///< all rigid bodies but the ground: parents first, group by group
-  std::vector<TreeJoint> hanging;  ///< by rigid body
-  std::vector<bool> has_frame;     ///< by rigid body; the ground has one
-  std::vector<bool> is_of_tree;    ///< by joint of the mechanism; all others are cut
+  std::vector<TreeJoint> hanging;  ///< tree joint of each rigid body
+  std::vector<bool> has_frame;     ///< whether each rigid body has a frame; true for the ground
+  std::vector<bool> is_of_tree;    ///< whether each joint is in the tree; all others are cut
 };
 
 /// Returns the tree. Groups come in solution order. Within a group, the next body hangs on a placed

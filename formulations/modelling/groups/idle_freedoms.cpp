@@ -40,7 +40,7 @@ std::string undetermined_spin(const Mechanism& d, const RigidBodies& rigid, int 
   std::vector<int> centres;
   for (const Mechanism::Joint& j : d.joints) {
     if (!rigid.is_joint_of(body, j)) continue;
-    if (j.points.size() != 1 || !j.vectors.empty()) return {};  // not about a point alone
+    if (j.points.size() != 1 || !j.vectors.empty()) return {};  // the joint is not spherical
     if (std::ranges::find(centres, j.points[0]) == centres.end()) centres.push_back(j.points[0]);
   }
   return centres.size() == 2 ? line_of(d, centres[0], centres[1]) : std::string();

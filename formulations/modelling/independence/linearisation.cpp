@@ -115,7 +115,7 @@ void Lineariser::move(std::vector<double>& state, const GroupSystem& s,
 
 bool RowSpace::add(Eigen::VectorXd row, double uncertain) {
   if (rank_ == basis_.cols()) return false;
-  for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding left
+  for (int pass = 0; pass < 2; ++pass)  // the second pass removes what rounding left in the first
     row -= basis_.leftCols(rank_) * (basis_.leftCols(rank_).transpose() * row);
   const double remaining = row.norm();
   if (!(remaining > std::max(dependent_below_, uncertainty_margin * uncertain))) return false;

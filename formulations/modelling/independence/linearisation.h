@@ -22,11 +22,11 @@ inline constexpr double uncertainty_margin = 10;
 struct GroupSystem {
   GroupId group;
   int first_constraint = 0, end_constraint = 0;  ///< range of its candidates in the model
-  std::vector<int> columns;                      ///< positions in q
+  std::vector<int> columns;                      ///< position in q of each column
   int unknowns = 0;                              ///< number of columns that are unknowns
-  std::vector<std::pair<int, int>> rows;         ///< constraint and its row
+  std::vector<std::pair<int, int>> rows;         ///< constraint, and row in it, of each row
   bool redundant = false;                        ///< the group has more restrictions than freedoms
-  double dependent_below = desmo::dependent_below;  ///< or max_misfit
+  double dependent_below = desmo::dependent_below;  ///< max_misfit if the group closes_nearly()
 
   /// Returns whether the group closes only to the digits of its file.
   bool closes_nearly() const { return dependent_below == max_misfit; }
@@ -44,8 +44,8 @@ void list_rows(const Model& model, GroupSystem& system);
 /// Rows are divided by their norm over these columns or, if that is larger, by 1e-8 of their norm
 /// over all other variables. A change of units changes scales by factors below two.
 struct Linearisation {
-  Eigen::VectorXd phi;       ///< (rows)
-  Eigen::MatrixXd jacobian;  ///< (rows × columns) of the GroupSystem
+  Eigen::VectorXd phi;       ///< scaled Φ (rows of the GroupSystem)
+  Eigen::MatrixXd jacobian;  ///< scaled Φ_q (rows × columns of the GroupSystem)
   Eigen::VectorXd share;  ///< divisor of each row, relative to its norm over all variables (rows)
   Eigen::VectorXd rounding;  ///< largest |Φ| by rounding of the variables that a row reads (rows)
 

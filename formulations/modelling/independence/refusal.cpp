@@ -39,7 +39,8 @@ std::string counted(int n, const std::string& what) {
 /// Returns the name of the entity that can move most while candidates hold and drivers rest.
 std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& selected) {
   const MatrixXd j = selected.jacobians[1].leftCols(s.unknowns);
-  MatrixXd moves = MatrixXd::Identity(s.unknowns, s.unknowns);  // columns: movements to first order
+  // Column k: unknown k moves by 1; the others move so that candidates hold to first order.
+  MatrixXd moves = MatrixXd::Identity(s.unknowns, s.unknowns);
   if (j.size() > 0) moves -= smallest_correction(s, j, j);
   Eigen::Index loosest = 0;
   moves.colwise().norm().maxCoeff(&loosest);

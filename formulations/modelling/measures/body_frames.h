@@ -16,7 +16,7 @@ namespace desmo::frames {
 
 using Number = Jet<double>;
 using Vector = std::array<Number, 3>;
-using Frame = std::array<Vector, 3>;  ///< orthonormal axes
+using Frame = std::array<Vector, 3>;  ///< three orthonormal axes
 
 inline const Frame ground{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
 

@@ -18,7 +18,7 @@ namespace desmo {
 struct Measure {
   /// Names of its values at the levels that are asked for; empty: it has none there.
   PerLevel<std::string> names{};
-  EntityKind kind;                     ///< tells the unit
+  EntityKind kind;                     ///< kind of quantity, which tells the unit
   std::optional<EntityKind> per = {};  ///< of a ratio: the kind that it is divided by
 };
 
