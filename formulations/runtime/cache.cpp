@@ -187,7 +187,7 @@ void Cache::remove_old() const {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
     const std::string name = entry.path().filename().string();
     const fs::file_time_type time = entry.last_write_time(error);
-    if (error) continue;  // gone already
+    if (error) continue;  // another process removed it
     if (name.ends_with(".cpp") || name.ends_with(".so"))
       finished.emplace_back(time, name);
     else if (name.starts_with(unfinished) && time + abandoned < now)

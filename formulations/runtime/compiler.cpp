@@ -25,7 +25,7 @@ constexpr const char* all_flags = DESMO_KERNEL_FLAGS " -w -pipe -fPIC -shared -f
 constexpr const char* more_for_eight_lanes = " -march=x86-64-v4 -mno-red-zone";
 
 constexpr std::chrono::seconds time_for_version{10};
-constexpr std::size_t max_shown = 300;  // characters of a compiler's error
+constexpr std::size_t max_shown = 300;  // length of a compiler's error in a message [characters]
 
 bool is_program(const std::string& file) {
   struct stat status {};

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-struct evp_md_ctx_st;  // OpenSSL's
+struct evp_md_ctx_st;  // OpenSSL's context of a digest
 
 namespace desmo {
 

@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t max_output = std::size_t{1} << 16;  // [bytes]
+constexpr std::size_t max_output = std::size_t{1} << 16;  // length of ProgramEnd::output [bytes]
 
 // The process of the running child, which leads a process group of the same number; 0: none.
 std::atomic<pid_t> running{0};
@@ -107,7 +107,7 @@ bool read_all(int from, Clock::time_point end, std::string& text) {
 
 /// Waits for a child until `end`. Returns whether it has ended. status: receives its exit status.
 bool wait_until(pid_t child, Clock::time_point end, int& status) {
-  constexpr int pause = 2;  // ms
+  constexpr int pause = 2;  // between two looks [ms]
   for (;;) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
     // SIGCHLD may be ignored; then nobody learns how the child ended: its output will show.

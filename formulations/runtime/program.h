@@ -8,7 +8,7 @@ namespace desmo::load {
 
 /// The end of another program.
 struct ProgramEnd {
-  bool good = false;   ///< exit code 0
+  bool good = false;   ///< exit code 0; true, too, when SIGCHLD is ignored and hides the code
   bool late = false;   ///< killed because its time was over
   std::string output;  ///< standard output and error, at most 64 KiB
 };

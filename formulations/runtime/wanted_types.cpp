@@ -76,7 +76,8 @@ std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& g
   const TimeGrid coarse = with_few_steps(grid);
   Sampler sampler(m, coarse.instants);
   const auto f = make_formulation(find_variant("group_automatic_klu"), m, {.tolerance = tolerance});
-  static_cast<void>(f->run(coarse, Request{Level::position}, sampler));  // as far as it goes
+  // Where the run fails, the states before remain.
+  static_cast<void>(f->run(coarse, Request{Level::position}, sampler));
   return std::move(sampler.states);
 }
 
