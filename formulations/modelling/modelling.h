@@ -10,8 +10,8 @@
 
 namespace desmo {
 
-/// A candidate equation that was left out because it follows from others, or is between points and
-/// vectors of the ground.
+/// A candidate equation that was left out: it follows from others, or is between points and vectors
+/// of the ground.
 struct LeftOut {
   std::string equation;                   ///< name of the constraint
   std::vector<int> rows;                  ///< rows of the constraint that were left out

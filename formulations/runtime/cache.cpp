@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr mode_t all_of_others = 0077, writing_of_others = 0022;
+constexpr mode_t all_of_others = 0077, writing_of_others = 0022;  // permissions of all other users
 constexpr std::size_t max_files = 256;             // number of finished files that are kept
 constexpr const char* unfinished = "unfinished.";  // prefix of the names of unfinished files
 constexpr std::chrono::hours abandoned{1};         // age at which nobody works on such a file

@@ -26,7 +26,7 @@ class Cache {
   int descriptor() const { return descriptor_.number(); }
 
   /// Returns the content written under this name; nullopt when there is none. A file that was
-  /// damaged or renamed, is a link, has another owner or is open to others does not count.
+  /// damaged or renamed does not count, nor does a link, nor one that others own or may open.
   std::optional<std::string> read(const std::string& name) const;
 
   /// Writes a file atomically, replacing any file of that name. Removes the oldest files when there

@@ -11,8 +11,8 @@
 
 namespace desmo::load {
 
-/// Returns the part types of a formulation that the table lacks code for, or for which its code
-/// refuses steps of the motion over `grid`. They have samples of that motion and neutral names (see
+/// Returns the part types of a formulation for which the table lacks code, or has code that refuses
+/// steps of the motion. They have samples of the motion over `grid` and neutral names (see
 /// without_names). Leaves out parts that are too large. Throws Unavailable when the model cannot be
 /// assembled, and what make_partition throws. told: receives the use of each type, and the number
 /// of parts that are too large.

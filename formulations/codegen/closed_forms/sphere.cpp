@@ -1,6 +1,6 @@
-// Intersection of a sphere with planes in one, two or three dimensions. Examples: a point on two
-// circles or three spheres, a unit vector normal to two others, the last component of a unit
-// vector.
+// Intersection of a sphere with planes in one, two or three dimensions. Examples are a point on two
+// circles or three spheres and a unit vector normal to two others. In one dimension, an example is
+// the last component of a unit vector.
 
 #include <utility>
 

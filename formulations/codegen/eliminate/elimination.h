@@ -59,7 +59,7 @@ class Elimination {
   std::vector<Expr> solve(std::vector<Expr> b) const;
 
   /// Returns a monitor for each pivot that is not constant. Rows solved by their adjugate have one
-  /// for the determinant and one for each column that occurs in earlier pivot rows.
+  /// for the determinant. They have another for each column that occurs in earlier pivot rows.
   const std::vector<PivotMonitor>& monitors() const { return monitors_; }
 
  private:
@@ -83,8 +83,8 @@ class Elimination {
   std::vector<PivotMonitor> monitors_;
 };
 
-/// Returns eliminations of one matrix. At each sample point one of them has no poor pivots, except
-/// near singular positions and when `most` of them do not suffice.
+/// Returns eliminations of one matrix. At each sample point one of them has no poor pivots.
+/// Exceptions are points near singular positions, and points that `most` eliminations do not serve.
 /// - most: largest number of eliminations
 /// - first: number of points, from the beginning, at which the first elimination is chosen. Each
 ///   later one is chosen at all points where those before it are poor.

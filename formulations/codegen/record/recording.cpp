@@ -107,7 +107,7 @@ RecordedPart record(const PartType& type, const std::vector<SamplePoint>& sample
 SampledType& add_part(const Model& m, const PartDefinition& part,
                       std::span<const std::vector<double>> states,
                       std::vector<SampledType>& found) {
-  constexpr std::size_t pivot_samples = 12;
+  constexpr std::size_t pivot_samples = 12;  // number of them that is aimed at
   const std::size_t stride = std::max<std::size_t>(1, (states.size() + 3) / pivot_samples);
   PartType type = describe_type(m, part);
   std::vector<SamplePoint> samples;

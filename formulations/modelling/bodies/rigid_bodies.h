@@ -49,9 +49,9 @@ struct RigidBodies {
 /// vector of a body with a frame of its own does.
 bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
-/// Throws std::invalid_argument, naming the body, when a finite length on a body is > 1e152, or
-/// < 1e-152 and not 0. Equations contain squares of these lengths: of the stated one, and of the
-/// distances from the body's first point.
+/// Throws std::invalid_argument, naming the body, when a length on a body is < 1e-152 or > 1e152.
+/// Lengths are the stated one and distances from the body's first point; equations contain their
+/// squares. Lengths of 0 and infinite ones pass.
 void require_representable(const Mechanism& mechanism);
 
 /// Merges bodies that fixed joints connect, and chooses their bases. Vectors that do not follow

@@ -165,8 +165,8 @@ void define_component(const Definition& definition) {
     definition.derived_as<Component<3, 2>>(operands);
 }
 
-/// Returns whether the tree or equations of a joint keep the points of a distance on its line, or
-/// the second point at a constant offset from it.
+/// Returns whether the tree or equations of a joint keep the points of a distance along its vector,
+/// or at a constant offset.
 bool is_kept_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   for (int i = 0; i < static_cast<int>(w.mechanism.joints.size()); ++i) {
     const Mechanism::Joint& j = w.mechanism.joints[i];

@@ -60,10 +60,11 @@ FramedMechanism put_frames(const Mechanism& mechanism, const RigidBodies& rigid,
                            const Structure& structure, Modelling modelling);
 
 /// Gives nearly flat bodies in space the normal of their plane as a third direction of their bases.
-/// No direction of such a body leads more than 5.7° out of the plane of two others, but some point
-/// or vector lies off it by more than rounding. A third direction of the body's own would make
-/// nearly dependent equations; without one the body would be flat. Returns the mechanism with these
-/// vectors, and its rigid bodies (its other members mean nothing); nullopt where no body needs one.
+/// No direction of such a body leads more than 5.7° out of the plane of two others. But some point
+/// or vector lies off that plane by more than rounding. A third direction of the body's own would
+/// make nearly dependent equations; without one the body would be flat. Returns the mechanism with
+/// these vectors, and its rigid bodies (other members mean nothing); nullopt where no body needs
+/// one.
 std::optional<FramedMechanism> with_plane_normals(const Mechanism& mechanism,
                                                   const RigidBodies& rigid);
 

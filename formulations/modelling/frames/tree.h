@@ -27,7 +27,7 @@ struct SpanningTree {
 
 /// Returns the tree. Groups come in solution order. Within a group, the next body hangs on a placed
 /// body by the joint with the fewest variables. Among equals the body with the most joints goes
-/// first, then the one whose parent is nearest to earlier groups, then that of the first joint.
+/// first. Then the parent nearest to earlier groups decides, then the order of the joints.
 /// Bodies without such a joint hang on the ground by a free joint. A body that can spin idly, such
 /// as a rod between two spherical joints, has no frame.
 SpanningTree make_tree(const Mechanism& mechanism, const RigidBodies& rigid,

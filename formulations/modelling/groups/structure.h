@@ -50,8 +50,8 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coord
 Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid);
 
 /// Returns the idle freedoms of spatial bodies, in the order of the bodies. A body with a point has
-/// one when all its points and vectors lie along one line, or when it carries nothing else. (A
-/// joint that prevents the spin gives the body a vector across the line.)
+/// one when all that it carries lies along one line or in that point. (A joint that prevents the
+/// spin gives the body a vector across the line.)
 std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& mechanism, const RigidBodies& rigid);
 
 /// Returns the axis about which an under-constrained spatial body can spin, if its only joints are

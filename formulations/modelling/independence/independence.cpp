@@ -30,7 +30,7 @@ constexpr int movement_steps = 10;
 VectorXd minimise_residual(std::vector<double>& state, const GroupSystem& s,
                            Lineariser& lineariser) {
   constexpr int max_iterations = 50;
-  constexpr double max_residual = 1e-12;  // |Φ| over its scales ≤ this: Φ vanishes
+  constexpr double max_residual = 1e-12;  // relative |Φ| ≤ this: Φ vanishes
   for (int iteration = 0;; ++iteration) {
     const Linearisation now = lineariser.at(state, s);
     const VectorXd off = now.relative_phi();

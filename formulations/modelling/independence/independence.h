@@ -22,8 +22,8 @@ namespace desmo {
 /// - the nominal position cannot be assembled,
 /// - an equation between constants is off by more than 1e-4 of its length,
 /// - a group is under-constrained,
-/// - a group cannot follow its drivers (too many drivers, or constraints that contradict each other
-///   by more than 1e-4 of its size).
+/// - a group cannot follow its drivers: there are too many, or constraints contradict each other
+///   by more than 1e-4 of its size.
 std::vector<LeftOut> leave_out_dependent(Model& candidates, const std::vector<int>& surplus);
 
 }  // namespace desmo

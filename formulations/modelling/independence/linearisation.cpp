@@ -13,8 +13,8 @@ namespace desmo {
 
 namespace {
 
-/// Smallest certain norm of a row over the columns of its group, relative to its norm over all
-/// other variables. Below it, uncertainty of those variables may explain the row.
+/// Smallest certain norm of a row's entries in the columns of its group, relative to that of its
+/// derivatives by all other variables. Below it, uncertainty of those variables may explain them.
 constexpr double certain = 1e-8;
 /// Shortest length of a point that counts, relative to its longest one; below it, this much counts.
 constexpr double min_share = 1e-10;
@@ -71,7 +71,7 @@ Lineariser::Lineariser(const Model& model, Lengths which)
 
 Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem& s) {
   const int n = static_cast<int>(s.rows.size());
-  // length: norm of each row over the variables that are no columns of the group.
+  // length: norm of each row's derivatives by the variables that are no columns of the group.
   Eigen::VectorXd phi(n), length = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd share = Eigen::VectorXd::Ones(n), rounding = Eigen::VectorXd::Zero(n);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, static_cast<int>(s.columns.size()));

@@ -41,15 +41,16 @@ void list_rows(const Model& model, GroupSystem& system);
 
 /// Scaled Φ and Φ_q of a group's candidates. Columns are multiplied by natural magnitudes: for
 /// points and distances the largest power of two that is ≤ their characteristic length, else 1.
-/// Rows are divided by their norm over these columns or, if that is larger, by 1e-8 of their norm
-/// over all other variables. A change of units changes scales by factors below two.
+/// Rows are divided by the norm of these entries. Where 1e-8 of the norm of their derivatives by
+/// all other variables is larger, they are divided by that. A change of units changes scales by
+/// factors below two.
 struct Linearisation {
   Eigen::VectorXd phi;       ///< scaled Φ (rows of the GroupSystem)
   Eigen::MatrixXd jacobian;  ///< scaled Φ_q (rows × columns of the GroupSystem)
-  Eigen::VectorXd share;  ///< divisor of each row, relative to its norm over all variables (rows)
+  Eigen::VectorXd share;     ///< divisor of each row, relative to its norm for all variables (rows)
   Eigen::VectorXd rounding;  ///< largest |Φ| by rounding of the variables that a row reads (rows)
 
-  /// Returns |Φ| relative to the norms of rows over all variables, less what rounding may cause. So
+  /// Returns |Φ| relative to the norms of rows for all variables, less what rounding may cause. So
   /// equations that hold do not count, however far from the origin their points are.
   Eigen::VectorXd relative_phi() const {
     return (phi.cwiseAbs() - rounding).cwiseMax(0).cwiseProduct(share);

@@ -78,8 +78,8 @@ void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
   }
 }
 
-/// Selects rows at the most general of the positions, the perturbed ones first, for a pose with
-/// lower rank is a special one.
+/// Selects rows at the position of highest rank, since positions of lower rank are special ones.
+/// Among equals, perturbed positions come first.
 SelectedRows RowSelector::select(const GroupSystem& s) {
   SelectedRows selected;
   selected.jacobians = sample_jacobians(s, positions_, linearisers_);

@@ -16,10 +16,10 @@ using Eigen::VectorXd;
 
 /// Assembles a group from an estimate, even where equations depend on each other: by the
 /// Gauss–Newton method with the smallest correction, over unknowns and drivers. Returns whether Φ
-/// vanishes, apart from rounding, or is < max_misfit in a group that closes_nearly().
+/// vanishes, except for rounding, or is < max_misfit in a group that closes_nearly().
 bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int max_iterations = 100;
-  constexpr double max_residual = 1e-9;  // |Φ| over its scales < this: Φ vanishes
+  constexpr double max_residual = 1e-9;  // relative |Φ| < this: Φ vanishes
   const double closes = s.closes_nearly() ? max_misfit : max_residual;
   double largest = INFINITY;
   for (int iteration = 0; iteration < max_iterations; ++iteration) {

@@ -47,8 +47,8 @@ class Measures {
   ///
   /// and an acceleration a where |a| <= min_rate (A + V²), A: largest |acceleration| of a driver.
   /// Rounding errors of coordinates are proportional to the drivers' rates. A driver whose rate is
-  /// 0 by its motion counts as 0 in V and A, since its rate consists of rounding. When the scale on
-  /// the right is 0, everything vanishes.
+  /// 0 by its motion counts as 0 in V and A: its rate consists of rounding. When the scale on the
+  /// right is 0, everything vanishes.
   static constexpr double min_rate = 1e-10;
 
   /// Source of the drivers' rates: the model's motions, or rows of numbers, which are exact.
