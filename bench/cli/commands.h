@@ -15,7 +15,7 @@
 
 namespace desmo::cli {
 
-/// Adds a subcommand with its options and examples.
+/// A function that adds a subcommand with its options and examples.
 using AddCommand = void(CLI::App& program);
 
 /// A subcommand, and its options, which live as long as it does.
@@ -25,8 +25,8 @@ struct Command {
   Options& options;
 };
 
-/// Adds a subcommand, to which its options are then added. run: does the work once these are read;
-/// throws the errors of errors.h.
+/// Adds a subcommand without options; the caller adds them to what is returned. run: does the
+/// subcommand's work once its options are read; may throw what report_current_exception() reports.
 template <class Options>
 Command<Options> add_command(CLI::App& program, const std::string& name,
                              const std::string& description, void (*run)(const Options&)) {
@@ -36,12 +36,14 @@ Command<Options> add_command(CLI::App& program, const std::string& name,
   return {*app, *options};
 }
 
-/// Rejects an empty option text, most likely from an unset variable. Returns the message.
+/// Returns the message that rejects an empty option text, most likely from an unset variable; ""
+/// accepts the text. For CLI::Option::check.
 inline std::string refuse_empty(const std::string& text) {
   return text.empty() ? "is empty; give a value or leave the option out" : "";
 }
 
-/// Rejects NaN as the value of an option, which CLI11's bounds accept. Returns the message.
+/// Returns the message that rejects NaN as an option's value, which CLI11's bounds accept; ""
+/// accepts the text. For CLI::Option::check.
 inline std::string refuse_nan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is not a number" : "";
 }
@@ -55,7 +57,7 @@ inline void add_scene(CLI::App& command, std::string& scene) {
       ->required();
 }
 
-/// Adds the option that names the output of a command, a file.
+/// Adds the option that names the output file of a command.
 inline void add_output(CLI::App& command, std::string& output) {
   command
       .add_option("-o,--output", output,
@@ -68,7 +70,7 @@ inline void add_quiet(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "No progress, and no notes but flags");
 }
 
-/// Names of an option's values.
+/// The values of an option, each with its name on the command line.
 template <class Value>
 using Choices = std::vector<std::pair<std::string_view, Value>>;
 

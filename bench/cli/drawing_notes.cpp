@@ -12,11 +12,11 @@
 namespace desmo::cli {
 namespace {
 
-/// An offset is meant as 0 where it is, over the characteristic length of its points, at most this.
+/// Largest offset (≤) that is meant as 0, divided by the equation's characteristic length.
 constexpr double max_meant_as_zero = 1e-9;
 
-/// A table leads through the drawing where its value is off by at most this, of a length over the
-/// characteristic length of its points, else [rad]. Drawings have some digits.
+/// Largest difference (≤) of a table's value from the drawing that passes for none: [rad], or a
+/// length divided by the equation's characteristic length. Drawings have some six digits.
 constexpr double max_difference = 1e-6;
 
 std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const Model& m,
@@ -35,7 +35,7 @@ std::string note_on_offset(const Mechanism& d, const Mechanism::Joint& j, const 
          "', and stays there\n";
 }
 
-/// c: the equation of a coupling by a table, of which the first coordinate follows the second.
+/// c: the equation of a coupling by a table; its first operand follows its second.
 std::string note_on_table(const Constraint& c, const Model& m, const DisplayUnits& units) {
   const Entity &first = m.entities[c.operands[0]], &second = m.entities[c.operands[1]];
   const auto number = [&c](int k) { return c.constants[k].value; };
@@ -59,8 +59,8 @@ std::string note_on_table(const Constraint& c, const Model& m, const DisplayUnit
 std::string note_on_drawing(const Mechanism& d, const Model& m, const DisplayUnits& units) {
   std::string notes;
   for (const Mechanism::Joint& j : d.joints) notes += note_on_offset(d, j, m, units);
-  // No table is compared with a drawing that is an estimate: bodies have frames or lengths of
-  // their own.
+  // Where a body has a frame or a length of its own, the drawing is an estimate, which says nothing
+  // of tables.
   if (std::ranges::any_of(d.bodies, [](const auto& body) { return body.own || body.length; }))
     return notes;
   for (const Constraint& c : m.constraints)

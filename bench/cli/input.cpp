@@ -38,7 +38,8 @@ std::string read_standard_input(const std::string& source) {
   }
 }
 
-/// Drivers at rest: what does not depend on motion needs some value all the same.
+/// Returns a scene of the mechanism with its drivers at rest: a model needs some motion of them,
+/// even where nothing depends on it.
 Scene at_rest(Mechanism mechanism) {
   Scene scene;
   scene.name = mechanism.name;
@@ -71,7 +72,8 @@ Input from_file(const std::string& name, bool mechanism_will_do) {
   return {from_text(text, source, folder, mechanism_will_do), source, name};
 }
 
-/// "truck_suspension:5"; none when it is not of that form or no such case exists.
+/// Returns the scene that "truck_suspension:5" names; none when no case has the name before the
+/// colon. Throws CommandError (usage_error) where a case has, but the number of units is wrong.
 std::optional<Scene> scalable_case(const std::string& argument) {
   const std::size_t colon = argument.find(':');
   for (const Case& c : cases()) {

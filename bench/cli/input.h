@@ -16,28 +16,28 @@ namespace desmo::cli {
 /// faster where there is code, but most of a row's time goes into its proof.
 inline constexpr const char* default_formulation = "block_symbolic_inlined";
 
-/// A scene; of a mechanism file: with drivers at rest, and no instants. Its units are those in
-/// which numbers are written and read; inside they are in SI units.
+/// A scene; one made from a mechanism file has drivers at rest, and no instants. `units` are those
+/// in which numbers are written and read; the scene's own numbers are in SI units.
 struct Input : ReadScene {
-  std::string source;  ///< for messages
-  std::string file;    ///< path of what was read, /dev/stdin where that is "-"; empty: none
+  std::string source;  ///< name of the input in messages
+  std::string file;    ///< path of the file read, /dev/stdin for "-"; empty: no file was read
 };
 
 /// Loads a scene. Throws InputError, UnreadableFile and CommandError (unreadable_input; usage_error
 /// for a number of units), naming the source. The argument is:
-/// - a scene file, if it contains "/" or ".", or has none of these names; "-" is standard input
+/// - a scene file, if it contains "/" or ".", or is none of the names below; "-" is standard input
 /// - the name of a library mechanism, for its scene
 /// - a scalable case with its number of units, "truck_suspension:5"
 ///
-/// units: those that Input::units are to be.
+/// units: si replaces Input::units by metres and radians.
 Input load_scene(const std::string& argument, UnitSystem units = UnitSystem::file);
 
 /// Loads like load_scene(), but accepts mechanism files too.
 Input load_mechanism(const std::string& argument);
 
-/// Throws CommandError (usage_error) where an output would replace a file that is read: the scene,
-/// one that it names, or that of the drivers' rows ("" for none). All are as given on the command
-/// line, standard input included.
+/// Throws CommandError (usage_error) where the file `output` would replace a file that is read: the
+/// scene, a file that it names, or that of the drivers' rows. drivers: its path; "-" is standard
+/// input, "" none.
 void protect_input(const std::string& output, const Input& input, const std::string& drivers = "");
 
 /// Makes the model of an input. Throws InputError, naming the source.

@@ -12,8 +12,8 @@
 namespace desmo::cli {
 namespace {
 
-// All that the signal handler reads: plain static memory, since a handler may neither run
-// destructors nor use the heap.
+// Memory that the signal handler reads. It is plain and static: a handler may not use the heap, and
+// may run after destructors of static objects.
 char path_to_remove[PATH_MAX];
 std::atomic<bool> is_to_be_removed{false};
 static_assert(std::atomic<bool>::is_always_lock_free);

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ListOptions {
-  std::string what;  // empty: everything
+  std::string what;  // key of the section to list; empty: all sections
   bool json = false;
 };
 

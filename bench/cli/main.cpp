@@ -15,7 +15,8 @@ namespace {
 
 using namespace desmo;
 
-/// Files opened later must not take the place of a standard stream that the caller has closed.
+/// Opens /dev/null for each standard stream that the caller has closed, so that no file opened
+/// later takes its place.
 void occupy_standard_streams() {
   int file = ::open("/dev/null", O_RDONLY);
   while (file >= 0 && file <= STDERR_FILENO) file = ::dup(file);
@@ -32,8 +33,8 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
       unknown_name("command", argv[1], std::vector<std::string_view>(names.begin(), names.end())));
 }
 
-/// Throws for words that a command takes nothing of: the first option that does not exist, or the
-/// first word too many.
+/// Throws CommandError (usage_error) for words that a command does not take: names the first
+/// unknown option or, where there is none, the first word too many.
 [[noreturn]] void refuse_extras(CLI::App& program) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   const CLI::App& command = chosen.empty() ? program : *chosen.front();

@@ -10,7 +10,7 @@
 
 namespace desmo::cli {
 
-/// Returns "1 body", "2 bodies"; the default plural is the noun with an s.
+/// Returns "1 body", "2 bodies"; plural: by default the noun with an s.
 std::string count(long n, const std::string& noun, const std::string& plural = "");
 
 /// Returns "a, b, c"; for more than `most` names "a, b, c, … (7 more)".
@@ -25,7 +25,7 @@ std::vector<std::string> names_at(const std::vector<Named>& all,
   return names;
 }
 
-/// Returns "group 'SG-II' (rod, slider)", with at most eight bodies.
+/// Returns "group 'SG-II' (rod, slider)", naming at most eight of its bodies.
 std::string named_group(const Group& group);
 
 /// Returns "group 'SG-II' (rod, slider), ", with which notes begin; "" for no group, -1.
@@ -34,13 +34,14 @@ std::string in_group(GroupId group, const Model& model);
 /// Returns "t = 0.3 s".
 std::string time_text(double time);
 
-/// Returns "t = 1 s to 2 s"; one moment where both are the same in print.
+/// Returns "t = 1 s to 2 s"; "t = 1 s" where both times are the same in print.
 std::string time_range_text(double from, double to);
 
 /// Returns the names of the driven coordinates.
 std::vector<std::string> driver_names(const Model& model);
 
-/// Breaks a text into lines of at most 100 characters; all but the first are indented.
+/// Breaks a text into lines of at most 100 − indent characters, longer words excepted. Indents all
+/// lines but the first, before which the caller may have written up to `indent` characters.
 std::string wrap(const std::string& text, std::size_t indent);
 
 /// Returns a table whose columns are as wide as their widest cell, without trailing blanks. The

@@ -24,7 +24,7 @@
 namespace desmo::cli {
 namespace {
 
-constexpr std::size_t rows_shown = 12;
+constexpr std::size_t rows_shown = 12;  // rows of the table of evidence, its heading included
 
 struct TuneOptions {
   std::string scene;
@@ -35,7 +35,8 @@ struct TuneOptions {
 
 std::string microseconds(double seconds) { return formatted("%.4g us", 1e6 * seconds); }
 
-/// The best error that was reached at each time: what is cheaper is less accurate.
+/// Returns a table of the configurations that are more accurate than every faster one that was
+/// tried.
 std::string evidence(const accuracy::SearchResult& found) {
   std::vector<std::vector<std::string>> rows{{"us/step", "error", "motion", "formulation"}};
   double best = INFINITY;
@@ -54,7 +55,7 @@ std::string evidence(const accuracy::SearchResult& found) {
                          const TuneOptions& options, const Input& input) {
   const accuracy::TriedConfiguration* nearest = nullptr;
   const bool budget = options.goal.budget > 0;
-  // An error on the beginning alone says little of the whole.
+  // Without a budget, errors over the whole motion come first: one on its beginning says little.
   const auto rank = [&](const accuracy::TriedConfiguration& t) {
     return budget ? std::pair(false, t.seconds) : std::pair(!t.whole, t.error);
   };
@@ -83,7 +84,7 @@ void write_scene(const std::string& path, const std::string& id) {
   output.finish();
 }
 
-/// The code of all formulations that have any: theirs by groups, and by blocks.
+/// Returns the code that can be generated for groups and for blocks, lanes included.
 KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptions& options) {
   KernelTable kernels;
   for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_explicit/lanes:4"})
@@ -91,8 +92,8 @@ KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptio
   return kernels;
 }
 
-/// Returns the motion with its references. Throws CommandError (not_solved) where there is none,
-/// since the mechanism locks or is singular.
+/// Returns the motion with its reference solutions. Throws CommandError (not_solved) where they
+/// cannot be made, for instance since the mechanism locks or is singular.
 accuracy::TunedMotion motion_of(const Plan& plan, const Input& input) {
   try {
     return accuracy::make_tuned_motion(plan, input.scene.grid);
